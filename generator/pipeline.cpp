@@ -140,13 +140,15 @@ bool all_derivations_proven(const Machine& machine) {
     return machine.audit.all_proven() && std::all_of(machine.other_modes.begin(), machine.other_modes.end(), all_derivations_proven);
 }
 
+CodeWish wish_of(const Machine& machine, bool with_series) { return {.passes = machine.passes, .series = with_series, .together = machine.together, .trig = machine.trig}; }
+
 /// Rewritten code has to be proven as well as code in the form of the derivation is; else it is not taken.
 void keep_proofs(Machine& machine, bool with_series) {
     const auto is_proven = [](const AuditEntry& entry) { return entry.result.verdict == Verdict::proven; };
     if (machine.code->rewritten.empty() || std::all_of(machine.emitted.begin(), machine.emitted.end(), is_proven)) return;
-    Passes others = machine.passes;
-    others.rewriting = false;
-    auto plain = make_code(*machine.system, {.passes = others, .series = with_series, .trig = machine.trig});
+    CodeWish without_rewriting = wish_of(machine, with_series);
+    without_rewriting.passes.rewriting = false;
+    auto plain = make_code(*machine.system, without_rewriting);
     std::vector<AuditEntry> of_plain = verify(*plain);
     if (std::count_if(of_plain.begin(), of_plain.end(), is_proven) <= std::count_if(machine.emitted.begin(), machine.emitted.end(), is_proven)) return;
     machine.code = std::move(plain);
@@ -154,7 +156,7 @@ void keep_proofs(Machine& machine, bool with_series) {
 }
 
 void make_and_prove_code(Machine& machine, Stopwatch& watch, bool with_series) {
-    machine.code = make_code(*machine.system, {.passes = machine.passes, .series = with_series, .trig = machine.trig});
+    machine.code = make_code(*machine.system, wish_of(machine, with_series));
     const OperationCount count = machine.code->count(Function::rhs);
     watch.lap("graph", fmt::format("{} operations in rhs, {} cached values", count.total(), machine.code->cache.values().size()));
     machine.emitted = verify(*machine.code);
@@ -260,11 +262,14 @@ Header generate(Machine& machine, SeriesWish wish) {
         for (Machine& other : machine.other_modes) {
             other.passes = machine.passes;
             other.trig = machine.trig;
+            other.together = machine.together;
             make_and_prove_code(other, watch, wish != SeriesWish::none);
             all.push_back(other.code.get());
         }
         modes.assign(all.begin(), all.end());
         if (wish != SeriesWish::none) keep_series(machine, all, wish);
+        if (machine.together && machine.fields)
+            throw Failure(Diagnostic{Id::bad_option, machine.loaded->model.name_span, fmt::format("--together: '{}' has rods whose cells are computed in loops, one function after the other; a smaller size has code for each of them", machine.loaded->model.name)});
         const Proofs proofs = proofs_of(machine);
         watch.lap("prove code", proofs.all_proven() ? "everything proven" : "something only numerically equal");
         const auto effects_out = sizes_of_effects_out(*machine.system, {machine.system->scene.sizes.begin(), machine.system->scene.sizes.end()});
@@ -287,6 +292,7 @@ std::string normalised_command(const Machine& machine) {
     if (machine.trig == Trig::combined) command += " --trig combined";
     for (const auto& [name, value] : scene.sizes) command += fmt::format(" --size {}={}", name, value);
     if (machine.code && has_series(machine)) command += " --taylor";
+    if (machine.together) command += " --together";
     return command;
 }
 

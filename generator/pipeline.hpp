@@ -46,6 +46,7 @@ struct Machine {
     std::vector<StageReport> stages;
     Passes passes;                       ///< that generate makes
     Trig trig = Trig::library;
+    bool together = false;               ///< rates, Jacobian, outputs and energies in one function, too
 };
 
 /// text -> model. Warnings go to diagnostics.

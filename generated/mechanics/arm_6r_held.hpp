@@ -12,15 +12,14 @@
 //     d'Alembert = Euler-Lagrange: 6 of 6 equations
 //     force = -d(energy)/dq: 10 of 10 potentials
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
-//     this code = the derivation: 20 of 20 functions
+//     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                24    113     1        0      0
-//   rhs                  368    537     0       10      0
+//   rhs                  433    623     6       10      0
 //   rhs_and_jacobian    1243   1476     5       10      0
-//   jacobian_u           135    207     0       10      0
-//   jacobian_p          1684   2074     0       10      0
-//   jacobian_t           135    207     0       10      0
+//   jacobian_u           271    382     6       10      0
+//   jacobian_p          2165   2679     6       10      0
 //   mass_matrix          135    207     0       10      0
 //   bias                 266    393     0       10      0
 //   output                15     22     0       12      0
@@ -29,7 +28,6 @@
 //   potential_energy      32     58     0       10      0
 //   supplied_power         5      6     0        0      0
 //   dissipated_power       5      8     0        0      0
-//   and solves with M (6 x 6) by loops, which are not counted
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -171,131 +169,6 @@ template <class Scalar>
 template <class Scalar>
 [[gnu::always_inline]] inline void sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
     sin_and_cos(angle, s, c, 0);
-}
-
-/// A number that is known when code is compiled.
-template <std::size_t k>
-struct Known {
-    constexpr operator std::size_t() const noexcept { return k; }
-};
-
-template <std::size_t... i>
-struct Indices {};
-template <std::size_t n, std::size_t... i>
-struct IndicesBelow : IndicesBelow<n - 1, n - 1, i...> {};
-template <std::size_t... i>
-struct IndicesBelow<0, i...> {
-    using type = Indices<i...>;
-};
-
-template <class Step, std::size_t... i>
-void unroll(Indices<i...>, [[maybe_unused]] const Step& step) noexcept {
-    (step(Known<i>{}), ...);
-}
-template <std::size_t n, class Step, std::size_t... i>
-void unroll_down(Indices<i...>, [[maybe_unused]] const Step& step) noexcept {
-    (step(Known<n - 1 - i>{}), ...);
-}
-
-/// Calls step with 0, 1, ..., n - 1: written out where n is Known, and so is what step gets; else in a loop.
-template <std::size_t n, class Step>
-void each(Known<n>, const Step& step) noexcept {
-    unroll(typename IndicesBelow<n>::type{}, step);
-}
-template <class Step>
-void each(std::size_t n, const Step& step) noexcept {
-    for (std::size_t i = 0; i < n; ++i) step(i);
-}
-
-/// The same with n - 1, ..., 1, 0.
-template <std::size_t n, class Step>
-void each_down(Known<n>, const Step& step) noexcept {
-    unroll_down<n>(typename IndicesBelow<n>::type{}, step);
-}
-template <class Step>
-void each_down(std::size_t n, const Step& step) noexcept {
-    for (std::size_t i = n; i-- > 0;) step(i);
-}
-
-/// The order of a system of equations: Known up to 12, where code without loops takes half of the time; longer code leaves the
-/// instruction cache.
-template <std::size_t n>
-constexpr auto order() noexcept {
-    if constexpr (n <= 12) return Known<n>{};
-    else return n;
-}
-
-/// Factors M = L D L' in place. `given` is the lower triangle row by row; afterwards it holds L below the diagonal and 1/D on it.
-/// M must be positive definite; otherwise the result is not finite or useless, and no error is reported. Needs unroll.
-template <class Scalar, std::size_t n>
-void ldlt_factor(std::array<Scalar, n * (n + 1) / 2>& given) noexcept {
-    std::array<Scalar, n * (n + 1) / 2> m = given;  // which nothing else points to
-    each(order<n>(), [&](auto i) {
-        const std::size_t row = i * (i + 1) / 2;
-        each(i, [&](auto j) {
-            const std::size_t other = j * (j + 1) / 2;
-            Scalar v = m[row + j];
-            each(j, [&](auto k) { v -= m[row + k] * m[other + k]; });
-            m[row + j] = v;
-        });
-        Scalar pivot = m[row + i];
-        each(i, [&](auto j) {
-            const Scalar l = m[row + j] * m[j * (j + 1) / 2 + j];
-            pivot -= m[row + j] * l;
-            m[row + j] = l;
-        });
-        m[row + i] = Scalar(1) / pivot;
-    });
-    given = m;
-}
-
-/// Solves M x = b in place, `m` as ldlt_factor leaves it. `b` points to n values.
-template <class Scalar, std::size_t n>
-void ldlt_solve(const std::array<Scalar, n * (n + 1) / 2>& m, Scalar* b) noexcept {
-    std::array<Scalar, n> x;
-    for (std::size_t i = 0; i < n; ++i) x[i] = b[i];
-    each(order<n>(), [&](auto i) {
-        Scalar value = x[i];
-        each(i, [&](auto k) { value -= m[i * (i + 1) / 2 + k] * x[k]; });
-        x[i] = value;
-    });
-    each(order<n>(), [&](auto i) { x[i] *= m[i * (i + 1) / 2 + i]; });
-    each_down(order<n>(), [&](auto i) {
-        const Scalar value = x[i];
-        each(i, [&](auto k) { x[k] -= m[i * (i + 1) / 2 + k] * value; });
-    });
-    for (std::size_t i = 0; i < n; ++i) b[i] = x[i];
-}
-
-/// Solves M x = b for every column of n values that begins at one of `starts` in `values`, in place. Several columns go side by side,
-/// since the steps of one wait for each other.
-template <class Scalar, std::size_t n, std::size_t count>
-void ldlt_solve_columns(const std::array<Scalar, n * (n + 1) / 2>& m, Scalar* values, const std::array<std::size_t, count>& starts) noexcept {
-    constexpr std::size_t width = 8;
-    std::size_t next = 0;
-    for (; next + width <= count; next += width) {
-        Scalar b[n][width];
-        for (std::size_t i = 0; i < n; ++i)
-            for (std::size_t c = 0; c < width; ++c) b[i][c] = values[starts[next + c] + i];
-        for (std::size_t i = 1; i < n; ++i) {
-            const Scalar* const row = m.data() + i * (i + 1) / 2;
-            Scalar sum[width];
-            for (std::size_t c = 0; c < width; ++c) sum[c] = b[i][c];
-            for (std::size_t k = 0; k < i; ++k)
-                for (std::size_t c = 0; c < width; ++c) sum[c] -= row[k] * b[k][c];
-            for (std::size_t c = 0; c < width; ++c) b[i][c] = sum[c];
-        }
-        for (std::size_t i = n; i-- > 0;) {
-            Scalar sum[width];
-            for (std::size_t c = 0; c < width; ++c) sum[c] = b[i][c] * m[i * (i + 1) / 2 + i];
-            for (std::size_t k = i + 1; k < n; ++k)
-                for (std::size_t c = 0; c < width; ++c) sum[c] -= m[k * (k + 1) / 2 + i] * b[k][c];
-            for (std::size_t c = 0; c < width; ++c) b[i][c] = sum[c];
-        }
-        for (std::size_t i = 0; i < n; ++i)
-            for (std::size_t c = 0; c < width; ++c) values[starts[next + c] + i] = b[i][c];
-    }
-    for (; next < count; ++next) ldlt_solve<Scalar, n>(m, values + starts[next]);
 }
 
 }  // namespace detail
@@ -513,12 +386,9 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 368 + or -, 537 *, 10 sin or cos, and the factorisation and solve with M (6 x 6) by loops
+    /// Operations: 433 + or -, 623 *, 6 /, 10 sin or cos
     /// (Too long to be printed here; `dalembert derive` prints the equations.)
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
-        const Scalar q_4 = x[3];
-        Scalar sin_q_4, cos_q_4;
-        detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
         const Scalar q_2 = x[1];
         Scalar sin_q_2, cos_q_2;
         detail::sin_and_cos<Scalar>(q_2, sin_q_2, cos_q_2);
@@ -527,275 +397,316 @@ public:
         detail::sin_and_cos<Scalar>(q_3, sin_q_3, cos_q_3);
         const Scalar e1 = cos_q_2 * sin_q_3;
         const Scalar e2 = cos_q_3 * sin_q_2;
-        const Scalar e3 = e1 * e1 + e2 * e2;
-        const Scalar e4 = p_.J_5 * sin_q_4;
-        const Scalar e5 = e1 * e2;
-        const Scalar e6 = cos_q_2 * cos_q_3 - sin_q_2 * sin_q_3;
-        const Scalar e7 = e1 + e2;
-        const Scalar e8 = p_.d_4 * e7;
-        const Scalar e9 = c_.k66 * cos_q_2 + c_.k65 * e6 + e8;
+        const Scalar e3 = e1 + e2;
+        const Scalar e4 = cos_q_2 * cos_q_3 - sin_q_2 * sin_q_3;
         const Scalar q_5 = x[4];
         Scalar sin_q_5, cos_q_5;
         detail::sin_and_cos<Scalar>(q_5, sin_q_5, cos_q_5);
+        const Scalar q_4 = x[3];
+        Scalar sin_q_4, cos_q_4;
+        detail::sin_and_cos<Scalar>(q_4, sin_q_4, cos_q_4);
+        const Scalar e5 = cos_q_4 * sin_q_5;
+        const Scalar e6 = e3 * e5;
+        const Scalar e7 = cos_q_5 * e4;
+        const Scalar e8 = e6 - e7;
+        const Scalar e9 = sin_q_5 * e4;
+        const Scalar e10 = cos_q_4 * cos_q_5;
+        const Scalar e11 = e9 + e3 * e10;
+        const Scalar e12 = cos_q_5 * e8 - sin_q_5 * e11;
+        const Scalar e13 = sin_q_4 * e3;
+        const Scalar e14 = cos_q_5 * e11 + sin_q_5 * e8;
+        const Scalar e15 = cos_q_4 * e13 - sin_q_4 * e14;
+        const Scalar e16 = cos_q_4 * e14 + sin_q_4 * e13;
         const Scalar q_6 = x[5];
         Scalar sin_q_6, cos_q_6;
         detail::sin_and_cos<Scalar>(q_6, sin_q_6, cos_q_6);
-        const Scalar e10 = cos_q_6 * sin_q_5;
-        const Scalar e11 = p_.c_x * cos_q_5 - p_.c_z * e10;
-        const Scalar e12 = cos_q_5 * sin_q_4;
-        const Scalar e13 = cos_q_4 * cos_q_6 - sin_q_6 * e12;
-        const Scalar e14 = p_.a_3 * e6;
-        const Scalar e15 = p_.a_2 * cos_q_2;
-        const Scalar e16 = e8 - (e14 + e15);
-        const Scalar e17 = cos_q_4 * sin_q_5;
-        const Scalar e18 = cos_q_4 * cos_q_5;
-        const Scalar e19 = cos_q_6 * e18 - sin_q_4 * sin_q_6;
-        const Scalar e20 = p_.c_x * e17 + p_.c_z * e19;
-        const Scalar e21 = cos_q_6 * sin_q_4 + sin_q_6 * e18;
-        const Scalar e22 = p_.d_3 * e6;
-        const Scalar e23 = sin_q_5 * sin_q_6;
-        const Scalar e24 = p_.d_3 * e7;
-        const Scalar e25 = e6 * e11 - e13 * e16 - e7 * e20 - e21 * e22 + e23 * e24;
-        const Scalar e26 = p_.m_6 * e25;
-        const Scalar e27 = e7 * e21;
-        const Scalar e28 = e6 * e23 + e27;
-        const Scalar e29 = cos_q_4 * sin_q_6 + cos_q_6 * e12;
-        const Scalar e30 = e19 * e22 - p_.c_z * e28 - e29 * e16 - e10 * e24;
-        const Scalar e31 = p_.m_6 * e30;
-        const Scalar e32 = sin_q_4 * sin_q_5;
-        const Scalar e33 = e17 * e22 - p_.c_x * e28 - e32 * e16 + cos_q_5 * e24;
-        const Scalar e34 = p_.m_6 * e33;
-        const Scalar e35 = e7 * e19 + e6 * e10;
-        const Scalar e36 = p_.J_5 * e35;
-        const Scalar e37 = cos_q_5 * e6;
-        const Scalar e38 = e7 * e17;
-        const Scalar e39 = e37 - e38;
-        const Scalar e40 = c_.k2 * e39;
-        const Scalar e41 = sin_q_5 * e6;
-        const Scalar e42 = cos_q_4 * e7;
-        const Scalar e43 = e41 + cos_q_5 * e42;
-        const Scalar e44 = p_.J_5 * e43;
-        const Scalar e45 = c_.k2 * e28;
-        const Scalar e46 = c_.k61 * e6 + c_.k62 * cos_q_2;
-        const Scalar e47 = c_.k60 * e6;
-        const Scalar e48 = cos_q_4 * e46 - c_.k59 * e42 - sin_q_4 * e47;
-        const Scalar e49 = c_.k6 * e48;
-        const Scalar e50 = sin_q_4 * e7;
-        const Scalar e51 = sin_q_4 * e46 + cos_q_4 * e47 - c_.k59 * e50;
-        const Scalar e52 = c_.k6 * e51;
-        const Scalar e53 = p_.a_2 * cos_q_3 + p_.a_3;
-        const Scalar e54 = p_.c_x * e32 + p_.c_z * e29;
-        const Scalar e55 = p_.a_2 * sin_q_3 - p_.d_4;
-        const Scalar e56 = e23 * e53 - e54 + e21 * e55;
-        const Scalar e57 = p_.c_z * e13;
-        const Scalar e58 = e10 * e53 + e19 * e55 - e57;
-        const Scalar e59 = p_.c_x * e13;
-        const Scalar e60 = cos_q_5 * e53 - e17 * e55 + e59;
-        const Scalar e61 = cos_q_4 * e51 - sin_q_4 * e48;
-        const Scalar e62 = c_.k62 * sin_q_3 - c_.k59;
-        const Scalar e63 = c_.k6 * e62;
-        const Scalar e64 = p_.J_5 * e29;
-        const Scalar e65 = c_.k2 * e13;
-        const Scalar e66 = (e42 - cos_q_5 * e43) * e4 + e32 * e40 - (e35 * e64 - e28 * e65);
-        const Scalar e67 = c_.k9 * sin_q_2;
-        const Scalar e68 = p_.d_4 + c_.k66 * sin_q_3;
-        const Scalar e69 = c_.k11 * e6;
-        const Scalar e70 = p_.J_5 * e32;
-        const Scalar e71 = e32 * e70 + (e13 * e65 + e29 * e64);
-        const Scalar e72 = p_.m_6 * e56;
-        const Scalar e73 = p_.m_6 * e60;
-        const Scalar e74 = p_.m_6 * e58;
-        const Scalar e75 = c_.k5 * e68;
-        const Scalar e76 = p_.a_3 * e23 - p_.d_4 * e21 - e54;
-        const Scalar e77 = p_.a_3 * e10 - p_.d_4 * e19 - e57;
-        const Scalar e78 = p_.a_3 * cos_q_5 + p_.d_4 * e17 + e59;
-        const Scalar e79 = p_.m_6 * e76;
-        const Scalar e80 = p_.m_6 * e78;
-        const Scalar e81 = p_.m_6 * e77;
-        const Scalar e82 = e45 - (c_.k21 * e30 + c_.k22 * e33);
-        const Scalar e83 = cos_q_5 * e70 + (e23 * e65 - e10 * e64);
-        const Scalar e84 = c_.k21 * e58 - c_.k22 * e60;
-        const Scalar e85 = c_.k21 * e77 - c_.k22 * e78;
-        const Scalar e86 = p_.m_6 * e11;
-        const Scalar e87 = c_.k25 * e23;
-        const Scalar e88 = c_.k21 * sin_q_6;
-        const Scalar e89 = sin_q_6 * e64 + (p_.J_5 * cos_q_4 + cos_q_6 * e65);
-        const Scalar e90 = p_.J_5 * e39;
-        const Scalar e91 = p_.J_5 * cos_q_5;
-        const Scalar e92 = e38 - e37;
-        const Scalar e93 = e41 + e7 * e18;
-        const Scalar e94 = cos_q_5 * e92 - sin_q_5 * e93;
-        const Scalar e95 = cos_q_5 * e93 + sin_q_5 * e92;
-        const Scalar e96 = cos_q_4 * e50 - sin_q_4 * e95;
-        const Scalar e97 = cos_q_4 * e95 + sin_q_4 * e50;
-        const Scalar e98 = c_.k35 * sin_q_6;
-        const Scalar e99 = e7 * e32;
-        const Scalar e100 = e95 * e98 - c_.k36 * e99;
+        const Scalar e17 = c_.k35 * sin_q_6;
+        const Scalar e18 = sin_q_4 * sin_q_5;
+        const Scalar e19 = e3 * e18;
+        const Scalar e20 = e14 * e17 - c_.k36 * e19;
+        const Scalar e21 = cos_q_4 * e3;
+        const Scalar e22 = sin_q_5 * sin_q_6;
         const Scalar q_4_dot = x[9];
         const Scalar q_2_dot = x[7];
         const Scalar q_3_dot = x[8];
-        const Scalar e101 = q_2_dot + q_3_dot;
+        const Scalar e23 = q_2_dot + q_3_dot;
         const Scalar q_1_dot = x[6];
-        const Scalar e102 = e101 * e6;
-        const Scalar e103 = q_4_dot * e101 + q_1_dot * e102;
-        const Scalar e104 = q_1_dot * q_4_dot;
-        const Scalar e105 = cos_q_4 * e103 - e50 * e104;
-        const Scalar e106 = cos_q_4 * e101 - q_1_dot * e50;
-        const Scalar e107 = q_1_dot * e6;
-        const Scalar e108 = e107 - q_4_dot;
-        const Scalar e109 = c_.k23 * (Scalar(2) * e105 + e106 * e108) + c_.k36 * cos_q_5 * e50;
-        const Scalar e110 = c_.k35 * cos_q_6;
+        const Scalar e24 = e23 * e4;
+        const Scalar e25 = q_4_dot * e23 + q_1_dot * e24;
+        const Scalar e26 = q_1_dot * q_4_dot;
+        const Scalar e27 = cos_q_4 * e25 - e13 * e26;
+        const Scalar e28 = cos_q_4 * e23 - q_1_dot * e13;
+        const Scalar e29 = q_1_dot * e4;
+        const Scalar e30 = e29 - q_4_dot;
+        const Scalar e31 = c_.k23 * (Scalar(2) * e27 + e28 * e30) + c_.k36 * cos_q_5 * e13;
+        const Scalar e32 = c_.k35 * cos_q_6;
         const Scalar q_1 = x[0];
-        const Scalar e111 = q_1_dot * sin_q_2;
-        const Scalar e112 = c_.k64 * q_2_dot + c_.k63 * e111;
-        const Scalar e113 = q_1_dot * cos_q_2;
-        const Scalar e114 = q_2_dot * sin_q_2;
-        const Scalar e115 = q_1_dot * e114;
-        const Scalar e116 = p_.d_3 * e113;
-        const Scalar e117 = cos_q_3 * e116;
-        const Scalar e118 = p_.a_2 * q_2_dot + p_.d_3 * e111;
-        const Scalar e119 = q_3_dot * e118;
-        const Scalar e120 = p_.d_3 * e115 + e119;
-        const Scalar e121 = e101 * e117 - sin_q_3 * e120;
-        const Scalar e122 = p_.d_4 * e101;
-        const Scalar e123 = sin_q_3 * e118;
-        const Scalar e124 = c_.k58 * cos_q_3 * e113 - e122 - Scalar(6) * e123;
-        const Scalar e125 = q_1_dot * e7;
-        const Scalar e126 = q_1_dot * e9;
-        const Scalar e127 = Scalar(6) * e121 - e101 * e124 + e125 * e126;
-        const Scalar e128 = sin_q_4 * e101 + cos_q_4 * e125;
-        const Scalar e129 = e117 - e123 + e122;
-        const Scalar e130 = e122 - Scalar(5) * e129;
-        const Scalar e131 = e14 - e8 + e15;
-        const Scalar e132 = Scalar(5) * e131 + e8;
-        const Scalar e133 = q_1_dot * cos_q_4;
-        const Scalar e134 = sin_q_4 * e130 + e132 * e133;
-        const Scalar e135 = sin_q_4 * e131;
-        const Scalar e136 = p_.d_4 * e50 + Scalar(5) * e135;
-        const Scalar e137 = cos_q_4 * e130 - q_1_dot * e136;
-        const Scalar e138 = Scalar(5) * e121 + e128 * e134 + e106 * e137;
+        const Scalar e33 = q_1_dot * sin_q_2;
+        const Scalar e34 = c_.k64 * q_2_dot + c_.k63 * e33;
+        const Scalar e35 = q_1_dot * cos_q_2;
+        const Scalar e36 = q_2_dot * sin_q_2;
+        const Scalar e37 = q_1_dot * e36;
+        const Scalar e38 = p_.d_3 * e35;
+        const Scalar e39 = cos_q_3 * e38;
+        const Scalar e40 = p_.a_2 * q_2_dot + p_.d_3 * e33;
+        const Scalar e41 = q_3_dot * e40;
+        const Scalar e42 = p_.d_3 * e37 + e41;
+        const Scalar e43 = e23 * e39 - sin_q_3 * e42;
+        const Scalar e44 = p_.d_4 * e23;
+        const Scalar e45 = sin_q_3 * e40;
+        const Scalar e46 = c_.k58 * cos_q_3 * e35 - e44 - Scalar(6) * e45;
+        const Scalar e47 = q_1_dot * e3;
+        const Scalar e48 = p_.d_4 * e3;
+        const Scalar e49 = c_.k66 * cos_q_2 + c_.k65 * e4 + e48;
+        const Scalar e50 = q_1_dot * e49;
+        const Scalar e51 = Scalar(6) * e43 - e23 * e46 + e47 * e50;
+        const Scalar e52 = sin_q_4 * e23 + cos_q_4 * e47;
+        const Scalar e53 = e39 - e45 + e44;
+        const Scalar e54 = e44 - Scalar(5) * e53;
+        const Scalar e55 = p_.a_3 * e4;
+        const Scalar e56 = p_.a_2 * cos_q_2;
+        const Scalar e57 = e55 - e48 + e56;
+        const Scalar e58 = Scalar(5) * e57 + e48;
+        const Scalar e59 = q_1_dot * cos_q_4;
+        const Scalar e60 = sin_q_4 * e54 + e58 * e59;
+        const Scalar e61 = sin_q_4 * e57;
+        const Scalar e62 = p_.d_4 * e13 + Scalar(5) * e61;
+        const Scalar e63 = cos_q_4 * e54 - q_1_dot * e62;
+        const Scalar e64 = Scalar(5) * e43 + e52 * e60 + e28 * e63;
+        const Scalar e65 = e7 - e6;
+        const Scalar e66 = p_.J_5 * e65;
         const Scalar q_5_dot = x[10];
-        const Scalar e139 = e101 * e7;
-        const Scalar e140 = q_1_dot * e139;
-        const Scalar e141 = q_5_dot * e128 + e140;
-        const Scalar e142 = q_5_dot * sin_q_5;
-        const Scalar e143 = cos_q_5 * e141 + e108 * e142;
-        const Scalar e144 = e7 * e104;
-        const Scalar e145 = e103 * e17 + e143 - e32 * e144;
-        const Scalar e146 = cos_q_5 * e128 + sin_q_5 * e108;
-        const Scalar e147 = q_5_dot + e106;
-        const Scalar e148 = cos_q_6 * e146 + sin_q_6 * e147;
-        const Scalar e149 = cos_q_6 * e147 - sin_q_6 * e146;
-        const Scalar e150 = e145 + e148 * e149;
+        const Scalar e67 = e23 * e3;
+        const Scalar e68 = q_1_dot * e67;
+        const Scalar e69 = q_5_dot * e52 + e68;
+        const Scalar e70 = q_5_dot * sin_q_5;
+        const Scalar e71 = cos_q_5 * e69 + e30 * e70;
+        const Scalar e72 = e3 * e26;
+        const Scalar e73 = e25 * e5 + e71 - e18 * e72;
+        const Scalar e74 = cos_q_5 * e52 + sin_q_5 * e30;
+        const Scalar e75 = q_5_dot + e28;
+        const Scalar e76 = cos_q_6 * e74 + sin_q_6 * e75;
+        const Scalar e77 = cos_q_6 * e75 - sin_q_6 * e74;
+        const Scalar e78 = e73 + e76 * e77;
         const Scalar tau_1 = u[0];
-        const Scalar e151 = p_.a_3 * e101 + (cos_q_3 * e118 + sin_q_3 * e116);
-        const Scalar e152 = cos_q_4 * e129 + q_1_dot * e135;
-        const Scalar e153 = cos_q_5 * e151 + sin_q_5 * e152 + p_.c_x * e149;
+        const Scalar e79 = p_.a_3 * e23 + (cos_q_3 * e40 + sin_q_3 * e38);
+        const Scalar e80 = cos_q_4 * e53 + q_1_dot * e61;
+        const Scalar e81 = cos_q_5 * e79 + sin_q_5 * e80 + p_.c_x * e77;
         const Scalar q_6_dot = x[11];
-        const Scalar e154 = q_6_dot - (cos_q_5 * e108 - sin_q_5 * e128);
-        const Scalar e155 = e131 * e133 - sin_q_4 * e129;
-        const Scalar e156 = cos_q_5 * e152 - sin_q_5 * e151;
-        const Scalar e157 = p_.c_z * e149 + cos_q_6 * e156;
-        const Scalar e158 = sin_q_6 * e155 + e157;
-        const Scalar e159 = sin_q_3 * e101;
-        const Scalar e160 = cos_q_3 * e120 + e116 * e159;
-        const Scalar e161 = e131 * e104 - e160;
-        const Scalar e162 = q_5_dot * e152 + e121;
-        const Scalar e163 = p_.d_4 * e102;
-        const Scalar e164 = q_1_dot * (p_.a_2 * e114 + e163) + (q_4_dot * e129 + p_.a_3 * e140);
-        const Scalar e165 = q_5_dot * cos_q_5;
-        const Scalar e166 = e151 * e165 - q_6_dot * e155;
-        const Scalar e167 = e108 * e165 - sin_q_5 * e141;
-        const Scalar e168 = cos_q_6 * e167;
-        const Scalar e169 = e21 * e161 - e23 * e162 + e13 * e164 - sin_q_6 * e166 + p_.c_x * e143 + e103 * e20 + q_6_dot * e157
-            - e54 * e144 + p_.c_z * e168;
-        const Scalar e170 = e148 * e153 - e154 * e158 + e169;
-        const Scalar e171 = e21 * e103 + e13 * e144 + (q_6_dot * e148 + sin_q_6 * e167);
-        const Scalar e172 = sin_q_6 * e156;
-        const Scalar e173 = p_.c_z * e148 - cos_q_6 * e155 + p_.c_x * e154 + e172;
-        const Scalar e174 = e10 * e162 - e19 * e161 + e29 * e164 + cos_q_6 * e166 + p_.c_z * e171 + q_6_dot * e172;
-        const Scalar e175 = e174 - e149 * e153 - e154 * e173;
-        const Scalar e176 = e148 * e173 + e149 * e158
-            + (e32 * e164 - cos_q_5 * e162 - e17 * e161 + p_.c_x * e171 + e151 * e142);
-        const Scalar e177 = e19 * e103 + q_6_dot * e149 - e29 * e144 + e168 - e149 * e154;
-        const Scalar e178 = e167 + cos_q_5 * e105;
-        const Scalar e179 = c_.k60 * (cos_q_3 * e115 + e113 * e159) + Scalar(5) * cos_q_3 * e119;
-        const Scalar e180 = q_1_dot * (c_.k62 * e114 + c_.k59 * e102) + (c_.k61 * e140 - q_4_dot * e130);
-        const Scalar e181 = Scalar(5) * e128 * e151 - e108 * e137 + (e104 * e136 - sin_q_4 * e179 + cos_q_4 * e180);
-        const Scalar e182 = sin_q_4 * e180 - cos_q_4 * (e104 * e132 - e179) - Scalar(5) * e106 * e151 - e108 * e134;
-        const Scalar e183 = Scalar(6) * e101 * e151 - Scalar(6) * e160 + e107 * e126;
-        const Scalar e184 = sin_q_4 * e103 + cos_q_4 * e144;
-        const Scalar e185 = c_.k36 * e93 - p_.J_5 * e184;
-        const Scalar e186 = c_.k23 * (Scalar(2) * e184 + e128 * e108) - e185;
-        const Scalar e187 = c_.k35 * e92;
-        const Scalar e188 = e113 * e111;
-        const Scalar e189 = e50 * e110;
+        const Scalar e82 = q_6_dot - (cos_q_5 * e30 - sin_q_5 * e52);
+        const Scalar e83 = e57 * e59 - sin_q_4 * e53;
+        const Scalar e84 = cos_q_5 * e80 - sin_q_5 * e79;
+        const Scalar e85 = p_.c_z * e77 + cos_q_6 * e84;
+        const Scalar e86 = sin_q_6 * e83 + e85;
+        const Scalar e87 = cos_q_6 * sin_q_4 + sin_q_6 * e10;
+        const Scalar e88 = sin_q_3 * e23;
+        const Scalar e89 = cos_q_3 * e42 + e38 * e88;
+        const Scalar e90 = e57 * e26 - e89;
+        const Scalar e91 = q_5_dot * e80 + e43;
+        const Scalar e92 = cos_q_5 * sin_q_4;
+        const Scalar e93 = cos_q_4 * cos_q_6 - sin_q_6 * e92;
+        const Scalar e94 = p_.d_4 * e24;
+        const Scalar e95 = q_1_dot * (p_.a_2 * e36 + e94) + (q_4_dot * e53 + p_.a_3 * e68);
+        const Scalar e96 = q_5_dot * cos_q_5;
+        const Scalar e97 = e79 * e96 - q_6_dot * e83;
+        const Scalar e98 = cos_q_6 * e10 - sin_q_4 * sin_q_6;
+        const Scalar e99 = p_.c_x * e5 + p_.c_z * e98;
+        const Scalar e100 = cos_q_4 * sin_q_6 + cos_q_6 * e92;
+        const Scalar e101 = p_.c_x * e18 + p_.c_z * e100;
+        const Scalar e102 = e30 * e96 - sin_q_5 * e69;
+        const Scalar e103 = cos_q_6 * e102;
+        const Scalar e104 = e87 * e90 - e22 * e91 + e93 * e95 - sin_q_6 * e97 + p_.c_x * e71 + e25 * e99 + q_6_dot * e85 - e101
+            * e72 + p_.c_z * e103;
+        const Scalar e105 = e76 * e81 - e82 * e86 + e104;
+        const Scalar e106 = cos_q_6 * sin_q_5;
+        const Scalar e107 = p_.c_x * cos_q_5 - p_.c_z * e106;
+        const Scalar e108 = e48 - (e55 + e56);
+        const Scalar e109 = p_.d_3 * e4;
+        const Scalar e110 = p_.d_3 * e3;
+        const Scalar e111 = e4 * e107 - e93 * e108 - e3 * e99 - e87 * e109 + e22 * e110;
+        const Scalar e112 = p_.m_6 * e111;
+        const Scalar e113 = e87 * e25 + e93 * e72 + (q_6_dot * e76 + sin_q_6 * e102);
+        const Scalar e114 = sin_q_6 * e84;
+        const Scalar e115 = p_.c_z * e76 - cos_q_6 * e83 + p_.c_x * e82 + e114;
+        const Scalar e116 = e106 * e91 - e98 * e90 + e100 * e95 + cos_q_6 * e97 + p_.c_z * e113 + q_6_dot * e114;
+        const Scalar e117 = e116 - e77 * e81 - e82 * e115;
+        const Scalar e118 = e3 * e87;
+        const Scalar e119 = e4 * e22 + e118;
+        const Scalar e120 = e98 * e109 - p_.c_z * e119 - e100 * e108 - e106 * e110;
+        const Scalar e121 = p_.m_6 * e120;
+        const Scalar e122 = e76 * e115 + e77 * e86 + (e18 * e95 - cos_q_5 * e91 - e5 * e90 + p_.c_x * e113 + e79 * e70);
+        const Scalar e123 = e5 * e109 - p_.c_x * e119 - e18 * e108 + cos_q_5 * e110;
+        const Scalar e124 = p_.m_6 * e123;
+        const Scalar e125 = e98 * e25 + q_6_dot * e77 - e100 * e72 + e103 - e77 * e82;
+        const Scalar e126 = e3 * e98 + e4 * e106;
+        const Scalar e127 = p_.J_5 * e126;
+        const Scalar e128 = e102 + cos_q_5 * e27;
+        const Scalar e129 = e9 + cos_q_5 * e21;
+        const Scalar e130 = p_.J_5 * e129;
+        const Scalar e131 = c_.k2 * e119;
+        const Scalar e132 = c_.k60 * (cos_q_3 * e37 + e35 * e88) + Scalar(5) * cos_q_3 * e41;
+        const Scalar e133 = q_1_dot * (c_.k62 * e36 + c_.k59 * e24) + (c_.k61 * e68 - q_4_dot * e54);
+        const Scalar e134 = Scalar(5) * e52 * e79 - e30 * e63 + (e26 * e62 - sin_q_4 * e132 + cos_q_4 * e133);
+        const Scalar e135 = c_.k61 * e4 + c_.k62 * cos_q_2;
+        const Scalar e136 = c_.k60 * e4;
+        const Scalar e137 = cos_q_4 * e135 - c_.k59 * e21 - sin_q_4 * e136;
+        const Scalar e138 = c_.k6 * e137;
+        const Scalar e139 = sin_q_4 * e133 - cos_q_4 * (e26 * e58 - e132) - Scalar(5) * e28 * e79 - e30 * e60;
+        const Scalar e140 = sin_q_4 * e135 + cos_q_4 * e136 - c_.k59 * e13;
+        const Scalar e141 = c_.k6 * e140;
+        const Scalar e142 = Scalar(6) * e23 * e79 - Scalar(6) * e89 + e29 * e50;
+        const Scalar e143 = c_.k11 * e4;
+        const Scalar e144 = sin_q_4 * e25 + cos_q_4 * e72;
+        const Scalar e145 = c_.k36 * e11 - p_.J_5 * e144;
+        const Scalar e146 = c_.k23 * (Scalar(2) * e144 + e52 * e30) - e145;
+        const Scalar e147 = c_.k35 * e8;
+        const Scalar e148 = c_.k9 * sin_q_2;
+        const Scalar e149 = e35 * e33;
+        const Scalar e150 = e13 * e32;
+        const Scalar e151 = c_.k40 * (q_2_dot * e34 + c_.k64 * e35 * e35 - c_.k63 * e37) - c_.k39 * e15;
+        const Scalar e152 = c_.k30 * (sin_q_2 * e34 + c_.k63 * cos_q_2 * e35 + c_.k64 * e36) + c_.k29 * e36;
+        const Scalar e153 = c_.k5 * (c_.k66 * e36 + c_.k65 * e67 - e94 + e4 * e46 + Scalar(6) * e3 * e79) * e50;
+        const Scalar e154 = e3 * (c_.k37 * e4 - c_.k33 * e12 - c_.k38 * e15) - e4
+            * (c_.k37 * e3 + c_.k33 * e16 - c_.k34 * e15 - e20) - e21 * (c_.k35 * e11 * e22 + e31 + e32 * e19) + p_.k_p
+            * (Scalar(1) - q_1) - cos_q_2 * e151 - e3 * (c_.k11 * e51 + c_.k41 * e64) + e35 * e152 + e66 * (e73 + e78) + tau_1
+            - p_.k_d * q_1_dot + e105 * e112 + e117 * e121 + e122 * e124 - e125 * e127 + c_.k31 * e67 * e29 - c_.k32
+            * (Scalar(22) * e23 * e4 + Scalar(25) * e24) * e47 - e128 * e130 - e113 * e131 + e153 + e134 * e138 + e139 * e141
+            - e142 * e143 - e146 * e13 + e147 * e118 - e148 * e149 + e7 * e150;
+        const Scalar e155 = e1 * e1 + e2 * e2;
+        const Scalar e156 = p_.J_5 * sin_q_4;
+        const Scalar e157 = e1 * e2;
+        const Scalar e158 = c_.k2 * e65;
+        const Scalar e159 = sin_q_4 * (e155 * e156 + c_.k2 * sin_q_4 * e157) + c_.k0 + c_.k3 * cos_q_2 * cos_q_2 + c_.k5 * e49
+            * e49 + c_.k7 * e4 * e4 + c_.k8 * e3 * e3 + c_.k4 * e155 + e111 * e112 + e120 * e121 + e123 * e124 + e126 * e127
+            + e65 * e158 + e129 * e130 + e119 * e131 + e137 * e138 + e140 * e141 + c_.k1 * e157;
+        const Scalar inverse_160 = Scalar(1) / e159;
+        const Scalar e161 = p_.a_2 * cos_q_3 + p_.a_3;
+        const Scalar e162 = p_.a_2 * sin_q_3 - p_.d_4;
+        const Scalar e163 = e22 * e161 - e101 + e87 * e162;
+        const Scalar e164 = p_.c_z * e93;
+        const Scalar e165 = e106 * e161 + e98 * e162 - e164;
+        const Scalar e166 = p_.c_x * e93;
+        const Scalar e167 = cos_q_5 * e161 - e5 * e162 + e166;
+        const Scalar e168 = cos_q_4 * e140 - sin_q_4 * e137;
+        const Scalar e169 = c_.k62 * sin_q_3 - c_.k59;
+        const Scalar e170 = c_.k6 * e169;
+        const Scalar e171 = p_.J_5 * e100;
+        const Scalar e172 = c_.k2 * e93;
+        const Scalar e173 = (e21 - cos_q_5 * e129) * e156 + e18 * e158 - (e126 * e171 - e119 * e172);
+        const Scalar e174 = p_.d_4 + c_.k66 * sin_q_3;
+        const Scalar e175 = c_.k10 * e161 * e3 + e163 * e112 - e165 * e121 + e167 * e124 - e168 * e170 - e173 + e148 - e174
+            * e143;
+        const Scalar e176 = e175 * inverse_160;
         const Scalar tau_2 = u[1];
-        const Scalar e190 = cos_q_4 * e182 - sin_q_4 * e181;
-        const Scalar e191 = p_.J_5 * e150 + e189;
-        const Scalar e192 = e191 + e93 * e98;
-        const Scalar e193 = e145 * e70 - (c_.k43 * e107 * e125 - cos_q_5 * e178 * e4)
-            + (e13 * e187 - c_.k50 * e6 - (c_.k45 * e6 - c_.k51 * e7));
-        const Scalar e194 = c_.k34 * e94 - c_.k46 * e7 + (c_.k38 * e97 + sin_q_4 * e109)
-            - (cos_q_4 * e186 - e32 * e192 + (e171 * e65 - e177 * e64));
-        const Scalar e195 = e193 + e194;
+        const Scalar e177 = p_.m_6 * e163;
+        const Scalar e178 = cos_q_4 * e139 - sin_q_4 * e134;
+        const Scalar e179 = p_.m_6 * e167;
+        const Scalar e180 = p_.m_6 * e165;
+        const Scalar e181 = p_.J_5 * e18;
+        const Scalar e182 = p_.J_5 * e78 + e150;
+        const Scalar e183 = e182 + e11 * e17;
+        const Scalar e184 = e73 * e181 - (c_.k43 * e29 * e47 - cos_q_5 * e128 * e156)
+            + (e93 * e147 - c_.k50 * e4 - (c_.k45 * e4 - c_.k51 * e3));
+        const Scalar e185 = c_.k34 * e12 - c_.k46 * e3 + (c_.k38 * e16 + sin_q_4 * e31)
+            - (cos_q_4 * e146 - e18 * e183 + (e113 * e172 - e125 * e171));
+        const Scalar e186 = e184 + e185;
+        const Scalar e187 = c_.k5 * e174;
+        const Scalar e188 = c_.k47 * (cos_q_3 * e4 + sin_q_3 * e3) - c_.k39 * (cos_q_3 * e12 - sin_q_3 * e16) - e161
+            * (c_.k48 * e51 + c_.k49 * e64) - c_.k42 + tau_2 - p_.k_p * q_2 - p_.k_d * q_2_dot + c_.k44 * cos_q_2 + e105 * e177
+            - e178 * e170 + e122 * e179 - e117 * e180 - e186 + e142 * e187 - c_.k3 * e149;
+        const Scalar e189 = e188 - e176 * e154;
+        const Scalar e190 = e18 * e181 + (e93 * e172 + e100 * e171);
+        const Scalar e191 = c_.k12 + c_.k13 * e161 * e161 + e190 + e163 * e177 + e169 * e170 + e167 * e179 + e165 * e180 + e174
+            * e187;
+        const Scalar inverse_192 = Scalar(1) / (e191 - e175 * e176);
+        const Scalar e193 = p_.a_3 * e22 - p_.d_4 * e87 - e101;
+        const Scalar e194 = p_.a_3 * cos_q_5 + p_.d_4 * e5 + e166;
+        const Scalar e195 = p_.a_3 * e106 - p_.d_4 * e98 - e164;
+        const Scalar e196 = c_.k16 * e3 - c_.k15 * e4 + c_.k14 * e168 + e193 * e112 - e195 * e121 + e194 * e124 - e173;
+        const Scalar e197 = c_.k17 + c_.k18 * e161 - c_.k14 * e169 + c_.k19 * e174 + e190 + e193 * e177 + e194 * e179 + e195
+            * e180;
+        const Scalar e198 = e197 - e196 * e176;
+        const Scalar e199 = e198 * inverse_192;
         const Scalar tau_3 = u[2];
+        const Scalar e200 = p_.m_6 * e193;
+        const Scalar e201 = p_.m_6 * e194;
+        const Scalar e202 = p_.m_6 * e195;
+        const Scalar e203 = e196 * inverse_160;
+        const Scalar e204 = c_.k52 + tau_3 - p_.k_p * q_3 - p_.k_d * q_3_dot + c_.k19 * e142 - c_.k53 * e51 - c_.k54 * e64
+            + c_.k14 * e178 + e105 * e200 - e186 + e122 * e201 - e117 * e202;
+        const Scalar e205 = e204 - e203 * e154 - e199 * e189;
+        const Scalar e206 = c_.k20 + e190 + e193 * e200 + e194 * e201 + e195 * e202 - e196 * e203 - e198 * e199;
+        const Scalar inverse_207 = Scalar(1) / e206;
+        const Scalar e208 = cos_q_5 * e181 + (e22 * e172 - e106 * e171);
+        const Scalar e209 = c_.k21 * e195 - c_.k22 * e194;
+        const Scalar e210 = e131 - (c_.k21 * e120 + c_.k22 * e123);
+        const Scalar e211 = -c_.k23 * e4 - e22 * e210 - e107 * e112 - e106 * e127 - cos_q_5 * e158 - sin_q_5 * e130;
+        const Scalar e212 = c_.k21 * e165 - c_.k22 * e167;
+        const Scalar e213 = e208 - e22 * e212 - e107 * e177 - e211 * e176;
+        const Scalar e214 = e208 - e22 * e209 - e107 * e200 - e211 * e203 - e213 * e199;
+        const Scalar e215 = e214 * inverse_207;
         const Scalar tau_4 = u[3];
-        const Scalar e196 = c_.k22 * e176 + (c_.k2 * e171 + c_.k21 * e175);
-        const Scalar e197 = p_.J_5 * e177;
+        const Scalar e216 = c_.k22 * e122 + (c_.k2 * e113 + c_.k21 * e117);
+        const Scalar e217 = p_.J_5 * cos_q_5;
+        const Scalar e218 = p_.m_6 * e107;
+        const Scalar e219 = p_.J_5 * e125;
+        const Scalar e220 = e211 * inverse_160;
+        const Scalar e221 = e213 * inverse_192;
+        const Scalar e222 = c_.k55 * (Scalar(1) - q_4) + tau_4 - c_.k23 * q_1_dot * e67 - c_.k56 * q_4_dot + p_.J_5 * sin_q_5
+            * e128 - cos_q_5 * e182 - e20 + e22 * e216 - e73 * e217 - e105 * e218 + e106 * e219;
+        const Scalar e223 = e222 - e220 * e154 - e221 * e189 - e215 * e205;
+        const Scalar e224 = c_.k25 * e22;
+        const Scalar e225 = c_.k24 + e107 * e218 + e22 * e224 - e211 * e220 - e213 * e221 - e214 * e215;
+        const Scalar inverse_226 = Scalar(1) / e225;
+        const Scalar e227 = c_.k21 * sin_q_6;
+        const Scalar e228 = sin_q_6 * e127 - cos_q_6 * e210 - e111 * e227 - e3 * e156;
+        const Scalar e229 = sin_q_6 * e171 + (p_.J_5 * cos_q_4 + cos_q_6 * e172);
+        const Scalar e230 = e229 - cos_q_6 * e212 - e163 * e227 - e228 * e176;
+        const Scalar e231 = e229 - cos_q_6 * e209 - e193 * e227 - e228 * e203 - e230 * e199;
+        const Scalar e232 = e107 * e227 + cos_q_6 * e224 - e228 * e220 - e230 * e221 - e231 * e215;
+        const Scalar e233 = e232 * inverse_226;
         const Scalar tau_5 = u[4];
+        const Scalar e234 = e228 * inverse_160;
+        const Scalar e235 = e230 * inverse_192;
+        const Scalar e236 = e231 * inverse_207;
+        const Scalar e237 = c_.k57 + tau_5 - c_.k55 * q_5 - c_.k56 * q_5_dot - e145 + cos_q_6 * e216 - e105 * e227 - e8 * e32
+            - sin_q_6 * e219;
+        const Scalar e238 = e237 - e234 * e154 - e235 * e189 - e236 * e205 - e233 * e223;
+        const Scalar e239 = c_.k26 + c_.k27 * cos_q_6 * cos_q_6 - e228 * e234 - e230 * e235 - e231 * e236 - e232 * e233;
+        const Scalar inverse_240 = Scalar(1) / e239;
+        const Scalar e241 = -c_.k22 * e111 - e66;
+        const Scalar e242 = e181 - c_.k22 * e163 - e241 * e176;
+        const Scalar e243 = e181 - c_.k22 * e193 - e241 * e203 - e242 * e199;
+        const Scalar e244 = c_.k22 * e107 + e217 - e241 * e220 - e242 * e221 - e243 * e215;
+        const Scalar e245 = c_.k28 * sin_q_6 - e241 * e234 - e242 * e235 - e243 * e236 - e244 * e233;
+        const Scalar e246 = e245 * inverse_240;
         const Scalar tau_6 = u[5];
-        std::array<Scalar, 21> mass;
-        mass[0] = sin_q_4 * (e3 * e4 + c_.k2 * sin_q_4 * e5) + c_.k0 + c_.k3 * cos_q_2 * cos_q_2 + c_.k5 * e9 * e9 + c_.k7 * e6
-            * e6 + c_.k8 * e7 * e7 + c_.k4 * e3 + e25 * e26 + e30 * e31 + e33 * e34 + e35 * e36 + e39 * e40 + e43 * e44 + e28
-            * e45 + e48 * e49 + e51 * e52 + c_.k1 * e5;
-        mass[1] = c_.k10 * e53 * e7 + e56 * e26 - e58 * e31 + e60 * e34 - e61 * e63 - e66 + e67 - e68 * e69;
-        mass[2] = c_.k12 + c_.k13 * e53 * e53 + e71 + e56 * e72 + e62 * e63 + e60 * e73 + e58 * e74 + e68 * e75;
-        mass[3] = c_.k16 * e7 - c_.k15 * e6 + c_.k14 * e61 + e76 * e26 - e77 * e31 + e78 * e34 - e66;
-        mass[4] = c_.k17 + c_.k18 * e53 - c_.k14 * e62 + c_.k19 * e68 + e71 + e76 * e72 + e78 * e73 + e77 * e74;
-        mass[5] = c_.k20 + e71 + e76 * e79 + e78 * e80 + e77 * e81;
-        mass[6] = -c_.k23 * e6 - e23 * e82 - e11 * e26 - e10 * e36 - cos_q_5 * e40 - sin_q_5 * e44;
-        mass[7] = e83 - e23 * e84 - e11 * e72;
-        mass[8] = e83 - e23 * e85 - e11 * e79;
-        mass[9] = c_.k24 + e11 * e86 + e23 * e87;
-        mass[10] = sin_q_6 * e36 - cos_q_6 * e82 - e25 * e88 - e7 * e4;
-        mass[11] = e89 - cos_q_6 * e84 - e56 * e88;
-        mass[12] = e89 - cos_q_6 * e85 - e76 * e88;
-        mass[13] = e11 * e88 + cos_q_6 * e87;
-        mass[14] = c_.k26 + c_.k27 * cos_q_6 * cos_q_6;
-        mass[15] = -c_.k22 * e25 - e90;
-        mass[16] = e70 - c_.k22 * e56;
-        mass[17] = e70 - c_.k22 * e76;
-        mass[18] = c_.k22 * e11 + e91;
-        mass[19] = c_.k28 * sin_q_6;
-        mass[20] = c_.k27;
-        detail::ldlt_factor<Scalar, 6>(mass);
-        const Scalar e198 = c_.k40 * (q_2_dot * e112 + c_.k64 * e113 * e113 - c_.k63 * e115) - c_.k39 * e96;
-        const Scalar e199 = c_.k30 * (sin_q_2 * e112 + c_.k63 * cos_q_2 * e113 + c_.k64 * e114) + c_.k29 * e114;
-        const Scalar e200 = c_.k66 * e114 + c_.k65 * e139 - e163 + e6 * e124 + Scalar(6) * e7 * e151;
-        dxdt[6] = e7 * (c_.k37 * e6 - c_.k33 * e94 - c_.k38 * e96) - e6 * (c_.k37 * e7 + c_.k33 * e97 - c_.k34 * e96 - e100)
-            - e42 * (c_.k35 * e93 * e23 + e109 + e110 * e99) + p_.k_p * (Scalar(1) - q_1) - cos_q_2 * e198 - e7
-            * (c_.k11 * e127 + c_.k41 * e138) + e113 * e199 + e90 * (e145 + e150) + tau_1 - p_.k_d * q_1_dot + e170 * e26
-            + e175 * e31 + e176 * e34 - e177 * e36 + c_.k31 * e139 * e107 - c_.k32
-            * (Scalar(22) * e101 * e6 + Scalar(25) * e102) * e125 - e178 * e44 - e171 * e45 + c_.k5 * e200 * e126 + e181 * e49
-            + e182 * e52 - e183 * e69 - e186 * e50 + e187 * e27 - e67 * e188 + e37 * e189;
-        dxdt[7] = c_.k47 * (cos_q_3 * e6 + sin_q_3 * e7) - c_.k39 * (cos_q_3 * e94 - sin_q_3 * e97) - e53
-            * (c_.k48 * e127 + c_.k49 * e138) - c_.k42 + tau_2 - p_.k_p * q_2 - p_.k_d * q_2_dot + c_.k44 * cos_q_2 + e170
-            * e72 - e190 * e63 + e176 * e73 - e175 * e74 - e195 + e183 * e75 - c_.k3 * e188;
-        dxdt[8] = c_.k52 + tau_3 - p_.k_p * q_3 - p_.k_d * q_3_dot + c_.k19 * e183 - c_.k53 * e127 - c_.k54 * e138 + c_.k14
-            * e190 + e170 * e79 - e195 + e176 * e80 - e175 * e81;
-        dxdt[9] = c_.k55 * (Scalar(1) - q_4) + tau_4 - c_.k23 * q_1_dot * e139 - c_.k56 * q_4_dot + p_.J_5 * sin_q_5 * e178
-            - cos_q_5 * e191 - e100 + e23 * e196 - e145 * e91 - e170 * e86 + e10 * e197;
-        dxdt[10] = c_.k57 + tau_5 - c_.k55 * q_5 - c_.k56 * q_5_dot - e185 + cos_q_6 * e196 - e170 * e88 - e92 * e110 - sin_q_6
-            * e197;
-        dxdt[11] = tau_6 - c_.k55 * (Scalar(1) + q_6) - c_.k56 * q_6_dot - c_.k22 * e170 - e192;
-        detail::ldlt_solve<Scalar, 6>(mass, dxdt.data() + 6);
+        const Scalar e247 = e241 * inverse_160;
+        const Scalar e248 = e242 * inverse_192;
+        const Scalar e249 = e243 * inverse_207;
+        const Scalar e250 = e244 * inverse_226;
+        const Scalar e251 = tau_6 - c_.k55 * (Scalar(1) + q_6) - c_.k56 * q_6_dot - c_.k22 * e105 - e183;
+        const Scalar e252 = e251 - e247 * e154 - e248 * e189 - e249 * e205 - e250 * e223 - e246 * e238;
+        const Scalar e253 = c_.k27 - e241 * e247 - e242 * e248 - e243 * e249 - e244 * e250 - e245 * e246;
+        const Scalar q_6_ddot = e252 / e253;
+        const Scalar q_5_ddot = e238 * inverse_240 - e246 * q_6_ddot;
+        const Scalar q_4_ddot = e223 * inverse_226 - e233 * q_5_ddot - e250 * q_6_ddot;
+        const Scalar q_3_ddot = e205 * inverse_207 - e215 * q_4_ddot - e236 * q_5_ddot - e249 * q_6_ddot;
+        const Scalar q_2_ddot = e189 * inverse_192 - e199 * q_3_ddot - e221 * q_4_ddot - e235 * q_5_ddot - e248 * q_6_ddot;
+        const Scalar q_1_ddot = e154 * inverse_160 - e176 * q_2_ddot - e203 * q_3_ddot - e220 * q_4_ddot - e234 * q_5_ddot
+            - e247 * q_6_ddot;
         dxdt[0] = x[6];
         dxdt[1] = x[7];
         dxdt[2] = x[8];
         dxdt[3] = x[9];
         dxdt[4] = x[10];
         dxdt[5] = x[11];
+        dxdt[6] = q_1_ddot;
+        dxdt[7] = q_2_ddot;
+        dxdt[8] = q_3_ddot;
+        dxdt[9] = q_4_ddot;
+        dxdt[10] = q_5_ddot;
+        dxdt[11] = q_6_ddot;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
@@ -1656,7 +1567,7 @@ public:
     }
 
     /// J = df/du. 12 x 6, entry (i, j) at J[12*j + i].
-    /// Operations: 135 + or -, 207 *, 10 sin or cos, and the factorisation and solve with M (6 x 6) by loops
+    /// Operations: 271 + or -, 382 *, 6 /, 10 sin or cos
     void jacobian_u(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianU& J) const noexcept {
         const Scalar q_4 = x[3];
         Scalar sin_q_4, cos_q_4;
@@ -1714,141 +1625,200 @@ public:
         const Scalar e39 = sin_q_5 * e1 + e4 * e19;
         const Scalar e40 = p_.J_5 * e39;
         const Scalar e41 = c_.k2 * e30;
-        const Scalar e42 = p_.a_2 * cos_q_3 + p_.a_3;
-        const Scalar e43 = p_.d_4 + c_.k66 * sin_q_3;
-        const Scalar e44 = p_.a_2 * sin_q_3 - p_.d_4;
-        const Scalar e45 = p_.c_x * e33 + p_.c_z * e29;
-        const Scalar e46 = e23 * e42 + e25 * e44 - e45;
-        const Scalar e47 = p_.c_z * e15;
-        const Scalar e48 = e20 * e44 + e42 * e21 - e47;
-        const Scalar e49 = p_.c_x * e15;
-        const Scalar e50 = cos_q_5 * e42 - e44 * e17 + e49;
-        const Scalar e51 = p_.J_5 * e29;
-        const Scalar e52 = c_.k2 * e15;
-        const Scalar e53 = (cos_q_4 * e4 - cos_q_5 * e39) * e10 + e33 * e37 - (e22 * e51 - e30 * e52);
-        const Scalar e54 = cos_q_4 * e8 - sin_q_4 * e7;
-        const Scalar e55 = c_.k62 * sin_q_3 - c_.k59;
-        const Scalar e56 = c_.k6 * e55;
-        const Scalar e57 = p_.J_5 * e33;
-        const Scalar e58 = e29 * e51 + (e15 * e52 + e33 * e57);
-        const Scalar e59 = p_.m_6 * e46;
-        const Scalar e60 = p_.m_6 * e50;
-        const Scalar e61 = p_.m_6 * e48;
-        const Scalar e62 = p_.a_3 * e23 - p_.d_4 * e25 - e45;
-        const Scalar e63 = p_.a_3 * e21 - p_.d_4 * e20 - e47;
-        const Scalar e64 = p_.a_3 * cos_q_5 + p_.d_4 * e17 + e49;
-        const Scalar e65 = p_.m_6 * e62;
-        const Scalar e66 = e41 - (c_.k21 * e31 + c_.k22 * e34);
-        const Scalar e67 = p_.c_x * cos_q_5 - p_.c_z * e21;
-        const Scalar e68 = cos_q_5 * e57 - e51 * e21;
-        const Scalar e69 = e52 - (c_.k21 * e48 - c_.k22 * e50);
-        const Scalar e70 = e52 - (c_.k21 * e63 - c_.k22 * e64);
-        const Scalar e71 = c_.k25 * e23;
-        const Scalar e72 = c_.k21 * sin_q_6;
-        const Scalar e73 = p_.J_5 * cos_q_4 + sin_q_6 * e51;
-        std::array<Scalar, 21> mass;
-        mass[0] = c_.k6 * (e7 * e7 + e8 * e8) + sin_q_4 * (e9 * e10 + c_.k2 * sin_q_4 * e11) + c_.k0 + c_.k3 * cos_q_2
+        const Scalar e42 = c_.k6 * (e7 * e7 + e8 * e8) + sin_q_4 * (e9 * e10 + c_.k2 * sin_q_4 * e11) + c_.k0 + c_.k3 * cos_q_2
             * cos_q_2 + c_.k5 * e13 * e13 + c_.k7 * e1 * e1 + c_.k8 * e4 * e4 + c_.k4 * e9 + e27 * e28 + e31 * e32 + e34 * e35
             + e36 * e37 + e22 * e38 + e39 * e40 + e30 * e41 + c_.k1 * e11;
-        mass[1] = c_.k9 * sin_q_2 + c_.k10 * e42 * e4 - c_.k11 * e43 * e1 + e46 * e28 - e48 * e32 + e50 * e35 - e53 - e54 * e56;
-        mass[2] = c_.k12 + c_.k13 * e42 * e42 + c_.k5 * e43 * e43 + e58 + e46 * e59 + e55 * e56 + e50 * e60 + e48 * e61;
-        mass[3] = c_.k16 * e4 - c_.k15 * e1 + c_.k14 * e54 + e62 * e28 - e63 * e32 + e64 * e35 - e53;
-        mass[4] = c_.k17 + c_.k18 * e42 - c_.k14 * e55 + c_.k19 * e43 + e58 + e62 * e59 + e64 * e60 + e63 * e61;
-        mass[5] = p_.m_6 * (e64 * e64 + e63 * e63) + c_.k20 + e58 + e62 * e65;
-        mass[6] = -c_.k23 * e1 - e23 * e66 - e67 * e28 - cos_q_5 * e37 - e21 * e38 - sin_q_5 * e40;
-        mass[7] = e68 + e23 * e69 - e67 * e59;
-        mass[8] = e68 + e23 * e70 - e67 * e65;
-        mass[9] = c_.k24 + p_.m_6 * e67 * e67 + e23 * e71;
-        mass[10] = sin_q_6 * e38 - cos_q_6 * e66 - e27 * e72 - e4 * e10;
-        mass[11] = e73 + cos_q_6 * e69 - e46 * e72;
-        mass[12] = e73 + cos_q_6 * e70 - e62 * e72;
-        mass[13] = e67 * e72 + cos_q_6 * e71;
-        mass[14] = c_.k26 + c_.k27 * cos_q_6 * cos_q_6;
-        mass[15] = -c_.k22 * e27 - p_.J_5 * e36;
-        mass[16] = e57 - c_.k22 * e46;
-        mass[17] = e57 - c_.k22 * e62;
-        mass[18] = p_.J_5 * cos_q_5 + c_.k22 * e67;
-        mass[19] = c_.k28 * sin_q_6;
-        mass[20] = c_.k27;
-        detail::ldlt_factor<Scalar, 6>(mass);
+        const Scalar inverse_43 = Scalar(1) / e42;
+        const Scalar e44 = p_.a_2 * cos_q_3 + p_.a_3;
+        const Scalar e45 = p_.d_4 + c_.k66 * sin_q_3;
+        const Scalar e46 = p_.a_2 * sin_q_3 - p_.d_4;
+        const Scalar e47 = p_.c_x * e33 + p_.c_z * e29;
+        const Scalar e48 = e23 * e44 + e25 * e46 - e47;
+        const Scalar e49 = p_.c_z * e15;
+        const Scalar e50 = e20 * e46 + e44 * e21 - e49;
+        const Scalar e51 = p_.c_x * e15;
+        const Scalar e52 = cos_q_5 * e44 - e46 * e17 + e51;
+        const Scalar e53 = p_.J_5 * e29;
+        const Scalar e54 = c_.k2 * e15;
+        const Scalar e55 = (cos_q_4 * e4 - cos_q_5 * e39) * e10 + e33 * e37 - (e22 * e53 - e30 * e54);
+        const Scalar e56 = cos_q_4 * e8 - sin_q_4 * e7;
+        const Scalar e57 = c_.k62 * sin_q_3 - c_.k59;
+        const Scalar e58 = c_.k6 * e57;
+        const Scalar e59 = c_.k9 * sin_q_2 + c_.k10 * e44 * e4 - c_.k11 * e45 * e1 + e48 * e28 - e50 * e32 + e52 * e35 - e55
+            - e56 * e58;
+        const Scalar e60 = e59 * inverse_43;
+        const Scalar e61 = -e60;
+        const Scalar e62 = p_.J_5 * e33;
+        const Scalar e63 = e29 * e53 + (e15 * e54 + e33 * e62);
+        const Scalar e64 = p_.m_6 * e48;
+        const Scalar e65 = p_.m_6 * e52;
+        const Scalar e66 = p_.m_6 * e50;
+        const Scalar e67 = c_.k12 + c_.k13 * e44 * e44 + c_.k5 * e45 * e45 + e63 + e48 * e64 + e57 * e58 + e52 * e65 + e50
+            * e66;
+        const Scalar inverse_68 = Scalar(1) / (e67 - e59 * e60);
+        const Scalar e69 = p_.a_3 * e23 - p_.d_4 * e25 - e47;
+        const Scalar e70 = p_.a_3 * cos_q_5 + p_.d_4 * e17 + e51;
+        const Scalar e71 = p_.a_3 * e21 - p_.d_4 * e20 - e49;
+        const Scalar e72 = c_.k16 * e4 - c_.k15 * e1 + c_.k14 * e56 + e69 * e28 - e71 * e32 + e70 * e35 - e55;
+        const Scalar e73 = c_.k17 + c_.k18 * e44 - c_.k14 * e57 + c_.k19 * e45 + e63 + e69 * e64 + e70 * e65 + e71 * e66;
+        const Scalar e74 = e73 - e72 * e60;
+        const Scalar e75 = e74 * inverse_68;
+        const Scalar e76 = e72 * inverse_43;
+        const Scalar e77 = -e76 - e75 * e61;
+        const Scalar e78 = p_.m_6 * e69;
+        const Scalar e79 = p_.m_6 * (e70 * e70 + e71 * e71) + c_.k20 + e63 + e69 * e78 - e72 * e76 - e74 * e75;
+        const Scalar inverse_80 = Scalar(1) / e79;
+        const Scalar e81 = cos_q_5 * e62 - e53 * e21;
+        const Scalar e82 = e54 - (c_.k21 * e71 - c_.k22 * e70);
+        const Scalar e83 = p_.c_x * cos_q_5 - p_.c_z * e21;
+        const Scalar e84 = e41 - (c_.k21 * e31 + c_.k22 * e34);
+        const Scalar e85 = -c_.k23 * e1 - e23 * e84 - e83 * e28 - cos_q_5 * e37 - e21 * e38 - sin_q_5 * e40;
+        const Scalar e86 = e54 - (c_.k21 * e50 - c_.k22 * e52);
+        const Scalar e87 = e81 + e23 * e86 - e83 * e64 - e85 * e60;
+        const Scalar e88 = e81 + e23 * e82 - e83 * e78 - e85 * e76 - e87 * e75;
+        const Scalar e89 = e88 * inverse_80;
+        const Scalar e90 = e85 * inverse_43;
+        const Scalar e91 = e87 * inverse_68;
+        const Scalar e92 = -e90 - e91 * e61 - e89 * e77;
+        const Scalar e93 = c_.k25 * e23;
+        const Scalar e94 = c_.k24 + p_.m_6 * e83 * e83 + e23 * e93 - e85 * e90 - e87 * e91 - e88 * e89;
+        const Scalar inverse_95 = Scalar(1) / e94;
+        const Scalar e96 = c_.k21 * sin_q_6;
+        const Scalar e97 = sin_q_6 * e38 - cos_q_6 * e84 - e27 * e96 - e4 * e10;
+        const Scalar e98 = p_.J_5 * cos_q_4 + sin_q_6 * e53;
+        const Scalar e99 = e98 + cos_q_6 * e86 - e48 * e96 - e97 * e60;
+        const Scalar e100 = e98 + cos_q_6 * e82 - e69 * e96 - e97 * e76 - e99 * e75;
+        const Scalar e101 = e83 * e96 + cos_q_6 * e93 - e97 * e90 - e99 * e91 - e100 * e89;
+        const Scalar e102 = e101 * inverse_95;
+        const Scalar e103 = e97 * inverse_43;
+        const Scalar e104 = e99 * inverse_68;
+        const Scalar e105 = e100 * inverse_80;
+        const Scalar e106 = -e103 - e104 * e61 - e105 * e77 - e102 * e92;
+        const Scalar e107 = c_.k26 + c_.k27 * cos_q_6 * cos_q_6 - e97 * e103 - e99 * e104 - e100 * e105 - e101 * e102;
+        const Scalar inverse_108 = Scalar(1) / e107;
+        const Scalar e109 = -c_.k22 * e27 - p_.J_5 * e36;
+        const Scalar e110 = e62 - c_.k22 * e48 - e109 * e60;
+        const Scalar e111 = e62 - c_.k22 * e69 - e109 * e76 - e110 * e75;
+        const Scalar e112 = p_.J_5 * cos_q_5 + c_.k22 * e83 - e109 * e90 - e110 * e91 - e111 * e89;
+        const Scalar e113 = c_.k28 * sin_q_6 - e109 * e103 - e110 * e104 - e111 * e105 - e112 * e102;
+        const Scalar e114 = e113 * inverse_108;
+        const Scalar e115 = e109 * inverse_43;
+        const Scalar e116 = e110 * inverse_68;
+        const Scalar e117 = e111 * inverse_80;
+        const Scalar e118 = e112 * inverse_95;
+        const Scalar e119 = c_.k27 - e109 * e115 - e110 * e116 - e111 * e117 - e112 * e118 - e113 * e114;
+        const Scalar inverse_120 = Scalar(1) / e119;
+        const Scalar e121 = (-e115 - e116 * e61 - e117 * e77 - e118 * e92 - e114 * e106) * inverse_120;
+        const Scalar e122 = e106 * inverse_108 - e114 * e121;
+        const Scalar e123 = e92 * inverse_95 - e102 * e122 - e118 * e121;
+        const Scalar e124 = e77 * inverse_80 - e89 * e123 - e105 * e122 - e117 * e121;
+        const Scalar e125 = e61 * inverse_68 - e75 * e124 - e91 * e123 - e104 * e122 - e116 * e121;
+        const Scalar e126 = -e75;
+        const Scalar e127 = -e91 - e89 * e126;
+        const Scalar e128 = -e104 - e105 * e126 - e102 * e127;
+        const Scalar e129 = (-e116 - e117 * e126 - e118 * e127 - e114 * e128) * inverse_120;
+        const Scalar e130 = e128 * inverse_108 - e114 * e129;
+        const Scalar e131 = e127 * inverse_95 - e102 * e130 - e118 * e129;
+        const Scalar e132 = e126 * inverse_80 - e89 * e131 - e105 * e130 - e117 * e129;
+        const Scalar e133 = inverse_68 - e75 * e132 - e91 * e131 - e104 * e130 - e116 * e129;
+        const Scalar e134 = -e89;
+        const Scalar e135 = -e105 - e102 * e134;
+        const Scalar e136 = (-e117 - e118 * e134 - e114 * e135) * inverse_120;
+        const Scalar e137 = e135 * inverse_108 - e114 * e136;
+        const Scalar e138 = e134 * inverse_95 - e102 * e137 - e118 * e136;
+        const Scalar e139 = inverse_80 - e89 * e138 - e105 * e137 - e117 * e136;
+        const Scalar e140 = -e75 * e139 - e91 * e138 - e104 * e137 - e116 * e136;
+        const Scalar e141 = -e102;
+        const Scalar e142 = (-e118 - e114 * e141) * inverse_120;
+        const Scalar e143 = e141 * inverse_108 - e114 * e142;
+        const Scalar e144 = inverse_95 - e102 * e143 - e118 * e142;
+        const Scalar e145 = -e89 * e144 - e105 * e143 - e117 * e142;
+        const Scalar e146 = -e75 * e145 - e91 * e144 - e104 * e143 - e116 * e142;
+        const Scalar e147 = (-e114) * inverse_120;
+        const Scalar e148 = inverse_108 - e114 * e147;
+        const Scalar e149 = -e102 * e148 - e118 * e147;
+        const Scalar e150 = -e89 * e149 - e105 * e148 - e117 * e147;
+        const Scalar e151 = -e75 * e150 - e91 * e149 - e104 * e148 - e116 * e147;
+        const Scalar e152 = -e114 * inverse_120;
+        const Scalar e153 = -e102 * e152 - e118 * inverse_120;
+        const Scalar e154 = -e89 * e153 - e105 * e152 - e117 * inverse_120;
+        const Scalar e155 = -e75 * e154 - e91 * e153 - e104 * e152 - e116 * inverse_120;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
         J[3] = Scalar(0);
         J[4] = Scalar(0);
         J[5] = Scalar(0);
-        J[6] = Scalar(1);
-        J[7] = Scalar(0);
-        J[8] = Scalar(0);
-        J[9] = Scalar(0);
-        J[10] = Scalar(0);
-        J[11] = Scalar(0);
+        J[6] = inverse_43 - e60 * e125 - e76 * e124 - e90 * e123 - e103 * e122 - e115 * e121;
+        J[7] = e125;
+        J[8] = e124;
+        J[9] = e123;
+        J[10] = e122;
+        J[11] = e121;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = Scalar(0);
-        J[18] = Scalar(0);
-        J[19] = Scalar(1);
-        J[20] = Scalar(0);
-        J[21] = Scalar(0);
-        J[22] = Scalar(0);
-        J[23] = Scalar(0);
+        J[18] = -e60 * e133 - e76 * e132 - e90 * e131 - e103 * e130 - e115 * e129;
+        J[19] = e133;
+        J[20] = e132;
+        J[21] = e131;
+        J[22] = e130;
+        J[23] = e129;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
         J[26] = Scalar(0);
         J[27] = Scalar(0);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
-        J[30] = Scalar(0);
-        J[31] = Scalar(0);
-        J[32] = Scalar(1);
-        J[33] = Scalar(0);
-        J[34] = Scalar(0);
-        J[35] = Scalar(0);
+        J[30] = -e60 * e140 - e76 * e139 - e90 * e138 - e103 * e137 - e115 * e136;
+        J[31] = e140;
+        J[32] = e139;
+        J[33] = e138;
+        J[34] = e137;
+        J[35] = e136;
         J[36] = Scalar(0);
         J[37] = Scalar(0);
         J[38] = Scalar(0);
         J[39] = Scalar(0);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
-        J[42] = Scalar(0);
-        J[43] = Scalar(0);
-        J[44] = Scalar(0);
-        J[45] = Scalar(1);
-        J[46] = Scalar(0);
-        J[47] = Scalar(0);
+        J[42] = -e60 * e146 - e76 * e145 - e90 * e144 - e103 * e143 - e115 * e142;
+        J[43] = e146;
+        J[44] = e145;
+        J[45] = e144;
+        J[46] = e143;
+        J[47] = e142;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
         J[50] = Scalar(0);
         J[51] = Scalar(0);
         J[52] = Scalar(0);
         J[53] = Scalar(0);
-        J[54] = Scalar(0);
-        J[55] = Scalar(0);
-        J[56] = Scalar(0);
-        J[57] = Scalar(0);
-        J[58] = Scalar(1);
-        J[59] = Scalar(0);
+        J[54] = -e60 * e151 - e76 * e150 - e90 * e149 - e103 * e148 - e115 * e147;
+        J[55] = e151;
+        J[56] = e150;
+        J[57] = e149;
+        J[58] = e148;
+        J[59] = e147;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
         J[62] = Scalar(0);
         J[63] = Scalar(0);
         J[64] = Scalar(0);
         J[65] = Scalar(0);
-        J[66] = Scalar(0);
-        J[67] = Scalar(0);
-        J[68] = Scalar(0);
-        J[69] = Scalar(0);
-        J[70] = Scalar(0);
-        J[71] = Scalar(1);
-        constexpr std::array<std::size_t, 6> starts{6, 18, 30, 42, 54, 66};
-        detail::ldlt_solve_columns<Scalar, 6>(mass, J.data(), starts);
+        J[66] = -e60 * e155 - e76 * e154 - e90 * e153 - e103 * e152 - e115 * inverse_120;
+        J[67] = e155;
+        J[68] = e154;
+        J[69] = e153;
+        J[70] = e152;
+        J[71] = inverse_120;
     }
 
     /// J = df/dp, parameters in the order of the table. 12 x 16, entry (i, j) at J[12*j + i].
-    /// Operations: 1684 + or -, 2074 *, 10 sin or cos, and the factorisation and solve with M (6 x 6) by loops
+    /// Operations: 2165 + or -, 2679 *, 6 /, 10 sin or cos
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         State dxdt;
         rhs(x, u, t, dxdt);
@@ -2230,564 +2200,10 @@ public:
         const Scalar e350 = (Scalar(181) / Scalar(450)) * e334;
         const Scalar e351 = dxdt[6] * cos_q_2;
         const Scalar e352 = cos_q_2 * e351;
-        const Scalar e353 = p_.m_4 * p_.g;
-        const Scalar e354 = e16 * e353;
-        const Scalar e355 = q_1_dot * e225;
-        const Scalar e356 = Scalar(6) * e50 - e11 * e337 + e10 * e355;
-        const Scalar e357 = c_.k48 * e356;
-        const Scalar e358 = Scalar(5) * e50 + e13 * e259 + e21 * e146;
-        const Scalar e359 = c_.k49 * e358;
-        const Scalar e360 = dxdt[11] * e234;
-        const Scalar e361 = e81 * e107;
-        const Scalar e362 = c_.k18 * dxdt[8];
-        const Scalar e363 = e296 * e115;
-        const Scalar e364 = e103 * e296;
-        const Scalar e365 = e211 * e299;
-        const Scalar e366 = e299 * e219;
-        const Scalar e367 = dxdt[6] * e7;
-        const Scalar e368 = c_.k10 * e367;
-        const Scalar e369 = p_.m_3 + p_.m_4;
-        const Scalar e370 = dxdt[7] * e120;
-        const Scalar e371 = Scalar(2) * e369 * e370;
-        const Scalar e372 = e136 * e81;
-        const Scalar e373 = e126 * e372;
-        const Scalar e374 = e136 * e123;
-        const Scalar e375 = e49 * e374;
-        const Scalar e376 = e136 * e126;
-        const Scalar e377 = e125 * e92;
-        const Scalar e378 = e245 + e247 - e250 + e251 - e253 - dxdt[6] * e177;
-        const Scalar e379 = e215 * e23;
-        const Scalar e380 = e215 * e40;
-        const Scalar e381 = e125 * e104;
-        const Scalar e382 = e271 + e272 + e274 - e275 + dxdt[6] * e1;
-        const Scalar e383 = q_6_dot * e1;
-        const Scalar e384 = e42 * e1;
-        const Scalar e385 = dxdt[6] * e16;
-        const Scalar e386 = p_.d_4 * p_.m_4;
-        const Scalar e387 = p_.d_4 * p_.m_3;
-        const Scalar e388 = (Scalar(4) / Scalar(5)) * (e386 - (Scalar(5) / Scalar(24)) * e387);
-        const Scalar e389 = -e388;
-        const Scalar e390 = dxdt[8] * e389;
-        const Scalar e391 = e7 * e353;
-        const Scalar e392 = Scalar(6) * e11 * e28 - Scalar(6) * (e65 + e67) + e17 * e355;
-        const Scalar e393 = c_.k48 * e392;
-        const Scalar e394 = c_.k13 * e120;
-        const Scalar e395 = e122 * e294;
-        const Scalar e396 = e125 * e296;
-        const Scalar e397 = e394 + e395 + e396 + e215 * e299;
-        const Scalar e398 = e231 + e233 + e235 + e136 * e216;
-        const Scalar e399 = e331 + q_6_dot * e177 - e42 * e177 + q_4_dot * e257;
-        const Scalar e400 = c_.k62 * sin_q_3 - c_.k59;
-        const Scalar e401 = c_.k49 * e400;
-        const Scalar e402 = dxdt[6] * e162;
-        const Scalar e403 = e125 * e40;
-        const Scalar e404 = e323 - e324 - e152 * e161;
-        const Scalar e405 = e122 * e23;
-        const Scalar e406 = e215 * e152;
-        const Scalar e407 = e122 * e308;
-        const Scalar e408 = e246 * e290;
-        const Scalar e409 = p_.d_4 + c_.k66 * sin_q_3;
-        const Scalar e410 = c_.k48 * e409;
-        const Scalar e411 = p_.m_3 * e120;
-        const Scalar e412 = e17 * e410 - e10 * e411;
-        const Scalar e413 = p_.m_4 * e120;
-        const Scalar e414 = e342 + e13 * e249;
-        const Scalar e415 = e181 + e182;
-        const Scalar e416 = e252 + e351;
-        const Scalar e417 = e243 - e256;
-        const Scalar e418 = cos_q_4 * e21 + sin_q_4 * e13;
-        const Scalar e419 = cos_q_4 * e13 - sin_q_4 * e21;
-        const Scalar e420 = p_.m_3 * p_.g;
-        const Scalar e421 = p_.m_6 * e215;
-        const Scalar e422 = dxdt[6] * sin_q_2;
-        const Scalar e423 = e11 * e410;
-        const Scalar e424 = e208 * e25;
-        const Scalar e425 = e125 * e42;
-        const Scalar e426 = e11 * e411;
-        const Scalar e427 = e114 * e40 + e110 * e23;
-        const Scalar e428 = e114 * e92;
-        const Scalar e429 = (Scalar(4) / Scalar(5)) * e386;
-        const Scalar e430 = e429 * e418;
-        const Scalar e431 = e299 * e427 - (e47 * e428 + e430);
-        const Scalar e432 = c_.k77 * e11;
-        const Scalar e433 = q_6_dot - e42;
-        const Scalar e434 = e218 * e40 + e110 * e433;
-        const Scalar e435 = e114 * e86 - e110 * e53;
-        const Scalar e436 = e246 + e344;
-        const Scalar e437 = e114 * e83 + e110 * e61;
-        const Scalar e438 = e218 * e23;
-        const Scalar e439 = e438 - e114 * e433;
-        const Scalar e440 = e61 * e248;
-        const Scalar e441 = p_.a_3 * p_.m_4;
-        const Scalar e442 = c_.k77 * e17 - c_.k79 * e10;
-        const Scalar e443 = e429 * e333 + e441 * e419;
-        const Scalar e444 = q_5_dot * e52 + (e23 * e53 - e40 * e86);
-        const Scalar e445 = e444 + e228;
-        const Scalar e446 = q_4_dot * e83;
-        const Scalar e447 = e53 * e433 + e446;
-        const Scalar e448 = q_5_dot * e153 - e40 * e152;
-        const Scalar e449 = e152 * e447 - e74 * e448;
-        const Scalar e450 = e218 * e152 * e445 - e114 * e449;
-        const Scalar e451 = q_4_dot * e61 + e86 * e433;
-        const Scalar e452 = e152 * (e451 - (sin_q_4 * e51 - e23 * e74));
-        const Scalar e453 = cos_q_2 * e452 - e104 * e245;
-        const Scalar e454 = e293 - e302;
-        const Scalar e455 = e454 + e326;
-        const Scalar e456 = e114 * e296 + e110 * e294;
-        const Scalar e457 = c_.k18 + e218 * e299;
-        const Scalar e458 = p_.m_6 * e218;
-        const Scalar e459 = c_.k79 * e11;
-        const Scalar e460 = e218 * e74 - e435;
-        const Scalar e461 = e152 * e315;
-        const Scalar e462 = e40 * e83;
-        const Scalar e463 = e248 * e462 - e341;
-        const Scalar e464 = e117 * e294;
-        const Scalar e465 = e106 * e81;
-        const Scalar e466 = p_.m_6 * e117;
-        const Scalar e467 = e83 * e433;
-        const Scalar e468 = e61 * e436 + e248 * e467;
-        const Scalar e469 = e86 * e106 + e74 * e234;
-        const Scalar e470 = e56 - e416;
-        const Scalar e471 = q_5_dot * cos_q_6;
-        const Scalar e472 = e106 * (e471 - e40);
-        const Scalar e473 = e234 * e445 + e106 * e447;
-        const Scalar e474 = e74 * e472 - e473;
-        const Scalar e475 = e23 * e234;
-        const Scalar e476 = e433 * e106 + e475;
-        const Scalar e477 = e117 * e23;
-        const Scalar e478 = sin_q_5 * e2;
-        const Scalar e479 = c_.k21 * cos_q_5 + e478;
-        const Scalar e480 = e234 * e70 - e40 * e49 * e479;
-        const Scalar e481 = e117 * e433;
-        const Scalar e482 = e49 * e476 + e299 * e477 - (e480 + (cos_q_6 * e106 * e47 + e296 * e481));
-        const Scalar e483 = cos_q_5 * e234;
-        const Scalar e484 = e73 * e234;
-        const Scalar e485 = sin_q_5 * e270;
-        const Scalar e486 = e40 * e106;
-        const Scalar e487 = e83 * e106;
-        const Scalar e488 = c_.k21 * sin_q_5 - cos_q_5 * e2;
-        const Scalar e489 = c_.k21 * sin_q_6;
-        const Scalar e490 = cos_q_6 * e234;
-        const Scalar e491 = cos_q_5 * e489 + e490;
-        const Scalar e492 = q_5_dot - cos_q_6 * e40;
-        const Scalar e493 = e23 * e491 - e479 * e492;
-        const Scalar e494 = c_.k21 * e492;
-        const Scalar e495 = e23 * e106;
-        const Scalar e496 = c_.k21 * e433;
-        const Scalar e497 = q_4_dot * e479 + e496;
-        const Scalar e498 = e2 * e444;
-        const Scalar e499 = e74 * e494 - sin_q_4 * e495 - (cos_q_4 * e497 + e498);
-        const Scalar e500 = cos_q_4 * e479;
-        const Scalar e501 = e23 * e2;
-        const Scalar e502 = sin_q_4 * e479;
-        const Scalar e503 = c_.k22 * e23;
-        const Scalar e504 = c_.k22 * sin_q_6;
-        const Scalar e505 = e433 * e478 + e47 * e504;
-        const Scalar e506 = cos_q_5 * e503 - e505;
-        const Scalar e507 = q_5_dot * e234;
-        const Scalar e508 = c_.k22 * e451;
-        const Scalar e509 = e74 * e503 - sin_q_4 * e507 + e508;
-        const Scalar e510 = c_.k22 * e53;
-        const Scalar e511 = cos_q_4 * e14;
-        const Scalar e512 = sin_q_2 * e206;
-        const Scalar e513 = e52 * e14;
-        const Scalar e514 = e181 + e182 + e183 + e185 - e186 + e187 - e188 - e189 + e190 - e194 - e195 - e196 + e197;
-        const Scalar e515 = e52 * e15;
-        const Scalar e516 = q_1_dot * e338;
-        const Scalar e517 = e213 - e217 - e220 - e223 - e227 - e230 + c_.k48 * e516;
-        const Scalar e518 = e192 - e193 + e199 - e200 + e201 + e202 - e204;
-        const Scalar e519 = cos_q_4 * e5;
-        const Scalar e520 = q_3_dot * e191;
-        const Scalar e521 = q_3_dot * e198;
-        const Scalar e522 = q_2_dot * e191;
-        const Scalar e523 = q_2_dot * e198;
-        const Scalar e524 = e520 + e521 + e522 + e523 + e55 * e284 + e284 * e62;
-        const Scalar e525 = e52 * e5;
-        const Scalar e526 = q_3_dot * e154;
-        const Scalar e527 = q_2_dot * e154;
-        const Scalar e528 = q_3_dot * e158;
-        const Scalar e529 = q_2_dot * e158;
-        const Scalar e530 = e526 + e527 - e528 - e529;
-        const Scalar e531 = e52 * e6;
-        const Scalar e532 = e231 + e233 + e235 + e236;
-        const Scalar e533 = e229 + e154 * e317 - e158 * e317;
-        const Scalar e534 = q_2_dot * e339;
-        const Scalar e535 = q_3_dot * e339;
-        const Scalar e536 = sin_q_4 * e14;
-        const Scalar e537 = e11 * e294;
-        const Scalar e538 = e11 * e296;
-        const Scalar e539 = e238 - e240 + e241;
-        const Scalar e540 = e281 - e287;
-        const Scalar e541 = sin_q_4 * e15;
-        const Scalar e542 = e270 * e208;
-        const Scalar e543 = cos_q_2 * e206;
-        const Scalar e544 = sin_q_4 * e5;
-        const Scalar e545 = e55 * e282 + e282 * e62;
-        const Scalar e546 = sin_q_4 * e6;
-        const Scalar e547 = q_4_dot * e17 + e18 * e17;
-        const Scalar e548 = e11 * e47;
-        const Scalar e549 = e11 * e299;
-        const Scalar e550 = e239 - e330;
-        const Scalar e551 = p_.m_6 * e11;
-        const Scalar e552 = e551 * e70;
-        const Scalar e553 = p_.m_6 * e385 - e152 * e335;
-        const Scalar e554 = e215 * e74 - e125 * e86;
-        const Scalar e555 = e445 * e406 - e125 * e449;
-        const Scalar e556 = e402 - e211;
-        const Scalar e557 = e556 + e219;
-        const Scalar e558 = e379 - e125 * e433;
-        const Scalar e559 = e104 * e548 - e16 * e452;
-        const Scalar e560 = e53 * e553 + e559;
-        const Scalar e561 = e122 * e433 + e380;
-        const Scalar e562 = cos_q_5 * e136;
-        const Scalar e563 = e403 + e405;
-        const Scalar e564 = dxdt[6] * e135;
-        const Scalar e565 = e91 + e118;
-        const Scalar e566 = e564 - e565;
-        const Scalar e567 = dxdt[6] * e143 - e103;
-        const Scalar e568 = e233 + e235;
-        const Scalar e569 = e568 + e231;
-        const Scalar e570 = e361 + (e420 * e16 - e294 * e566) + (sin_q_5 * e415 + e296 * e567 - (cos_q_5 * e569 + e368));
-        const Scalar e571 = e354 - e357 - (e359 - e360) + e570;
-        const Scalar e572 = e11 * e418;
-        const Scalar e573 = e556 + e216;
-        const Scalar e574 = e296 * e126;
-        const Scalar e575 = c_.k13 * e370;
-        const Scalar e576 = e57 - e385;
-        const Scalar e577 = dxdt[7] + dxdt[8];
-        const Scalar e578 = e483 - e465;
-        const Scalar e579 = sin_q_5 * e153;
-        const Scalar e580 = e152 * e49;
-        const Scalar e581 = e354 - e357 - e359 + e360 + e361 - e362 - e363 - e364 + e365 - e574 - e366 - e575 - e49 * e138
-            + e81 * e144 - e299 * e216 - Scalar(2) * p_.d_3 * e369 * e367 - e163 * e579 + e305 * e580 - e306 * e580;
-        const Scalar e582 = e181 + e182 + e183 + e185 - e186 + e187 - e188 - e189 + e190 - e192 + e193 - e194 - e195 - e196
-            + e197 - e199 + e200 - e201 - e202;
-        const Scalar e583 = e47 * e203;
-        const Scalar e584 = Scalar(2) * e221 * e385;
-        const Scalar e585 = q_4_dot * e339;
-        const Scalar e586 = e10 * e286;
-        const Scalar e587 = e231 + e233 + e235 + e236 - e238 + e240;
-        const Scalar e588 = e5 * e222;
-        const Scalar e589 = e6 * e222;
-        const Scalar e590 = e5 * e203;
-        const Scalar e591 = e73 * e590;
-        const Scalar e592 = e5 * e60;
-        const Scalar e593 = sin_q_5 * e14;
-        const Scalar e594 = sin_q_5 * e15;
-        const Scalar e595 = cos_q_5 * e543;
-        const Scalar e596 = e536 * e282 - e541 * e282 - e512 * e284 + e511 * e284;
-        const Scalar e597 = e181 + e182 - e192 + e193;
-        const Scalar e598 = q_2_dot * e14 + q_3_dot * e14 - q_2_dot * e15 - q_3_dot * e15;
-        const Scalar e599 = e91 - e123 - e111 + e118;
-        const Scalar e600 = e5 * e47 + e6 * e47 + cos_q_2 * e273;
-        const Scalar e601 = e281 - e283 + e285;
-        const Scalar e602 = e211 - e216 - e219;
-        const Scalar e603 = (Scalar(1) / Scalar(6)) * e334;
-        const Scalar e604 = q_4_dot * e154 - q_4_dot * e158;
-        const Scalar e605 = e590 + e6 * e203;
-        const Scalar e606 = dxdt[7] * e14 - dxdt[7] * e15;
-        const Scalar e607 = cos_q_2 * (q_2_dot * e345 + c_.k64 * e208 * e208 - c_.k63 * e56);
-        const Scalar e608 = e16 * e152;
-        const Scalar e609 = q_4_dot * e53 + e467;
-        const Scalar e610 = e11 * e608;
-        const Scalar e611 = cos_q_4 * e608 * e51 + e294 * e367 - (e23 * e152 * e76 - e7 * e157 * e47);
-        const Scalar e612 = e49 * e610 - e61 * e553 + e611;
-        const Scalar e613 = e608 * e609 - e612;
-        const Scalar e614 = e296 * e367 + e579 * e336 - (e83 * e553 - e76 * e448);
-        const Scalar e615 = cos_q_4 * e47;
-        const Scalar e616 = e615 - e462;
-        const Scalar e617 = e7 * e152 * e70 - e553 * e73 - (e616 * e608 + (e299 * e367 + cos_q_5 * e610));
-        const Scalar e618 = e54 + e367;
-        const Scalar e619 = e7 * e579;
-        const Scalar e620 = e152 * e97;
-        const Scalar e621 = e17 * e418;
-        const Scalar e622 = q_4_dot * e608;
-        const Scalar e623 = e234 * e616;
-        const Scalar e624 = e484 + e487;
-        const Scalar e625 = e73 * e17;
-        const Scalar e626 = e2 * (e23 * e61 - e616);
-        const Scalar e627 = cos_q_4 * e17;
-        const Scalar e628 = c_.k22 * e61;
-        const Scalar e629 = q_4_dot * e21 + cos_q_4 * e54;
-        const Scalar e630 = (Scalar(1) / Scalar(25)) * e386;
-        const Scalar e631 = (Scalar(4) / Scalar(25)) * p_.m_4;
-        const Scalar e632 = (Scalar(1) / Scalar(50)) * e386;
-        const Scalar e633 = e18 * e632;
-        const Scalar e634 = (Scalar(8) / Scalar(25)) * p_.m_4;
-        const Scalar e635 = dxdt[6] * e634;
-        const Scalar e636 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e139 - e145 + e629 * e630 + e150
-            * e631 + e21 * e633 - e169 * e635;
-        const Scalar e637 = (Scalar(4) / Scalar(5)) * e173;
-        const Scalar e638 = e21 * e637;
-        const Scalar e639 = e13 * e637;
-        const Scalar e640 = e7 * e52;
-        const Scalar e641 = e169 * e631;
-        const Scalar e642 = e520 + e521 + e522 + e523 + e55 * e641 + e62 * e641;
-        const Scalar e643 = (Scalar(1) / Scalar(18)) * p_.m_3;
-        const Scalar e644 = e643 * e226;
-        const Scalar e645 = e11 * e60;
-        const Scalar e646 = e243 * e12 - e256 * e12 + e269 * e645 + e279 * e645;
-        const Scalar e647 = sin_q_4 * e641;
-        const Scalar e648 = e266 * e631;
-        const Scalar e649 = cos_q_4 * e648;
-        const Scalar e650 = c_.k11 * e16;
-        const Scalar e651 = e647 - e649 + e650 - e291;
-        const Scalar e652 = q_5_dot * e11;
-        const Scalar e653 = e73 * e652;
-        const Scalar e654 = dxdt[7] * e60;
-        const Scalar e655 = dxdt[8] * e60;
-        const Scalar e656 = e52 * e84;
-        const Scalar e657 = q_4_dot * e13 + sin_q_4 * e54;
-        const Scalar e658 = e657 * e630 + e261 * e631 + e13 * e633 - e266 * e635;
-        const Scalar e659 = cos_q_4 * e84;
-        const Scalar e660 = e659 + dxdt[7] * sin_q_4 + dxdt[8] * sin_q_4;
-        const Scalar e661 = e7 * e74;
-        const Scalar e662 = e7 * e367;
-        const Scalar e663 = e336 * e10;
-        const Scalar e664 = c_.k5 * e225;
-        const Scalar e665 = e17 * e664 + c_.k11 * (e11 * e7);
-        const Scalar e666 = e335 * e17;
-        const Scalar e667 = e16 * e385;
-        const Scalar e668 = e55 * e664 + e62 * e664;
-        const Scalar e669 = e55 * e648 + e62 * e648;
-        const Scalar e670 = e647 - e649;
-        const Scalar e671 = c_.k11 * e5 + c_.k11 * e6;
-        const Scalar e672 = e73 * e551;
-        const Scalar e673 = e5 * e5 + e6 * e6;
-        const Scalar e674 = e11 * e16;
-        const Scalar e675 = (Scalar(11) / Scalar(75)) * e387 * e10;
-        const Scalar e676 = e14 * e15;
-        const Scalar e677 = dxdt[6] * e676;
-        const Scalar e678 = e10 * e419 + e572;
-        const Scalar e679 = e11 * e11 + e10_squared;
-        const Scalar e680 = (Scalar(17) / Scalar(25)) * e386 + (Scalar(7) / Scalar(36)) * e387;
-        const Scalar e681 = c_.k5 * e409;
-        const Scalar e682 = e400 * e631;
-        const Scalar e683 = e84 + e367;
-        const Scalar e684 = p_.m_6 * e683 + e610;
-        const Scalar e685 = cos_q_4 * e266 - sin_q_4 * e169;
-        const Scalar e686 = dxdt[6] * e685 - (cos_q_4 * e261 - sin_q_4 * e150);
-        const Scalar e687 = e551 * e467 - (q_5_dot * cos_q_4 * e537 + e7 * e452);
-        const Scalar e688 = e53 * e684 + e687;
-        const Scalar e689 = p_.m_6 * e566 - e184;
-        const Scalar e690 = p_.m_6 * dxdt[8] + dxdt[7] * e136;
-        const Scalar e691 = e122 * e690;
-        const Scalar e692 = e689 + (p_.m_6 * e111 + e691);
-        const Scalar e693 = p_.m_6 * e567 + e107;
-        const Scalar e694 = e693 - (p_.m_6 * e115 + e125 * e690);
-        const Scalar e695 = dxdt[7] * e400;
-        const Scalar e696 = e61 * e551;
-        const Scalar e697 = sin_q_4 * e8 + e180 * e60;
-        const Scalar e698 = cos_q_4 * e657;
-        const Scalar e699 = e698 - sin_q_4 * e629;
-        const Scalar e700 = e7 * ((Scalar(4) / Scalar(5)) * e353) - (Scalar(1) / Scalar(6)) * e420 * e7;
-        const Scalar e701 = c_.k11 * e385 + e630 * e699 + (e419 * e633 - (dxdt[10] * e500 - e17 * e675));
-        const Scalar e702 = e700 + (e4 * e697 + e73 * e568) - e701;
-        const Scalar e703 = dxdt[7] * e409;
-        const Scalar e704 = e215 * e690;
-        const Scalar e705 = e17 * e10;
-        const Scalar e706 = e616 * e551;
-        const Scalar e707 = e10 * e333;
-        const Scalar e708 = p_.m_6 * dxdt[7] + dxdt[8] * e136;
-        const Scalar e709 = e703 - e392;
-        const Scalar e710 = e695 - e686;
-        const Scalar e711 = p_.m_6 * e126 - e693;
-        const Scalar e712 = p_.m_6 * e123 + e689;
-        const Scalar e713 = e683 + e54;
-        const Scalar e714 = dxdt[9] - e385;
-        const Scalar e715 = q_1_dot * e335 + e714;
-        const Scalar e716 = e87 - e577;
-        const Scalar e717 = cos_q_4 * e716 + sin_q_4 * e713;
-        const Scalar e718 = (Scalar(1) / Scalar(6)) * p_.a_2 * p_.d_3;
-        const Scalar e719 = p_.a_2 * p_.a_2;
-        const Scalar e720 = p_.d_3 * p_.d_3;
-        const Scalar e721 = (Scalar(181) / Scalar(900)) * e719;
-        const Scalar e722 = p_.a_2 * p_.g;
-        const Scalar e723 = (Scalar(1) / Scalar(6)) * p_.d_3 * p_.d_4;
-        const Scalar e724 = (Scalar(1) / Scalar(6)) * p_.d_3;
-        const Scalar e725 = p_.a_3 * p_.d_3;
-        const Scalar e726 = p_.d_4 * p_.d_4;
-        const Scalar e727 = (Scalar(1) / Scalar(100)) * e726;
-        const Scalar e728 = p_.d_3 * e7 * e370 + (dxdt[8] * e7 * e725 - e727 * e666);
-        const Scalar e729 = (Scalar(1) / Scalar(12)) * e726;
-        const Scalar e730 = (Scalar(11) / Scalar(150)) * e726 * e10;
-        const Scalar e731 = (Scalar(1) / Scalar(36)) * p_.d_4;
-        const Scalar e732 = p_.d_4 * p_.g;
-        const Scalar e733 = p_.a_3 * p_.g;
-        const Scalar e734 = e733 * e16;
-        const Scalar e735 = (Scalar(1) / Scalar(6)) * e732 * e7 + (e734 + e17 * e730);
-        const Scalar e736 = e120 * (e370 + (p_.a_3 * dxdt[8] + p_.d_3 * e367));
-        const Scalar e737 = p_.a_3 * p_.a_3;
-        const Scalar e738 = p_.a_3 * e370 + e725 * e367;
-        const Scalar e739 = p_.d_3 * p_.g;
-        const Scalar e740 = e739 * e7;
-        const Scalar e741 = (Scalar(1) / Scalar(50)) * e726;
-        const Scalar e742 = e657 * e8;
-        const Scalar e743 = e739 * e16;
-        const Scalar e744 = (Scalar(4) / Scalar(25)) * p_.d_4;
-        const Scalar e745 = dxdt[8] * e744;
-        const Scalar e746 = e169 * e169 + e266 * e266;
-        const Scalar e747 = e18 * e727;
-        const Scalar e748 = cos_q_3 * e722 + e733;
-        const Scalar e749 = e741 * e699 - (e7 * ((Scalar(4) / Scalar(5)) * e732) - e419 * e747);
-        const Scalar e750 = p_.c_z * sin_q_6;
-        const Scalar e751 = e123 + e111;
-        const Scalar e752 = e751 + e566;
-        const Scalar e753 = p_.c_x * dxdt[11] + dxdt[10] * e750 - e752;
-        const Scalar e754 = dxdt[10] * cos_q_6;
-        const Scalar e755 = dxdt[9] * e49;
-        const Scalar e756 = e754 + e755;
-        const Scalar e757 = e216 + e219;
-        const Scalar e758 = e556 + e757;
-        const Scalar e759 = p_.c_x * e756 + e758;
-        const Scalar e760 = e126 + e115;
-        const Scalar e761 = e567 - e760;
-        const Scalar e762 = p_.c_z * e756 + e761;
-        const Scalar e763 = p_.c_z * p_.g;
-        const Scalar e764 = e16 * e661 + e640 * e167;
-        const Scalar e765 = p_.c_x * p_.g;
-        const Scalar e766 = e232 * e765;
-        const Scalar e767 = e180 * e763;
-        const Scalar e768 = e232 * e722;
-        const Scalar e769 = e180 * e722;
-        const Scalar e770 = sin_q_5 * e180;
-        const Scalar e771 = e180 * e49 + cos_q_6 * e661;
-        const Scalar e772 = e765 * e771;
-        const Scalar e773 = e722 * e8;
-        const Scalar e774 = cos_q_5 * sin_q_6;
-        const Scalar e775 = cos_q_6 * e640;
-        const Scalar e776 = e765 * (e180 * e774 + e775);
-        const Scalar e777 = cos_q_5 * e232 - e770;
-        const Scalar e778 = e763 * e52 * e8 + e732 * e697
-            + (e53 * e766 + cos_q_4 * e767 + (e232 * e732 * e73 + sin_q_4 * e772));
-        const Scalar e779 = p_.c_z * p_.c_z;
-        const Scalar e780 = p_.c_x * p_.c_x;
-        const Scalar e781 = e779 + e780;
-        const Scalar e782 = p_.c_z * e761 + (p_.c_x * e758 + e766);
-        const Scalar e783 = sin_q_6 * (p_.c_x * p_.c_z);
-        const Scalar e784 = dxdt[11] + e72;
-        const Scalar e785 = p_.m_6 * e784 + dxdt[9] * e299;
-        const Scalar e786 = e19 * e104 - e22 * e92;
-        const Scalar e787 = q_4_dot * e152;
-        const Scalar e788 = e7 * e787;
-        const Scalar e789 = p_.m_6 * e577 - e788;
-        const Scalar e790 = e23 * e786 - e74 * e789;
-        const Scalar e791 = e104 * e80 + e92 * e88;
-        const Scalar e792 = dxdt[9] + e82;
-        const Scalar e793 = dxdt[10] * e92 + e294 * e792;
-        const Scalar e794 = e793 - (q_4_dot * e696 - e53 * e789);
-        const Scalar e795 = e16 * e294 + p_.m_6 * e140;
-        const Scalar e796 = p_.m_6 * e42;
-        const Scalar e797 = e565 - e751;
-        const Scalar e798 = dxdt[10] * e106 + e4 * e771;
-        const Scalar e799 = e415 * e774 + e4 * e775;
-        const Scalar e800 = e16 * e234;
-        const Scalar e801 = e135 * e551;
-        const Scalar e802 = e16 * e797;
-        const Scalar e803 = e49 * e553 + e53 * e788 + (e61 * e684 - e793);
-        const Scalar e804 = cos_q_5 * e553 - e73 * e684;
-        const Scalar e805 = e785 - (e804 + e661 * e787);
-        const Scalar e806 = e74 * e184 - e566 * e212 + (sin_q_4 * e798 + e53 * e569);
-        const Scalar e807 = p_.m_6 * e53;
-        const Scalar e808 = e53 * e708 - e803;
-        const Scalar e809 = e110 * e708;
-        const Scalar e810 = e61 * e713 + e53 * e716;
-        const Scalar e811 = e49 * e576 - e810;
-        const Scalar e40_squared = e40 * e40;
-        const Scalar e812 = e42 * e42 + e40_squared;
-        const Scalar e813 = c_.k96 * e756 + e233;
-        const Scalar e814 = e751 + (e564 - e91);
-        const Scalar e815 = e23 * e40;
-        const Scalar e816 = dxdt[9] * cos_q_5;
-        const Scalar e817 = c_.k21 * cos_q_6;
-        const Scalar e818 = e19 * e504 - e22 * e2;
-        const Scalar e819 = e19 * e92 + e22 * e104;
-        const Scalar e820 = dxdt[10] * e104 + e92 * e79;
-        const Scalar e821 = e296 * e792 - e820;
-        const Scalar e822 = e86 * e789 - e433 * e786;
-        const Scalar e823 = cos_q_4 * e415 + e52 * e9;
-        const Scalar e824 = e296 * e385 - e579 * e335;
-        const Scalar e825 = e83 * e684;
-        const Scalar e826 = e821 - (e824 - (e86 * e788 - e825));
-        const Scalar e827 = c_.k22 * e83;
-        const Scalar e828 = c_.k22 * e86;
-        const Scalar e829 = dxdt[11] + e815;
-        const Scalar e830 = dxdt[6] * e130 - e78;
-        const Scalar e831 = e829 - Scalar(2) * e830;
-        const Scalar e832 = e179 + e178;
-        const Scalar e833 = e832 * e832 + (sin_q_4 * sin_q_4 * e673 + e132 * e132);
-        const Scalar e834 = e536 * e541;
-        const Scalar e835 = -e99;
-        const Scalar e836 = dxdt[6] * e141 + e835;
-        const Scalar e837 = e79 - e13 * e70 + e60 * e85 - e52 * e87 - sin_q_5 * e57;
-        const Scalar e838 = e89 - e40 * e42;
-        const Scalar e839 = e8 - sin_q_6 * e132;
-        const Scalar e840 = sin_q_5 * e832 + e132 * e81;
-        const Scalar e841 = e130 * e74 + e141 * e53;
-        const Scalar e842 = e832 * e52 - (sin_q_4 * e167 - e132 * e86);
-        const Scalar e843 = e841 - (Scalar(1) / Scalar(2)) * e842;
-        const Scalar e844 = e53 * e577;
-        const Scalar e845 = e86 * e86 + e74 * e74;
-        const Scalar e846 = cos_q_5 * e74 - e86 * e81;
-        const Scalar e847 = cos_q_4 + sin_q_6 * e86;
-        const Scalar e848 = e53 * (Scalar(2) * (e835 - e756 - e844)) - e74 * (Scalar(2) * e78 + e829) - e577
-            * (Scalar(1) + e845) - e837 * e52 - dxdt[9] * e846 - dxdt[10] * e847 - e86 * e838 + Scalar(2) * dxdt[6] * e843
-            + e698;
-        const Scalar e849 = e836 - ((Scalar(1) / Scalar(2)) * e756 + e844);
-        const Scalar q_1 = x[0];
-        const Scalar e850 = Scalar(1) - q_4;
-        const Scalar e851 = Scalar(1) + q_6;
-        const Scalar e852 = p_.m_6 + e369;
-        const Scalar e853 = p_.a_3 * e852 * e16 + (-p_.d_4 * p_.m_6 - e388) * e7 - (e16 * (c_.k21 * e73 - e827) + e7 * e479);
-        const Scalar e854 = p_.m_6 * e135;
-        const Scalar e855 = p_.m_6 * e143;
-        const Scalar e856 = c_.k2 * e141;
-        const Scalar e857 = c_.k2 * e130;
-        const Scalar e858 = c_.k2 * e841 - p_.J_5 * e842;
-        const Scalar e859 = c_.k6 * e400;
-        const Scalar e860 = c_.k2 * e53;
-        const Scalar e861 = p_.J_5 * e845 + e53 * e860;
-        const Scalar e862 = p_.m_6 * e125;
-        const Scalar e863 = p_.m_6 * e122;
-        const Scalar e864 = p_.J_5 * e846 + e49 * e860;
-        const Scalar e865 = c_.k25 * e49;
-        const Scalar e866 = p_.J_5 * e847 + cos_q_6 * e860;
-        const Scalar e867 = p_.J_5 * e74;
-        std::array<Scalar, 21> mass;
-        mass[0] = c_.k0 + c_.k3 * cos_q_2 * cos_q_2 + c_.k7 * e16 * e16 + c_.k8 * e7 * e7 + c_.k4 * e673 + e225 * e664 + c_.k6
-            * e746 + p_.J_5 * e833 + e162 * e340 + e135 * e854 + e143 * e855 + e141 * e856 + c_.k1 * e676 + e130 * e857 + c_.k2
-            * e834;
-        mass[1] = c_.k9 * sin_q_2 + e120 * e298 - e858 + e215 * e340 + e122 * e854 - e125 * e855 - e409 * e650 - e685 * e859;
-        mass[2] = c_.k12 + e861 + e120 * e394 + e215 * e421 + e409 * e681 + e400 * e859 + e125 * e862 + e122 * e863;
-        mass[3] = c_.k16 * e7 - c_.k15 * e16 + c_.k14 * e685 - e858 + e218 * e340 + e110 * e854 - e114 * e855;
-        mass[4] = c_.k17 + c_.k18 * e120 - c_.k14 * e400 + c_.k19 * e409 + e861 + e218 * e421 + e114 * e862 + e110 * e863;
-        mass[5] = p_.m_6 * (e114 * e114 + e110 * e110) + c_.k20 + e861 + e218 * e458;
-        mass[6] = e162 * e234 - c_.k23 * e16 + e143 * e106 - p_.J_5 * e840 - e135 * e466 - e49 * e856 - cos_q_5 * e857;
-        mass[7] = e215 * e234 - e125 * e106 - e122 * e466 + e864;
-        mass[8] = e218 * e234 - e114 * e106 - e110 * e466 + e864;
-        mass[9] = c_.k24 + e117 * e466 + e49 * e865;
-        mass[10] = e162 * e2 - p_.J_5 * e839 - e135 * e489 + e143 * e817 - cos_q_6 * e856;
-        mass[11] = e215 * e2 - e122 * e489 + e866 - e125 * e817;
-        mass[12] = e218 * e2 - e110 * e489 + e866 - e114 * e817;
-        mass[13] = e117 * e489 + cos_q_6 * e865;
-        mass[14] = c_.k26 + c_.k27 * cos_q_6 * cos_q_6;
-        mass[15] = -c_.k22 * e135 - p_.J_5 * e130;
-        mass[16] = e867 - c_.k22 * e122;
-        mass[17] = e867 - c_.k22 * e110;
-        mass[18] = p_.J_5 * cos_q_5 + c_.k22 * e117;
-        mass[19] = c_.k28 * sin_q_6;
-        mass[20] = c_.k27;
-        detail::ldlt_factor<Scalar, 6>(mass);
-        J[0] = Scalar(0);
-        J[1] = Scalar(0);
-        J[2] = Scalar(0);
-        J[3] = Scalar(0);
-        J[4] = Scalar(0);
-        J[5] = Scalar(0);
-        const Scalar e868 = e181 + e182 + e183 + e185 - e186 + e187 - e188 - e189 + e190 - e192 + e193 - e194 - e195 - e196
+        const Scalar e353 = e181 + e182 + e183 + e185 - e186 + e187 - e188 - e189 + e190 - e192 + e193 - e194 - e195 - e196
             + e197 - e199 + e200 - e201 - e202 + e204;
-        const Scalar e869 = q_2_dot * q_2_dot * e205 - e213 + e217 + e220 + e223 + e227 + e229 + e230;
-        J[6] = e1 * e176 - e177 * e868 - cos_q_2 * e869 - e161 * e242 + e243 * e255 - e256 * e255 + e257
+        const Scalar e354 = q_2_dot * q_2_dot * e205 - e213 + e217 + e220 + e223 + e227 + e229 + e230;
+        const Scalar e355 = e1 * e176 - e177 * e353 - cos_q_2 * e354 - e161 * e242 + e243 * e255 - e256 * e255 + e257
             * (e262 + e263 + e264 - e265 - e267 + e268) - e269 * e278 - e279 * e278 + e244 * (e281 - e283 + e285 - e287) - e284
             * (e18 * e270 - cos_q_4 * e56 + e271 + e277) + e246 * (e288 - e289 + e291 + e292) + e293 * e301 - e302 * e301
             - e248 * (e13 * e173 * e8 + e7 * e286 + e303) - e304 * e307 - e308 * e309 + e162 * (e311 + e313) - e205
@@ -2796,290 +2212,1083 @@ public:
             * e249 * e333 - dxdt[6] * ((Scalar(1) / Scalar(50)) * e334) + c_.k48 * e338 * e208 + e315 * e339 + e340 * e341 - e7
             * e173 * e342 + dxdt[7] * e343 + e344 * e292 + (Scalar(1) / Scalar(18)) * p_.m_2 * e347 - e252 * e348
             + (Scalar(131) / Scalar(225)) * e334 * e349 - e350 * e352;
-        const Scalar e870 = e354 - e357 - e359 + e360 + e361 - e362 - e363 - e364 + e365 - e366 - e368 - e371 - e373 - e375;
-        const Scalar e871 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 + e151 - cos_q_6 * e374 + sin_q_6 * e376;
-        const Scalar e872 = e181 + e182 + e183 + e185 - e186 + e187 - e188 - e189 + e190 - sin_q_6 * e374 - cos_q_6 * e376;
-        J[7] = cos_q_3 * e870 + e276 * e871 + e254 * e872 - e377 * e378 - e122 * e104 * e378 - e379
-            * (e153 * e1 - e157 * e177 + e92 * e249 + e104 * e273 + e304) + e380
-            * (e157 * e1 + e153 * e177 + e104 * e249 - e92 * e273 - e308) + e381 * e382 - e122 * e92 * e382 - e125 * e153
-            * (q_5_dot * e161 + e316 - e318 - e383 + e384) + sin_q_3 * (e221 * e385 - e390 + e391 + e393) + e293 * e397 + e207
-            * e398 - cos_q_3 * cos_q_5 * e398 + e122 * e153 * e399 - e125 * e157 * e399 - e122 * e157
-            * (e316 - e318 - e383 + e384) - e401 * (e246 - e327 - e328) - e312 * (e211 - e219 - e402) - e403 * e404 - e405
-            * e404 - e406 * (q_5_dot * e177 - e74 * e315 + cos_q_2 * e228) - dxdt[6] * cos_q_3 * (e295 - e297 + e300) + cos_q_3
-            * e294 * (e91 - e111 + e118) - dxdt[6] * e276 * (e284 + e269 + e279) + q_6_dot * (e125 * e304 - e407) + e215
-            * (e311 + e408) + e208 * e412 - e413 * e414 + e326 * (e395 + e396) - e344 * (e400 * e170 + e409 * e224) + cos_q_3
-            * sin_q_5 * e415 - e215 * e212 * e416 + dxdt[6] * e254 * e417 + e244 * e401 * e418 - e208 * e413 * e419 - dxdt[7]
-            * ((Scalar(19) / Scalar(45)) * e334) + cos_q_2 * ((Scalar(1) / Scalar(3)) * p_.m_2 * p_.g + e420) - e122 * e152
-            * e51 * e257 - e246 * e410 - e206 * e262 + e341 * e421 - e205 * e422 + dxdt[6] * e343 + e244 * e423 - e350 * e424
-            - e304 * e425 + e42 * e407 - e248 * e426;
-        J[8] = e244 * (e431 + e432) - p_.m_6 * (e83 * e248 * e434 - e416 * e435 + e436 * e437 + e439 * e440) - e218
-            * (e416 * e212 - e311 - e408 - e313) - e441 * e414 + e208 * (e442 - e443) - e389 * e436 - cos_q_2 * e450 + e110
-            * e453 - e439 * e304 - e434 * e308 + e455 * e456 - e427 * e323 + e454 * e457 + e341 * e458 - e248 * e459 + e460
-            * e461;
-        J[9] = e234 * (dxdt[7] * e207 - e463) - e117 * (e453 + e53 * e461) - e455 * (e464 + e465) + e466 * (e53 * e416 + e468)
-            + e469 * e470 + e208 * e474 - e244 * e482 + e323 * e477 - e476 * e440 + e454 * e483 + e246 * e484 + e485 * e486
-            + e436 * e487;
-        J[10] = dxdt[7] * e479 * e206 - e454 * e488 - e244 * e493 - e2 * e463 + e208 * e499 - e249 * e496 + e270 * e495 - e485
-            * e494 + e246 * e500 - e501 * e440 + e470 * e502;
-        J[11] = c_.k22 * e468 - e234 * e455 - e244 * e506 - e208 * e509 + e503 * e485 - e470 * e510;
+        const Scalar e356 = e5 * e5 + e6 * e6;
+        const Scalar e357 = c_.k5 * e225;
+        const Scalar e358 = e169 * e169 + e266 * e266;
+        const Scalar e359 = e179 + e178;
+        const Scalar e360 = e359 * e359 + (sin_q_4 * sin_q_4 * e356 + e132 * e132);
+        const Scalar e361 = p_.m_6 * e135;
+        const Scalar e362 = p_.m_6 * e143;
+        const Scalar e363 = c_.k2 * e141;
+        const Scalar e364 = e14 * e15;
+        const Scalar e365 = c_.k2 * e130;
+        const Scalar e366 = sin_q_4 * e14;
+        const Scalar e367 = sin_q_4 * e15;
+        const Scalar e368 = e366 * e367;
+        const Scalar e369 = c_.k0 + c_.k3 * cos_q_2 * cos_q_2 + c_.k7 * e16 * e16 + c_.k8 * e7 * e7 + c_.k4 * e356 + e225
+            * e357 + c_.k6 * e358 + p_.J_5 * e360 + e162 * e340 + e135 * e361 + e143 * e362 + e141 * e363 + c_.k1 * e364 + e130
+            * e365 + c_.k2 * e368;
+        const Scalar inverse_370 = Scalar(1) / e369;
+        const Scalar e371 = e130 * e74 + e141 * e53;
+        const Scalar e372 = e359 * e52 - (sin_q_4 * e167 - e132 * e86);
+        const Scalar e373 = c_.k2 * e371 - p_.J_5 * e372;
+        const Scalar e374 = p_.d_4 + c_.k66 * sin_q_3;
+        const Scalar e375 = c_.k11 * e16;
+        const Scalar e376 = cos_q_4 * e266 - sin_q_4 * e169;
+        const Scalar e377 = c_.k62 * sin_q_3 - c_.k59;
+        const Scalar e378 = c_.k6 * e377;
+        const Scalar e379 = c_.k9 * sin_q_2 + e120 * e298 - e373 + e215 * e340 + e122 * e361 - e125 * e362 - e374 * e375 - e376
+            * e378;
+        const Scalar e380 = e379 * inverse_370;
+        const Scalar e381 = p_.m_4 * p_.g;
+        const Scalar e382 = e16 * e381;
+        const Scalar e383 = q_1_dot * e225;
+        const Scalar e384 = Scalar(6) * e50 - e11 * e337 + e10 * e383;
+        const Scalar e385 = c_.k48 * e384;
+        const Scalar e386 = Scalar(5) * e50 + e13 * e259 + e21 * e146;
+        const Scalar e387 = c_.k49 * e386;
+        const Scalar e388 = dxdt[11] * e234;
+        const Scalar e389 = e81 * e107;
+        const Scalar e390 = c_.k18 * dxdt[8];
+        const Scalar e391 = e296 * e115;
+        const Scalar e392 = e103 * e296;
+        const Scalar e393 = e211 * e299;
+        const Scalar e394 = e299 * e219;
+        const Scalar e395 = dxdt[6] * e7;
+        const Scalar e396 = c_.k10 * e395;
+        const Scalar e397 = p_.m_3 + p_.m_4;
+        const Scalar e398 = dxdt[7] * e120;
+        const Scalar e399 = Scalar(2) * e397 * e398;
+        const Scalar e400 = e136 * e81;
+        const Scalar e401 = e126 * e400;
+        const Scalar e402 = e136 * e123;
+        const Scalar e403 = e49 * e402;
+        const Scalar e404 = e136 * e126;
+        const Scalar e405 = e125 * e92;
+        const Scalar e406 = e245 + e247 - e250 + e251 - e253 - dxdt[6] * e177;
+        const Scalar e407 = e215 * e23;
+        const Scalar e408 = e215 * e40;
+        const Scalar e409 = e125 * e104;
+        const Scalar e410 = e271 + e272 + e274 - e275 + dxdt[6] * e1;
+        const Scalar e411 = q_6_dot * e1;
+        const Scalar e412 = e42 * e1;
+        const Scalar e413 = dxdt[6] * e16;
+        const Scalar e414 = p_.d_4 * p_.m_4;
+        const Scalar e415 = p_.d_4 * p_.m_3;
+        const Scalar e416 = (Scalar(4) / Scalar(5)) * (e414 - (Scalar(5) / Scalar(24)) * e415);
+        const Scalar e417 = -e416;
+        const Scalar e418 = dxdt[8] * e417;
+        const Scalar e419 = e7 * e381;
+        const Scalar e420 = Scalar(6) * e11 * e28 - Scalar(6) * (e65 + e67) + e17 * e383;
+        const Scalar e421 = c_.k48 * e420;
+        const Scalar e422 = c_.k13 * e120;
+        const Scalar e423 = e122 * e294;
+        const Scalar e424 = e125 * e296;
+        const Scalar e425 = e422 + e423 + e424 + e215 * e299;
+        const Scalar e426 = e231 + e233 + e235 + e136 * e216;
+        const Scalar e427 = e331 + q_6_dot * e177 - e42 * e177 + q_4_dot * e257;
+        const Scalar e428 = c_.k49 * e377;
+        const Scalar e429 = dxdt[6] * e162;
+        const Scalar e430 = e125 * e40;
+        const Scalar e431 = e323 - e324 - e152 * e161;
+        const Scalar e432 = e122 * e23;
+        const Scalar e433 = e215 * e152;
+        const Scalar e434 = e122 * e308;
+        const Scalar e435 = e246 * e290;
+        const Scalar e436 = c_.k48 * e374;
+        const Scalar e437 = p_.m_3 * e120;
+        const Scalar e438 = e17 * e436 - e10 * e437;
+        const Scalar e439 = p_.m_4 * e120;
+        const Scalar e440 = e342 + e13 * e249;
+        const Scalar e441 = e181 + e182;
+        const Scalar e442 = e252 + e351;
+        const Scalar e443 = e243 - e256;
+        const Scalar e444 = cos_q_4 * e21 + sin_q_4 * e13;
+        const Scalar e445 = cos_q_4 * e13 - sin_q_4 * e21;
+        const Scalar e446 = p_.m_3 * p_.g;
+        const Scalar e447 = p_.m_6 * e215;
+        const Scalar e448 = dxdt[6] * sin_q_2;
+        const Scalar e449 = e11 * e436;
+        const Scalar e450 = e208 * e25;
+        const Scalar e451 = e125 * e42;
+        const Scalar e452 = e11 * e437;
+        const Scalar e453 = e382 - e385 - e387 + e388 + e389 - e390 - e391 - e392 + e393 - e394 - e396 - e399 - e401 - e403;
+        const Scalar e454 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 + e151 - cos_q_6 * e402 + sin_q_6 * e404;
+        const Scalar e455 = e181 + e182 + e183 + e185 - e186 + e187 - e188 - e189 + e190 - sin_q_6 * e402 - cos_q_6 * e404;
+        const Scalar e456 = cos_q_3 * e453 + e276 * e454 + e254 * e455 - e405 * e406 - e122 * e104 * e406 - e407
+            * (e153 * e1 - e157 * e177 + e92 * e249 + e104 * e273 + e304) + e408
+            * (e157 * e1 + e153 * e177 + e104 * e249 - e92 * e273 - e308) + e409 * e410 - e122 * e92 * e410 - e125 * e153
+            * (q_5_dot * e161 + e316 - e318 - e411 + e412) + sin_q_3 * (e221 * e413 - e418 + e419 + e421) + e293 * e425 + e207
+            * e426 - cos_q_3 * cos_q_5 * e426 + e122 * e153 * e427 - e125 * e157 * e427 - e122 * e157
+            * (e316 - e318 - e411 + e412) - e428 * (e246 - e327 - e328) - e312 * (e211 - e219 - e429) - e430 * e431 - e432
+            * e431 - e433 * (q_5_dot * e177 - e74 * e315 + cos_q_2 * e228) - dxdt[6] * cos_q_3 * (e295 - e297 + e300) + cos_q_3
+            * e294 * (e91 - e111 + e118) - dxdt[6] * e276 * (e284 + e269 + e279) + q_6_dot * (e125 * e304 - e434) + e215
+            * (e311 + e435) + e208 * e438 - e439 * e440 + e326 * (e423 + e424) - e344 * (e377 * e170 + e374 * e224) + cos_q_3
+            * sin_q_5 * e441 - e215 * e212 * e442 + dxdt[6] * e254 * e443 + e244 * e428 * e444 - e208 * e439 * e445 - dxdt[7]
+            * ((Scalar(19) / Scalar(45)) * e334) + cos_q_2 * ((Scalar(1) / Scalar(3)) * p_.m_2 * p_.g + e446) - e122 * e152
+            * e51 * e257 - e246 * e436 - e206 * e262 + e341 * e447 - e205 * e448 + dxdt[6] * e343 + e244 * e449 - e350 * e450
+            - e304 * e451 + e42 * e434 - e248 * e452;
+        const Scalar e457 = e456 - e380 * e355;
+        const Scalar e458 = e86 * e86 + e74 * e74;
+        const Scalar e459 = c_.k2 * e53;
+        const Scalar e460 = p_.J_5 * e458 + e53 * e459;
+        const Scalar e461 = c_.k5 * e374;
+        const Scalar e462 = p_.m_6 * e125;
+        const Scalar e463 = p_.m_6 * e122;
+        const Scalar e464 = c_.k12 + e460 + e120 * e422 + e215 * e447 + e374 * e461 + e377 * e378 + e125 * e462 + e122 * e463;
+        const Scalar inverse_465 = Scalar(1) / (e464 - e379 * e380);
+        const Scalar e466 = c_.k16 * e7 - c_.k15 * e16 + c_.k14 * e376 - e373 + e218 * e340 + e110 * e361 - e114 * e362;
+        const Scalar e467 = c_.k17 + c_.k18 * e120 - c_.k14 * e377 + c_.k19 * e374 + e460 + e218 * e447 + e114 * e462 + e110
+            * e463;
+        const Scalar e468 = e467 - e466 * e380;
+        const Scalar e469 = e468 * inverse_465;
+        const Scalar e470 = e114 * e40 + e110 * e23;
+        const Scalar e471 = e114 * e92;
+        const Scalar e472 = (Scalar(4) / Scalar(5)) * e414;
+        const Scalar e473 = e472 * e444;
+        const Scalar e474 = e299 * e470 - (e47 * e471 + e473);
+        const Scalar e475 = c_.k77 * e11;
+        const Scalar e476 = q_6_dot - e42;
+        const Scalar e477 = e218 * e40 + e110 * e476;
+        const Scalar e478 = e114 * e86 - e110 * e53;
+        const Scalar e479 = e246 + e344;
+        const Scalar e480 = e114 * e83 + e110 * e61;
+        const Scalar e481 = e218 * e23;
+        const Scalar e482 = e481 - e114 * e476;
+        const Scalar e483 = e61 * e248;
+        const Scalar e484 = p_.a_3 * p_.m_4;
+        const Scalar e485 = c_.k77 * e17 - c_.k79 * e10;
+        const Scalar e486 = e472 * e333 + e484 * e445;
+        const Scalar e487 = q_5_dot * e52 + (e23 * e53 - e40 * e86);
+        const Scalar e488 = e487 + e228;
+        const Scalar e489 = q_4_dot * e83;
+        const Scalar e490 = e53 * e476 + e489;
+        const Scalar e491 = q_5_dot * e153 - e40 * e152;
+        const Scalar e492 = e152 * e490 - e74 * e491;
+        const Scalar e493 = e218 * e152 * e488 - e114 * e492;
+        const Scalar e494 = q_4_dot * e61 + e86 * e476;
+        const Scalar e495 = e152 * (e494 - (sin_q_4 * e51 - e23 * e74));
+        const Scalar e496 = cos_q_2 * e495 - e104 * e245;
+        const Scalar e497 = e293 - e302;
+        const Scalar e498 = e497 + e326;
+        const Scalar e499 = e114 * e296 + e110 * e294;
+        const Scalar e500 = c_.k18 + e218 * e299;
+        const Scalar e501 = p_.m_6 * e218;
+        const Scalar e502 = c_.k79 * e11;
+        const Scalar e503 = e218 * e74 - e478;
+        const Scalar e504 = e152 * e315;
+        const Scalar e505 = e466 * inverse_370;
+        const Scalar e506 = e244 * (e474 + e475) - p_.m_6 * (e83 * e248 * e477 - e442 * e478 + e479 * e480 + e482 * e483)
+            - e218 * (e442 * e212 - e311 - e435 - e313) - e484 * e440 + e208 * (e485 - e486) - e417 * e479 - cos_q_2 * e493
+            + e110 * e496 - e482 * e304 - e477 * e308 + e498 * e499 - e470 * e323 + e497 * e500 + e341 * e501 - e248 * e502
+            + e503 * e504;
+        const Scalar e507 = e506 - e505 * e355 - e469 * e457;
+        const Scalar e508 = p_.m_6 * (e114 * e114 + e110 * e110) + c_.k20 + e460 + e218 * e501 - e466 * e505 - e468 * e469;
+        const Scalar inverse_509 = Scalar(1) / e508;
+        const Scalar e510 = p_.m_6 * e117;
+        const Scalar e511 = cos_q_5 * e74 - e86 * e81;
+        const Scalar e512 = p_.J_5 * e511 + e49 * e459;
+        const Scalar e513 = sin_q_5 * e359 + e132 * e81;
+        const Scalar e514 = e162 * e234 - c_.k23 * e16 + e143 * e106 - p_.J_5 * e513 - e135 * e510 - e49 * e363 - cos_q_5
+            * e365;
+        const Scalar e515 = e215 * e234 - e125 * e106 - e122 * e510 + e512 - e514 * e380;
+        const Scalar e516 = e218 * e234 - e114 * e106 - e110 * e510 + e512 - e514 * e505 - e515 * e469;
+        const Scalar e517 = e516 * inverse_509;
+        const Scalar e518 = e40 * e83;
+        const Scalar e519 = e248 * e518 - e341;
+        const Scalar e520 = e117 * e294;
+        const Scalar e521 = e106 * e81;
+        const Scalar e522 = e83 * e476;
+        const Scalar e523 = e61 * e479 + e248 * e522;
+        const Scalar e524 = e86 * e106 + e74 * e234;
+        const Scalar e525 = e56 - e442;
+        const Scalar e526 = q_5_dot * cos_q_6;
+        const Scalar e527 = e106 * (e526 - e40);
+        const Scalar e528 = e234 * e488 + e106 * e490;
+        const Scalar e529 = e74 * e527 - e528;
+        const Scalar e530 = e23 * e234;
+        const Scalar e531 = e476 * e106 + e530;
+        const Scalar e532 = e117 * e23;
+        const Scalar e533 = sin_q_5 * e2;
+        const Scalar e534 = c_.k21 * cos_q_5 + e533;
+        const Scalar e535 = e234 * e70 - e40 * e49 * e534;
+        const Scalar e536 = e117 * e476;
+        const Scalar e537 = e49 * e531 + e299 * e532 - (e535 + (cos_q_6 * e106 * e47 + e296 * e536));
+        const Scalar e538 = cos_q_5 * e234;
+        const Scalar e539 = e73 * e234;
+        const Scalar e540 = sin_q_5 * e270;
+        const Scalar e541 = e40 * e106;
+        const Scalar e542 = e83 * e106;
+        const Scalar e543 = e514 * inverse_370;
+        const Scalar e544 = e515 * inverse_465;
+        const Scalar e545 = e234 * (dxdt[7] * e207 - e519) - e117 * (e496 + e53 * e504) - e498 * (e520 + e521) + e510
+            * (e53 * e442 + e523) + e524 * e525 + e208 * e529 - e244 * e537 + e323 * e532 - e531 * e483 + e497 * e538 + e246
+            * e539 + e540 * e541 + e479 * e542;
+        const Scalar e546 = e545 - e543 * e355 - e544 * e457 - e517 * e507;
+        const Scalar e547 = c_.k25 * e49;
+        const Scalar e548 = c_.k24 + e117 * e510 + e49 * e547 - e514 * e543 - e515 * e544 - e516 * e517;
+        const Scalar inverse_549 = Scalar(1) / e548;
+        const Scalar e550 = c_.k21 * sin_q_6;
+        const Scalar e551 = e8 - sin_q_6 * e132;
+        const Scalar e552 = c_.k21 * cos_q_6;
+        const Scalar e553 = e162 * e2 - p_.J_5 * e551 - e135 * e550 + e143 * e552 - cos_q_6 * e363;
+        const Scalar e554 = cos_q_4 + sin_q_6 * e86;
+        const Scalar e555 = p_.J_5 * e554 + cos_q_6 * e459;
+        const Scalar e556 = e215 * e2 - e122 * e550 + e555 - e125 * e552 - e553 * e380;
+        const Scalar e557 = e218 * e2 - e110 * e550 + e555 - e114 * e552 - e553 * e505 - e556 * e469;
+        const Scalar e558 = e117 * e550 + cos_q_6 * e547 - e553 * e543 - e556 * e544 - e557 * e517;
+        const Scalar e559 = e558 * inverse_549;
+        const Scalar e560 = c_.k21 * sin_q_5 - cos_q_5 * e2;
+        const Scalar e561 = cos_q_6 * e234;
+        const Scalar e562 = cos_q_5 * e550 + e561;
+        const Scalar e563 = q_5_dot - cos_q_6 * e40;
+        const Scalar e564 = e23 * e562 - e534 * e563;
+        const Scalar e565 = c_.k21 * e563;
+        const Scalar e566 = e23 * e106;
+        const Scalar e567 = c_.k21 * e476;
+        const Scalar e568 = q_4_dot * e534 + e567;
+        const Scalar e569 = e2 * e487;
+        const Scalar e570 = e74 * e565 - sin_q_4 * e566 - (cos_q_4 * e568 + e569);
+        const Scalar e571 = cos_q_4 * e534;
+        const Scalar e572 = e23 * e2;
+        const Scalar e573 = sin_q_4 * e534;
+        const Scalar e574 = e553 * inverse_370;
+        const Scalar e575 = e556 * inverse_465;
+        const Scalar e576 = e557 * inverse_509;
+        const Scalar e577 = dxdt[7] * e534 * e206 - e497 * e560 - e244 * e564 - e2 * e519 + e208 * e570 - e249 * e567 + e270
+            * e566 - e540 * e565 + e246 * e571 - e572 * e483 + e525 * e573;
+        const Scalar e578 = e577 - e574 * e355 - e575 * e457 - e576 * e507 - e559 * e546;
+        const Scalar e579 = c_.k26 + c_.k27 * cos_q_6 * cos_q_6 - e553 * e574 - e556 * e575 - e557 * e576 - e558 * e559;
+        const Scalar inverse_580 = Scalar(1) / e579;
+        const Scalar e581 = -c_.k22 * e135 - p_.J_5 * e130;
+        const Scalar e582 = p_.J_5 * e74;
+        const Scalar e583 = e582 - c_.k22 * e122 - e581 * e380;
+        const Scalar e584 = e582 - c_.k22 * e110 - e581 * e505 - e583 * e469;
+        const Scalar e585 = p_.J_5 * cos_q_5 + c_.k22 * e117 - e581 * e543 - e583 * e544 - e584 * e517;
+        const Scalar e586 = c_.k28 * sin_q_6 - e581 * e574 - e583 * e575 - e584 * e576 - e585 * e559;
+        const Scalar e587 = e586 * inverse_580;
+        const Scalar e588 = c_.k22 * e23;
+        const Scalar e589 = c_.k22 * sin_q_6;
+        const Scalar e590 = e476 * e533 + e47 * e589;
+        const Scalar e591 = cos_q_5 * e588 - e590;
+        const Scalar e592 = q_5_dot * e234;
+        const Scalar e593 = c_.k22 * e494;
+        const Scalar e594 = e74 * e588 - sin_q_4 * e592 + e593;
+        const Scalar e595 = c_.k22 * e53;
+        const Scalar e596 = e581 * inverse_370;
+        const Scalar e597 = e583 * inverse_465;
+        const Scalar e598 = e584 * inverse_509;
+        const Scalar e599 = e585 * inverse_549;
+        const Scalar e600 = c_.k27 - e581 * e596 - e583 * e597 - e584 * e598 - e585 * e599 - e586 * e587;
+        const Scalar inverse_601 = Scalar(1) / e600;
+        const Scalar e602 = c_.k22 * e523 - e234 * e498 - e244 * e591 - e208 * e594 + e588 * e540 - e525 * e595;
+        const Scalar e603 = e602 - e596 * e355 - e597 * e457 - e598 * e507 - e599 * e546 - e587 * e578;
+        const Scalar e604 = e603 * inverse_601;
+        const Scalar e605 = e578 * inverse_580 - e587 * e604;
+        const Scalar e606 = e546 * inverse_549 - e559 * e605 - e599 * e604;
+        const Scalar e607 = e507 * inverse_509 - e517 * e606 - e576 * e605 - e598 * e604;
+        const Scalar e608 = e457 * inverse_465 - e469 * e607 - e544 * e606 - e575 * e605 - e597 * e604;
+        const Scalar e609 = cos_q_4 * e14;
+        const Scalar e610 = sin_q_2 * e206;
+        const Scalar e611 = e52 * e14;
+        const Scalar e612 = e181 + e182 + e183 + e185 - e186 + e187 - e188 - e189 + e190 - e194 - e195 - e196 + e197;
+        const Scalar e613 = e52 * e15;
+        const Scalar e614 = q_1_dot * e338;
+        const Scalar e615 = e213 - e217 - e220 - e223 - e227 - e230 + c_.k48 * e614;
+        const Scalar e616 = e192 - e193 + e199 - e200 + e201 + e202 - e204;
+        const Scalar e617 = cos_q_4 * e5;
+        const Scalar e618 = q_3_dot * e191;
+        const Scalar e619 = q_3_dot * e198;
+        const Scalar e620 = q_2_dot * e191;
+        const Scalar e621 = q_2_dot * e198;
+        const Scalar e622 = e618 + e619 + e620 + e621 + e55 * e284 + e284 * e62;
+        const Scalar e623 = e52 * e5;
+        const Scalar e624 = q_3_dot * e154;
+        const Scalar e625 = q_2_dot * e154;
+        const Scalar e626 = q_3_dot * e158;
+        const Scalar e627 = q_2_dot * e158;
+        const Scalar e628 = e624 + e625 - e626 - e627;
+        const Scalar e629 = e52 * e6;
+        const Scalar e630 = e231 + e233 + e235 + e236;
+        const Scalar e631 = e229 + e154 * e317 - e158 * e317;
+        const Scalar e632 = q_2_dot * e339;
+        const Scalar e633 = q_3_dot * e339;
+        const Scalar e634 = e11 * e294;
+        const Scalar e635 = e11 * e296;
+        const Scalar e636 = e238 - e240 + e241;
+        const Scalar e637 = e281 - e287;
+        const Scalar e638 = e270 * e208;
+        const Scalar e639 = cos_q_2 * e206;
+        const Scalar e640 = sin_q_4 * e5;
+        const Scalar e641 = e55 * e282 + e282 * e62;
+        const Scalar e642 = sin_q_4 * e6;
+        const Scalar e643 = q_4_dot * e17 + e18 * e17;
+        const Scalar e644 = e11 * e47;
+        const Scalar e645 = e11 * e299;
+        const Scalar e646 = e239 - e330;
+        const Scalar e647 = p_.m_6 * e11;
+        const Scalar e648 = e647 * e70;
+        const Scalar e649 = e3 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e139 - e145 + e151 - e172;
+        const Scalar e650 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e139 - e145 + e151 - e172;
+        const Scalar e651 = e609 * e649 - e610 * e650 - e611 * e612 + e613 * e612 + e14 * e615 - e15 * e615 - e168
+            * (e155 - e156 - e159 + e160 - e164 + e166 + e175) + e16 * e52 * e616 + e617 * e622 - dxdt[7] * e301 - dxdt[8]
+            * e301 + e623 * e628 + e629 * e628 + sin_q_4 * e16 * (e263 + e264 - e265 + e268) - e74 * e14 * e630 + e74 * e15
+            * e630 - e16 * e631 + e6 * (e55 * e280 + e632 + e633) + e366 * (e4 * e167 + e262 - e267) - e634 * e307 - e635
+            * e309 + e16 * e74 * e636 + q_2_dot * e637 + q_3_dot * e637 - e11 * (e283 - e285) + e5 * (e632 + e633) - e367
+            * (e262 - e267) + e284 * (e638 + e258) + e639 * (e618 + e619) + e640 * e641 + e642 * e641 - e288 * e643 + e289
+            * e643 + e644 * e443 - e645 * e646 + cos_q_2 * e270 * e332 + e5 * e280 * (e55 + e62) + e162 * e648 + e280 * e63;
+        const Scalar e652 = p_.m_6 * e413 - e152 * e335;
+        const Scalar e653 = e215 * e74 - e125 * e86;
+        const Scalar e654 = e488 * e433 - e125 * e492;
+        const Scalar e655 = e429 - e211;
+        const Scalar e656 = e655 + e219;
+        const Scalar e657 = e407 - e125 * e476;
+        const Scalar e658 = e104 * e644 - e16 * e495;
+        const Scalar e659 = e53 * e652 + e658;
+        const Scalar e660 = e122 * e476 + e408;
+        const Scalar e661 = cos_q_5 * e136;
+        const Scalar e662 = e430 + e432;
+        const Scalar e663 = dxdt[6] * e135;
+        const Scalar e664 = e91 + e118;
+        const Scalar e665 = e663 - e664;
+        const Scalar e666 = dxdt[6] * e143 - e103;
+        const Scalar e667 = e233 + e235;
+        const Scalar e668 = e667 + e231;
+        const Scalar e669 = e389 + (e446 * e16 - e294 * e665) + (sin_q_5 * e441 + e296 * e666 - (cos_q_5 * e668 + e396));
+        const Scalar e670 = e382 - e385 - (e387 - e388) + e669;
+        const Scalar e671 = e11 * e444;
+        const Scalar e672 = e17 * (e333 * e428 - e445 * e439) - dxdt[8] * e425 + e17 * e438 - e294 * e111 - e652 * e653 - e16
+            * e654 - e299 * e656 - e657 * e634 - e122 * e659 - e660 * e635 - e390 - e405 * e644 - e391 - e216 * e661 + e662
+            * e645 + e215 * e648 + e11 * e449 + e670 + e428 * e671 - e399 - e401 - e403;
+        const Scalar e673 = e672 - e380 * e651;
+        const Scalar e674 = e655 + e216;
+        const Scalar e675 = e296 * e126;
+        const Scalar e676 = c_.k13 * e398;
+        const Scalar e677 = e17 * e485 - dxdt[7] * (e499 + e500) - dxdt[8] * (Scalar(2) * p_.a_3 * e397) - e294 * e123 - e136
+            * e49 * e111 - e110 * e658 - e652 * e503 - e16 * e493 - e299 * e674 - e17 * e486 - e482 * e634 + e11 * e474 - e477
+            * e635 - e115 * e400 - e219 * e661 + e11 * e475 - e675 + e218 * e648 - e676 + e670;
+        const Scalar e678 = e677 - e505 * e651 - e469 * e673;
+        const Scalar e679 = e57 - e413;
+        const Scalar e680 = dxdt[7] + dxdt[8];
+        const Scalar e681 = e538 - e521;
+        const Scalar e682 = e679 * e524 - e680 * (e681 - e520) + e17 * e529 + e117 * e659 - e11 * e537;
+        const Scalar e683 = e682 - e543 * e651 - e544 * e673 - e517 * e678;
+        const Scalar e684 = e680 * e560 - e11 * e564 + e17 * e570 + e679 * e573 - e574 * e651 - e575 * e673 - e576 * e678
+            - e559 * e683;
+        const Scalar e685 = e680 * e234 - e11 * e591 - e17 * e594 - e679 * e595 - e596 * e651 - e597 * e673 - e598 * e678
+            - e599 * e683 - e587 * e684;
+        const Scalar e686 = e685 * inverse_601;
+        const Scalar e687 = e684 * inverse_580 - e587 * e686;
+        const Scalar e688 = e683 * inverse_549 - e559 * e687 - e599 * e686;
+        const Scalar e689 = e678 * inverse_509 - e517 * e688 - e576 * e687 - e598 * e686;
+        const Scalar e690 = e673 * inverse_465 - e469 * e689 - e544 * e688 - e575 * e687 - e597 * e686;
+        const Scalar e691 = sin_q_5 * e153;
+        const Scalar e692 = e152 * e49;
+        const Scalar e693 = e382 - e385 - e387 + e388 + e389 - e390 - e391 - e392 + e393 - e675 - e394 - e676 - e49 * e138
+            + e81 * e144 - e299 * e216 - Scalar(2) * p_.d_3 * e397 * e395 - e163 * e691 + e305 * e692 - e306 * e692;
+        const Scalar e694 = e181 + e182 + e183 + e185 - e186 + e187 - e188 - e189 + e190 - e192 + e193 - e194 - e195 - e196
+            + e197 - e199 + e200 - e201 - e202;
+        const Scalar e695 = e47 * e203;
+        const Scalar e696 = Scalar(2) * e221 * e413;
+        const Scalar e697 = q_4_dot * e339;
+        const Scalar e698 = e10 * e286;
+        const Scalar e699 = e231 + e233 + e235 + e236 - e238 + e240;
+        const Scalar e700 = e5 * e222;
+        const Scalar e701 = e6 * e222;
+        const Scalar e702 = e5 * e203;
+        const Scalar e703 = e73 * e702;
+        const Scalar e704 = e5 * e60;
+        const Scalar e705 = sin_q_5 * e14;
+        const Scalar e706 = sin_q_5 * e15;
+        const Scalar e707 = cos_q_5 * e639;
+        const Scalar e708 = e366 * e282 - e367 * e282 - e610 * e284 + e609 * e284;
+        const Scalar e709 = e181 + e182 - e192 + e193;
+        const Scalar e710 = q_2_dot * e14 + q_3_dot * e14 - q_2_dot * e15 - q_3_dot * e15;
+        const Scalar e711 = e91 - e123 - e111 + e118;
+        const Scalar e712 = e5 * e47 + e6 * e47 + cos_q_2 * e273;
+        const Scalar e713 = e281 - e283 + e285;
+        const Scalar e714 = e211 - e216 - e219;
+        const Scalar e715 = (Scalar(1) / Scalar(6)) * e334;
+        const Scalar e716 = q_4_dot * e154 - q_4_dot * e158;
+        const Scalar e717 = e702 + e6 * e203;
+        const Scalar e718 = dxdt[7] * e14 - dxdt[7] * e15;
+        const Scalar e719 = cos_q_2 * (q_2_dot * e345 + c_.k64 * e208 * e208 - c_.k63 * e56);
+        const Scalar e720 = e367 * e176 - e366 * e176 + e5 * e693 + e6 * e693 + cos_q_5 * e610 * e694 - e14 * e60 * e694 - e610
+            * (e154 * e70 + e262 + e263 + e264 - e265 - e267 + e268 - e695) - e15
+            * (e418 - e419 - e421 + q_1_dot * e303 - e696 + e697 + e698) + e609
+            * (e262 + e263 + e264 - e265 - e267 + e268 - e695) - e14 * e73 * e242 + e14
+            * (e418 - e419 - e421 - e696 + e697 + e698) - e640 * e622 - e642 * e622 - cos_q_5 * e5 * e699 - cos_q_5 * e6 * e699
+            + sin_q_5 * e610 * e699 + q_3_dot * (sin_q_5 * e203 * e639 + e700 + e701 + e703) + e624
+            * (e704 + e705 - e706 + e707) + e66 * e708 + q_1_dot * e18 * e708 + sin_q_5 * e5 * e709 + sin_q_5 * e6 * e709
+            - c_.k10 * e10 * e710 + e5 * e294 * e711 + e6 * e294 * e711 - cos_q_5 * e203 * e710 - e49 * e237 * e710 + q_2_dot
+            * (e700 + e701 + e703) + e154 * e712 - e158 * e712 + e625 * (e704 + e705 - e706) + e24 * e713 + q_1_dot * e5 * e713
+            - e610 * e310 * e714 + e14 * e290 * e714 - e11 * (e700 + e701) - e715 * (e314 - e208 * e346) + e617 * e641 + e611
+            * e716 - e613 * e716 + e70 * e717 + e428 * e718 + e436 * e718 - e626 * (e704 + e707) - e23 * e49 * e717 - c_.k68
+            * dxdt[6] - e627 * e704 + cos_q_2 * e203 * e540 + e209 * e343 + e30 * e303 - (Scalar(1) / Scalar(12)) * p_.m_2
+            * e719 + e282 * e638;
+        const Scalar e721 = e16 * e152;
+        const Scalar e722 = q_4_dot * e53 + e522;
+        const Scalar e723 = e11 * e721;
+        const Scalar e724 = cos_q_4 * e721 * e51 + e294 * e395 - (e23 * e152 * e76 - e7 * e157 * e47);
+        const Scalar e725 = e49 * e723 - e61 * e652 + e724;
+        const Scalar e726 = e721 * e722 - e725;
+        const Scalar e727 = e296 * e395 + e691 * e336 - (e83 * e652 - e76 * e491);
+        const Scalar e728 = cos_q_4 * e47;
+        const Scalar e729 = e728 - e518;
+        const Scalar e730 = e7 * e152 * e70 - e652 * e73 - (e729 * e721 + (e299 * e395 + cos_q_5 * e723));
+        const Scalar e731 = e54 + e395;
+        const Scalar e732 = e7 * e691;
+        const Scalar e733 = e152 * e97;
+        const Scalar e734 = e17 * e444;
+        const Scalar e735 = q_4_dot * e721;
+        const Scalar e736 = e10 * (e444 * e428 + e449) - e679 * (e428 + e436) + e122 * e726 - e125 * e727 + e215 * e730 - e731
+            * e422 - e715 * e448 - e660 * e732 + e657 * e733 + e439 * e734 + e653 * e735 + e17 * e452;
+        const Scalar e737 = e736 - e380 * e720;
+        const Scalar e738 = e10 * (e475 - e473) - e110 * (e725 - e721 * e522) - e417 * e679 - c_.k18 * e731 - e114 * e727
+            + e218 * e730 - e477 * e732 + e17 * e502 + e482 * e733 + e484 * e734 + e503 * e735;
+        const Scalar e739 = e738 - e505 * e720 - e469 * e737;
+        const Scalar e740 = e234 * e729;
+        const Scalar e741 = e539 + e542;
+        const Scalar e742 = e73 * e17;
+        const Scalar e743 = e17 * (q_4_dot * e524 - e740) + q_1_dot * e97 * e531 + e10 * e535 + e679 * e741 - e731 * e681
+            - e117 * e726 + e106 * e77 * e526 + e732 * e536 - e541 * e742;
+        const Scalar e744 = e743 - e543 * e720 - e544 * e737 - e517 * e739;
+        const Scalar e745 = e2 * (e23 * e61 - e729);
+        const Scalar e746 = cos_q_4 * e17;
+        const Scalar e747 = e17 * (sin_q_4 * e568 + e745) + e731 * e560 - e10 * e564 + e679 * e571 - e566 * e746 + e565 * e742;
+        const Scalar e748 = e747 - e574 * e720 - e575 * e737 - e576 * e739 - e559 * e744;
+        const Scalar e749 = c_.k22 * e61;
+        const Scalar e750 = e234 * e731 + e10 * e590 - c_.k22 * e17 * e722 - e588 * e77 + e679 * e749 + e592 * e746;
+        const Scalar e751 = e750 - e596 * e720 - e597 * e737 - e598 * e739 - e599 * e744 - e587 * e748;
+        const Scalar e752 = e751 * inverse_601;
+        const Scalar e753 = e748 * inverse_580 - e587 * e752;
+        const Scalar e754 = e744 * inverse_549 - e559 * e753 - e599 * e752;
+        const Scalar e755 = e739 * inverse_509 - e517 * e754 - e576 * e753 - e598 * e752;
+        const Scalar e756 = e737 * inverse_465 - e469 * e755 - e544 * e754 - e575 * e753 - e597 * e752;
+        const Scalar e757 = q_4_dot * e21 + cos_q_4 * e54;
+        const Scalar e758 = (Scalar(1) / Scalar(25)) * e414;
+        const Scalar e759 = (Scalar(4) / Scalar(25)) * p_.m_4;
+        const Scalar e760 = (Scalar(1) / Scalar(50)) * e414;
+        const Scalar e761 = e18 * e760;
+        const Scalar e762 = (Scalar(8) / Scalar(25)) * p_.m_4;
+        const Scalar e763 = dxdt[6] * e762;
+        const Scalar e764 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e139 - e145 + e757 * e758 + e150
+            * e759 + e21 * e761 - e169 * e763;
+        const Scalar e765 = (Scalar(4) / Scalar(5)) * e173;
+        const Scalar e766 = e21 * e765;
+        const Scalar e767 = e13 * e765;
+        const Scalar e768 = e7 * e52;
+        const Scalar e769 = e169 * e759;
+        const Scalar e770 = e618 + e619 + e620 + e621 + e55 * e769 + e62 * e769;
+        const Scalar e771 = (Scalar(1) / Scalar(18)) * p_.m_3;
+        const Scalar e772 = e771 * e226;
+        const Scalar e773 = e11 * e60;
+        const Scalar e774 = e243 * e12 - e256 * e12 + e269 * e773 + e279 * e773;
+        const Scalar e775 = sin_q_4 * e769;
+        const Scalar e776 = e266 * e759;
+        const Scalar e777 = cos_q_4 * e776;
+        const Scalar e778 = e775 - e777 + e375 - e291;
+        const Scalar e779 = q_5_dot * e11;
+        const Scalar e780 = e73 * e779;
+        const Scalar e781 = dxdt[7] * e60;
+        const Scalar e782 = dxdt[8] * e60;
+        const Scalar e783 = e52 * e84;
+        const Scalar e784 = q_4_dot * e13 + sin_q_4 * e54;
+        const Scalar e785 = e784 * e758 + e261 * e759 + e13 * e761 - e266 * e763;
+        const Scalar e786 = cos_q_4 * e84;
+        const Scalar e787 = e786 + dxdt[7] * sin_q_4 + dxdt[8] * sin_q_4;
+        const Scalar e788 = e7 * e74;
+        const Scalar e789 = e7 * e395;
+        const Scalar e790 = e336 * e10;
+        const Scalar e791 = e17 * e357 + c_.k11 * (e11 * e7);
+        const Scalar e792 = e335 * e17;
+        const Scalar e793 = e16 * e413;
+        const Scalar e794 = e55 * e357 + e62 * e357;
+        const Scalar e795 = e55 * e776 + e62 * e776;
+        const Scalar e796 = e775 - e777;
+        const Scalar e797 = c_.k11 * e5 + c_.k11 * e6;
+        const Scalar e798 = e73 * e647;
+        const Scalar e799 = e11 * e16;
+        const Scalar e800 = (Scalar(11) / Scalar(75)) * e415 * e10;
+        const Scalar e801 = dxdt[6] * e364;
+        const Scalar e802 = e167 * (e155 - e156 - e159 + e160 - e164 + e166 + e11 * e766 + e10 * e767);
+        const Scalar e803 = e623 * e612 - e617 * e764 - e639 * e764 + e629 * e612 + e802 - e768 * e616 - e610 * e770 + e609
+            * e770 - e5 * (e213 - e217 - e220 - c_.k5 * e614 + e772) - e8 * (e263 + e264 - e265 + e10 * e766 - e11 * e767)
+            + q_6_dot * e774 + dxdt[7] * e778 + dxdt[8] * e778 - e42 * e774 - e6 * (e213 - e217 - e220 + e772) + e611 * e628
+            - e613 * e628 + e243 * (e780 - e781 - e782 + e783) - e640 * e785 - e642 * e785 + e339 * e710 + e74 * e5 * e630
+            + e74 * e6 * e630 + e7 * e631 + e256 * (e781 + e782 - e783) + e269 * e787 + e279 * e787 - e788 * e636 + e12
+            * (e18 * e776 - e320 + e321) - c_.k77 * (e789 + e790) - q_2_dot * e791 - q_3_dot * e791 + (Scalar(1) / Scalar(50))
+            * p_.d_4 * e397 * (e792 - e793) - e14 * e794 + e15 * e794 + e366 * e795 - e367 * e795 + e84
+            * (sin_q_4 * e776 + e348) + e769 * (e786 + e18 * e20) - e87 * e796 + e773 * e322 - e10_squared * e797 - e798 * e646
+            - dxdt[6] * e758 * e356 - e18 * e10 * e796 - e17 * e17 * e797 + dxdt[9] * e16 * e760 + c_.k5 * e338 * e24 - cos_q_4
+            * e295 * e779 - e799 * e800 - e162 * e647 * e728 - (Scalar(2) / Scalar(25)) * e414 * e801;
+        const Scalar e804 = e10 * e445 + e671;
+        const Scalar e805 = e11 * e11 + e10_squared;
+        const Scalar e806 = (Scalar(17) / Scalar(25)) * e414 + (Scalar(7) / Scalar(36)) * e415;
+        const Scalar e807 = e377 * e759;
+        const Scalar e808 = e84 + e395;
+        const Scalar e809 = p_.m_6 * e808 + e723;
+        const Scalar e810 = dxdt[6] * e376 - (cos_q_4 * e261 - sin_q_4 * e150);
+        const Scalar e811 = e647 * e522 - (q_5_dot * cos_q_4 * e634 + e7 * e495);
+        const Scalar e812 = e53 * e809 + e811;
+        const Scalar e813 = p_.m_6 * e665 - e184;
+        const Scalar e814 = p_.m_6 * dxdt[8] + dxdt[7] * e136;
+        const Scalar e815 = e122 * e814;
+        const Scalar e816 = e813 + (p_.m_6 * e111 + e815);
+        const Scalar e817 = p_.m_6 * e666 + e107;
+        const Scalar e818 = e817 - (p_.m_6 * e115 + e125 * e814);
+        const Scalar e819 = dxdt[7] * e377;
+        const Scalar e820 = e61 * e647;
+        const Scalar e821 = sin_q_4 * e8 + e180 * e60;
+        const Scalar e822 = cos_q_4 * e784;
+        const Scalar e823 = e822 - sin_q_4 * e757;
+        const Scalar e824 = e7 * ((Scalar(4) / Scalar(5)) * e381) - (Scalar(1) / Scalar(6)) * e446 * e7;
+        const Scalar e825 = c_.k11 * e413 + e758 * e823 + (e445 * e761 - (dxdt[10] * e571 - e17 * e800));
+        const Scalar e826 = e824 + (e4 * e821 + e73 * e667) - e825;
+        const Scalar e827 = dxdt[7] * e374;
+        const Scalar e828 = e215 * e814;
+        const Scalar e829 = e17 * e10;
+        const Scalar e830 = e729 * e647;
+        const Scalar e831 = e10 * e333;
+        const Scalar e832 = e120 * ((Scalar(4) / Scalar(5)) * p_.m_4 * e804 - c_.k48 * e805) - dxdt[8] * (e806 + e461 - e807)
+            - dxdt[7] * (e758 + (Scalar(1) / Scalar(6)) * e415) + c_.k5 * e420 + e809 * e653 - e759 * e810 + e7 * e654 - e290
+            * e656 + e122 * e812 + e662 * e798 + e61 * e816 - e83 * e818 + e762 * e819 + e657 * e820 - e405 * e780 - e826
+            - e771 * e827 - e73 * e828 + e461 * e829 - e215 * e830 - e807 * e831;
+        const Scalar e833 = e832 - e380 * e803;
+        const Scalar e834 = p_.m_6 * dxdt[7] + dxdt[8] * e136;
+        const Scalar e835 = e827 - e420;
+        const Scalar e836 = e819 - e810;
+        const Scalar e837 = p_.m_6 * e126 - e817;
+        const Scalar e838 = p_.m_6 * e123 + e813;
+        const Scalar e839 = dxdt[8] * ((Scalar(33) / Scalar(25)) * e414 + (Scalar(2) / Scalar(9)) * e415);
+        const Scalar e840 = e809 * e503 - e218 * (e73 * e834 + e830) - dxdt[7] * e806 - e839 - c_.k5 * e835 + e7 * e493 + e110
+            * e811 + e759 * e836 + e834 * e480 + (Scalar(4) / Scalar(5)) * e484 * e804 - c_.k53 * e805 - e290 * e674 + e83
+            * e837 + e61 * e838 + e470 * e798 + e482 * e820 - e826 - e780 * e471 + c_.k19 * e829 + (Scalar(16) / Scalar(25))
+            * e414 * e831;
+        const Scalar e841 = e840 - e505 * e803 - e469 * e833;
+        const Scalar e842 = e808 + e54;
+        const Scalar e843 = dxdt[9] - e413;
+        const Scalar e844 = q_1_dot * e335 + e843;
+        const Scalar e845 = e11 * (e61 * e531 - e740) - e680 * (e61 * e510 + e741) + e842 * e524 + e10 * e528 - e117 * e812
+            - e760 * e844 - e798 * e532 + e75 * e527;
+        const Scalar e846 = e845 - e543 * e803 - e544 * e833 - e517 * e841;
+        const Scalar e847 = e87 - e680;
+        const Scalar e848 = cos_q_4 * e847 + sin_q_4 * e842;
+        const Scalar e849 = e534 * e848 + e13 * e567 - e21 * e566 + e75 * e565 + e10 * e569 + e11 * e745;
+        const Scalar e850 = e849 - e574 * e803 - e575 * e833 - e576 * e841 - e559 * e846;
+        const Scalar e851 = e21 * e592 - e75 * e588 - c_.k22 * e11 * e522 - e842 * e595 - e680 * e749 + e10 * e593;
+        const Scalar e852 = e851 - e596 * e803 - e597 * e833 - e598 * e841 - e599 * e846 - e587 * e850;
+        const Scalar e853 = e852 * inverse_601;
+        const Scalar e854 = e850 * inverse_580 - e587 * e853;
+        const Scalar e855 = e846 * inverse_549 - e559 * e854 - e599 * e853;
+        const Scalar e856 = e841 * inverse_509 - e517 * e855 - e576 * e854 - e598 * e853;
+        const Scalar e857 = e833 * inverse_465 - e469 * e856 - e544 * e855 - e575 * e854 - e597 * e853;
+        const Scalar e858 = (Scalar(1) / Scalar(6)) * p_.a_2 * p_.d_3;
+        const Scalar e859 = p_.a_2 * p_.a_2;
+        const Scalar e860 = p_.d_3 * p_.d_3;
+        const Scalar e861 = (Scalar(181) / Scalar(900)) * e859;
+        const Scalar e862 = dxdt[6] * ((Scalar(1) / Scalar(100)) * e859 + (Scalar(1) / Scalar(4)) * e860);
+        const Scalar e863 = (Scalar(1) / Scalar(18)) * p_.a_2 * e347 - e858 * (e314 + sin_q_2 * e450) - e862
+            - (Scalar(1) / Scalar(12)) * p_.d_3 * e719 + (Scalar(9) / Scalar(50)) * e859 * e349 - e861 * e352;
+        const Scalar e864 = p_.a_2 * p_.g;
+        const Scalar e865 = cos_q_2 * ((Scalar(1) / Scalar(3)) * e864) - dxdt[7] * ((Scalar(19) / Scalar(90)) * e859) - e858
+            * e448 - e861 * e450;
+        const Scalar e866 = e865 - e380 * e863;
+        const Scalar e867 = -e505 * e863 - e469 * e866;
+        const Scalar e868 = -e543 * e863 - e544 * e866 - e517 * e867;
+        const Scalar e869 = -e574 * e863 - e575 * e866 - e576 * e867 - e559 * e868;
+        const Scalar e870 = (-e596 * e863 - e597 * e866 - e598 * e867 - e599 * e868 - e587 * e869) * inverse_601;
+        const Scalar e871 = e869 * inverse_580 - e587 * e870;
+        const Scalar e872 = e868 * inverse_549 - e559 * e871 - e599 * e870;
+        const Scalar e873 = e867 * inverse_509 - e517 * e872 - e576 * e871 - e598 * e870;
+        const Scalar e874 = e866 * inverse_465 - e469 * e873 - e544 * e872 - e575 * e871 - e597 * e870;
+        const Scalar e875 = (Scalar(1) / Scalar(6)) * p_.d_3 * p_.d_4;
+        const Scalar e876 = (Scalar(1) / Scalar(6)) * p_.d_3;
+        const Scalar e877 = p_.a_3 * p_.d_3;
+        const Scalar e878 = p_.d_4 * p_.d_4;
+        const Scalar e879 = (Scalar(1) / Scalar(100)) * e878;
+        const Scalar e880 = p_.d_3 * e7 * e398 + (dxdt[8] * e7 * e877 - e879 * e792);
+        const Scalar e881 = (Scalar(1) / Scalar(12)) * e878;
+        const Scalar e882 = (Scalar(11) / Scalar(150)) * e878 * e10;
+        const Scalar e883 = e16 * (dxdt[8] * e875 + e876 * e835) - e225 * ((Scalar(1) / Scalar(36)) * (e226 - e614)) - e7
+            * e384 * e876 - e880 - (e881 + e860) * e789 - e881 * e790 - e799 * e882 - (e879 + e860) * e793;
+        const Scalar e884 = (Scalar(1) / Scalar(36)) * p_.d_4;
+        const Scalar e885 = p_.d_4 * p_.g;
+        const Scalar e886 = p_.a_3 * p_.g;
+        const Scalar e887 = e886 * e16;
+        const Scalar e888 = (Scalar(1) / Scalar(6)) * e885 * e7 + (e887 + e17 * e882);
+        const Scalar e889 = e120 * (e398 + (p_.a_3 * dxdt[8] + p_.d_3 * e395));
+        const Scalar e890 = e374 * (dxdt[8] * e884 + (Scalar(1) / Scalar(36)) * e835 - e876 * e413);
+        const Scalar e891 = cos_q_2 * e864 - e890 - (Scalar(1) / Scalar(6)) * e120 * e384 - e881 * e680 + e888 - e889;
+        const Scalar e892 = e891 - e380 * e883;
+        const Scalar e893 = p_.a_3 * p_.a_3;
+        const Scalar e894 = p_.a_3 * e398 + e877 * e395;
+        const Scalar e895 = e875 * e413 - dxdt[7] * e881 - dxdt[8] * ((Scalar(1) / Scalar(9)) * e878 + e893) - e384
+            * ((Scalar(1) / Scalar(6)) * p_.a_3) - e884 * e835 - e894 + e888;
+        const Scalar e896 = e895 - e505 * e883 - e469 * e892;
+        const Scalar e897 = -e543 * e883 - e544 * e892 - e517 * e896;
+        const Scalar e898 = -e574 * e883 - e575 * e892 - e576 * e896 - e559 * e897;
+        const Scalar e899 = (-e596 * e883 - e597 * e892 - e598 * e896 - e599 * e897 - e587 * e898) * inverse_601;
+        const Scalar e900 = e898 * inverse_580 - e587 * e899;
+        const Scalar e901 = e897 * inverse_549 - e559 * e900 - e599 * e899;
+        const Scalar e902 = e896 * inverse_509 - e517 * e901 - e576 * e900 - e598 * e899;
+        const Scalar e903 = e892 * inverse_465 - e469 * e902 - e544 * e901 - e575 * e900 - e597 * e899;
+        const Scalar e904 = p_.d_3 * p_.g;
+        const Scalar e905 = e904 * e7;
+        const Scalar e906 = (Scalar(1) / Scalar(50)) * e878;
+        const Scalar e907 = e784 * e8;
+        const Scalar e908 = e904 * e16;
+        const Scalar e909 = (Scalar(4) / Scalar(25)) * p_.d_4;
+        const Scalar e910 = dxdt[8] * e909;
+        const Scalar e911 = e18 * e879;
+        const Scalar e912 = e16 * (e879 * e843 + e905) - e906 * (dxdt[6] * e356 + e757 * e167 + e907) - e7
+            * (e386 * ((Scalar(1) / Scalar(5)) * p_.d_3) + e908) + e376 * ((Scalar(1) / Scalar(25)) * e819 - e910)
+            + (Scalar(1) / Scalar(25)) * e169 * e150 + (Scalar(1) / Scalar(25)) * e266 * e261 - (Scalar(1) / Scalar(25))
+            * dxdt[6] * e358 - e880 - e860 * e789 - e7 * e444 * e911 - (Scalar(1) / Scalar(25)) * e878 * e801;
+        const Scalar e913 = cos_q_3 * e864 + e886;
+        const Scalar e914 = e906 * e823 - (e7 * ((Scalar(4) / Scalar(5)) * e885) - e445 * e911);
+        const Scalar e915 = sin_q_3 * e7 * e864 - e377 * ((Scalar(1) / Scalar(25)) * e836 - e910) - (Scalar(1) / Scalar(5))
+            * e120 * e386 - e906 * e680 + e16 * e913 + e914 - e889;
+        const Scalar e916 = e915 - e380 * e912;
+        const Scalar e917 = e16 * e886 - dxdt[7] * e906 - dxdt[8] * ((Scalar(33) / Scalar(50)) * e878 + e893) - e386
+            * ((Scalar(1) / Scalar(5)) * p_.a_3) + e909 * e836 - e894 + e914;
+        const Scalar e918 = e917 - e505 * e912 - e469 * e916;
+        const Scalar e919 = -e879 * e844 - e543 * e912 - e544 * e916 - e517 * e918;
+        const Scalar e920 = -e574 * e912 - e575 * e916 - e576 * e918 - e559 * e919;
+        const Scalar e921 = (-e596 * e912 - e597 * e916 - e598 * e918 - e599 * e919 - e587 * e920) * inverse_601;
+        const Scalar e922 = e920 * inverse_580 - e587 * e921;
+        const Scalar e923 = e919 * inverse_549 - e559 * e922 - e599 * e921;
+        const Scalar e924 = e918 * inverse_509 - e517 * e923 - e576 * e922 - e598 * e921;
+        const Scalar e925 = e916 * inverse_465 - e469 * e924 - e544 * e923 - e575 * e922 - e597 * e921;
+        const Scalar e926 = p_.c_z * sin_q_6;
+        const Scalar e927 = e123 + e111;
+        const Scalar e928 = e927 + e665;
+        const Scalar e929 = p_.c_x * dxdt[11] + dxdt[10] * e926 - e928;
+        const Scalar e930 = dxdt[10] * cos_q_6;
+        const Scalar e931 = dxdt[9] * e49;
+        const Scalar e932 = e930 + e931;
+        const Scalar e933 = e216 + e219;
+        const Scalar e934 = e655 + e933;
+        const Scalar e935 = p_.c_x * e932 + e934;
+        const Scalar e936 = e126 + e115;
+        const Scalar e937 = e666 - e936;
+        const Scalar e938 = p_.c_z * e932 + e937;
+        const Scalar e939 = p_.c_z * p_.g;
+        const Scalar e940 = e16 * e788 + e768 * e167;
+        const Scalar e941 = p_.c_x * p_.g;
+        const Scalar e942 = e232 * e941;
+        const Scalar e943 = e180 * e939;
+        const Scalar e944 = e232 * e864;
+        const Scalar e945 = e180 * e864;
+        const Scalar e946 = sin_q_5 * e180;
+        const Scalar e947 = e180 * e49 + cos_q_6 * e788;
+        const Scalar e948 = e941 * e947;
+        const Scalar e949 = e864 * e8;
+        const Scalar e950 = cos_q_5 * sin_q_6;
+        const Scalar e951 = cos_q_6 * e768;
+        const Scalar e952 = e941 * (e180 * e950 + e951);
+        const Scalar e953 = e135 * e929 - (e887 - e885 * e7) * (e232 * e74 + e180 * e52 - cos_q_4 * e8) - e232 * e904 * e76
+            - e162 * e935 - e143 * e938 - e939 * e940 + e141 * e942 + e8 * e943 - e161 * e944 - e177 * e945 - e821 * e908
+            + e946 * e905 - e167 * e948 + e1 * e949 + e16 * e952;
+        const Scalar e954 = cos_q_5 * e232 - e946;
+        const Scalar e955 = e939 * e52 * e8 + e885 * e821
+            + (e53 * e942 + cos_q_4 * e943 + (e232 * e885 * e73 + sin_q_4 * e948));
+        const Scalar e956 = e122 * e929 - e215 * e935 + e125 * e938 - e954 * e913 - e955 + e207 * e944 + e254 * e945 + e276
+            * e949;
+        const Scalar e957 = e956 - e380 * e953;
+        const Scalar e958 = e110 * e929 - e886 * e954 - e218 * e935 + e114 * e938 - e955 - e505 * e953 - e469 * e957;
+        const Scalar e959 = p_.c_z * p_.c_z;
+        const Scalar e960 = p_.c_x * p_.c_x;
+        const Scalar e961 = e959 + e960;
+        const Scalar e962 = p_.c_z * e937 + (p_.c_x * e934 + e942);
+        const Scalar e963 = e939 * e788 - e49 * (e961 * e932 + e962) - e117 * e929 - e952 - e543 * e953 - e544 * e957 - e517
+            * e958;
+        const Scalar e964 = sin_q_6 * (p_.c_x * p_.c_z);
+        const Scalar e965 = e928 * e926 - cos_q_6 * (e962 + e960 * e930 + e961 * e931) - dxdt[10] * e959 - e943 - dxdt[11]
+            * e964;
+        const Scalar e966 = e965 - e574 * e953 - e575 * e957 - e576 * e958 - e559 * e963;
+        const Scalar e967 = p_.c_x * e928 - e941 * (sin_q_6 * e180 + cos_q_6 * e8) - dxdt[11] * e960 - dxdt[10] * e964;
+        const Scalar e968 = e967 - e596 * e953 - e597 * e957 - e598 * e958 - e599 * e963 - e587 * e966;
+        const Scalar e969 = e968 * inverse_601;
+        const Scalar e970 = e966 * inverse_580 - e587 * e969;
+        const Scalar e971 = e963 * inverse_549 - e559 * e970 - e599 * e969;
+        const Scalar e972 = e958 * inverse_509 - e517 * e971 - e576 * e970 - e598 * e969;
+        const Scalar e973 = e957 * inverse_465 - e469 * e972 - e544 * e971 - e575 * e970 - e597 * e969;
+        const Scalar e974 = dxdt[11] + e72;
+        const Scalar e975 = p_.m_6 * e974 + dxdt[9] * e299;
+        const Scalar e976 = e19 * e104 - e22 * e92;
+        const Scalar e977 = q_4_dot * e152;
+        const Scalar e978 = e7 * e977;
+        const Scalar e979 = p_.m_6 * e680 - e978;
+        const Scalar e980 = e23 * e976 - e74 * e979;
+        const Scalar e981 = e104 * e80 + e92 * e88;
+        const Scalar e982 = dxdt[9] + e82;
+        const Scalar e983 = dxdt[10] * e92 + e294 * e982;
+        const Scalar e984 = e983 - (q_4_dot * e820 - e53 * e979);
+        const Scalar e985 = e16 * e294 + p_.m_6 * e140;
+        const Scalar e986 = p_.m_6 * e42;
+        const Scalar e987 = e664 - e927;
+        const Scalar e988 = dxdt[10] * e106 + e4 * e947;
+        const Scalar e989 = e441 * e950 + e4 * e951;
+        const Scalar e990 = e16 * e234;
+        const Scalar e991 = e135 * e647;
+        const Scalar e992 = e16 * e987;
+        const Scalar e993 = e135 * (e975 - e980) + e162 * (e981 - e984) + e141 * (e233 + e236) - e985 * (e211 - e933) - e130
+            * (e138 - e184) + e986 * (e165 - e305) + e140 * (e231 + e235) + e11 * e76 * e237 - e7 * e987 * e290 + e976 * e239
+            - e988 * e167 + e16 * e989 + e203 * e98 + e932 * e990 + e228 * e991 + e299 * e992;
+        const Scalar e994 = e49 * e652 + e53 * e978 + (e61 * e809 - e983);
+        const Scalar e995 = cos_q_5 * e652 - e73 * e809;
+        const Scalar e996 = e975 - (e995 + e788 * e977);
+        const Scalar e997 = e74 * e184 - e665 * e212 + (sin_q_4 * e988 + e53 * e668);
+        const Scalar e998 = p_.m_6 * e53;
+        const Scalar e999 = e215 * (e981 + e994) + e986 * (e407 + e451) + e111 * e212 - e976 * e662 + e122 * e996 - e997 - e656
+            * e998 + e74 * e815 - e53 * e828;
+        const Scalar e1000 = e999 - e380 * e993;
+        const Scalar e1001 = e53 * e834 - e994;
+        const Scalar e1002 = e110 * e834;
+        const Scalar e1003 = e218 * (e981 - e1001) + e986 * (e114 * e42 + e481) - e976 * e470 + e123 * e212 + e110 * e996
+            - e997 - e674 * e998 + e74 * e1002;
+        const Scalar e1004 = e1003 - e505 * e993 - e469 * e1000;
+        const Scalar e1005 = e61 * e842 + e53 * e847;
+        const Scalar e1006 = e49 * e679 - e1005;
+        const Scalar e40_squared = e40 * e40;
+        const Scalar e1007 = e42 * e42 + e40_squared;
+        const Scalar e1008 = c_.k96 * e932 + e233;
+        const Scalar e1009 = e927 + (e663 - e91);
+        const Scalar e1010 = e117 * (e995 + e980) - e234 * (e96 + e1006) - cos_q_5 * e184 - e294 * e934 - e974 * e510 - e106
+            * e1007 - e989 - e49 * e1008 + e299 * e1009 - e118 * e661 + e42 * e530;
+        const Scalar e1011 = e1010 - e543 * e993 - e544 * e1000 - e517 * e1004;
+        const Scalar e1012 = e23 * e40;
+        const Scalar e1013 = dxdt[9] * cos_q_5;
+        const Scalar e1014 = e2 * (e95 + e1005) - e550 * (dxdt[11] + e1012 + e1013 + e71) - e106
+            * (q_5_dot * e18 + cos_q_4 * e842 - sin_q_4 * e847) - e679 * e562 - e92 * e934 - cos_q_6 * e1008 - e1007 * e552
+            + e42 * e572 - e82 * e561;
+        const Scalar e1015 = e1014 - e574 * e993 - e575 * e1000 - e576 * e1004 - e559 * e1011;
+        const Scalar e1016 = e19 * e589 - e22 * e2;
+        const Scalar e1017 = p_.m_6 * e928 - c_.k22 * (cos_q_5 * e679 + e73 * e842 + e72 - e74 * e847 + e1013) - c_.k96
+            * dxdt[11] - sin_q_6 * e441 - cos_q_6 * e9 + e23 * e1016;
+        const Scalar e1018 = e1017 - e596 * e993 - e597 * e1000 - e598 * e1004 - e599 * e1011 - e587 * e1015;
+        const Scalar e1019 = e1018 * inverse_601;
+        const Scalar e1020 = e1015 * inverse_580 - e587 * e1019;
+        const Scalar e1021 = e1011 * inverse_549 - e559 * e1020 - e599 * e1019;
+        const Scalar e1022 = e1004 * inverse_509 - e517 * e1021 - e576 * e1020 - e598 * e1019;
+        const Scalar e1023 = e1000 * inverse_465 - e469 * e1022 - e544 * e1021 - e575 * e1020 - e597 * e1019;
+        const Scalar e1024 = e19 * e92 + e22 * e104;
+        const Scalar e1025 = dxdt[10] * e104 + e92 * e79;
+        const Scalar e1026 = e296 * e982 - e1025;
+        const Scalar e1027 = e86 * e979 - e476 * e976;
+        const Scalar e1028 = e143 * (e476 * e1024 - e984 + e152 * e98) - e135 * (e1026 - e1027 - e83 * e723) + e141
+            * (e107 + e144) - e985 * (e103 + e936) - e131 * (e184 + p_.m_6 * e987) - e976 * e163 + e165 * e1024 + e138 * e132
+            + e269 * e79 - e4 * e940 + e441 * e8 - sin_q_5 * e191 * e335 - e3 * e178 + e489 * e991 - e296 * e992;
+        const Scalar e1029 = cos_q_4 * e441 + e52 * e9;
+        const Scalar e1030 = e296 * e413 - e691 * e335;
+        const Scalar e1031 = e83 * e809;
+        const Scalar e1032 = e1026 - (e1030 - (e86 * e978 - e1031));
+        const Scalar e1033 = e657 * e1024 - e976 * e660 - e125 * e994 - e79 * e409 - e1029 + e86 * e816 - e53 * e818 - e122
+            * e1032;
+        const Scalar e1034 = e1033 - e380 * e1028;
+        const Scalar e1035 = e86 * (e838 + e1002) - e114 * (e104 * e79 - e1001) - e976 * e477 + e482 * e1024 + e53 * e837
+            - e1029 - e110 * e1032;
+        const Scalar e1036 = e1035 - e505 * e1028 - e469 * e1034;
+        const Scalar e1037 = e106 * (sin_q_6 * e79 - e1006 - e930 - e94) - e117 * (e1025 + e1030 + e1027 - e296 * e82 + e1031)
+            - e294 * e937 + e531 * e23 + e4 * e788 + sin_q_5 * e3 - e296 * e1009 + e118 * e400 - c_.k95 * e49 * e931 + e234
+            * e40_squared;
+        const Scalar e1038 = e1037 - e543 * e1028 - e544 * e1034 - e517 * e1036;
+        const Scalar e1039 = e104 * e928 - c_.k95 * dxdt[10] - e92 * e937 - e181 - e183 - e185 + c_.k21 * e848 + e19 * e567
+            + e23 * e572 + e2 * e40_squared;
+        const Scalar e1040 = e1039 - e574 * e1028 - e575 * e1034 - e576 * e1036 - e559 * e1038;
+        const Scalar e1041 = c_.k22 * e83;
+        const Scalar e1042 = c_.k22 * e86;
+        const Scalar e1043 = e533 * (e679 + e982) - e2 * e79 + e476 * e1016 - dxdt[10] * e589 - e842 * e1041 + e847 * e1042;
+        const Scalar e1044 = e1043 - e596 * e1028 - e597 * e1034 - e598 * e1036 - e599 * e1038 - e587 * e1040;
+        const Scalar e1045 = e1044 * inverse_601;
+        const Scalar e1046 = e1040 * inverse_580 - e587 * e1045;
+        const Scalar e1047 = e1038 * inverse_549 - e559 * e1046 - e599 * e1045;
+        const Scalar e1048 = e1036 * inverse_509 - e517 * e1047 - e576 * e1046 - e598 * e1045;
+        const Scalar e1049 = e1034 * inverse_465 - e469 * e1048 - e544 * e1047 - e575 * e1046 - e597 * e1045;
+        const Scalar e1050 = -dxdt[6];
+        const Scalar e1051 = -e380 * e1050;
+        const Scalar e1052 = -e505 * e1050 - e469 * e1051;
+        const Scalar e1053 = -e543 * e1050 - e544 * e1051 - e517 * e1052;
+        const Scalar e1054 = -e574 * e1050 - e575 * e1051 - e576 * e1052 - e559 * e1053;
+        const Scalar e1055 = -e596 * e1050 - e597 * e1051 - e598 * e1052 - e599 * e1053 - e587 * e1054;
+        const Scalar e1056 = e1055 * inverse_601;
+        const Scalar e1057 = e1054 * inverse_580 - e587 * e1056;
+        const Scalar e1058 = e1053 * inverse_549 - e559 * e1057 - e599 * e1056;
+        const Scalar e1059 = e1052 * inverse_509 - e517 * e1058 - e576 * e1057 - e598 * e1056;
+        const Scalar e1060 = e1051 * inverse_465 - e469 * e1059 - e544 * e1058 - e575 * e1057 - e597 * e1056;
+        const Scalar e1061 = dxdt[11] + e1012;
+        const Scalar e1062 = dxdt[6] * e130 - e78;
+        const Scalar e1063 = e1061 - Scalar(2) * e1062;
+        const Scalar e1064 = -e99;
+        const Scalar e1065 = dxdt[6] * e141 + e1064;
+        const Scalar e1066 = e79 - e13 * e70 + e60 * e85 - e52 * e87 - sin_q_5 * e57;
+        const Scalar e1067 = e89 - e40 * e42;
+        const Scalar e1068 = e371 - (Scalar(1) / Scalar(2)) * e372;
+        const Scalar e1069 = e130 * (e1063 + Scalar(2) * e1013) - dxdt[6] * (e360 + Scalar(2) * e368) + e141
+            * (Scalar(2) * (e932 - e1065)) - e359 * e1066 - e132 * e1067 + dxdt[10] * e551 + dxdt[9] * e513 + Scalar(2) * e680
+            * e1068 - e907;
+        const Scalar e1070 = e53 * e680;
+        const Scalar e1071 = e53 * (Scalar(2) * (e1064 - e932 - e1070)) - e74 * (Scalar(2) * e78 + e1061) - e680
+            * (Scalar(1) + e458) - e1066 * e52 - dxdt[9] * e511 - dxdt[10] * e554 - e86 * e1067 + Scalar(2) * dxdt[6] * e1068
+            + e822;
+        const Scalar e1072 = e1071 - e380 * e1069;
+        const Scalar e1073 = e1071 - e505 * e1069 - e469 * e1072;
+        const Scalar e1074 = e1065 - ((Scalar(1) / Scalar(2)) * e932 + e1070);
+        const Scalar e1075 = sin_q_5 * e1066 - Scalar(2) * dxdt[9] - e680 * e511 + e81 * e1067 + dxdt[6] * e513 - cos_q_5
+            * e1063 + Scalar(2) * e49 * e1074;
+        const Scalar e1076 = e1075 - e543 * e1069 - e544 * e1072 - e517 * e1073;
+        const Scalar e1077 = e784 - Scalar(2) * dxdt[10] - e680 * e554 - sin_q_6 * e1067 + dxdt[6] * e551 + Scalar(2) * cos_q_6
+            * e1074;
+        const Scalar e1078 = e1077 - e574 * e1069 - e575 * e1072 - e576 * e1073 - e559 * e1076;
+        const Scalar e1079 = e1062 - e74 * e680 - e1061 - e1013 - e596 * e1069 - e597 * e1072 - e598 * e1073 - e599 * e1076
+            - e587 * e1078;
+        const Scalar e1080 = e1079 * inverse_601;
+        const Scalar e1081 = e1078 * inverse_580 - e587 * e1080;
+        const Scalar e1082 = e1076 * inverse_549 - e559 * e1081 - e599 * e1080;
+        const Scalar e1083 = e1073 * inverse_509 - e517 * e1082 - e576 * e1081 - e598 * e1080;
+        const Scalar e1084 = e1072 * inverse_465 - e469 * e1083 - e544 * e1082 - e575 * e1081 - e597 * e1080;
+        const Scalar q_1 = x[0];
+        const Scalar e1085 = Scalar(1) - q_1;
+        const Scalar e1086 = -(Scalar(2) / Scalar(5)) - q_2 - e380 * e1085;
+        const Scalar e1087 = Scalar(3) / Scalar(10) - q_3 - e505 * e1085 - e469 * e1086;
+        const Scalar e1088 = Scalar(1) - q_4;
+        const Scalar e1089 = p_.k_w * e1088 - e543 * e1085 - e544 * e1086 - e517 * e1087;
+        const Scalar e1090 = (Scalar(7) / Scalar(10)) * p_.k_w - p_.k_w * q_5 - e574 * e1085 - e575 * e1086 - e576 * e1087
+            - e559 * e1089;
+        const Scalar e1091 = Scalar(1) + q_6;
+        const Scalar e1092 = -p_.k_w * e1091 - e596 * e1085 - e597 * e1086 - e598 * e1087 - e599 * e1089 - e587 * e1090;
+        const Scalar e1093 = e1092 * inverse_601;
+        const Scalar e1094 = e1090 * inverse_580 - e587 * e1093;
+        const Scalar e1095 = e1089 * inverse_549 - e559 * e1094 - e599 * e1093;
+        const Scalar e1096 = e1087 * inverse_509 - e517 * e1095 - e576 * e1094 - e598 * e1093;
+        const Scalar e1097 = e1086 * inverse_465 - e469 * e1096 - e544 * e1095 - e575 * e1094 - e597 * e1093;
+        const Scalar e1098 = -q_1_dot;
+        const Scalar e1099 = -q_2_dot - e380 * e1098;
+        const Scalar e1100 = -q_3_dot - e505 * e1098 - e469 * e1099;
+        const Scalar e1101 = -p_.k_w * q_4_dot - e543 * e1098 - e544 * e1099 - e517 * e1100;
+        const Scalar e1102 = -p_.k_w * q_5_dot - e574 * e1098 - e575 * e1099 - e576 * e1100 - e559 * e1101;
+        const Scalar e1103 = -p_.k_w * q_6_dot - e596 * e1098 - e597 * e1099 - e598 * e1100 - e599 * e1101 - e587 * e1102;
+        const Scalar e1104 = e1103 * inverse_601;
+        const Scalar e1105 = e1102 * inverse_580 - e587 * e1104;
+        const Scalar e1106 = e1101 * inverse_549 - e559 * e1105 - e599 * e1104;
+        const Scalar e1107 = e1100 * inverse_509 - e517 * e1106 - e576 * e1105 - e598 * e1104;
+        const Scalar e1108 = e1099 * inverse_465 - e469 * e1107 - e544 * e1106 - e575 * e1105 - e597 * e1104;
+        const Scalar e1109 = p_.k_p * e1088 - p_.k_d * q_4_dot;
+        const Scalar e1110 = (Scalar(7) / Scalar(10)) * p_.k_p - p_.k_p * q_5 - p_.k_d * q_5_dot - e559 * e1109;
+        const Scalar e1111 = (-p_.k_d * q_6_dot - p_.k_p * e1091 - e599 * e1109 - e587 * e1110) * inverse_601;
+        const Scalar e1112 = e1110 * inverse_580 - e587 * e1111;
+        const Scalar e1113 = e1109 * inverse_549 - e559 * e1112 - e599 * e1111;
+        const Scalar e1114 = -e517 * e1113 - e576 * e1112 - e598 * e1111;
+        const Scalar e1115 = -e469 * e1114 - e544 * e1113 - e575 * e1112 - e597 * e1111;
+        const Scalar e1116 = p_.m_6 + e397;
+        const Scalar e1117 = p_.a_3 * e1116 * e16 + (-p_.d_4 * p_.m_6 - e416) * e7 - (e16 * (c_.k21 * e73 - e1041) + e7 * e534);
+        const Scalar e1118 = cos_q_2 * ((Scalar(1) / Scalar(3)) * e334 + p_.a_2 * e1116) + e1117;
+        const Scalar e1119 = e1117 - e469 * e1118;
+        const Scalar e1120 = e7 * (c_.k21 * e74 - e1042) - e544 * e1118 - e517 * e1119;
+        const Scalar e1121 = -e16 * e560 - e534 * e167 - e575 * e1118 - e576 * e1119 - e559 * e1120;
+        const Scalar e1122 = -c_.k22 * e140 - e990 - e597 * e1118 - e598 * e1119 - e599 * e1120 - e587 * e1121;
+        const Scalar e1123 = e1122 * inverse_601;
+        const Scalar e1124 = e1121 * inverse_580 - e587 * e1123;
+        const Scalar e1125 = e1120 * inverse_549 - e559 * e1124 - e599 * e1123;
+        const Scalar e1126 = e1119 * inverse_509 - e517 * e1125 - e576 * e1124 - e598 * e1123;
+        const Scalar e1127 = e1118 * inverse_465 - e469 * e1126 - e544 * e1125 - e575 * e1124 - e597 * e1123;
+        J[0] = Scalar(0);
+        J[1] = Scalar(0);
+        J[2] = Scalar(0);
+        J[3] = Scalar(0);
+        J[4] = Scalar(0);
+        J[5] = Scalar(0);
+        J[6] = e355 * inverse_370 - e380 * e608 - e505 * e607 - e543 * e606 - e574 * e605 - e596 * e604;
+        J[7] = e608;
+        J[8] = e607;
+        J[9] = e606;
+        J[10] = e605;
+        J[11] = e604;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
         J[15] = Scalar(0);
         J[16] = Scalar(0);
         J[17] = Scalar(0);
-        const Scalar e873 = e3 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e139 - e145 + e151 - e172;
-        const Scalar e874 = e3 + e9 + e93 + e105 - e108 - e112 + e116 + e119 - e124 + e127 - e139 - e145 + e151 - e172;
-        J[18] = e511 * e873 - e512 * e874 - e513 * e514 + e515 * e514 + e14 * e517 - e15 * e517 - e168
-            * (e155 - e156 - e159 + e160 - e164 + e166 + e175) + e16 * e52 * e518 + e519 * e524 - dxdt[7] * e301 - dxdt[8]
-            * e301 + e525 * e530 + e531 * e530 + sin_q_4 * e16 * (e263 + e264 - e265 + e268) - e74 * e14 * e532 + e74 * e15
-            * e532 - e16 * e533 + e6 * (e55 * e280 + e534 + e535) + e536 * (e4 * e167 + e262 - e267) - e537 * e307 - e538
-            * e309 + e16 * e74 * e539 + q_2_dot * e540 + q_3_dot * e540 - e11 * (e283 - e285) + e5 * (e534 + e535) - e541
-            * (e262 - e267) + e284 * (e542 + e258) + e543 * (e520 + e521) + e544 * e545 + e546 * e545 - e288 * e547 + e289
-            * e547 + e548 * e417 - e549 * e550 + cos_q_2 * e270 * e332 + e5 * e280 * (e55 + e62) + e162 * e552 + e280 * e63;
-        J[19] = e17 * (e333 * e401 - e419 * e413) - dxdt[8] * e397 + e17 * e412 - e294 * e111 - e553 * e554 - e16 * e555 - e299
-            * e557 - e558 * e537 - e122 * e560 - e561 * e538 - e362 - e377 * e548 - e363 - e216 * e562 + e563 * e549 + e215
-            * e552 + e11 * e423 + e571 + e401 * e572 - e371 - e373 - e375;
-        J[20] = e17 * e442 - dxdt[7] * (e456 + e457) - dxdt[8] * (Scalar(2) * p_.a_3 * e369) - e294 * e123 - e136 * e49 * e111
-            - e110 * e559 - e553 * e460 - e16 * e450 - e299 * e573 - e17 * e443 - e439 * e537 + e11 * e431 - e434 * e538 - e115
-            * e372 - e219 * e562 + e11 * e432 - e574 + e218 * e552 - e575 + e571;
-        J[21] = e576 * e469 - e577 * (e578 - e464) + e17 * e474 + e117 * e560 - e11 * e482;
-        J[22] = e577 * e488 - e11 * e493 + e17 * e499 + e576 * e502;
-        J[23] = e577 * e234 - e11 * e506 - e17 * e509 - e576 * e510;
+        J[18] = e651 * inverse_370 - e380 * e690 - e505 * e689 - e543 * e688 - e574 * e687 - e596 * e686;
+        J[19] = e690;
+        J[20] = e689;
+        J[21] = e688;
+        J[22] = e687;
+        J[23] = e686;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
         J[26] = Scalar(0);
         J[27] = Scalar(0);
         J[28] = Scalar(0);
         J[29] = Scalar(0);
-        J[30] = e541 * e176 - e536 * e176 + e5 * e581 + e6 * e581 + cos_q_5 * e512 * e582 - e14 * e60 * e582 - e512
-            * (e154 * e70 + e262 + e263 + e264 - e265 - e267 + e268 - e583) - e15
-            * (e390 - e391 - e393 + q_1_dot * e303 - e584 + e585 + e586) + e511
-            * (e262 + e263 + e264 - e265 - e267 + e268 - e583) - e14 * e73 * e242 + e14
-            * (e390 - e391 - e393 - e584 + e585 + e586) - e544 * e524 - e546 * e524 - cos_q_5 * e5 * e587 - cos_q_5 * e6 * e587
-            + sin_q_5 * e512 * e587 + q_3_dot * (sin_q_5 * e203 * e543 + e588 + e589 + e591) + e526
-            * (e592 + e593 - e594 + e595) + e66 * e596 + q_1_dot * e18 * e596 + sin_q_5 * e5 * e597 + sin_q_5 * e6 * e597
-            - c_.k10 * e10 * e598 + e5 * e294 * e599 + e6 * e294 * e599 - cos_q_5 * e203 * e598 - e49 * e237 * e598 + q_2_dot
-            * (e588 + e589 + e591) + e154 * e600 - e158 * e600 + e527 * (e592 + e593 - e594) + e24 * e601 + q_1_dot * e5 * e601
-            - e512 * e310 * e602 + e14 * e290 * e602 - e11 * (e588 + e589) - e603 * (e314 - e208 * e346) + e519 * e545 + e513
-            * e604 - e515 * e604 + e70 * e605 + e401 * e606 + e410 * e606 - e528 * (e592 + e595) - e23 * e49 * e605 - c_.k68
-            * dxdt[6] - e529 * e592 + cos_q_2 * e203 * e485 + e209 * e343 + e30 * e303 - (Scalar(1) / Scalar(12)) * p_.m_2
-            * e607 + e282 * e542;
-        J[31] = e10 * (e418 * e401 + e423) - e576 * (e401 + e410) + e122 * e613 - e125 * e614 + e215 * e617 - e618 * e394
-            - e603 * e422 - e561 * e619 + e558 * e620 + e413 * e621 + e554 * e622 + e17 * e426;
-        J[32] = e10 * (e432 - e430) - e110 * (e612 - e608 * e467) - e389 * e576 - c_.k18 * e618 - e114 * e614 + e218 * e617
-            - e434 * e619 + e17 * e459 + e439 * e620 + e441 * e621 + e460 * e622;
-        J[33] = e17 * (q_4_dot * e469 - e623) + q_1_dot * e97 * e476 + e10 * e480 + e576 * e624 - e618 * e578 - e117 * e613
-            + e106 * e77 * e471 + e619 * e481 - e486 * e625;
-        J[34] = e17 * (sin_q_4 * e497 + e626) + e618 * e488 - e10 * e493 + e576 * e500 - e495 * e627 + e494 * e625;
-        J[35] = e234 * e618 + e10 * e505 - c_.k22 * e17 * e609 - e503 * e77 + e576 * e628 + e507 * e627;
+        J[30] = e720 * inverse_370 - e380 * e756 - e505 * e755 - e543 * e754 - e574 * e753 - e596 * e752;
+        J[31] = e756;
+        J[32] = e755;
+        J[33] = e754;
+        J[34] = e753;
+        J[35] = e752;
         J[36] = Scalar(0);
         J[37] = Scalar(0);
         J[38] = Scalar(0);
         J[39] = Scalar(0);
         J[40] = Scalar(0);
         J[41] = Scalar(0);
-        const Scalar e875 = e167 * (e155 - e156 - e159 + e160 - e164 + e166 + e11 * e638 + e10 * e639);
-        J[42] = e525 * e514 - e519 * e636 - e543 * e636 + e531 * e514 + e875 - e640 * e518 - e512 * e642 + e511 * e642 - e5
-            * (e213 - e217 - e220 - c_.k5 * e516 + e644) - e8 * (e263 + e264 - e265 + e10 * e638 - e11 * e639) + q_6_dot * e646
-            + dxdt[7] * e651 + dxdt[8] * e651 - e42 * e646 - e6 * (e213 - e217 - e220 + e644) + e513 * e530 - e515 * e530
-            + e243 * (e653 - e654 - e655 + e656) - e544 * e658 - e546 * e658 + e339 * e598 + e74 * e5 * e532 + e74 * e6 * e532
-            + e7 * e533 + e256 * (e654 + e655 - e656) + e269 * e660 + e279 * e660 - e661 * e539 + e12
-            * (e18 * e648 - e320 + e321) - c_.k77 * (e662 + e663) - q_2_dot * e665 - q_3_dot * e665 + (Scalar(1) / Scalar(50))
-            * p_.d_4 * e369 * (e666 - e667) - e14 * e668 + e15 * e668 + e536 * e669 - e541 * e669 + e84
-            * (sin_q_4 * e648 + e348) + e641 * (e659 + e18 * e20) - e87 * e670 + e645 * e322 - e10_squared * e671 - e672 * e550
-            - dxdt[6] * e630 * e673 - e18 * e10 * e670 - e17 * e17 * e671 + dxdt[9] * e16 * e632 + c_.k5 * e338 * e24 - cos_q_4
-            * e295 * e652 - e674 * e675 - e162 * e551 * e615 - (Scalar(2) / Scalar(25)) * e386 * e677;
-        J[43] = e120 * ((Scalar(4) / Scalar(5)) * p_.m_4 * e678 - c_.k48 * e679) - dxdt[8] * (e680 + e681 - e682) - dxdt[7]
-            * (e630 + (Scalar(1) / Scalar(6)) * e387) + c_.k5 * e392 + e684 * e554 - e631 * e686 + e7 * e555 - e290 * e557
-            + e122 * e688 + e563 * e672 + e61 * e692 - e83 * e694 + e634 * e695 + e558 * e696 - e377 * e653 - e702 - e643
-            * e703 - e73 * e704 + e681 * e705 - e215 * e706 - e682 * e707;
-        const Scalar e876 = dxdt[8] * ((Scalar(33) / Scalar(25)) * e386 + (Scalar(2) / Scalar(9)) * e387);
-        J[44] = e684 * e460 - e218 * (e73 * e708 + e706) - dxdt[7] * e680 - e876 - c_.k5 * e709 + e7 * e450 + e110 * e687
-            + e631 * e710 + e708 * e437 + (Scalar(4) / Scalar(5)) * e441 * e678 - c_.k53 * e679 - e290 * e573 + e83 * e711
-            + e61 * e712 + e427 * e672 + e439 * e696 - e702 - e653 * e428 + c_.k19 * e705 + (Scalar(16) / Scalar(25)) * e386
-            * e707;
-        J[45] = e11 * (e61 * e476 - e623) - e577 * (e61 * e466 + e624) + e713 * e469 + e10 * e473 - e117 * e688 - e632 * e715
-            - e672 * e477 + e75 * e472;
-        J[46] = e479 * e717 + e13 * e496 - e21 * e495 + e75 * e494 + e10 * e498 + e11 * e626;
-        J[47] = e21 * e507 - e75 * e503 - c_.k22 * e11 * e467 - e713 * e510 - e577 * e628 + e10 * e508;
+        J[42] = e803 * inverse_370 - e380 * e857 - e505 * e856 - e543 * e855 - e574 * e854 - e596 * e853;
+        J[43] = e857;
+        J[44] = e856;
+        J[45] = e855;
+        J[46] = e854;
+        J[47] = e853;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
         J[50] = Scalar(0);
         J[51] = Scalar(0);
         J[52] = Scalar(0);
         J[53] = Scalar(0);
-        const Scalar e877 = dxdt[6] * ((Scalar(1) / Scalar(100)) * e719 + (Scalar(1) / Scalar(4)) * e720);
-        J[54] = (Scalar(1) / Scalar(18)) * p_.a_2 * e347 - e718 * (e314 + sin_q_2 * e424) - e877 - (Scalar(1) / Scalar(12))
-            * p_.d_3 * e607 + (Scalar(9) / Scalar(50)) * e719 * e349 - e721 * e352;
-        J[55] = cos_q_2 * ((Scalar(1) / Scalar(3)) * e722) - dxdt[7] * ((Scalar(19) / Scalar(90)) * e719) - e718 * e422 - e721
-            * e424;
-        J[56] = Scalar(0);
-        J[57] = Scalar(0);
-        J[58] = Scalar(0);
-        J[59] = Scalar(0);
+        J[54] = e863 * inverse_370 - e380 * e874 - e505 * e873 - e543 * e872 - e574 * e871 - e596 * e870;
+        J[55] = e874;
+        J[56] = e873;
+        J[57] = e872;
+        J[58] = e871;
+        J[59] = e870;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
         J[62] = Scalar(0);
         J[63] = Scalar(0);
         J[64] = Scalar(0);
         J[65] = Scalar(0);
-        J[66] = e16 * (dxdt[8] * e723 + e724 * e709) - e225 * ((Scalar(1) / Scalar(36)) * (e226 - e516)) - e7 * e356 * e724
-            - e728 - (e729 + e720) * e662 - e729 * e663 - e674 * e730 - (e727 + e720) * e667;
-        const Scalar e878 = e409 * (dxdt[8] * e731 + (Scalar(1) / Scalar(36)) * e709 - e724 * e385);
-        J[67] = cos_q_2 * e722 - e878 - (Scalar(1) / Scalar(6)) * e120 * e356 - e729 * e577 + e735 - e736;
-        J[68] = e723 * e385 - dxdt[7] * e729 - dxdt[8] * ((Scalar(1) / Scalar(9)) * e726 + e737) - e356
-            * ((Scalar(1) / Scalar(6)) * p_.a_3) - e731 * e709 - e738 + e735;
-        J[69] = Scalar(0);
-        J[70] = Scalar(0);
-        J[71] = Scalar(0);
+        J[66] = e883 * inverse_370 - e380 * e903 - e505 * e902 - e543 * e901 - e574 * e900 - e596 * e899;
+        J[67] = e903;
+        J[68] = e902;
+        J[69] = e901;
+        J[70] = e900;
+        J[71] = e899;
         J[72] = Scalar(0);
         J[73] = Scalar(0);
         J[74] = Scalar(0);
         J[75] = Scalar(0);
         J[76] = Scalar(0);
         J[77] = Scalar(0);
-        J[78] = e16 * (e727 * e714 + e740) - e741 * (dxdt[6] * e673 + e629 * e167 + e742) - e7
-            * (e358 * ((Scalar(1) / Scalar(5)) * p_.d_3) + e743) + e685 * ((Scalar(1) / Scalar(25)) * e695 - e745)
-            + (Scalar(1) / Scalar(25)) * e169 * e150 + (Scalar(1) / Scalar(25)) * e266 * e261 - (Scalar(1) / Scalar(25))
-            * dxdt[6] * e746 - e728 - e720 * e662 - e7 * e418 * e747 - (Scalar(1) / Scalar(25)) * e726 * e677;
-        J[79] = sin_q_3 * e7 * e722 - e400 * ((Scalar(1) / Scalar(25)) * e710 - e745) - (Scalar(1) / Scalar(5)) * e120 * e358
-            - e741 * e577 + e16 * e748 + e749 - e736;
-        J[80] = e16 * e733 - dxdt[7] * e741 - dxdt[8] * ((Scalar(33) / Scalar(50)) * e726 + e737) - e358
-            * ((Scalar(1) / Scalar(5)) * p_.a_3) + e744 * e710 - e738 + e749;
-        J[81] = -e727 * e715;
-        J[82] = Scalar(0);
-        J[83] = Scalar(0);
+        J[78] = e912 * inverse_370 - e380 * e925 - e505 * e924 - e543 * e923 - e574 * e922 - e596 * e921;
+        J[79] = e925;
+        J[80] = e924;
+        J[81] = e923;
+        J[82] = e922;
+        J[83] = e921;
         J[84] = Scalar(0);
         J[85] = Scalar(0);
         J[86] = Scalar(0);
         J[87] = Scalar(0);
         J[88] = Scalar(0);
         J[89] = Scalar(0);
-        J[90] = e135 * e753 - (e734 - e732 * e7) * (e232 * e74 + e180 * e52 - cos_q_4 * e8) - e232 * e739 * e76 - e162 * e759
-            - e143 * e762 - e763 * e764 + e141 * e766 + e8 * e767 - e161 * e768 - e177 * e769 - e697 * e743 + e770 * e740
-            - e167 * e772 + e1 * e773 + e16 * e776;
-        J[91] = e122 * e753 - e215 * e759 + e125 * e762 - e777 * e748 - e778 + e207 * e768 + e254 * e769 + e276 * e773;
-        J[92] = e110 * e753 - e733 * e777 - e218 * e759 + e114 * e762 - e778;
-        J[93] = e763 * e661 - e49 * (e781 * e756 + e782) - e117 * e753 - e776;
-        J[94] = e752 * e750 - cos_q_6 * (e782 + e780 * e754 + e781 * e755) - dxdt[10] * e779 - e767 - dxdt[11] * e783;
-        J[95] = p_.c_x * e752 - e765 * (sin_q_6 * e180 + cos_q_6 * e8) - dxdt[11] * e780 - dxdt[10] * e783;
+        J[90] = e953 * inverse_370 - e380 * e973 - e505 * e972 - e543 * e971 - e574 * e970 - e596 * e969;
+        J[91] = e973;
+        J[92] = e972;
+        J[93] = e971;
+        J[94] = e970;
+        J[95] = e969;
         J[96] = Scalar(0);
         J[97] = Scalar(0);
         J[98] = Scalar(0);
         J[99] = Scalar(0);
         J[100] = Scalar(0);
         J[101] = Scalar(0);
-        J[102] = e135 * (e785 - e790) + e162 * (e791 - e794) + e141 * (e233 + e236) - e795 * (e211 - e757) - e130
-            * (e138 - e184) + e796 * (e165 - e305) + e140 * (e231 + e235) + e11 * e76 * e237 - e7 * e797 * e290 + e786 * e239
-            - e798 * e167 + e16 * e799 + e203 * e98 + e756 * e800 + e228 * e801 + e299 * e802;
-        J[103] = e215 * (e791 + e803) + e796 * (e379 + e425) + e111 * e212 - e786 * e563 + e122 * e805 - e806 - e557 * e807
-            + e74 * e691 - e53 * e704;
-        J[104] = e218 * (e791 - e808) + e796 * (e114 * e42 + e438) - e786 * e427 + e123 * e212 + e110 * e805 - e806 - e573
-            * e807 + e74 * e809;
-        J[105] = e117 * (e804 + e790) - e234 * (e96 + e811) - cos_q_5 * e184 - e294 * e758 - e784 * e466 - e106 * e812 - e799
-            - e49 * e813 + e299 * e814 - e118 * e562 + e42 * e475;
-        J[106] = e2 * (e95 + e810) - e489 * (dxdt[11] + e815 + e816 + e71) - e106
-            * (q_5_dot * e18 + cos_q_4 * e713 - sin_q_4 * e716) - e576 * e491 - e92 * e758 - cos_q_6 * e813 - e812 * e817 + e42
-            * e501 - e82 * e490;
-        J[107] = p_.m_6 * e752 - c_.k22 * (cos_q_5 * e576 + e73 * e713 + e72 - e74 * e716 + e816) - c_.k96 * dxdt[11] - sin_q_6
-            * e415 - cos_q_6 * e9 + e23 * e818;
+        J[102] = e993 * inverse_370 - e380 * e1023 - e505 * e1022 - e543 * e1021 - e574 * e1020 - e596 * e1019;
+        J[103] = e1023;
+        J[104] = e1022;
+        J[105] = e1021;
+        J[106] = e1020;
+        J[107] = e1019;
         J[108] = Scalar(0);
         J[109] = Scalar(0);
         J[110] = Scalar(0);
         J[111] = Scalar(0);
         J[112] = Scalar(0);
         J[113] = Scalar(0);
-        J[114] = e143 * (e433 * e819 - e794 + e152 * e98) - e135 * (e821 - e822 - e83 * e610) + e141 * (e107 + e144) - e795
-            * (e103 + e760) - e131 * (e184 + p_.m_6 * e797) - e786 * e163 + e165 * e819 + e138 * e132 + e269 * e79 - e4 * e764
-            + e415 * e8 - sin_q_5 * e191 * e335 - e3 * e178 + e446 * e801 - e296 * e802;
-        J[115] = e558 * e819 - e786 * e561 - e125 * e803 - e79 * e381 - e823 + e86 * e692 - e53 * e694 - e122 * e826;
-        J[116] = e86 * (e712 + e809) - e114 * (e104 * e79 - e808) - e786 * e434 + e439 * e819 + e53 * e711 - e823 - e110 * e826;
-        J[117] = e106 * (sin_q_6 * e79 - e811 - e754 - e94) - e117 * (e820 + e824 + e822 - e296 * e82 + e825) - e294 * e761
-            + e476 * e23 + e4 * e661 + sin_q_5 * e3 - e296 * e814 + e118 * e372 - c_.k95 * e49 * e755 + e234 * e40_squared;
-        J[118] = e104 * e752 - c_.k95 * dxdt[10] - e92 * e761 - e181 - e183 - e185 + c_.k21 * e717 + e19 * e496 + e23 * e501
-            + e2 * e40_squared;
-        J[119] = e478 * (e576 + e792) - e2 * e79 + e433 * e818 - dxdt[10] * e504 - e713 * e827 + e716 * e828;
+        J[114] = e1028 * inverse_370 - e380 * e1049 - e505 * e1048 - e543 * e1047 - e574 * e1046 - e596 * e1045;
+        J[115] = e1049;
+        J[116] = e1048;
+        J[117] = e1047;
+        J[118] = e1046;
+        J[119] = e1045;
         J[120] = Scalar(0);
         J[121] = Scalar(0);
         J[122] = Scalar(0);
         J[123] = Scalar(0);
         J[124] = Scalar(0);
         J[125] = Scalar(0);
-        J[126] = -dxdt[6];
-        J[127] = Scalar(0);
-        J[128] = Scalar(0);
-        J[129] = Scalar(0);
-        J[130] = Scalar(0);
-        J[131] = Scalar(0);
+        J[126] = e1050 * inverse_370 - e380 * e1060 - e505 * e1059 - e543 * e1058 - e574 * e1057 - e596 * e1056;
+        J[127] = e1060;
+        J[128] = e1059;
+        J[129] = e1058;
+        J[130] = e1057;
+        J[131] = e1056;
         J[132] = Scalar(0);
         J[133] = Scalar(0);
         J[134] = Scalar(0);
         J[135] = Scalar(0);
         J[136] = Scalar(0);
         J[137] = Scalar(0);
-        J[138] = e130 * (e831 + Scalar(2) * e816) - dxdt[6] * (e833 + Scalar(2) * e834) + e141 * (Scalar(2) * (e756 - e836))
-            - e832 * e837 - e132 * e838 + dxdt[10] * e839 + dxdt[9] * e840 + Scalar(2) * e577 * e843 - e742;
-        J[139] = e848;
-        J[140] = e848;
-        J[141] = sin_q_5 * e837 - Scalar(2) * dxdt[9] - e577 * e846 + e81 * e838 + dxdt[6] * e840 - cos_q_5 * e831 + Scalar(2)
-            * e49 * e849;
-        J[142] = e657 - Scalar(2) * dxdt[10] - e577 * e847 - sin_q_6 * e838 + dxdt[6] * e839 + Scalar(2) * cos_q_6 * e849;
-        J[143] = e830 - e74 * e577 - e829 - e816;
+        J[138] = e1069 * inverse_370 - e380 * e1084 - e505 * e1083 - e543 * e1082 - e574 * e1081 - e596 * e1080;
+        J[139] = e1084;
+        J[140] = e1083;
+        J[141] = e1082;
+        J[142] = e1081;
+        J[143] = e1080;
         J[144] = Scalar(0);
         J[145] = Scalar(0);
         J[146] = Scalar(0);
         J[147] = Scalar(0);
         J[148] = Scalar(0);
         J[149] = Scalar(0);
-        J[150] = Scalar(1) - q_1;
-        J[151] = -(Scalar(2) / Scalar(5)) - q_2;
-        J[152] = Scalar(3) / Scalar(10) - q_3;
-        J[153] = p_.k_w * e850;
-        J[154] = (Scalar(7) / Scalar(10)) * p_.k_w - p_.k_w * q_5;
-        J[155] = -p_.k_w * e851;
+        J[150] = e1085 * inverse_370 - e380 * e1097 - e505 * e1096 - e543 * e1095 - e574 * e1094 - e596 * e1093;
+        J[151] = e1097;
+        J[152] = e1096;
+        J[153] = e1095;
+        J[154] = e1094;
+        J[155] = e1093;
         J[156] = Scalar(0);
         J[157] = Scalar(0);
         J[158] = Scalar(0);
         J[159] = Scalar(0);
         J[160] = Scalar(0);
         J[161] = Scalar(0);
-        J[162] = -q_1_dot;
-        J[163] = -q_2_dot;
-        J[164] = -q_3_dot;
-        J[165] = -p_.k_w * q_4_dot;
-        J[166] = -p_.k_w * q_5_dot;
-        J[167] = -p_.k_w * q_6_dot;
+        J[162] = e1098 * inverse_370 - e380 * e1108 - e505 * e1107 - e543 * e1106 - e574 * e1105 - e596 * e1104;
+        J[163] = e1108;
+        J[164] = e1107;
+        J[165] = e1106;
+        J[166] = e1105;
+        J[167] = e1104;
         J[168] = Scalar(0);
         J[169] = Scalar(0);
         J[170] = Scalar(0);
         J[171] = Scalar(0);
         J[172] = Scalar(0);
         J[173] = Scalar(0);
-        J[174] = Scalar(0);
-        J[175] = Scalar(0);
-        J[176] = Scalar(0);
-        J[177] = p_.k_p * e850 - p_.k_d * q_4_dot;
-        J[178] = (Scalar(7) / Scalar(10)) * p_.k_p - p_.k_p * q_5 - p_.k_d * q_5_dot;
-        J[179] = -p_.k_d * q_6_dot - p_.k_p * e851;
+        J[174] = -e380 * e1115 - e505 * e1114 - e543 * e1113 - e574 * e1112 - e596 * e1111;
+        J[175] = e1115;
+        J[176] = e1114;
+        J[177] = e1113;
+        J[178] = e1112;
+        J[179] = e1111;
         J[180] = Scalar(0);
         J[181] = Scalar(0);
         J[182] = Scalar(0);
         J[183] = Scalar(0);
         J[184] = Scalar(0);
         J[185] = Scalar(0);
-        J[186] = Scalar(0);
-        J[187] = cos_q_2 * ((Scalar(1) / Scalar(3)) * e334 + p_.a_2 * e852) + e853;
-        J[188] = e853;
-        J[189] = e7 * (c_.k21 * e74 - e828);
-        J[190] = -e16 * e488 - e479 * e167;
-        J[191] = -c_.k22 * e140 - e800;
-        constexpr std::array<std::size_t, 16> starts{6, 18, 30, 42, 54, 66, 78, 90, 102, 114, 126, 138, 150, 162, 174, 186};
-        detail::ldlt_solve_columns<Scalar, 6>(mass, J.data(), starts);
+        J[186] = -e380 * e1127 - e505 * e1126 - e543 * e1125 - e574 * e1124 - e596 * e1123;
+        J[187] = e1127;
+        J[188] = e1126;
+        J[189] = e1125;
+        J[190] = e1124;
+        J[191] = e1123;
     }
 
     /// J = df/dt at fixed x and u.
-    /// Operations: 135 + or -, 207 *, 10 sin or cos, and the factorisation and solve with M (6 x 6) by loops
+    /// Operations: none
     void jacobian_t(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, JacobianT& J) const noexcept {
         J[0] = Scalar(0);
         J[1] = Scalar(0);

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSL-1.0
-# dalembert_add_model(TARGET MODEL file.toml [SCENE scene] [SIZES N=5 ...] [FIX parameters | NAME[=VALUE] ...] [TRIG combined] [TAYLOR])
+# dalembert_add_model(TARGET MODEL file.toml [SCENE scene] [SIZES N=5 ...] [FIX parameters | NAME[=VALUE] ...] [TRIG combined] [TAYLOR] [TOGETHER])
 #
 # Generates the header of one scene of a model at build time, as TARGET.hpp, and makes an interface library TARGET for those who
 # include it. FIX makes parameters numbers; TRIG combined takes sine and cosine in float from one reduction; with TAYLOR it has Taylor
-# series of the motion. The header is generated again when the model file or the generator changes.
+# series of the motion, with TOGETHER one function for rates, Jacobian, outputs and energies. The header is generated again when the model file or the generator changes.
 function(dalembert_add_model target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "TAYLOR" "MODEL;SCENE;TRIG" "SIZES;FIX")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "TAYLOR;TOGETHER" "MODEL;SCENE;TRIG" "SIZES;FIX")
   if(NOT arg_MODEL)
     message(FATAL_ERROR "dalembert_add_model(${target}): MODEL is missing")
   endif()
@@ -29,6 +29,9 @@ function(dalembert_add_model target)
   endif()
   if(arg_TAYLOR)
     list(APPEND options --taylor)
+  endif()
+  if(arg_TOGETHER)
+    list(APPEND options --together)
   endif()
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}.generated)
   set(header ${folder}/${target}.hpp)

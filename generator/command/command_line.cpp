@@ -64,6 +64,7 @@ public:
         generate->add_option("--header", options_.header, "file name of the header instead of NAME_SCENE.hpp")->excludes(every)->check(file_name);
         generate->add_option("--fix", options_.fix, "parameters that become numbers in the code: `parameters` for all, or names, each with =VALUE if it is not the default's");
         generate->add_flag("--taylor", options_.taylor, "with Taylor series of the motion, for the method taylor");
+        generate->add_flag("--together", options_.together, "with one more function, `together`, for rates, Jacobian, outputs and energies at once");
         format(generate, "text or json", {"text", "json"});
         explain(generate);
         rewriting(generate);

@@ -45,6 +45,7 @@ struct Options {
     std::vector<std::string> hold;
     std::vector<std::string> free;
     bool taylor = false;                  ///< the header gets series
+    bool together = false;                ///< and a function for rates, Jacobian, outputs and energies at once
     bool explain = false;
     std::string dump;
     std::string topic;                    ///< of help

@@ -69,6 +69,7 @@ nlohmann::ordered_json as_json(const Machine& machine, const Header& header, con
     json["all_proven"] = proofs_of(machine).all_proven();
     json["operations"] = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < function_count; ++i) {
+        if (static_cast<Function>(i) == Function::together && !machine.together) continue;
         const OperationCount c = operations(machine, static_cast<Function>(i));
         json["operations"][name_of(static_cast<Function>(i))] = {{"additions", c.additions}, {"multiplications", c.multiplications},
                                                                  {"divisions", c.divisions}, {"trigonometric", c.trigonometric},

@@ -32,6 +32,7 @@ void show_warnings(const Machine& machine, Streams streams) {
 void ask_of_code(Machine& machine, const Options& options) {
     for (const Pass& pass : all_passes) machine.passes.*pass.is_on = std::find(options.without.begin(), options.without.end(), pass.name) == options.without.end();
     machine.trig = options.trig == "combined" ? Trig::combined : Trig::library;
+    machine.together = options.together;
 }
 
 const Machine& in_chosen_mode(const Machine& machine, const Options& options) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_held = 16;  ///< values that registers hold
 
-const std::set<std::string> argument_names{"x", "u", "t", "J", "M", "y", "dxdt", "b", "Q", "p", "starts", "start", "p_", "c_", "mass", "detail", "Scalar", "State", "c", "solved", "unit"};
+const std::set<std::string> argument_names{"x", "u", "t", "J", "M", "y", "dxdt", "b", "Q", "p", "energies", "starts", "start", "p_", "c_", "mass", "detail", "Scalar", "State", "c", "solved", "unit"};
 const std::set<std::string> names_of_modes{"mode", "event", "event_number", "g", "rates", "by_time", "k"};
 
 }  // namespace
@@ -196,14 +196,29 @@ std::string CppBodies::entries_if_few(CppFunction& cpp, const FunctionCode& f) {
     return cpp.compute(entries);
 }
 
-CppBody CppBodies::rhs_and_jacobian() {
-    const FunctionCode& f = code_[Function::rhs_and_jacobian];
-    CppFunction cpp(code_, f, cached_texts_, arguments_);
+std::string CppBodies::motion_and_jacobian(CppFunction& cpp, const FunctionCode& f) {
     std::string statements = motion(cpp, f);
     if (!f.by_loops && !f.loop) statements += entries_if_few(cpp, f);
     statements += stored_motion(cpp, f);
-    statements += filled_jacobian(cpp, f, layout(By::state), By::state, true);
+    return statements + filled_jacobian(cpp, f, layout(By::state), By::state, true);
+}
+
+CppBody CppBodies::rhs_and_jacobian() {
+    const FunctionCode& f = code_[Function::rhs_and_jacobian];
+    CppFunction cpp(code_, f, cached_texts_, arguments_);
+    std::string statements = motion_and_jacobian(cpp, f);
     return finish(cpp, std::move(statements), n_ + m_ > 0 ? "State& dxdt, JacobianX& J" : "State& /*dxdt*/, JacobianX& /*J*/", {.state = n_ > 0});
+}
+
+CppBody CppBodies::together() {
+    const FunctionCode& f = code_[Function::together];
+    CppFunction cpp(code_, f, cached_texts_, arguments_);
+    std::string statements = motion_and_jacobian(cpp, f);
+    const std::size_t outputs = code_.system.outputs.size();
+    for (std::size_t i = 0; i < outputs; ++i) statements += assigned(cpp, fmt::format("y[{}]", i), f.results[m_ + i]);
+    std::size_t next = m_ + outputs;
+    for (const char* energy : {"kinetic", "potential", "internal"}) statements += assigned(cpp, fmt::format("energies.{}", energy), f.results[next++]);
+    return finish(cpp, std::move(statements), fmt::format("{}, Output& {}, Energies& energies", n_ + m_ > 0 ? "State& dxdt, JacobianX& J" : "State& /*dxdt*/, JacobianX& /*J*/", outputs > 0 ? "y" : "/*y*/"), {.state = n_ > 0});
 }
 
 /// d(qdd)/d(column), all columns by the same statements: side by side where the machine can do that. What does not depend on the column

@@ -36,6 +36,8 @@ public:
     CppBody start_state();
     CppBody rhs();
     CppBody rhs_and_jacobian();
+    /// Rates, Jacobian, outputs and energies.
+    CppBody together();
     /// Taylor series of the motion. Afterwards series_rows() is known.
     CppBody series();
     std::size_t series_rows() const { return series_rows_; }
@@ -71,6 +73,7 @@ private:
     std::vector<std::size_t> needed_definitions() const;
     std::string motion(CppFunction& cpp, const FunctionCode& f);
     std::string stored_motion(CppFunction& cpp, const FunctionCode& f);
+    std::string motion_and_jacobian(CppFunction& cpp, const FunctionCode& f);
     std::string entries_if_few(CppFunction& cpp, const FunctionCode& f);
     std::string filled_jacobian(CppFunction& cpp, const FunctionCode& f, const JacobianLayout& layout, By by, bool has_mass);
     std::string column_loop(CppFunction& cpp, const FunctionCode& f, const JacobianLayout& layout);

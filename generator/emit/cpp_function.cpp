@@ -61,6 +61,9 @@ CppFunction::CppFunction(const Code& code, const FunctionCode& function, const C
         if (is_sine_or_cosine(node)) angles_[node.arguments[0]].push_back(id);
         if (node.kind == Node::Kind::function && node.op == Op::exp) exponentials_[node.arguments[0]] = id;
     }
+    if (code.passes.reciprocals) return;
+    for (const NodeId id : function.program.in_order(roots))  // what is divided by more than once is computed once all the same
+        if (function.program[id].kind == Node::Kind::reciprocal) uses_[function.program[id].arguments[0]] += uses_[id] - 1;
 }
 
 bool CppFunction::wants_name(NodeId id) const {
@@ -70,6 +73,7 @@ bool CppFunction::wants_name(NodeId id) const {
         case Node::Kind::cached: return false;
         case Node::Kind::symbol: return false;
         case Node::Kind::function: return node.op != Op::element;
+        case Node::Kind::reciprocal: return (code_.passes.reciprocals && uses_[id] > 1) || wanted_names_.contains(id);
         default: return uses_[id] > 1 || wanted_names_.contains(id);
     }
 }

@@ -106,6 +106,7 @@ private:
         for (const Function f : {Function::kinetic_energy, Function::potential_energy, Function::supplied_power, Function::dissipated_power, Function::prescribed_power, Function::internal_energy, Function::exchanged_power})
             body(f, [f](CppBodies& b) { return b.scalar(f); });
         series();
+        together();
         guards();
         constraints();
         layout(By::state, "X");
@@ -122,6 +123,14 @@ private:
         std::size_t rows = 0;
         for (const CppBodies& bodies : bodies_) rows = std::max(rows, bodies.series_rows());
         values("SERIES", fill_template(embedded_file("series.hpp.in"), {{"SERIES_ROWS", std::to_string(rows)}, {"SERIES_ARGUMENTS", body.arguments}, {"SERIES", body.statements}}));
+    }
+
+    /// Nothing where it was not asked for.
+    void together() {
+        values("TOGETHER", "");
+        if (!code_.has_together) return;
+        const CppBody body = merged(each([](CppBodies& b) { return b.together(); }));
+        values("TOGETHER", fill_template(embedded_file("together.hpp.in"), {{"COUNT", count_text(Function::together)}, {"ARGUMENTS", body.arguments}, {"TOGETHER", body.statements}}));
     }
 
     /// Guards of a machine that does not switch, or what one that does has instead.

@@ -158,13 +158,14 @@ ChainColumn ChainCode::column(ProgramBuilder& builder, Program& program, const C
 
 }  // namespace
 
-void make_chain_function(Code& code, const LoweredSystem& lowered, FunctionCode& f, std::optional<By> by, ChainFunction kind, ParameterParts parts) {
+void make_chain_function(Code& code, const LoweredSystem& lowered, FunctionCode& f, std::optional<By> by, ChainFunction kind, ParameterParts parts, const std::vector<Polynomial>& more) {
     const bool is_solved = kind == ChainFunction::solved;
     const auto& letters = code.system.symbols.all(SymbolKind::acceleration);
     ProgramBuilder builder(code.atoms, code.cache, parts, f.program, code.passes);
     Roots roots;
     const ChainCode chain(code.system, *lowered.chain, by, roots);
     const std::size_t rates = is_solved ? roots.add(lowered.state_rate) : 0;
+    const std::size_t values = roots.add(more);
     const std::size_t below = by ? roots.add(lowered.partial(*by).state_rate) : 0;
     builder.prepare(roots.polynomials());
 
@@ -176,6 +177,7 @@ void make_chain_function(Code& code, const LoweredSystem& lowered, FunctionCode&
         f.accelerations = motion.accelerations;
         for (std::size_t j = 0; j < letters.size(); ++j) builder.define(code.atoms.symbol(letters[j]), motion.accelerations[j]);
         for (std::size_t i = 0; i < lowered.state_rate.size(); ++i) f.results.push_back(builder.root(rates + i));
+        for (std::size_t i = 0; i < more.size(); ++i) f.results.push_back(builder.root(values + i));
     } else {
         std::vector<NodeId> known;
         for (const Variable& letter : letters) known.push_back(f.program.symbol(code.atoms.symbol(letter)));

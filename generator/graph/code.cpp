@@ -45,6 +45,7 @@ public:
         switching();
         projection();
         if (wish.series) series();
+        if (wish.together) together();
         update();
         code_->rewritten = std::move(lowered_.rewritten);
         return std::move(code_);
@@ -86,7 +87,7 @@ private:
             s.is_constant = s.unrolled = false;
             return;
         }
-        s.unrolled = should_unroll(n_, s.is_zero) || !lowered_.held.empty() || multipliers_ > 0 || !system_.scene.modes.empty();
+        s.unrolled = !code_->passes.loops || should_unroll(n_, s.is_zero) || !lowered_.held.empty() || multipliers_ > 0 || !system_.scene.modes.empty();
         if (s.unrolled && s.is_constant) s.first_cached = code_->cache.reserve(lowered_.solve_mass.size());
     }
 
@@ -174,28 +175,37 @@ private:
         for (std::size_t j = 0; j < degrees_; ++j) f.accelerations.push_back(f.program.symbol(acceleration_letter(j)));
     }
 
-    /// rhs, alone or together with its Jacobian: in the way that takes fewer operations.
-    void motion_function(Function which, std::optional<By> by) {
+    /// What a recorder or an observer asks for at one point.
+    void together() {
+        code_->has_together = true;
+        std::vector<Polynomial> more = lowered_.output;
+        constexpr std::size_t kinetic = 0, potential = 1, internal = 5;
+        for (const std::size_t energy : {kinetic, potential, internal}) more.push_back(lowered_.scalars[energy]);
+        motion_function(Function::together, By::state, more);
+    }
+
+    /// rhs, alone or together with its Jacobian: in the way that takes fewer operations. `more`: values of the motion, behind the rates.
+    void motion_function(Function which, std::optional<By> by, const std::vector<Polynomial>& more = {}) {
         FunctionCode& f = (*code_)[which];
-        if (code_->has_long_chain) return make_chain_function(*code_, lowered_, f, by, ChainFunction::solved, ParameterParts::cached);
+        if (code_->has_long_chain) return make_chain_function(*code_, lowered_, f, by, ChainFunction::solved, ParameterParts::cached, more);
         const ParameterCache before = code_->cache;
-        f = motion_code(by, ParameterParts::cached);
+        f = motion_code(by, ParameterParts::cached, more);
         const auto instead_if_shorter = [&](const auto& make) {
             const ParameterCache with_these = std::exchange(code_->cache, before);
             FunctionCode other = make();
             if (cost(other, n_) < cost(f, n_)) f = std::move(other);
             else code_->cache = with_these;
         };
-        if (code_->passes.constants) instead_if_shorter([&] { return motion_code(by, ParameterParts::cached_last); });
+        if (code_->passes.constants) instead_if_shorter([&] { return motion_code(by, ParameterParts::cached_last, more); });
         if (!lowered_.chain || code_->solve.is_constant) return;
         instead_if_shorter([&] {
             FunctionCode from_body_to_body;
-            make_chain_function(*code_, lowered_, from_body_to_body, by, ChainFunction::solved, ParameterParts::cached);
+            make_chain_function(*code_, lowered_, from_body_to_body, by, ChainFunction::solved, ParameterParts::cached, more);
             return from_body_to_body;
         });
     }
 
-    FunctionCode motion_code(std::optional<By> by, ParameterParts kind) {
+    FunctionCode motion_code(std::optional<By> by, ParameterParts kind, const std::vector<Polynomial>& more) {
         FunctionCode f;
         const LoweredSystem::Columns* columns = by ? &lowered_.partial(*by) : nullptr;
         f.by_loops = !code_->solve.unrolled;
@@ -203,11 +213,13 @@ private:
         Roots roots;
         const MotionRoots motion = add_motion(roots);
         const std::size_t rates = roots.add(lowered_.state_rate);
+        const std::size_t values = roots.add(more);
         const ColumnRoots parts = columns != nullptr ? add_columns(roots, *columns) : ColumnRoots{};
         builder.prepare(roots.polynomials());
 
         take_motion(f, builder, motion);
         for (std::size_t i = 0; i < lowered_.state_rate.size(); ++i) f.results.push_back(builder.root(rates + i));
+        for (std::size_t i = 0; i < more.size(); ++i) f.results.push_back(builder.root(values + i));
         if (columns != nullptr) take_columns(f, builder, *columns, parts);
         return f;
     }
@@ -417,7 +429,7 @@ const char* name_of(Function function) {
         "mass_matrix",       "bias",         "generalised_force", "output",            "output_jacobian_x", "output_jacobian_u",
         "kinetic_energy",    "potential_energy", "supplied_power", "dissipated_power", "prescribed_power", "internal_energy",
         "exchanged_power",   "guards",       "start_state",       "events",            "event_rates",    "conditions",
-        "resets",            "constraint_positions", "constraint_rates", "constraint_forces", "constraint_jacobian", "correction"};
+        "resets",            "constraint_positions", "constraint_rates", "constraint_forces", "constraint_jacobian", "correction", "together"};
     return names[static_cast<std::size_t>(function)];
 }
 
@@ -461,7 +473,10 @@ std::vector<bool> FunctionCode::varying() const {
     return result;
 }
 
-OperationCount Code::count(Function f) const { return (*this)[f].program.count((*this)[f].roots()); }
+OperationCount Code::count(Function f) const {
+    const FunctionCode& code = (*this)[f];
+    return passes.reciprocals ? code.program.count(code.roots()) : code.program.count_divided(code.roots());
+}
 
 std::unique_ptr<Code> make_code(const System& system, const CodeWish& wish) { return CodeMaker(system, wish).run(wish); }
 

@@ -29,7 +29,7 @@ struct FunctionCode {
     std::vector<NodeId> force = {};         ///< Q - bias
     std::vector<NodeId> accelerations = {}; ///< qdd: solved for where the solve is written out, else symbols; those that constraints determine with them, and multipliers behind them
     std::vector<NodeId> solved_for = {};    ///< accelerations and multipliers that results need on the way, in functions that are about something else
-    std::vector<NodeId> results = {};       ///< of rhs: the rates of plain states
+    std::vector<NodeId> results = {};       ///< of rhs: the rates of plain states; of `together` behind them outputs and energies
     CodeMatrix right = {};                  ///< -dR/d(column), the right sides of M*X
     CodeMatrix solved = {};                 ///< X = d(qdd)/d(column) where the solve is written out
     CodeMatrix below = {};                  ///< d(zd)/d(column)
@@ -82,8 +82,9 @@ enum class Function {
     constraint_forces,
     constraint_jacobian,
     correction,
+    together,
 };
-inline constexpr std::size_t function_count = static_cast<std::size_t>(Function::correction) + 1;
+inline constexpr std::size_t function_count = static_cast<std::size_t>(Function::together) + 1;
 const char* name_of(Function function);
 
 /// What an event sets: these places in x, to results of Function::resets from `first` on.
@@ -100,6 +101,7 @@ enum class Trig { library, combined };
 struct CodeWish {
     Passes passes = {};
     bool series = false;   ///< of the motion
+    bool together = false; ///< rates, Jacobian, outputs and energies in one function, too
     ChainUse chain = ChainUse::where_shorter;
     Trig trig = Trig::library;
 };
@@ -115,6 +117,7 @@ struct Code {
     Passes passes;
     Trig trig = Trig::library;
     bool has_long_chain = false;                  ///< the motion is solved for from body to body, and nothing with M
+    bool has_together = false;                    ///< Function::together is there
     std::vector<std::size_t> definition_order;    ///< definitions, each behind those it needs
     std::array<FunctionCode, function_count> functions;
     /// Where series are asked for, what they are made of: the motion, and behind the rates of plain states the power that changes its energy.

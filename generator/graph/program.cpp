@@ -141,4 +141,17 @@ OperationCount Program::count(const std::vector<NodeId>& roots, const std::vecto
     return result;
 }
 
+OperationCount Program::count_divided(const std::vector<NodeId>& roots) const {
+    OperationCount result = count(roots);
+    const auto is_reciprocal = [&](NodeId id) { return nodes_[id].kind == Node::Kind::reciprocal; };
+    for (const NodeId id : in_order(roots)) {
+        const Node& node = nodes_[id];
+        const int divided = static_cast<int>(std::count_if(node.arguments.begin(), node.arguments.end(), is_reciprocal));
+        result.divisions += divided - (is_reciprocal(id) ? 1 : 0);
+        if (node.kind == Node::Kind::product) result.multiplications -= std::min(divided, static_cast<int>(node.arguments.size()) - 1);
+    }
+    result.divisions += static_cast<int>(std::count_if(roots.begin(), roots.end(), is_reciprocal));
+    return result;
+}
+
 }  // namespace dalembert

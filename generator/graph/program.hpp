@@ -67,6 +67,8 @@ public:
     std::vector<NodeId> in_order(const std::vector<NodeId>& roots) const;
     /// Operations needed for the roots when what is in `done` is there already.
     OperationCount count(const std::vector<NodeId>& roots, const std::vector<bool>& done = {}) const;
+    /// The same where a reciprocal is no value of its own, but each use of it a division.
+    OperationCount count_divided(const std::vector<NodeId>& roots) const;
 
 private:
     using Key = std::tuple<int, Rational, std::uint32_t, int, std::vector<NodeId>, std::vector<bool>>;

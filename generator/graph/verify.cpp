@@ -44,6 +44,7 @@ public:
         std::vector<ex> guards;
         for (const Guard& guard : system_.fluids.guards) guards.push_back(guard.value);
         values(Function::guards, guards);
+        if (code_.has_together) together(outputs);
         switching();
         definitions();
         values(Function::start_state, start_values(system_));
@@ -105,7 +106,7 @@ private:
         const FunctionCode& f = code_[function];
         solved_motion(function);
         Raiser raise(f.program, code_.atoms, cached_);
-        for (std::size_t i = 0; i < f.results.size(); ++i) compare(function, raise(f.results[i]), system_.state_rates[i]);
+        for (std::size_t i = 0; i < system_.state_rates.size(); ++i) compare(function, raise(f.results[i]), system_.state_rates[i]);
     }
 
     void solved_motion(Function function) {
@@ -167,22 +168,43 @@ private:
     void columns(Function function, By by) {
         const FunctionCode& f = code_[function];
         if (f.loop) return chain_columns(function, by);
-        Raiser with_letters(f.program, code_.atoms, cached_);
-        Raiser with_solutions(f.program, code_.atoms, cached_);
-        if (function != Function::rhs_and_jacobian) solved_motion(function);
-        const std::vector<ex> unknowns = system_.unknowns();
-        const std::vector<std::size_t> places = system_.unknown_places();
-        for (std::size_t i = 0; !solved_for(f).empty() && i < unknowns.size(); ++i) with_letters.define(solved_for(f)[places[i]], unknowns[i]);
-        const auto check = [&](NodeId node, const ex& derived) {
-            if (prover_.proven_equal(with_letters(node), derived)) return compare(function, derived, derived);
-            compare(function, with_solutions(node), derived.subs(solutions(f, with_solutions), GiNaC::subs_options::no_pattern));
-        };
+        if (function != Function::rhs_and_jacobian && function != Function::together) solved_motion(function);
+        MovingRaisers raise = moving_raisers(f);
         const Partials p = partials(system_, by);
         for (std::size_t c = 0; c < p.residual.size(); ++c) {
-            for (std::size_t j = 0; j < p.residual[c].size(); ++j) check(f.right.at(j, c), -p.residual[c][j]);
-            for (std::size_t i = 0; i < p.state_rate[c].size(); ++i) check(f.below.at(i, c), p.state_rate[c][i]);
+            for (std::size_t j = 0; j < p.residual[c].size(); ++j) compare_moving(function, raise, f.right.at(j, c), -p.residual[c][j]);
+            for (std::size_t i = 0; i < p.state_rate[c].size(); ++i) compare_moving(function, raise, f.below.at(i, c), p.state_rate[c][i]);
             held_column(function, f, c, p.held[c]);
         }
+    }
+
+    struct MovingRaisers {
+        Raiser with_letters, with_solutions;
+    };
+
+    MovingRaisers moving_raisers(const FunctionCode& f) const {
+        MovingRaisers raise{Raiser(f.program, code_.atoms, cached_), Raiser(f.program, code_.atoms, cached_)};
+        const std::vector<ex> unknowns = system_.unknowns();
+        const std::vector<std::size_t> places = system_.unknown_places();
+        for (std::size_t i = 0; !solved_for(f).empty() && i < unknowns.size(); ++i) raise.with_letters.define(solved_for(f)[places[i]], unknowns[i]);
+        return raise;
+    }
+
+    void compare_moving(Function function, MovingRaisers& raise, NodeId node, const ex& derived) {
+        if (prover_.proven_equal(raise.with_letters(node), derived)) return compare(function, derived, derived);
+        compare(function, raise.with_solutions(node), derived.subs(solutions(code_[function], raise.with_solutions), GiNaC::subs_options::no_pattern));
+    }
+
+    /// Rates and Jacobian, and behind them outputs and energies.
+    void together(std::vector<ex> values) {
+        const FunctionCode& f = code_[Function::together];
+        motion(Function::together);
+        columns(Function::together, By::state);
+        MovingRaisers raise = moving_raisers(f);
+        GiNaC::exmap held;
+        for (const auto& [j, acceleration] : system_.motion.accelerations) held[this->acceleration(j)] = acceleration;
+        values.insert(values.end(), {system_.kinetic_energy, system_.potential_energy, system_.internal_energy});
+        for (std::size_t i = 0; i < values.size(); ++i) compare_moving(Function::together, raise, f.results[system_.state_rates.size() + i], values[i].subs(held, GiNaC::subs_options::no_pattern));
     }
 
     /// By the chain rule through the free accelerations, whose slopes are letters here.

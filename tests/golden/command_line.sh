@@ -36,6 +36,7 @@ expect 2 'is 50 m, but its range ends at 5 m' "$PROGRAM" generate "$model" --fix
 expect 2 "'g' is in 'm/s^2', but 'kg' is in 'kg'" "$PROGRAM" generate "$model" --fix g=1kg -o "$here/none"
 expect 2 "must not depend on 's'" "$PROGRAM" generate "$model" --fix g=s -o "$here/none"
 expect 2 'singular-mass' "$PROGRAM" generate "$SOURCE/tests/golden/two_masses_without.toml" --fix m_2=0 -o "$here/none"
+expect 2 "'fin' has rods whose cells are computed in loops" "$PROGRAM" generate "$SOURCE/systems/heat/fin.toml" --size N=500 --together -o "$here/none"
 expect 2 'IN library,combined\|not in {library,combined}' "$PROGRAM" generate "$model" --trig quick -o "$here/none"
 expect 0 'ddot(s)' "$PROGRAM" evaluate "$model"
 expect 2 'unit-mismatch' "$PROGRAM" evaluate "$model" --parameter m_W=2m

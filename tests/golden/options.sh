@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Headers of the same machine, generated with different options, compute the same: rates, Jacobian and outputs at 20 points, within 4 ulp beyond the
+# Headers of the same machine, generated with different options, compute the same: rates, Jacobian, outputs and energies at 20 points, within 4 ulp beyond the
 # condition. "full": every machine of the repository with all passes and with none but `rewriting`, which keeps digits.
 set -euo pipefail
 here=$(mktemp -d)
@@ -35,7 +35,7 @@ Scalar ulp(Scalar value) {
     return std::nextafter(std::abs(value), std::numeric_limits<Scalar>::infinity()) - std::abs(value);
 }
 
-/// Rates, Jacobian, outputs, mass matrix and bias at [x; u; t; p].
+/// Rates, Jacobian, outputs, energies, mass matrix and bias at [x; u; t; p].
 template <class Scalar>
 std::vector<Scalar> evaluated([[maybe_unused]] std::size_t mode, const std::vector<Scalar>& at) {
     typename System<Scalar>::State x{}, f{};
@@ -47,17 +47,26 @@ std::vector<Scalar> evaluated([[maybe_unused]] std::size_t mode, const std::vect
     std::copy_n(at.begin() + states, inputs, u.begin());
     if (parameters > 0) std::memcpy(static_cast<void*>(&p), at.data() + states + inputs + 1, parameters * sizeof(Scalar));
     const System<Scalar> system(p);
-    system.rhs_and_jacobian(IN(mode, x, u, at[states + inputs], f, J));
-    system.output(IN(mode, x, u, at[states + inputs], y));
+    const Scalar t = at[states + inputs];
+#ifdef HAS_TOGETHER
+    typename System<Scalar>::Energies energies{};
+    system.together(IN(mode, x, u, t, f, J, y, energies));
+    const auto [kinetic, potential, internal] = energies;
+#else
+    system.rhs_and_jacobian(IN(mode, x, u, t, f, J));
+    system.output(IN(mode, x, u, t, y));
+    const Scalar kinetic = system.kinetic_energy(IN(mode, x, t)), potential = system.potential_energy(IN(mode, x, t)), internal = system.internal_energy(IN(mode, x, t));
+#endif
     std::vector<Scalar> all(f.begin(), f.end());
     const auto dense = dalembert::detail::expanded<typename System<Scalar>::PatternX>(J, states, states);
     all.insert(all.end(), dense.data(), dense.data() + dense.size());
     all.insert(all.end(), y.begin(), y.end());
+    all.insert(all.end(), {kinetic, potential, internal});
     if constexpr (NAME_SPACE::degrees_of_freedom > 0) {
         typename System<Scalar>::MassMatrix M{};
         typename System<Scalar>::Generalised b{};
-        system.mass_matrix(IN(mode, x, at[states + inputs], M));
-        system.bias(IN(mode, x, u, at[states + inputs], b));
+        system.mass_matrix(IN(mode, x, t, M));
+        system.bias(IN(mode, x, u, t, b));
         all.insert(all.end(), M.begin(), M.end());
         all.insert(all.end(), b.begin(), b.end());
     }
@@ -97,6 +106,7 @@ void add_solved(const std::vector<long double>& values, std::vector<long double>
 }
 
 int main() {
+    constexpr std::size_t first_output = states + states * states, first_energy = first_output + NAME_SPACE::output_count, values_shown = first_energy + 3;
     for (std::size_t run = 0; run < 20 * modes; ++run) {
         const std::size_t k = run / modes, mode = run % modes;
         const std::vector<NUMBER> at = point<NUMBER>(static_cast<int>(k));
@@ -129,13 +139,13 @@ int main() {
             for (std::size_t v = first; v < last; ++v) unit[v] = std::max<long double>(unit[v], ulp(largest));
         };
         beside_largest(0, states);
-        beside_largest(states + states * states, states + states * states + NAME_SPACE::output_count);
+        beside_largest(first_output, first_energy);
 #endif
         const auto number = [](long double one) {
             if (std::isfinite(one)) std::printf(" %.17Lg", one);
             else std::printf(" -");
         };
-        for (std::size_t v = 0; v < states + states * states + NAME_SPACE::output_count; ++v) {
+        for (std::size_t v = 0; v < values_shown; ++v) {
             std::printf("%zu.%zu", run, v);
             number(values[v]);
             number(unit[v]);
@@ -152,10 +162,11 @@ code() { grep -v '^ *//' "$1"; }
 
 # values NUMBER HEADER: prints what the header gives, and the size of one ulp beyond the condition beside it.
 values() {
-  local name_space modes=()
+  local name_space has=()
   name_space=$(sed -n 's/^namespace \(.*::.*\) {$/\1/p' "$2" | head -1)
-  ! grep -q 'mode_count = ' "$2" || modes=(-DHAS_MODES)
-  ${CXX:-c++} -std=c++17 "${modes[@]}" ${beside_largest:+-DBESIDE_LARGEST} -Wall -Wextra -Wconversion -Wno-overflow $eigen -I"$SOURCE/runtime" -DHEADER="\"$2\"" -DNAME_SPACE="$name_space" -DNUMBER="$1" "$here/print.cpp" -o "$here/print" || exit 1
+  ! grep -q 'mode_count = ' "$2" || has+=(-DHAS_MODES)
+  ! grep -q 'void together(' "$2" || has+=(-DHAS_TOGETHER)
+  ${CXX:-c++} -std=c++17 "${has[@]}" ${beside_largest:+-DBESIDE_LARGEST} -Wall -Wextra -Wconversion -Wno-overflow $eigen -I"$SOURCE/runtime" -DHEADER="\"$2\"" -DNAME_SPACE="$name_space" -DNUMBER="$1" "$here/print.cpp" -o "$here/print" || exit 1
   "$here/print"
 }
 
@@ -194,7 +205,7 @@ same() {
 }
 
 # Without rewriting, too, digits are lost that it keeps: `dalembert accuracy --without rewriting` shows these.
-passes=chain,constants,factoring,angles
+passes=chain,constants,factoring,angles,reciprocals,loops
 if [ "${1:-}" = full ]; then
   while read -r model; do
     limit=4 beside_largest=
@@ -210,6 +221,10 @@ if [ "${1:-}" = full ]; then
   exit $failed
 fi
 
+for model in mechanics/slider_crank mechanics/stick_slip mechanics/slack_rope hydraulics/hydraulic_cylinder heat/fin; do same $model double -- --together; done
+same mechanics/n_pendulum double --size N=12 -- --together
+same mechanics/arm_6r double --scene plain -- --together
+same mechanics/n_pendulum double --size N=12 --without chain -- --without loops
 for model in mechanics/slider_crank mechanics/four_bar pneumatics/pneumatic_cylinder heat/fin; do
   same $model double -- --fix parameters
   same $model double -- --without constants,factoring
@@ -221,7 +236,7 @@ same mechanics/n_pendulum double --size N=6 -- --fix g
 same mechanics/n_pendulum double --size N=6 -- --without chain
 same mechanics/n_pendulum double --size N=12 -- --without constants
 for model in 'mechanics/cart_pendulum double' 'mechanics/arm_6r double --scene plain'; do
-  for option in '--fix parameters' '--without constants' '--without factoring' '--without angles'; do
+  for option in '--fix parameters' '--without constants' '--without factoring' '--without angles' '--without reciprocals'; do
     same $model -- $option
   done
 done

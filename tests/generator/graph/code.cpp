@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "graph/code.hpp"
 
+#include <utility>
+
 #include "generator/machine.hpp"
 #include "graph/extract.hpp"
 #include "graph/factorisation.hpp"
@@ -40,6 +42,36 @@ TEST_CASE("what the emitted code costs") {
 TEST_CASE("a pivot that does not change comes first, so that the ball on the beam divides once") {
     const Machine machine = machine_of("ball_on_beam");
     CHECK(make_code(*machine.system)->count(Function::rhs).divisions == 1);
+}
+
+TEST_CASE("rates, Jacobian, outputs and energies together share what they have in common") {
+    struct Case {
+        const char *system, *scene;
+        std::map<std::string, int> sizes = {};
+    };
+    for (const Case& one : {Case{"cart_pendulum", "lab"}, {"n_pendulum", "", {{"N", 3}}}, {"n_pendulum", "", {{"N", 8}}}, {"n_pendulum", "", {{"N", 12}}}, {"slider_crank", ""}, {"hydraulics/valve_cylinder", "smooth"}, {"heat/fin", ""}}) {
+        CAPTURE(one.system);
+        const Machine machine = machine_of(one.system, one.scene, one.sizes);
+        const auto code = make_code(*machine.system, {.together = true});
+        const auto angles = [&](Function f) { return code->count(f).trigonometric; };
+        CHECK(angles(Function::together) <= std::max(angles(Function::rhs_and_jacobian), angles(Function::output)));
+        const auto verdict = [&] {
+            for (const AuditEntry& entry : verify(*code))
+                if (entry.name == "emitted = derived, together") return entry.result.verdict;
+            return Verdict::wrong;
+        };
+        CHECK(verdict() == Verdict::proven);
+        // An output or an energy that is another value is seen.
+        std::vector<NodeId>& results = (*code)[Function::together].results;
+        const std::size_t rates = machine.system->state_rates.size();
+        REQUIRE(results.size() == rates + machine.system->outputs.size() + 3);
+        for (std::size_t i = rates; i < results.size(); ++i) {
+            const NodeId right = std::exchange(results[i], (*code)[Function::together].program.constant(7));
+            CHECK(verdict() == Verdict::wrong);
+            results[i] = right;
+        }
+    }
+    CHECK_FALSE(make_code(*machine_of("cart_pendulum").system)->has_together);
 }
 
 TEST_CASE("columns with one entry in the same row are solved together") {
