@@ -55,7 +55,7 @@ private:
     ControlVolume volume(const Member<Volume>& member) const {
         const Volume& item = *member.item;
         const Indices indices = Translator::indices_of(member);
-        ControlVolume v{member, result_.find_medium(item.medium.name), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+        ControlVolume v{member, result_.find_medium(item.medium.name), {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
         const ExpressionPtr& named = item.filling ? item.filling : item.pressure ? item.pressure : item.density ? item.density : item.mass;
         v.primary = item.filling     ? ControlVolume::Primary::filling
                     : item.pressure  ? ControlVolume::Primary::pressure

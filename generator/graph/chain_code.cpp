@@ -49,13 +49,12 @@ private:
         std::size_t of, ground, rest;
     };
     const Chain& chain_;
-    const LoweredChain& lowered_;
     std::vector<LinkRoots> links_;
     std::size_t ground_, rest_;
     std::vector<ColumnRoots> columns_;
 };
 
-ChainCode::ChainCode(const System& system, const LoweredChain& chain, std::optional<By> by, Roots& roots) : chain_(*system.chain), lowered_(chain) {
+ChainCode::ChainCode(const System& system, const LoweredChain& chain, std::optional<By> by, Roots& roots) : chain_(*system.chain) {
     const auto slopes = [&](const std::vector<LoweredLink::Slope>& of) {
         std::vector<SlopeRoots> result;
         for (const LoweredLink::Slope& slope : of) result.push_back({slope.of, roots.add(slope.letters), roots.add(slope.parts)});
