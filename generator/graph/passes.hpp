@@ -28,8 +28,8 @@ inline constexpr std::array all_passes{
     Pass{"constants", &Passes::constants, "what depends on parameters alone is computed once"},
     Pass{"factoring", &Passes::factoring, "common factors and sums are computed once"},
     Pass{"angles", &Passes::angles, "sine and cosine of one angle in one call"},
-    Pass{"reciprocals", &Passes::reciprocals, "one division for all that is divided by the same, as by a pivot"},
-    Pass{"loops", &Passes::loops, "loops solve with an M of more than seven rows, unless it is sparse"},
+    Pass{"reciprocals", &Passes::reciprocals, "what is divided by one pivot several times is multiplied by its reciprocal"},
+    Pass{"loops", &Passes::loops, "M of more than seven rows is solved with by loops, unless it is sparse"},
 };
 
 }  // namespace dalembert
