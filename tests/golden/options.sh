@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Headers of the same machine, generated with different options, compute the same: rates, Jacobian, outputs and energies at 20 points, within 4 ulp beyond the
-# condition. "full": every machine of the repository with all passes and with none but `rewriting`, which keeps digits.
+# condition. "full": every machine of the repository with all passes and with none but `rewriting`, which keeps digits,
+# and asked for all at once.
 set -euo pipefail
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
@@ -212,11 +213,12 @@ if [ "${1:-}" = full ]; then
     case $model in
       heat/glazing.toml) limit=40 ;;  # a quotient of two small differences
       mechanics/slack_rope.toml) limit=9 beside_largest=1 ;;  # energies that cancel; a force that is zero where the rope is slack
-      mechanics/rolling_disc.toml) limit=5 ;;
+      mechanics/rolling_disc.toml) limit=10 ;;  # what the contact bears is solved for with M, whose condition is that of rates only
       mechanics/cylindrical_coordinates.toml | mechanics/polar_coordinates.toml | mechanics/spherical_coordinates.toml) beside_largest=1 ;;  # accelerations that are zero: rounding is all there is
       mechanics/rocket.toml) beside_largest=1 ;;  # what is felt in free fall
     esac
     same "${model%.toml}" double -- --without "$passes"
+    same "${model%.toml}" double -- --together
   done < <(cd "$SOURCE/systems" && ls */*.toml | grep -v ^book/)
   exit $failed
 fi
