@@ -215,7 +215,7 @@ if [ "${1:-}" = full ]; then
       mechanics/slack_rope.toml) limit=9 beside_largest=1 ;;  # energies that cancel; a force that is zero where the rope is slack
       mechanics/rolling_disc.toml) limit=10 ;;  # what the contact bears is solved for with M, whose condition is that of rates only
       mechanics/cylindrical_coordinates.toml | mechanics/polar_coordinates.toml | mechanics/spherical_coordinates.toml) beside_largest=1 ;;  # accelerations that are zero: rounding is all there is
-      mechanics/rocket.toml) beside_largest=1 ;;  # what is felt in free fall
+      mechanics/rocket.toml) limit=9 beside_largest=1 ;;  # what is felt in free fall: 1 - 1
     esac
     same "${model%.toml}" double -- --without "$passes"
     same "${model%.toml}" double -- --together
