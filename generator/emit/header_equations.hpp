@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "graph/lowered_system.hpp"
+#include "graph/code.hpp"
 
 namespace dalembert {
 
