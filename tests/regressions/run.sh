@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Runs one regression, tests/regressions/NAME.sh: a model that once gave a wrong answer, and the answer that is expected.
-# A regression is a script in terms of what stands below; its model lies beside it as NAME.toml. It works in an empty folder.
-# With "# tier: full" in its second line it is of the full tier.
+# A regression is a script in the terms defined below; its model lies beside it as NAME.toml. It works in an empty folder.
+# With a line "# tier: full" it is of the full tier. FOLDER/NAME runs a script of another folder of tests/.
 set -uo pipefail
-folder=$(cd "$(dirname "$0")" && pwd)
-name=$1
+case $1 in */*) folder=$(dirname "$1") ;; *) folder=regressions ;; esac
+folder=$(cd "$(dirname "$0")/../$folder" && pwd)
+name=$(basename "$1")
 model=$folder/$name.toml
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
@@ -61,6 +62,16 @@ column() {
 near() {
   awk -v v="$2" -v e="$3" -v tolerance="$4" 'BEGIN { d = v - e; if (d < 0) d = -d; exit !(v ~ /^[-+0-9.]+(e[-+]?[0-9]+)?$/ && d <= tolerance) }' ||
     fail "$1 is '$2', expected $3 within $4"
+}
+
+# digits WHAT VALUE EXPECTED LEAST: tells the digits that agree, -log10 of the relative error (of the error itself below 1), and fails below LEAST.
+digits() {
+  awk -v what="$1" -v v="$2" -v e="$3" -v least="$4" 'BEGIN {
+    d = v - e; if (d < 0) d = -d
+    size = e < 0 ? -e : e; if (size > 1) d /= size
+    n = v !~ /^[-+0-9.]+(e[-+]?[0-9]+)?$/ ? 0 : d == 0 ? 16 : -log(d)/log(10); if (n > 16) n = 16
+    printf "| %s | %s | %s | %.1f |\n", what, v, e, n
+    exit !(n >= least) }' || fail "$1 has less than $4 digits"
 }
 
 # number PATTERN: the first number behind the first match of PATTERN in what was printed last.
