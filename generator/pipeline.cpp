@@ -220,6 +220,7 @@ std::vector<std::unique_ptr<System>> derive_systems(const LoadedModel& loaded, c
         check_size(scene);
         for (std::size_t i = first_letter; i < model.parameters.size(); ++i) {
             const Parameter& letter = model.parameters[i];
+            if (std::any_of(scene.parameters.begin(), scene.parameters.end(), [&](const auto& member) { return member.item == &letter; })) continue;
             const auto [from, to] = letter.family ? bounds(*letter.family, scene) : std::pair(0, 0);
             for (int k = from; k <= to; ++k) scene.parameters.push_back({&letter, k});
         }

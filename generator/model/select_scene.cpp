@@ -17,6 +17,24 @@ namespace {
 
 using Kind = Expression::Kind;
 
+/// Names that anything reads in any scene. Definitions read for others; printed equations and runs are no part of the machine.
+std::set<std::string> names_read(const Model& model, const Names& names) {
+    Model readers = model;
+    readers.definitions.clear();
+    readers.printed.clear();
+    readers.runs.clear();
+    std::set<std::string> read;
+    const std::function<void(const Site&)> note = [&](const Site& site) {
+        for_each(*site.expression, [&](const Expression& e) {
+            if (e.kind != Kind::name || !read.insert(e.name).second) return;
+            const Named* named = names.find(e.name);
+            if (named != nullptr && named->kind == Named::Kind::definition) visit(named->definition(), note);
+        });
+    };
+    visit(readers, note);
+    return read;
+}
+
 class Selection {
 public:
     Selection(const Model& model, const Names& names, const std::string& name) : model_(model), names_(names), fields_(scene_) {
@@ -132,10 +150,7 @@ public:
             owner_ = "gravity";
             visit(*scene_.gravity, [&](const Site& site) { use(site); });
         }
-        // A model without outputs is about all of its states; otherwise a state that nothing needs is left out.
-        if (model_.outputs.empty())
-            for (const State& state : model_.states)
-                if (scene_.holds(state.when)) use_name(state.name, state.span);
+        use_declared();
 
         use_in_runs();
         choose_used(model_.parameters, scene_.parameters);
@@ -333,9 +348,12 @@ private:
         };
         claim_cells(scene_.rods);
         claim_cells(scene_.blocks);
-        for (const auto& member : scene_.states)
-            if (!member.item->derivative && !by.contains({member.item->name, member.index}))
-                fail(Id::undetermined, member.item->span, fmt::format("nothing in scene '{}' determines state '{}'", scene_.name, member.name()));
+        for (const auto& member : scene_.states) {
+            if (member.item->derivative || by.contains({member.item->name, member.index})) continue;
+            const bool is_any = std::any_of(by.begin(), by.end(), [&](const auto& determined) { return determined.first.first == member.item->name; });
+            fail(Id::undetermined, member.item->span,
+                 fmt::format("nothing in scene '{}' determines state '{}'{}", scene_.name, member.name(), is_any ? "" : "; where what determines it is left out, it needs the same 'when'"));
+        }
     }
 
     void use_name(const std::string& name, const Span& span) {
@@ -349,6 +367,20 @@ private:
         const auto follow = [&](const Site& site) { use(site); };
         if (named->kind == Named::Kind::definition) visit(named->definition(), follow);
         if (named->kind == Named::Kind::state) visit(static_cast<const State&>(*named->item), follow);
+    }
+
+    /// What is declared and no effect takes out stays, whether or not anything reads it: every state, and parameters and inputs that nothing
+    /// in the model reads. Those that something reads go where all that reads them is left out.
+    void use_declared() {
+        for (const State& state : model_.states)
+            if (scene_.holds(state.when)) use_name(state.name, state.span);
+        const std::set<std::string> read = names_read(model_, names_);
+        const auto use_unread = [&](const auto& items) {
+            for (const auto& item : items)
+                if (!read.contains(item.name) && scene_.holds(item.when)) use_name(item.name, item.span);
+        };
+        use_unread(model_.parameters);
+        use_unread(model_.inputs);
     }
 
     /// Parameters that the runs of this scene need for its inputs.
