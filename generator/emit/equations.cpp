@@ -193,8 +193,14 @@ std::string equations_as_text(const System& s) {
     }
     text += "\nenergies and powers\n";
     for (const auto& [name, value] : scalars(s)) text += fmt::format("  {} = {}\n", name, write(value));
-    if (s.has_balances()) text += fmt::format("  internal_energy = {}\n", write(s.named.internal_energy));
-    if (s.has_exchange()) text += fmt::format("  exchanged_power = {}\n", write(s.named.exchanged_power));
+    const auto of_cells = [&](const char* part, GiNaC::ex RodField::* what) {
+        std::string sums;
+        for (const RodField& f : s.heat.fields)
+            if (!(f.*what).is_zero()) sums += fmt::format(" + sum of {} over the cells of {}", part, f.rod->name);
+        return sums;
+    };
+    if (s.has_balances()) text += fmt::format("  internal_energy = {}{}\n", write(s.named.internal_energy), of_cells("energy", &RodField::energy));
+    if (s.has_exchange()) text += fmt::format("  exchanged_power = {}{}\n", write(s.named.exchanged_power), of_cells("source", &RodField::source));
     if (!s.fluids.guards.empty()) text += "\nguards: a run ends where one becomes negative, or the right-hand side has an edge where its sign changes\n";
     for (const Guard& guard : s.fluids.guards) text += fmt::format("  {} ({}): {}\n", guard.doc, guard.ends ? "ends" : "edge", write(guard.value));
     text += events(s, write);

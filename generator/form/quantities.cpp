@@ -90,11 +90,24 @@ ex surface_quantity(const System& system, const Expression& e, const Indices& in
     throw Failure(Diagnostic{Id::needs_absent, named.span, fmt::format("scene '{}' has no '{}'", system.scene.name, named.written())});
 }
 
+/// What cells in loops store or take up is added up in the header's functions of these names alone.
+void refuse_cells_in_loops(const System& system, const Expression& e) {
+    for (const RodField& field : system.heat.fields) {
+        if (e.name == "exchanged_power" && field.source.is_zero()) continue;
+        throw Failure(Diagnostic{Id::not_allowed_here, e.span,
+                                 fmt::format("'{}' is a sum over the {} cells of rod '{}', which are computed in a loop, and cannot stand here; with loops = false, or of fewer cells, it can, and the header has a function of its name", e.name,
+                                             field.geometry.cells(), field.rod->name),
+                                 {{field.rod->span, "the rod is defined here"}}});
+    }
+}
+
 /// A property of a volume or reservoir, of a medium at a state, or what a flow or volume does.
 std::optional<ex> fluid_quantity(const System& system, const Expression& e, const Indices& indices, const std::vector<ex>& arguments) {
     const Fluids& fluids = system.fluids;
-    if (e.name == "exchanged_power") return system.exchanged_power;
-    if (e.name == "internal_energy" && e.children.empty()) return system.internal_energy;
+    if (e.name == "exchanged_power" || (e.name == "internal_energy" && e.children.empty())) {
+        refuse_cells_in_loops(system, e);
+        return e.name == "exchanged_power" ? system.exchanged_power : system.internal_energy;
+    }
     const QuantitySpec& spec = *find_quantity(e.name);
     if (spec.subscript < Subscript::fluid) return std::nullopt;
     const Expression& named = *e.children[0];

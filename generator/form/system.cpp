@@ -157,12 +157,11 @@ void equations(System& system) {
     balances(system);
 }
 
-void exchange_by_jets(System& system) {
+ex exchanged_by_jets(const System& system) {
     ex power = 0;
     for (const Ejection& ejection : system.ejections) power -= ejection.leaving_power;
     for (const BodyMotion& body : system.bodies) power += carried_spin_energy(body, system.rate());
-    system.exchanged_power += power;
-    system.named.exchanged_power += power;
+    return power;
 }
 
 void outputs(System& system) {
@@ -265,10 +264,12 @@ std::unique_ptr<System> derive(const Names& names, Scene scene) {
     equations(*system);
     chain(*system);
     constrain(*system);
+    const ex by_jets = exchanged_by_jets(*system);
+    system->exchanged_power += by_jets;
     outputs(*system);
     events(*system);
     system->named = name_balances(*system, system->symbols);
-    exchange_by_jets(*system);
+    system->named.exchanged_power += by_jets;
     return system;
 }
 

@@ -21,6 +21,16 @@ using Kind = Expression::Kind;
     throw Failure(Diagnostic{id, at.span, std::move(message), std::move(notes)});
 }
 
+/// Of a cell in a loop only what comes from elsewhere is known here, not what its neighbours do.
+void refuse_rates_of_cells(const Expression& e, const ex& rate, const Scene& scene, const Symbols& symbols) {
+    for (const Field& field : scene.fields)
+        for (const Variable& state : symbols.all(SymbolKind::state))
+            if (state.base == field.states->name && rate.has(symbols.get(SymbolKind::state_rate, state.position)))
+                fail(Id::not_allowed_here, e,
+                     fmt::format("'{}' needs the rate of '{}', a cell of rod '{}', whose cells are computed in a loop; with loops = false, or of fewer cells, it can stand here", e.written(), state.name, field.rod->name),
+                     {{field.rod->span, "the rod is defined here"}});
+}
+
 constexpr int most_terms = 10'000;
 constexpr int largest_exponent = 1'000;
 constexpr std::size_t most_bits = 100'000;
@@ -149,7 +159,10 @@ ex Translator::call(const Expression& e, const Indices& indices, const Letters& 
         if (const Variable* q = symbols_.find(SymbolKind::coordinate, e.children[0]->name, 0); q != nullptr && !symbols_.has_value(q->position)) return symbols_.get(SymbolKind::velocity, q->position);
     if (e.name == "ddot" && e.children[0]->kind == Kind::name)
         if (const Variable* q = symbols_.find(SymbolKind::coordinate, e.children[0]->name, 0); q != nullptr && !symbols_.has_value(q->position)) return symbols_.get(SymbolKind::acceleration, q->position);
-    if (const auto found = calculus(e, indices, letters)) return *found;
+    if (const auto found = calculus(e, indices, letters)) {
+        refuse_rates_of_cells(e, *found, scene_, symbols_);
+        return *found;
+    }
     if (e.name == "quantity") return visit(*to_si(e.children[0], evaluate_unit(*e.children[1])), indices, letters);
     std::vector<ex> arguments;
     for (std::size_t i = 0; i < e.children.size(); ++i) arguments.push_back(part(i));
