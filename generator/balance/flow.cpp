@@ -62,8 +62,13 @@ private:
         throw Failure(Diagnostic{Id::index_out_of_range, reference.span, fmt::format("the scene has no '{}'", std::string(reference.span.text()))});
     }
 
-    /// p_from - p_to; kept whole, because the two are often close.
-    static ex difference(const FlowState& f) { return whole((f.from->pressure - f.to->pressure).expand()); }
+    /// What drives a flow between its ends, Pa: p_from - p_to + rho*(potential_from - potential_to) less what opens it, where the column
+    /// between them has the mean of the two densities. Kept whole, because the two are often close.
+    static ex difference(const FlowState& f, const ex& opening = 0) {
+        const ex height = f.from->potential - f.to->potential;
+        const ex column = height.expand().is_zero() ? ex(0) : ex((f.from->density + f.to->density) / 2 * height);
+        return whole((f.from->pressure - f.to->pressure + column - opening).expand());
+    }
 
     static void by_volume(FlowState& f, const ex& volume_flow) {
         f.density = upstream(volume_flow, f.from->density, f.to->density);
@@ -104,7 +109,7 @@ private:
 
     void check_valve(FlowState& f) {
         const Flow& item = *f.member.item;
-        const ex dp = whole((f.from->pressure - f.to->pressure - value(item.cracking_pressure)).expand());
+        const ex dp = difference(f, value(item.cracking_pressure));
         f.density = f.from->density;
         if (item.switches) {
             const bool is_open = scene_.mode && scene_.modes[*scene_.mode].is_in(item.name + "_open");
@@ -121,6 +126,9 @@ private:
     /// (3.156) in both directions. With d = |p_1 - p_2|/p_u and p_u the higher pressure: p_u*Psi = sqrt(p_u*|p_1 - p_2|)*outflow_factor(d).
     void pneumatic_orifice(FlowState& f) {
         const Flow& item = *f.member.item;
+        if (!(f.from->potential - f.to->potential).expand().is_zero())
+            throw Failure(Diagnostic{Id::not_allowed_here, item.span,
+                                     fmt::format("the law of the pneumatic orifice '{}' knows no height, but the potentials of '{}' and '{}' differ; give both ends the same potential", f.member.name(), std::string(item.from.span.text()), std::string(item.to.span.text()))});
         const MediumModel& gas = *(f.from_volume != nullptr ? f.from_volume->medium : reservoir_medium(item.from));
         const ex k = gas.isentropic_exponent();
         const ex dp = difference(f);

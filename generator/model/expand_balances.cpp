@@ -20,11 +20,43 @@ ExpressionPtr end_name(const Reference& end) {
 /// A quantity of an end of a flow: "pressure[tank]".
 ExpressionPtr of_end(const char* quantity, const Reference& end) { return std::make_shared<Expression>(Expression{Kind::name, end.span, 0, quantity, {end_name(end)}}); }
 
+/// The expression with a member of a family in place of its index.
+ExpressionPtr with_index(const ExpressionPtr& e, const std::string& index, const ExpressionPtr& member) {
+    if (e->kind == Kind::name && e->name == index && e->children.empty()) return member;
+    Expression copy = *e;
+    for (ExpressionPtr& child : copy.children) child = with_index(child, index, member);
+    return std::make_shared<Expression>(std::move(copy));
+}
+
+/// The specific potential energy of an end of a flow; null where none is given.
+ExpressionPtr potential_of(const Model& model, const Reference& end) {
+    const auto in = [&](const auto& items) -> ExpressionPtr {
+        for (const auto& item : items) {
+            if (item.name != end.name || !item.potential) continue;
+            return item.family && end.index ? with_index(item.potential, item.family->index, end.index) : item.potential;
+        }
+        return nullptr;
+    };
+    const ExpressionPtr of_volume = in(model.volumes);
+    return of_volume ? of_volume : in(model.reservoirs);
+}
+
+/// What drives a flow: the difference of the pressures, and of heights.
+ExpressionPtr drive(const Model& model, const Flow& flow) {
+    const ExpressionPtr pressures = minus(of_end("pressure", flow.from), of_end("pressure", flow.to));
+    const ExpressionPtr high = potential_of(model, flow.from), low = potential_of(model, flow.to);
+    if (!high && !low) return pressures;
+    const ExpressionPtr density = over(plus(of_end("density", flow.from), of_end("density", flow.to)), make_number(2, flow.span));
+    const auto weight = [&](const ExpressionPtr& potential) { return times(density, potential); };
+    if (!low) return plus(pressures, weight(high));
+    return minus(high ? plus(pressures, weight(high)) : pressures, weight(low));
+}
+
 /// A check valve of which being open or shut is a mode.
 void expand_check_valve(Model& model, const Flow& flow) {
     Element made(model, flow);
     made.modes({"shut", "open"});
-    ExpressionPtr excess = minus(of_end("pressure", flow.from), of_end("pressure", flow.to));
+    ExpressionPtr excess = drive(model, flow);
     if (flow.cracking_pressure) excess = minus(excess, flow.cracking_pressure);
     made.event("opens", "shut", excess, {"open"}).rises = true;
     made.event("shuts", "open", excess, {"shut"});

@@ -201,7 +201,7 @@ constexpr std::array reservoir_keys{
     KeySpec{"medium", T::part, true, "what it holds"},
     KeySpec{"pressure", T::expression, true, "its pressure, absolute; may depend on inputs and the time"},
     KeySpec{"temperature", T::expression, false, "its temperature; that of the medium's reference if left out"},
-    KeySpec{"potential", T::expression, false, "specific potential energy, as \"g*z_1\""},
+    KeySpec{"potential", T::expression, false, "specific potential energy, as \"g*z_1\"; where it differs between two ends of a flow, its height drives the flow as well as the pressure does"},
     doc_key, for_key, when_key,
 };
 constexpr std::array volume_keys{
@@ -216,7 +216,7 @@ constexpr std::array volume_keys{
     KeySpec{"polytropic", T::expressions_by_name, false, "instead: { exponent, pressure, temperature } of the course of an ideal gas (3.65)"},
     KeySpec{"head", T::expression, false, "height of the surface above the outlets, with filling"},
     KeySpec{"gravity", T::expression, false, "acceleration of gravity along the head"},
-    KeySpec{"potential", T::expression, false, "specific potential energy, as \"g*z_1\""},
+    KeySpec{"potential", T::expression, false, "specific potential energy, as \"g*z_1\"; where it differs between two ends of a flow, its height drives the flow as well as the pressure does"},
     KeySpec{"heat", T::expression, false, "heat flow into it from outside; counts where its temperature is a state of the scene, else heat is what holds the temperature"},
     KeySpec{"shaft_power", T::expression, false, "power of a shaft into it from outside"},
     KeySpec{"smallest", T::expression, false, "the volume at which a run stops; 0 if left out"},
