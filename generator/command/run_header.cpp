@@ -49,11 +49,18 @@ std::string complaint(const std::string& text) {
     return first;
 }
 
+/// Straight-line functions of many thousands of operations take a compiler that optimises them hours, and run a few times slower without.
+std::string for_the_compiler(const std::string& header) {
+    constexpr std::size_t most = 600000;  // characters
+    if (header.size() <= most) return header;
+    return "#include <array>\n#include <cmath>\n#include <cstddef>\n#include <limits>\n#pragma GCC push_options\n#pragma GCC optimize(\"O0\")\n" + header + "#pragma GCC pop_options\n";
+}
+
 }  // namespace
 
 void compile_with_header(const ScratchFolder& folder, const Header& header, const std::string& source, const char* optimisation) {
     const fs::path at = folder.path();
-    write_files({{at / header.file_name, header.text}, {at / "main.cpp", source}});
+    write_files({{at / header.file_name, for_the_compiler(header.text)}, {at / "main.cpp", source}});
     std::vector<std::string> command = compiler();
     const std::string name = command.front();
     const std::vector<std::string> rest{"-std=c++17", optimisation, "-I", folder.path(), "-I", runtime_folder(), "-isystem", "/usr/include/eigen3",

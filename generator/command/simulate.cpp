@@ -19,6 +19,12 @@ std::string methods_text(const SimulationReport& report) {
     return text;
 }
 
+/// Of a run that a constraint ended.
+std::string cause(const SimulationReport& report) {
+    if (report.status == "singular position") return fmt::format("; constraint '{}' depends on the others there, and no step leads over it", report.constraint);
+    return fmt::format("; '{}' cannot be held there", report.constraint);
+}
+
 }  // namespace
 
 ExitCode simulate_command(const Options& options, Streams streams) {
@@ -63,7 +69,7 @@ ExitCode simulate_command(const Options& options, Streams streams) {
             return ExitCode::run_stopped;
         }
         streams.err << fmt::format("dalembert: the run stopped at t = {} s: {}{}\n", report.t, report.guard.empty() ? report.status : report.guard,
-                                   report.culprit.empty() ? report.constraint.empty() ? "" : fmt::format("; '{}' cannot be held there", report.constraint) : fmt::format("; state '{}' or its derivative is not finite", report.culprit));
+                                   report.culprit.empty() ? report.constraint.empty() ? "" : cause(report) : fmt::format("; state '{}' or its derivative is not finite", report.culprit));
         return ExitCode::run_stopped;
     }
     if (prepared.draw && !report.drawn) {

@@ -128,7 +128,7 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
         report.guard = event < events.size() && !report.ended && report.status == "event" ? events[event].doc : "";
         if (report.ended && !events[event].doc.empty()) report.message += ": " + events[event].doc;
     }
-    if (report.status == "constraint broken") report.constraint = prepared.machine.system->constraints[std::stoul(result.at("constraint"))].item->name;
+    if (report.status == "constraint broken" || report.status == "singular position") report.constraint = prepared.machine.system->constraints[std::stoul(result.at("constraint"))].item->name;
     if (report.status == "not finite") {
         report.culprit = name_of_state(*prepared.machine.system, std::stoul(result.at("state")));
     }

@@ -134,11 +134,15 @@ Residuals<typename System::scalar_type> project(const System& system, typename S
 
 namespace detail {
 
-/// A right-hand side with the projection that belongs to it: project(x, t) returns the constraint that is broken, or none.
-template <class Rhs, class Project>
+struct NoMeasure {};
+
+/// A right-hand side with the projection that belongs to it: project(x, t) returns the constraint that is broken, or none. `measure` tells how
+/// independent the constraints are; see IndependenceOf.
+template <class Rhs, class Project, class Measure = NoMeasure>
 struct ProjectedRhs {
     Rhs rhs;
     Project projection;
+    Measure measure{};
     template <class State, class Scalar>
     void operator()(const State& x, Scalar t, State& dxdt) const {
         rhs(x, t, dxdt);
@@ -147,14 +151,27 @@ struct ProjectedRhs {
     std::size_t project(State& x, Scalar t) const {
         return projection(x, t);
     }
+    template <class State, class Scalar>
+    auto independence(const State& x, Scalar t, bool learns) const {
+        return measure(x, t, learns);
+    }
 };
 template <class Rhs, class Project>
 ProjectedRhs(Rhs, Project) -> ProjectedRhs<Rhs, Project>;
+template <class Rhs, class Project, class Measure>
+ProjectedRhs(Rhs, Project, Measure) -> ProjectedRhs<Rhs, Project, Measure>;
 
 template <class Rhs, class State, class = void>
 inline constexpr bool is_projected = false;
 template <class Rhs, class State>
 inline constexpr bool is_projected<Rhs, State, std::void_t<decltype(std::declval<Rhs&>().project(std::declval<State&>(), std::declval<typename State::value_type>()))>> = true;
+
+template <class Rhs, class State>
+inline constexpr bool has_measure = false;
+template <class Rhs, class Project, class Measure, class State>
+inline constexpr bool has_measure<ProjectedRhs<Rhs, Project, Measure>, State> = !std::is_same_v<Measure, NoMeasure>;
+template <class Rhs, class State>
+inline constexpr bool has_measure<const Rhs, State> = has_measure<Rhs, State>;
 
 }  // namespace detail
 

@@ -172,6 +172,7 @@ public:
         return true;
     }
     bool has_changed() const { return has_changed(found_); }
+    bool changes_at(const State& x, Scalar t) const { return has_changed(values(x, t)); }
 
     /// The event was none yet: the step ran into it too early, or a guard is zero there without a change. It may be, in the next step.
     void retract() {

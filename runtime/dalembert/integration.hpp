@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "dalembert/run_state.hpp"
+#include "dalembert/watched_run.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -15,8 +15,8 @@ namespace detail {
 
 /// Integrates; the observer is called at the output points in order.
 template <class StateOfRun, class Rhs, class Observer, class Guards, std::size_t G>
-class Integration : RunState<StateOfRun, Rhs, Observer, Guards, G> {
-    using Run = RunState<StateOfRun, Rhs, Observer, Guards, G>;
+class Integration : WatchedRun<StateOfRun, Rhs, Observer, Guards, G> {
+    using Run = WatchedRun<StateOfRun, Rhs, Observer, Guards, G>;
     using typename Run::Try;
     using Run::x_, Run::dxdt_, Run::t_, Run::from_, Run::to_, Run::options_, Run::control_, Run::outcome_, Run::events_, Run::observe_, Run::stepper_, Run::is_anew_;
     using Run::evaluate, Run::end, Run::end_at, Run::end_not_finite, Run::stop, Run::observe, Run::here, Run::try_step, Run::accept, Run::is_cut, Run::keeps_rest, Run::pass_event, Run::pass_kink;
@@ -79,29 +79,43 @@ public:
 private:
     Outcome fixed_steps() {
         using std::ceil;
-        for (std::size_t i = next_; i <= options_.intervals; ++i) {
+        for (std::size_t i = next_; i <= options_.intervals;) {
             const Scalar target = control_.output_time(i);
-            while (t_ < target) {
-                const Scalar begin = t_;
-                const Scalar length = target - begin;
-                const auto count = static_cast<std::size_t>(std::max(1.0, static_cast<double>(ceil(length / options_.step * (Scalar(1) - Scalar(1e-9))))));
-                const Scalar h = length / Scalar(static_cast<double>(count));
-                for (std::size_t k = 0; k < count; ++k) {
-                    if (outcome_.steps == options_.max_steps) return end(Status::too_many_steps);
-                    Try c;
-                    c.length = h;
-                    c.end = k + 1 == count ? target : begin + h * Scalar(static_cast<double>(k + 1));
-                    try_step(c);
-                    if (!c.finite) return end_not_finite(h);
-                    accept(c);
-                    if (is_cut()) break;
-                }
-                const Status status = pass_event();
-                if (status != Status::success) return stop(status);
+            if (!(t_ < target)) {
+                observe(target);
+                ++i;
+                continue;
             }
-            observe(target);
+            const Scalar begin = t_;
+            const Scalar length = target - begin;
+            const auto count = static_cast<std::size_t>(std::max(1.0, static_cast<double>(ceil(length / options_.step * (Scalar(1) - Scalar(1e-9))))));
+            const Scalar h = length / Scalar(static_cast<double>(count));
+            bool is_crossed = false;
+            for (std::size_t k = 0; k < count; ++k) {
+                if (outcome_.steps == options_.max_steps) return end(Status::too_many_steps);
+                Scalar way = to_;
+                is_crossed = this->look_ahead(h, control_.next_kink(t_).before, way, outputs_inside(i)) == Ahead::crossed;
+                if (is_crossed) break;
+                Try c;
+                c.length = h;
+                c.end = k + 1 == count ? target : begin + h * Scalar(static_cast<double>(k + 1));
+                try_step(c);
+                if (!c.finite) return end_not_finite(h);
+                accept(c);
+                if (is_cut()) break;
+            }
+            if (is_crossed) continue;
+            const Status status = pass_event();
+            if (status != Status::success) return stop(status);
         }
         return end(Status::success);
+    }
+
+    /// Observes output points within a step that at(t) knows the states of.
+    auto outputs_inside(std::size_t& next) {
+        return [this, &next](const Scalar& until, const auto& at) {
+            for (; next <= options_.intervals && control_.output_time(next) < until; ++next) observe_(control_.output_time(next), at(control_.output_time(next)));
+        };
     }
 
     /// With dense output steps need not end on output points.
@@ -111,18 +125,27 @@ private:
         while (next <= options_.intervals) {
             Try c;
             const auto kink = control_.next_kink(t_);
-            Status status = acceptable_step(h, std::min(dense ? to_ : control_.output_time(next), kink.before), c);
-            if (status != Status::success) return stop(status);
-            for (; next <= options_.intervals && control_.output_time(next) < c.end; ++next) {
-                State x;
-                stepper_->between(here(), c, control_.output_time(next), x);
-                this->project(x, control_.output_time(next));
-                observe_(control_.output_time(next), x);
+            Scalar target = std::min(dense ? to_ : control_.output_time(next), kink.before);
+            const Ahead ahead = this->look_ahead(h, kink.before, target, outputs_inside(next));
+            if (ahead == Ahead::stuck) return stop(Status::singular_position);
+            Status status = Status::success;
+            if (ahead != Ahead::crossed) {
+                status = acceptable_step(h, target, c);
+                if (status != Status::success) return stop(status);
+                outputs_inside(next)(c.end, [&](const Scalar& t) {
+                    State x;
+                    stepper_->between(here(), c, t, x);
+                    if (!this->is_close(x, t)) this->project(x, t);
+                    return x;
+                });
+                accept(c);
+                observe_up_to_now(next);
+                status = pass_event();
+                if (status != Status::success) return stop(status);
+            } else {
+                is_anew_ = false;
+                observe_up_to_now(next);
             }
-            accept(c);
-            observe_up_to_now(next);
-            status = pass_event();
-            if (status != Status::success) return stop(status);
             if (t_ == kink.before && t_ < to_) {
                 pass_kink(kink.behind);
                 observe_up_to_now(next);
@@ -151,7 +174,7 @@ private:
             clipped = clipped || is_cut();
             if (c.finite && !is_cut()) stepper_->check(here(), c);
             const Scalar e = c.finite ? control_.error_norm(x_, c.y, c.error) : Scalar(0);
-            if (!c.finite || !(e <= Scalar(1)) || !keeps_rest(c)) {
+            if (!c.finite || !(e <= Scalar(1)) || !keeps_rest(c) || (!is_cut() && (this->ends_close(c) || this->is_moved_far(c)))) {
                 not_finite = not_finite || !c.finite;
                 ++outcome_.rejected;
                 h = c.length * (e <= Scalar(1) ? Scalar(1) / Scalar(4) : control_.factor_of_failure(e, stepper_->order()));

@@ -21,6 +21,11 @@ template <class System, class Inputs, class Options>
 void set_run(Options& options, const System& system, const Inputs& inputs, const typename System::State& start, double tolerance, double step, std::size_t intervals, double until, double energy) {
     const auto scale = state_scales(system, inputs, start, until, intervals);
     std::copy(scale.begin(), scale.end(), options.scale.begin());
+    if constexpr (can_be_singular<System>) {
+        // Bringing velocities back to constraints leaves them about twelve digits of the largest one.
+        const double least = std::min(1.0, 1e-12 / tolerance) * *std::max_element(scale.begin(), scale.end());
+        for (auto& size : options.scale) size = std::max(size, least);
+    }
     options.tolerance = tolerance;
     options.step = step;
     options.intervals = intervals;

@@ -4,6 +4,7 @@
 
 #include "dalembert/integrate.hpp"
 #include "dalembert/series.hpp"
+#include "dalembert/singular_positions.hpp"
 #include "dalembert/system_derivatives.hpp"
 
 namespace dalembert {
@@ -47,7 +48,8 @@ struct SimulationResult {
 
 /// Integrates a system together with the work that is done on it, and calls observe(sample) at the output points.
 /// `inputs` is called as inputs(x, t). Where the system has constraints to be brought back to, the state is projected at the start, after every
-/// step and at every output point: see project; a start that they are far from is Status::constraint_broken. The guards of the system are located: see integrate. How the work is weighed against its
+/// step and at every output point: see project; a start that they are far from is Status::constraint_broken. Over positions
+/// where constraints depend on each other one long step is made, or the run ends there with Status::singular_position. The guards of the system are located: see integrate. How the work is weighed against its
 /// tolerance, the last entry of options.scale, is up to the caller; a sensible size is that of the energy. Method::rodas5p takes the
 /// Jacobian of the system, and finds what `inputs` adds to it by calling it near the state and within the step; it integrates the work
 /// along the steps that the states allow, so that its scale does not matter.
@@ -72,6 +74,7 @@ SimulationResult simulate(const System& system, const Inputs& inputs, typename S
         derivative[n] = system.supplied_power(state, u, t) - system.dissipated_power(state, u, t) + system.prescribed_power(state, u, t) +
                         system.exchanged_power(state, u, t);
     };
+    detail::MeasureOf<System> measure_of;
     const auto rhs = [&] {
         if constexpr (detail::needs_projection<System>) {
             const auto back = [&](Extended& extended, Scalar t) {
@@ -80,7 +83,12 @@ SimulationResult simulate(const System& system, const Inputs& inputs, typename S
                 std::copy_n(state.begin(), n, extended.begin());
                 return broken;
             };
-            return detail::ProjectedRhs{plain_rhs, back};
+            if constexpr (detail::can_be_singular<System>) {
+                const auto measure = [&](const Extended& extended, Scalar t, bool learns) { return measure_of(system, plain(extended), t, learns); };
+                return detail::ProjectedRhs{plain_rhs, back, measure};
+            } else {
+                return detail::ProjectedRhs{plain_rhs, back};
+            }
         } else if constexpr (detail::is_separable<System>) {
             return detail::separable_rhs<System::degrees>(plain_rhs);
         } else {

@@ -23,6 +23,7 @@ enum class Status {
     accumulation,   ///< an event that happens again and again at ever shorter intervals, and nothing is said of what comes after
     no_series,       ///< the header of the system, or its inputs, have none
     constraint_broken,  ///< a constraint that the start does not meet, or that cannot be held any more
+    singular_position,  ///< constraints that depend on each other, where the motion cannot go on
 };
 
 inline const char* to_string(Status status) noexcept {
@@ -40,6 +41,7 @@ inline const char* to_string(Status status) noexcept {
         case Status::accumulation: return "accumulation";
         case Status::no_series: return "no series";
         case Status::constraint_broken: return "constraint broken";
+        case Status::singular_position: return "singular position";
     }
     return "unknown";
 }
@@ -51,7 +53,7 @@ struct Outcome {
     double t = 0;                 ///< s, where it ended
     std::size_t state = 0;        ///< with not_finite: the state that is to blame
     std::size_t guard = none;     ///< with event and event_storm: the guard; with not_finite: one that is not a number, if no state is to blame
-    std::size_t constraint = none;  ///< with constraint_broken: which one, in the order of constraint_table()
+    std::size_t constraint = none;  ///< with constraint_broken and singular_position: which one, in the order of constraint_table()
     std::size_t events = 0;       ///< guards that changed their sign and were passed
     std::size_t steps = 0;        ///< accepted
     std::size_t rejected = 0;
@@ -69,6 +71,7 @@ std::string message(const Outcome& outcome, const Table& names, const Guards& gu
         text += ": state '" + std::string(names[outcome.state].name) + "' or its derivative is not finite";
     if (outcome.status == Status::step_too_small) text += ": the tolerance cannot be met";
     if (outcome.status == Status::constraint_broken) text += ": constraint number " + std::to_string(outcome.constraint) + " is not met, and cannot be by a small step";
+    if (outcome.status == Status::singular_position) text += ": constraint number " + std::to_string(outcome.constraint) + " depends on the others there";
     if (outcome.guard >= guards.size()) return text;
     const auto& guard = guards[outcome.guard];
     if (outcome.status == Status::event) text += ": " + std::string(guard.doc);

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSL-1.0
+// Positions where constraints depend on each other, as a parallelogram with all bars in one line.
+//
+// note [singular positions]: The motion goes through such a position smoothly, but its equations cannot be solved there: at a distance d, forces
+// of constraints lose the share 1/d of their digits, and velocities that are brought back to the constraints 1/d^2. So no step may end there.
+// A run watches how independent the constraints are, sees the position come, and makes one long step of Gauss's collocation over it. Its stages
+// lie some way off, are brought back to the constraints, and are solved for together, so that errors across the constraints do not spread.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include "dalembert/constraints.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+/// How independent constraints are: 1 at their best, falling to 0 in proportion to the distance from a singular position.
+template <class Scalar>
+struct Independence {
+    Scalar value = Scalar(1);
+    std::size_t constraint = static_cast<std::size_t>(-1);  ///< that depends most on the others
+    std::size_t rank = 0;
+};
+
+/// Measures the independence: the smallest pivot of A D^-1 A', where D is the diagonal of M, each row beside its largest size so far. Constraints that follow
+/// from others everywhere do not count.
+template <class System>
+class IndependenceOf {
+    using Scalar = typename System::scalar_type;
+    static constexpr std::size_t m = std::tuple_size<typename System::Constraints>::value, n = std::tuple_size<typename System::Generalised>::value;
+
+public:
+    /// `learns`: the state is one of the motion.
+    template <class... Mode>
+    Independence<Scalar> operator()(const System& system, const typename System::State& x, Scalar t, bool learns, Mode... mode) {
+        using std::max;
+        using std::sqrt;
+        const std::vector<Scalar> rows = weighted_rows(system, x, t, mode...);
+        std::vector<Scalar> gram(m * m);
+        for (std::size_t i = 0; i < m; ++i)
+            for (std::size_t k = 0; k <= i; ++k) {
+                Scalar sum(0);
+                for (std::size_t j = 0; j < n; ++j) sum += rows[i * n + j] * rows[k * n + j];
+                gram[i * m + k] = gram[k * m + i] = sum;
+            }
+        std::array<Scalar, m> sizes = sizes_;
+        for (std::size_t i = 0; i < m; ++i) sizes[i] = max(sizes[i], gram[i * m + i]);
+        if (learns) sizes_ = sizes;
+        for (std::size_t i = 0; i < m; ++i)
+            for (std::size_t k = 0; k < m; ++k) gram[i * m + k] = sizes[i] > Scalar(0) && sizes[k] > Scalar(0) ? Scalar(gram[i * m + k] / sqrt(sizes[i] * sizes[k])) : Scalar(0);
+        return smallest_pivot(gram, learns);
+    }
+
+private:
+    /// A D^(-1/2), row by row.
+    template <class... Mode>
+    static std::vector<Scalar> weighted_rows(const System& system, const typename System::State& x, Scalar t, Mode... mode) {
+        using std::abs;
+        using std::max;
+        using std::sqrt;
+        typename System::ConstraintJacobian A{};
+        typename System::MassMatrix M{};
+        system.constraint_jacobian(mode..., x, t, A);
+        system.mass_matrix(x, t, M);
+        Scalar heaviest(0);
+        for (std::size_t j = 0; j < n; ++j) heaviest = max(heaviest, Scalar(abs(M[j * n + j])));
+        std::vector<Scalar> rows(m * n);
+        for (std::size_t j = 0; j < n; ++j) {
+            const Scalar weight = Scalar(1) / sqrt(max(Scalar(abs(M[j * n + j])), Scalar(heaviest * std::numeric_limits<Scalar>::epsilon())));
+            for (std::size_t i = 0; i < m; ++i) rows[i * n + j] = A[j * m + i] * weight;
+        }
+        return rows;
+    }
+
+    /// By elimination with the largest pivot first; of as many as there have ever been.
+    Independence<Scalar> smallest_pivot(std::vector<Scalar>& g, bool learns) {
+        using std::sqrt;
+        std::array<bool, m> is_done{};
+        std::array<Scalar, m> pivots{};
+        std::array<std::size_t, m> order{};
+        std::size_t rank = 0;
+        for (std::size_t step = 0; step < m; ++step) {
+            std::size_t p = m;
+            for (std::size_t i = 0; i < m; ++i)
+                if (!is_done[i] && (p == m || g[i * m + i] > g[p * m + p])) p = i;
+            const Scalar pivot = g[p * m + p];
+            is_done[p] = true;
+            order[step] = p;
+            pivots[step] = pivot > Scalar(0) ? pivot : Scalar(0);
+            if (pivot > Scalar(1e-10)) ++rank;
+            if (!(pivot > Scalar(0))) continue;
+            for (std::size_t i = 0; i < m; ++i) {
+                if (is_done[i]) continue;
+                const Scalar factor = g[i * m + p] / pivot;
+                for (std::size_t k = 0; k < m; ++k)
+                    if (!is_done[k]) g[i * m + k] -= factor * g[p * m + k];
+            }
+        }
+        if (learns && rank > rank_) rank_ = rank;
+        Independence<Scalar> result;
+        result.rank = rank_;
+        if (rank_ == 0) return result;
+        result.value = sqrt(pivots[rank_ - 1]);
+        result.constraint = order[rank_ - 1];
+        return result;
+    }
+
+    std::array<Scalar, m> sizes_{};
+    std::size_t rank_ = 0;
+};
+
+/// Whether constraints hold anything that is projected.
+template <class System, class = void>
+inline constexpr bool can_be_singular = false;
+template <class System>
+inline constexpr bool can_be_singular<System, std::void_t<typename System::Constraints>> = std::tuple_size<typename System::Constraints>::value > 0;
+
+template <class System, bool = can_be_singular<System>>
+struct MeasureChoice {
+    using type = NoMeasure;
+};
+template <class System>
+struct MeasureChoice<System, true> {
+    using type = IndependenceOf<System>;
+};
+template <class System>
+using MeasureOf = typename MeasureChoice<System>::type;
+
+/// Points and weights of Gauss's quadrature on [0, 1].
+template <class Scalar>
+struct GaussPoints {
+    explicit GaussPoints(std::size_t count) : points(count), weights(count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            Scalar x = Scalar(std::cos(3.14159265358979323846 * (static_cast<double>(count - i) - 0.25) / (static_cast<double>(count) + 0.5)));
+            Scalar slope(0);
+            for (int k = 0; k < 8; ++k) {  // Newton's method on Legendre's polynomial
+                Scalar before(1), value = x;
+                for (std::size_t d = 2; d <= count; ++d) {
+                    const Scalar order = Scalar(static_cast<double>(d));
+                    const Scalar next = ((Scalar(2) * order - Scalar(1)) * x * value - (order - Scalar(1)) * before) / order;
+                    before = value;
+                    value = next;
+                }
+                slope = Scalar(static_cast<double>(count)) * (x * value - before) / (x * x - Scalar(1));
+                x -= value / slope;
+            }
+            points[i] = (x + Scalar(1)) / Scalar(2);
+            weights[i] = Scalar(1) / ((Scalar(1) - x * x) * slope * slope);
+        }
+    }
+    std::vector<Scalar> points, weights;
+};
+
+/// x(s) = x(0) + h times the integral of the polynomial that has given slopes at some points, from 0 to s; s = 1 is a time h behind s = 0.
+template <class State>
+class SlopePolynomial {
+    using Scalar = typename State::value_type;
+
+public:
+    SlopePolynomial(const State& x, Scalar h, std::vector<Scalar> points) : slopes(points.size()), x_(x), h_(h), points_(std::move(points)), quadrature_(points_.size()) {}
+
+    std::size_t size() const { return points_.size(); }
+    const Scalar& point(std::size_t i) const { return points_[i]; }
+
+    State at(const Scalar& s) const {
+        State x = x_;
+        for (std::size_t j = 0; j < size(); ++j) add(x, h_ * weight(j, s), slopes[j]);
+        return x;
+    }
+    State slope(const Scalar& s) const {
+        State result{};
+        for (std::size_t j = 0; j < size(); ++j) add(result, lagrange(j, s), slopes[j]);
+        return result;
+    }
+
+    std::vector<State> slopes;
+
+private:
+    static void add(State& x, const Scalar& factor, const State& slope) {
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] += factor * slope[i];
+    }
+    Scalar lagrange(std::size_t j, const Scalar& s) const {
+        Scalar product(1);
+        for (std::size_t k = 0; k < size(); ++k)
+            if (k != j) product *= (s - points_[k]) / (points_[j] - points_[k]);
+        return product;
+    }
+    Scalar weight(std::size_t j, const Scalar& s) const {
+        Scalar sum(0);
+        for (std::size_t k = 0; k < size(); ++k) sum += quadrature_.weights[k] * lagrange(j, s * quadrature_.points[k]);
+        return s * sum;
+    }
+
+    State x_;
+    Scalar h_;
+    std::vector<Scalar> points_;
+    GaussPoints<Scalar> quadrature_;
+};
+
+/// Solves for the slopes of a step of collocation from a guess, by iteration. slope(s, x, dxdt) is that of the state x, brought back to what constraints hold; norm(x, y)
+/// is how far states are apart beside the tolerance, at the end after bring_back(x). False where the iteration does not settle.
+template <class State, class Slope, class Norm, class BringBack>
+bool collocate(SlopePolynomial<State>& step, const Slope& slope, const Norm& norm, const BringBack& bring_back) {
+    using Scalar = typename State::value_type;
+    State before = step.at(Scalar(1));
+    bring_back(before);
+    Scalar last = std::numeric_limits<Scalar>::infinity();
+    for (int k = 0; k < 40; ++k) {
+        for (std::size_t i = 0; i < step.size(); ++i) {
+            State dxdt;
+            if (!slope(step.point(i), step.at(step.point(i)), dxdt)) return false;
+            step.slopes[i] = dxdt;
+        }
+        State now = step.at(Scalar(1));
+        if (!bring_back(now)) return false;
+        const Scalar change = norm(before, now);
+        if (change <= Scalar(1) / Scalar(100)) return true;
+        if (!(change < std::numeric_limits<Scalar>::infinity()) || (k > 3 && !(change < last))) return change <= Scalar(1);
+        before = now;
+        last = change;
+    }
+    return false;
+}
+
+/// Where a function that falls and rises again is least between 0 and `end`, by golden sections.
+template <class Scalar, class Function>
+Scalar place_of_least(const Function& f, const Scalar& end) {
+    const Scalar ratio = Scalar(0.6180339887498949);
+    Scalar a(0), b = end, c = b - ratio * (b - a), d = a + ratio * (b - a), at_c = f(c), at_d = f(d);
+    for (int k = 0; k < 20; ++k) {
+        if (at_c < at_d) {
+            b = d, d = c, at_d = at_c;
+            c = b - ratio * (b - a), at_c = f(c);
+        } else {
+            a = c, c = d, at_c = at_d;
+            d = a + ratio * (b - a), at_d = f(d);
+        }
+    }
+    return at_c < at_d ? c : d;
+}
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert
