@@ -39,7 +39,9 @@ public:
             auto& columns = l.by[static_cast<std::size_t>(by)];
             for (const auto& column : p.residual) columns.residual.push_back(l.has_long_chain ? std::vector<Polynomial>() : all(column));
             for (const auto& column : p.state_rate) columns.state_rate.push_back(all(column));
-            for (const auto& column : p.output) columns.output.push_back(all(column));
+            // Of outputs no code asks for the others, and those by parameters can be long beyond measure: radiosities of many surfaces.
+            if (by == By::state || by == By::input)
+                for (const auto& column : p.output) columns.output.push_back(all(column));
             for (const auto& column : p.held) columns.held.push_back(all(column));
         }
         for (const auto& column : output_by_acceleration(system_)) l.output_by_acceleration.push_back(all(column));
