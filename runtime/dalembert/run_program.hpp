@@ -19,7 +19,7 @@ namespace detail {
 /// The last state of a run is the work in J, which counts in units of the energy at the start.
 template <class System, class Inputs, class Options>
 void set_run(Options& options, const System& system, const Inputs& inputs, const typename System::State& start, double tolerance, double step, std::size_t intervals, double until, double energy) {
-    const auto scale = state_scales(system, inputs, start, until, intervals);
+    const auto scale = state_scales(system, inputs, start, until, intervals, tolerance);
     std::copy(scale.begin(), scale.end(), options.scale.begin());
     if constexpr (can_be_singular<System>) {
         // Bringing velocities back to constraints leaves them about twelve digits of the largest one.

@@ -48,14 +48,41 @@ struct Running<System, true> {
     }
 };
 
+/// What rounding leaves of the derivative of each state: how much it changes with the last digits of the states.
+template <class System, class Sample>
+typename System::State rate_rounding(const System& system, const Sample& sample) {
+    using Scalar = typename System::scalar_type;
+    using State = typename System::State;
+    using std::abs;
+    using std::max;
+    const auto rate = [&](const State& x) {
+        State dxdt;
+        if constexpr (is_switching<System>) system.rhs(sample.mode, x, sample.u, sample.t, dxdt);
+        else system.rhs(x, sample.u, sample.t, dxdt);
+        return dxdt;
+    };
+    State largest{};
+    const State here = rate(sample.x);
+    for (const std::size_t period : {1U, 2U}) {
+        State x = sample.x;
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] += Scalar(i / period % 2 == 0 ? 2 : -2) * std::numeric_limits<Scalar>::epsilon() * x[i];
+        const State there = rate(x);
+        for (std::size_t i = 0; i < x.size(); ++i) largest[i] = max(largest[i], Scalar(abs(there[i] - here[i])));
+    }
+    return largest;
+}
+
 }  // namespace detail
 
 /// Of a run from `start` at t = 0: what counts as one in each state, in SI. That is the largest magnitude that the state reaches, where this is
 /// less than one unit: integration measures errors against the larger one of this and of the present magnitude, so that a valve stroke of a
 /// tenth of a millimetre has as many digits as a way of metres. A state that rests at zero but for roundings counts in whole units.
 /// Where the rough run stops, the sizes are those up to there.
+/// A size stops where the digits that `tolerance` asks for are no longer there: where what rounding leaves of a rate, over the longest step, would
+/// be an error that counts. A pendulum that swings by 3e-5 m rises at 3e-9 m/s, known to 1e-17 m/s, and not to 1e-9 of that.
 template <class System, class Inputs>
-typename System::State state_scales(const System& system, const Inputs& inputs, const typename System::State& start, typename System::scalar_type until, std::size_t intervals) {
+typename System::State state_scales(const System& system, const Inputs& inputs, const typename System::State& start, typename System::scalar_type until, std::size_t intervals,
+                                    typename System::scalar_type tolerance = typename System::scalar_type(1)) {
     using Scalar = typename System::scalar_type;
     using State = typename System::State;
     using std::abs;
@@ -65,6 +92,7 @@ typename System::State state_scales(const System& system, const Inputs& inputs, 
     const Scalar rest = Scalar(10000) * std::numeric_limits<Scalar>::epsilon();
     State scale;
     for (std::size_t i = 0; i < start.size(); ++i) scale[i] = abs(start[i]) > rest ? min(Scalar(1), Scalar(abs(start[i]))) : Scalar(1);
+    State rounding{};
     // Against sizes that are much too large a rough run says little about small states: it is repeated with what it found.
     for (int again = 0; again < 5; ++again) {
         typename detail::Running<System>::Options options;
@@ -80,6 +108,9 @@ typename System::State state_scales(const System& system, const Inputs& inputs, 
         detail::Running<System>::run(system, inputs, x, until, options, [&](const auto& sample) {
             for (std::size_t i = 0; i < reach.size(); ++i)
                 if (isfinite(sample.x[i])) reach[i] = max(reach[i], Scalar(abs(sample.x[i])));
+            const State rate = detail::rate_rounding(system, sample);
+            for (std::size_t i = 0; i < rate.size(); ++i)
+                if (isfinite(rate[i])) rounding[i] = max(rounding[i], rate[i]);
         });
         bool is_good = true;
         for (std::size_t i = 0; i < reach.size(); ++i) {
@@ -89,6 +120,10 @@ typename System::State state_scales(const System& system, const Inputs& inputs, 
         }
         if (is_good) break;
     }
+    // States that are this large are never measured against less.
+    const Scalar most = Scalar(1) / Scalar(1000);
+    const Scalar longest = until / Scalar(static_cast<double>(intervals));
+    for (std::size_t i = 0; i < scale.size(); ++i) scale[i] = max(scale[i], min(most, Scalar(Scalar(4) * rounding[i] * longest / tolerance)));
     return scale;
 }
 
