@@ -144,12 +144,13 @@ public:
         CLI::App* scenes = app_.add_subcommand("scenes", "list the scenes of a model and their effects");
         scenes->add_option("MODEL", model_, "model file")->required();
         format(scenes, "text or json", {"text", "json"});
-        CLI::App* help = app_.add_subcommand("help", "the model language: a section, a key, `functions`, `quantities`; also `catalogue`, `errors` and `json`");
+        CLI::App* help = app_.add_subcommand("help", "the model language: a section, a key, `functions`, `quantities`, `units`; also `catalogue`, `errors`, `json` and any verb");
         help->add_option("TOPIC", options_.topic, "for example `bodies`, `bodies.mass` or `mass`");
     }
 
     /// Nothing to do when help was asked for and printed.
     std::optional<Options> parse(std::vector<std::string> arguments, Streams streams) {
+        arguments_ = arguments;
         std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them back to front
         try {
             app_.parse(std::move(arguments));
@@ -158,6 +159,7 @@ public:
                 app_.exit(error, streams.out, streams.err);
                 return std::nullopt;
             }
+            if (const std::string slip = misspelt(); !slip.empty()) throw Failure(Diagnostic{Id::bad_option, {}, slip + "; see `dalembert --help`"});
             std::string hint;
             if (const auto* extras = dynamic_cast<const CLI::ExtrasError*>(&error); extras != nullptr || app_.get_subcommands().empty()) {
                 std::vector<std::string> verbs;
@@ -169,6 +171,11 @@ public:
         if (!std::isfinite(options_.tolerance) || !std::isfinite(options_.step) || !std::isfinite(options_.periods))
             throw Failure(Diagnostic{Id::bad_option, {}, "tolerance, step and periods are finite numbers"});
         options_.verb = app_.get_subcommands().front()->get_name();
+        for (const CLI::App* verb : app_.get_subcommands({})) {
+            if (options_.verb != "help" || verb->get_name() != options_.topic) continue;
+            streams.out << verb->help("dalembert");
+            return std::nullopt;
+        }
         options_.choice.model = model_;
         for (const auto& [name, value] : read_sizes(sizes_)) {
             options_.choice.sizes[name] = value;
@@ -178,6 +185,26 @@ public:
     }
 
 private:
+    /// A sentence on a verb or an option that is none, and the nearest one; empty where all are known.
+    std::string misspelt() {
+        if (arguments_.empty() || arguments_[0].starts_with("-")) return {};
+        std::vector<std::string> verbs;
+        for (const CLI::App* verb : app_.get_subcommands({})) verbs.push_back(verb->get_name());
+        const auto found = std::find(verbs.begin(), verbs.end(), arguments_[0]);
+        if (found == verbs.end())
+            return fmt::format("there is no verb '{}'{}", arguments_[0], nearest(arguments_[0], verbs).empty() ? "; the verbs are " + quoted_list(verbs) : did_you_mean(arguments_[0], verbs));
+        const CLI::App* verb = app_.get_subcommand(*found);
+        std::vector<std::string> known;
+        for (const CLI::Option* option : verb->get_options())
+            for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+        for (const std::string& argument : arguments_) {
+            const std::string option = argument.substr(0, argument.find('='));
+            if (!option.starts_with("--") || option == "--" || std::find(known.begin(), known.end(), option) != known.end()) continue;
+            return fmt::format("'{}' has no option '{}'{}; `dalembert help {}` lists them", *found, option, did_you_mean(option, known), *found);
+        }
+        return {};
+    }
+
     void mode(CLI::App* verb) { verb->add_option("--mode", options_.mode, "of a machine that switches, the mode; the first, if left out"); }
 
     CLI::App* model_verb(const char* name, const char* what) {
@@ -192,7 +219,7 @@ private:
         verb->add_option("--format", options_.format, what)->check(CLI::IsMember(std::move(choices)));
     }
     void settings(CLI::App* verb) {
-        verb->add_option("--parameter", options_.parameters, "as m_W=1.2 or p=5bar, comma separated");
+        verb->add_option("--parameter", options_.parameters, "as m_W=1.2 or p=5bar, comma separated; without a unit, a value counts in the declared one");
         verb->add_option("--state", options_.states, "as s=0.55,dot(s)=-0.3");
         verb->add_option("--input", options_.inputs, "as f_e=4.5; for simulate an expression of t and the states");
     }
@@ -203,7 +230,9 @@ private:
         verb->add_option("--step", options_.step, "step of methods with a fixed one, in seconds")->check(CLI::PositiveNumber);
         verb->add_option("--samples", options_.samples, "number of intervals at which results are written")->check(CLI::Range(1, 1000000));
         verb->add_option("--periods", options_.periods, "length of the run in periods, where the run names a period")->check(CLI::PositiveNumber);
-        if (draws) verb->add_flag("--no-plot", options_.no_plot, "write the CSV only");
+        if (!draws) return;
+        verb->add_flag("--no-plot", options_.no_plot, "write the CSV only");
+        verb->add_option("--units", options_.units, "of CSV and plots: declared, as in the model, or si; if left out, CSV is in SI and plots are in declared units")->check(CLI::IsMember({"declared", "si"}));
     }
     void rewriting(CLI::App* verb) {
         std::vector<std::string> names;
@@ -225,6 +254,7 @@ private:
     Options options_;
     std::string model_;
     std::vector<std::string> sizes_;
+    std::vector<std::string> arguments_;
 };
 
 ExitCode dispatch(const Options& options, Streams streams) {

@@ -71,6 +71,9 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     apply_settings(values, parse_settings(options.parameters, "parameter"), on_parameters, system);
     apply_settings(values, parse_settings(options.states, "state"), on_states, system);
     apply_settings(values, parse_settings(options.inputs, "input"), on_inputs, system);
+    std::vector<bool> is_given;
+    for (const Variable& input : system.symbols.all(SymbolKind::input)) is_given.push_back(values.is_written(SymbolKind::input, input.position) || std::find(options.free.begin(), options.free.end(), input.base) != options.free.end() || std::find(options.free.begin(), options.free.end(), input.name) != options.free.end());
+    check_inputs_given(is_given, system);
 
     const FunctionCode& by_time = (*chosen.code)[Function::jacobian_t];
     const auto moves = [&](const CodeMatrix& matrix) { return std::any_of(matrix.entries.begin(), matrix.entries.end(), [&](NodeId id) { return !by_time.is_zero(id); }); };
@@ -112,7 +115,9 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     json["iterations"] = std::stoul(result.at("iterations"));
     if (system.scene.mode) json["mode"] = system.scene.modes[*system.scene.mode].name;
     std::string text = title_of(system.scene) + ": ";
-    if (!found) text += fmt::format("no equilibrium found ({}{}), largest |dx/dt| left {}\n", result.at("status"), result.at("status") == "not finite" ? ": dx/dt or its Jacobian has no value" : "", result.at("residual"));
+    if (!found)
+        text += fmt::format("no equilibrium found ({}{}), largest |dx/dt| left {}\n  try another start with --state, keep a state with --hold, let an input change with --free, or see by simulate where it goes\n", result.at("status"),
+                            result.at("status") == "not finite" ? ": dx/dt or its Jacobian has no value" : "", result.at("residual"));
     else if (result.at("kind") == "family") text += fmt::format("one of a family of equilibria of dimension {}\n", result.at("dimension"));
     else text += "an isolated equilibrium\n";
     const auto list = [&](const char* key, const std::vector<const Variable*>& variables, const std::vector<double>& numbers_of) {

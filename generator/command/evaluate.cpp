@@ -37,6 +37,9 @@ ExitCode evaluate_command(const Options& options, Streams streams) {
     apply_settings(values, parse_settings(options.parameters, "parameter"), on_parameters, system);
     apply_settings(values, parse_settings(options.states, "state"), on_states, system);
     apply_settings(values, parse_settings(options.inputs, "input"), on_inputs, system);
+    std::vector<bool> is_given;
+    for (const Variable& input : system.symbols.all(SymbolKind::input)) is_given.push_back(values.is_written(SymbolKind::input, input.position));
+    check_inputs_given(is_given, system);
     meet_constraints(system, values);
     const Evaluation at(system, values, options.digits);
 

@@ -9,6 +9,7 @@
 #include "command/json_fields.hpp"
 #include "model/catalogue_schema.hpp"
 #include "model/schema.hpp"
+#include "model/unit_reference.hpp"
 #include "model/vocabulary.hpp"
 #include "text/nearest.hpp"
 
@@ -72,7 +73,7 @@ ExitCode help_command(const Options& options, Streams streams) {
         return ExitCode::good;
     }
     static const std::map<std::string, std::string (*)()> references{
-        {"errors", error_reference}, {"functions", function_reference}, {"quantities", quantity_reference}, {"json", json_reference}, {"catalogue", catalogue_reference}};
+        {"errors", error_reference}, {"functions", function_reference}, {"quantities", quantity_reference}, {"json", json_reference}, {"units", unit_reference}, {"catalogue", catalogue_reference}};
     const auto reference = references.find(topic);
     const std::string text = reference != references.end() ? reference->second() : language_reference(topic);
     if (text.empty()) {

@@ -157,6 +157,7 @@ constexpr auto of_simulate = std::to_array<JsonField>({
     {"methods[].name", "chosen by stiffness, with method automatic; empty with others"},
     {"methods[].steps", ""},
     {"energy_error", "max |E - E0 - work| / max(T + |V|)"},
+    {"energy_limit", "the energy error above which the exit code is 1"},
     {"euler_step", "s, largest step for which the explicit Euler method is stable at the start; of models with heat"},
     {"lost", "J, energy lost at events, as by impacts; of what switches, as the next one"},
     {"mode", "in which the run ended"},

@@ -33,7 +33,7 @@ SearchRange read_over(const std::string& text, const System& system) {
         Values values(system.scene, system.translate);
         apply_settings(values, {end}, on_parameters, system);
     }
-    return {ends[0].variable, ends[0].value, ends[1].value};
+    return {ends[0].variable, value_of(ends[0], nothing, system.names), value_of(ends[1], nothing, system.names)};
 }
 
 const Variable& parameter_of(const Expression& named, const System& system) {

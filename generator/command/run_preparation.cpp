@@ -11,6 +11,7 @@
 #include "model/choose_effects.hpp"
 #include "model/methods.hpp"
 #include "model/parser.hpp"
+#include "model/written_values.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -78,7 +79,8 @@ const Run* find_run(const Model& model, const std::string& wanted) {
         return model.runs.size() == 1 ? &model.runs.front() : nullptr;
     }
     if (const Run* run = named(wanted)) return run;
-    throw Failure(Diagnostic{Id::unknown_run, model.name_span, fmt::format("the model has no run '{}'{}", wanted, known.empty() ? "; it has none at all" : "; its runs are " + quoted_list(known))});
+    throw Failure(Diagnostic{Id::unknown_run, Span{std::make_shared<const Source>("--run", wanted), 0, wanted.size()},
+                             fmt::format("the model has no run '{}'{}", wanted, known.empty() ? "; it has none at all" : "; its runs are " + quoted_list(known))});
 }
 
 std::vector<std::string> recorded_names(const std::string& name, const System& system) {
@@ -125,6 +127,8 @@ SimulationSettings RunPreparation::make_settings(const Values& values, const Sys
     const auto seconds = [&](const ExpressionPtr& e) { return number(system.translate(*e, {}).subs(at_start), e->span); };
     SimulationSettings settings;
     settings.draw = !options_.no_plot;
+    settings.declared_csv = options_.units == "declared";
+    settings.declared_plots = options_.units != "si";
     if (run_ != nullptr) {
         settings.until = seconds(run_->until);
         settings.tolerance = cln::double_approx(run_->tolerance);
@@ -135,8 +139,9 @@ SimulationSettings RunPreparation::make_settings(const Values& values, const Sys
     if (options_.periods > 0 && run_ != nullptr && run_->period) settings.until = options_.periods * seconds(run_->period);
     if (!options_.until.empty()) {
         const Excerpt text = excerpt_of(std::make_shared<const Source>("--until", options_.until));
-        const ExpressionPtr until = parse_expression(text);
+        ExpressionPtr until = parse_expression(text);
         check_dependence(*until, on_parameters, "the end of the run", system.names);
+        until = in_si(until, Unit{Dimension::time(), 1, 0, 0, "s"}, "the end of the run", system.names);
         settings.until = seconds(until);
         if (!(settings.until > 0)) throw Failure(Diagnostic{Id::bad_option, until->span, "a run begins at t = 0 and must end later"});
     }
@@ -166,6 +171,7 @@ std::vector<ex> RunPreparation::inputs_at_start(const Values& values, const Syst
 
 std::vector<ex> RunPreparation::inputs(const Values& values, const System& system) const {
     std::vector<ex> result(system.symbols.count(SymbolKind::input), 0);
+    std::vector<bool> is_given(result.size(), false);
     // What stays constant keeps to its range; what varies is not known before.
     const auto check_range = [&](const Expression& variable, const Expression& value) {
         if ((dependence(value, system.names) & ~on_parameters) == 0) Values(values).set(variable, value, on_inputs);
@@ -176,7 +182,7 @@ std::vector<ex> RunPreparation::inputs(const Values& values, const System& syste
             if (variable.kind != Expression::Kind::name || input.base != variable.name) continue;
             if (!variable.children.empty() && index_value(*variable.children[0], system.scene, {}) != input.index) continue;
             result[input.position] = value;
-            found = true;
+            is_given[input.position] = found = true;
         }
         return found;
     };
@@ -184,11 +190,12 @@ std::vector<ex> RunPreparation::inputs(const Values& values, const System& syste
         for (const RunEntry& entry : run_->inputs)
             if (is_in_scene(*entry.variable, system) && set(*entry.variable, system.translate(*entry.value, {}))) check_range(*entry.variable, *entry.value);
     for (const Setting& setting : parse_settings(options_.inputs, "input")) {
-        check_setting(setting, on_motion | on_states, system.names);
-        if (!set(*setting.variable, system.translate(*setting.value, {})))
+        const ExpressionPtr value = value_of(setting, on_motion | on_states, system.names);
+        if (!set(*setting.variable, system.translate(*value, {})))
             throw Failure(Diagnostic{Id::unknown_name, setting.variable->span, fmt::format("scene '{}' has no input '{}'", system.scene.name, setting.variable->written())});
-        check_range(*setting.variable, *setting.value);
+        check_range(*setting.variable, *value);
     }
+    check_inputs_given(is_given, system);
     return result;
 }
 

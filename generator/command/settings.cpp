@@ -5,7 +5,7 @@
 
 #include "model/checks.hpp"
 #include "model/parser.hpp"
-#include "model/units.hpp"
+#include "model/written_values.hpp"
 
 namespace dalembert {
 
@@ -22,41 +22,12 @@ std::size_t end_of_part(const std::string& text, std::size_t from) {
     return text.size();
 }
 
-/// "5bar" and "20 mm" are a number and a unit; everything else is an expression.
-std::optional<std::size_t> unit_begin(const Excerpt& excerpt) {
-    const std::vector<Token> tokens = tokenise(excerpt);
-    std::size_t i = 0;
-    while (tokens[i].kind == Token::Kind::sign && (tokens[i].text == "-" || tokens[i].text == "+")) ++i;
-    if (tokens[i].kind != Token::Kind::number || tokens[i + 1].kind != Token::Kind::word) return std::nullopt;
-    return tokens[i + 1].span.begin;
-}
-
 Setting parse_setting(const SourcePtr& source, std::size_t begin, std::size_t end, const std::string& option) {
     const std::size_t equals = source->text().find('=', begin);
     if (equals == std::string::npos || equals >= end)
         throw Failure(Diagnostic{Id::bad_option, Span{source, begin, end},
                                  fmt::format("'--{} {}' is not of the form NAME=VALUE", option, source->text().substr(begin, end - begin))});
-    Setting setting{parse_expression(excerpt_of(source, begin, equals)), nullptr, std::nullopt};
-    const Excerpt right = excerpt_of(source, equals + 1, end);
-    if (const auto at = unit_begin(right)) {
-        setting.unit = parse_unit(excerpt_of(source, *at, end));
-        setting.value = to_si(parse_expression(excerpt_of(source, equals + 1, *at)), *setting.unit);
-    } else {
-        setting.value = parse_expression(right);
-    }
-    return setting;
-}
-
-/// The dimension of what is set.
-std::optional<Dimension> dimension_of(const Expression& variable, const Names& names) {
-    const bool is_rate = variable.kind == Expression::Kind::call;
-    const Expression& named = is_rate && !variable.children.empty() ? *variable.children[0] : variable;
-    const Named* known = names.find(named.name);
-    if (known == nullptr || (known->kind != Named::Kind::parameter && known->kind != Named::Kind::coordinate && known->kind != Named::Kind::state &&
-                             known->kind != Named::Kind::input))
-        return std::nullopt;
-    const Dimension own = known->quantity().unit.dimension;
-    return is_rate ? own / Dimension::time() : own;
+    return {parse_expression(excerpt_of(source, begin, equals)), parse_expression(excerpt_of(source, equals + 1, end))};
 }
 
 }  // namespace
@@ -84,21 +55,18 @@ FixWish parse_fixed(const std::string& text, const Names& names) {
             wish.some.push_back({parse_expression(excerpt_of(source, begin, end)), nullptr});
         } else {
             const Setting setting = parse_setting(source, begin, end, "fix");
-            check_setting(setting, nothing, names);
-            wish.some.push_back({setting.variable, setting.value});
+            wish.some.push_back({setting.variable, value_of(setting, nothing, names)});
         }
         begin = end + 1;
     }
     return wish;
 }
 
-void check_setting(const Setting& setting, unsigned may_depend, const Names& names) {
-    const auto dimension = dimension_of(*setting.variable, names);
-    if (setting.unit && dimension && setting.unit->dimension != *dimension)
-        throw Failure(Diagnostic{Id::unit_mismatch, setting.value->span,
-                                 fmt::format("'{}' is in '{}', but '{}' is in '{}'", setting.variable->written(), dimension->described(),
-                                             setting.unit->written, setting.unit->dimension.described())});
-    check_dependence(*setting.value, may_depend, fmt::format("the value of '{}'", setting.variable->written()), names);
+ExpressionPtr value_of(const Setting& setting, unsigned may_depend, const Names& names) {
+    const std::string what = fmt::format("the value of '{}'", setting.variable->written());
+    check_dependence(*setting.value, may_depend, what, names);
+    const auto unit = declared_unit(*setting.variable, names);
+    return unit ? in_si(setting.value, *unit, what, names) : setting.value;
 }
 
 void check_dependence(const Expression& value, unsigned may_depend, const std::string& what, const Names& names) {
@@ -109,10 +77,94 @@ void check_dependence(const Expression& value, unsigned may_depend, const std::s
     });
 }
 
+void check_inputs_given(const std::vector<bool>& is_given, const System& system) {
+    for (const Variable& input : system.symbols.all(SymbolKind::input)) {
+        if (is_given[input.position] || input.declared == nullptr) continue;
+        const auto bound = [&](const ExpressionPtr& e) { return e ? value_at(system.translate(*e, {}), {}, 20) : std::nullopt; };
+        const auto low = input.declared->range ? bound(input.declared->range->low) : std::nullopt;
+        const auto high = input.declared->range ? bound(input.declared->range->high) : std::nullopt;
+        const Dimension& dimension = input.declared->unit.dimension;
+        const bool is_absolute = (dimension == Dimension::temperature() || dimension == Dimension::pressure()) && !(low && cln::minusp(*low));
+        const bool has_zero = !(low && cln::plusp(*low)) && !(high && cln::minusp(*high));
+        if (has_zero && !is_absolute) continue;
+        const std::string why = has_zero ? fmt::format("zero {} is no usual {}", input.declared->unit.si(), dimension == Dimension::pressure() ? "pressure" : "temperature") : "zero is outside its range";
+        throw Failure(Diagnostic{Id::missing_key, input.declared->span,
+                                 fmt::format("nothing says what the input '{0}' is, and {1}; give it in the run, inputs = {{ {0} = ... }}, or as --input {0}=...", input.name, why)});
+    }
+}
+
+namespace {
+
+/// Something in the model that is at an absolute temperature or pressure.
+class StartDoubts {
+public:
+    StartDoubts(const Values& values, const System& system, Diagnostics& diagnostics) : at_(values.substitution()), system_(system), diagnostics_(diagnostics) {}
+
+    void temperature(const ExpressionPtr& e, const char* kind, const Item& item) {
+        constexpr double coldest = 100;
+        const auto kelvin = number(e);
+        if (!kelvin || *kelvin >= coldest || is_in_range(*e, *kelvin)) return;
+        warn(*e, fmt::format("{} '{}' begins at {:.6g} K; did you mean {:.6g} degC?", kind, item.name, *kelvin, *kelvin));
+    }
+
+    void pressure(const ExpressionPtr& e, const char* kind, const Item& item) {
+        constexpr double least = 100;
+        const auto pascal = number(e);
+        if (!pascal || *pascal >= least || is_in_range(*e, *pascal)) return;
+        warn(*e, *pascal > 0 ? fmt::format("{} '{}' begins at {:.6g} Pa; did you mean {:.6g} bar?", kind, item.name, *pascal, *pascal)
+                             : fmt::format("{} '{}' begins at {:.6g} Pa; pressures are absolute, so that ambient air is at 1 bar. Did you mean {:.6g} bar, above ambient?", kind, item.name, *pascal, *pascal / 1e5 + 1));
+    }
+
+private:
+    std::optional<double> number(const ExpressionPtr& e) const {
+        if (!e) return std::nullopt;
+        try {
+            const auto value = value_at(system_.symbols.without_definitions(system_.translate(*e, {})).subs(at_, GiNaC::subs_options::no_pattern), {}, 20);
+            return value ? std::optional(cln::double_approx(*value)) : std::nullopt;
+        } catch (const Failure&) {  // of a family, or of what the scene leaves out
+            return std::nullopt;
+        }
+    }
+
+    /// A declared range that reaches there says that it is meant.
+    bool is_in_range(const Expression& e, double value) const {
+        const Named* named = e.kind == Expression::Kind::name ? system_.names.find(e.name) : nullptr;
+        if (named == nullptr || (named->kind != Named::Kind::parameter && named->kind != Named::Kind::state && named->kind != Named::Kind::input && named->kind != Named::Kind::coordinate)) return false;
+        const auto& range = named->quantity().range;
+        const auto low = range ? number(range->low) : std::nullopt;
+        return low && *low > 0 && *low <= value;
+    }
+
+    void warn(const Expression& e, std::string message) {
+        const Named* named = e.kind == Expression::Kind::name ? system_.names.find(e.name) : nullptr;
+        diagnostics_.warning(Id::value_out_of_range, named != nullptr ? named->item->span : e.span, std::move(message));
+    }
+
+    GiNaC::exmap at_;
+    const System& system_;
+    Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void warn_of_unlikely_start(const Values& values, const System& system, Diagnostics& diagnostics) {
+    StartDoubts doubts(values, system, diagnostics);
+    for (const auto& member : system.scene.volumes) {
+        const Volume& volume = *member.item;
+        doubts.pressure(volume.pressure, "volume", volume);
+        doubts.temperature(volume.temperature ? volume.temperature : volume.isothermal, "volume", volume);
+    }
+    for (const auto& member : system.scene.reservoirs) {
+        doubts.pressure(member.item->pressure, "reservoir", *member.item);
+        doubts.temperature(member.item->temperature, "reservoir", *member.item);
+    }
+    for (const auto& member : system.scene.nodes)
+        if (member.item->capacity) doubts.temperature(member.item->temperature, "node", *member.item);
+}
+
 void apply_settings(Values& values, const std::vector<Setting>& settings, unsigned allowed, const System& system) {
     for (const Setting& setting : settings) {
-        check_setting(setting, allowed == on_parameters ? nothing : on_parameters, system.names);
-        values.set(*setting.variable, *setting.value, allowed);
+        values.set(*setting.variable, *value_of(setting, allowed == on_parameters ? nothing : on_parameters, system.names), allowed);
     }
 }
 

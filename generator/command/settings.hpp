@@ -4,14 +4,14 @@
 
 #include "form/system.hpp"
 #include "model/fix_parameters.hpp"
+#include "text/diagnostic.hpp"
 
 namespace dalembert {
 
-/// One assignment. A number with a unit is converted to SI; a bare number is in SI.
+/// One assignment, with the value as it was written.
 struct Setting {
     ExpressionPtr variable;
     ExpressionPtr value;
-    std::optional<Unit> unit;  ///< as it was written
 };
 
 /// `option` names the option in diagnostics. Throws Failure (bad-option, syntax, unknown-unit).
@@ -23,8 +23,15 @@ FixWish parse_fixed(const std::string& text, const Names& names);
 /// Applies them. `allowed` says what may be set: bits of Dependence. Throws Failure (unknown-name, unit-mismatch, value-out-of-range).
 void apply_settings(Values& values, const std::vector<Setting>& settings, unsigned allowed, const System& system);
 
-/// Throws Failure when the unit is not that of the variable, or the value depends on what it must not depend on.
-void check_setting(const Setting& setting, unsigned may_depend, const Names& names);
+/// The value in SI. Throws Failure when its unit is not that of the variable, or it depends on what it must not depend on.
+ExpressionPtr value_of(const Setting& setting, unsigned may_depend, const Names& names);
+/// Throws Failure (missing-key) for an input that nobody gives and that cannot be meant to be zero: one with a range without zero, an
+/// absolute temperature or pressure. `is_given` says which are given, in the order of the scene.
+void check_inputs_given(const std::vector<bool>& is_given, const System& system);
+
+/// Temperatures of media and nodes, and pressures, that hardly anybody means.
+void warn_of_unlikely_start(const Values& values, const System& system, Diagnostics& diagnostics);
+
 void check_dependence(const Expression& value, unsigned may_depend, const std::string& what, const Names& names);
 
 }  // namespace dalembert

@@ -30,6 +30,7 @@ std::string cause(const SimulationReport& report) {
 ExitCode simulate_command(const Options& options, Streams streams) {
     const PreparedSimulation prepared = prepare_simulation(loaded(options, streams), options.choice.scene, options);
     show_warnings(prepared.machine, streams);
+    streams.err << prepared.doubts;
     const SimulationReport report = run_simulation(prepared, options.output);
     write_files(report.files);
     if (options.format == "json") {
@@ -46,6 +47,7 @@ ExitCode simulate_command(const Options& options, Streams streams) {
         json["methods"] = nlohmann::ordered_json::array();
         for (const auto& [method, steps] : report.methods) json["methods"].push_back({{"name", method}, {"steps", steps}});
         json["energy_error"] = report.energy_error;
+        json["energy_limit"] = report.energy_limit;
         if (report.euler_step) json["euler_step"] = *report.euler_step;
         if (report.lost) json["lost"] = *report.lost;
         if (report.lost) json["mode"] = report.mode;
@@ -68,9 +70,19 @@ ExitCode simulate_command(const Options& options, Streams streams) {
             streams.err << fmt::format("dalembert: the run stopped: {}\n", report.message);
             return ExitCode::run_stopped;
         }
-        streams.err << fmt::format("dalembert: the run stopped at t = {} s: {}{}\n", report.t, report.guard.empty() ? report.status : report.guard,
-                                   report.culprit.empty() ? report.constraint.empty() ? "" : cause(report) : fmt::format("; state '{}' or its derivative is not finite", report.culprit));
+        std::string why;
+        if (!report.constraint.empty()) why = cause(report);
+        if (!report.culprit.empty() && report.status == "not finite") why = fmt::format("; state '{}' or its derivative is not finite", report.culprit);
+        if (report.status == "step too small")
+            why = fmt::format("{}; try a larger --tolerance than {:g}, and look there for something that jumps or grows without bound", report.culprit.empty() ? "" : fmt::format(": the error of state '{}' stays too large however short a step is", report.culprit),
+                              prepared.settings.tolerance);
+        if (report.status == "too many steps") why = "; try a larger --tolerance, a shorter --until, or an implicit --method";
+        streams.err << fmt::format("dalembert: the run stopped at t = {} s: {}{}\n", report.t, report.guard.empty() ? report.status : report.guard, why);
         return ExitCode::run_stopped;
+    }
+    if (!report.keeps_energy()) {
+        streams.err << fmt::format("dalembert: warning: {}\n", energy_warning(prepared, report));
+        return ExitCode::check_failed;
     }
     if (prepared.draw && !report.drawn) {
         streams.err << "dalembert: no plot: gnuplot is missing or failed (on Debian: apt-get install gnuplot-nox); --no-plot leaves it out\n";

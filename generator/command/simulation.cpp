@@ -9,6 +9,7 @@
 
 #include "command/run_header.hpp"
 #include "command/run_preparation.hpp"
+#include "command/settings.hpp"
 #include "command/shared.hpp"
 #include "emit/cpp_bodies.hpp"
 #include "emit/runner.hpp"
@@ -38,7 +39,25 @@ std::string name_of_state(const System& system, std::size_t place) {
     return "";
 }
 
+/// Steps that are too long for the eye make a twentieth; steps that are controlled make some multiple of the tolerance, which grows with the
+/// length of the run. Over 100 periods at 1e-12 all systems keep their energy to 1e-9: see tests/physics/energy.sh.
+double energy_limit(const SimulationSettings& settings) {
+    constexpr double coarse = 0.05, fine = 1e-6, multiple = 1000;
+    return settings.step > 0 ? coarse : std::clamp(multiple * settings.tolerance, fine, coarse);
+}
+
 }  // namespace
+
+std::string energy_warning(const PreparedSimulation& prepared, const SimulationReport& report) {
+    const SimulationSettings& settings = prepared.settings;
+    std::string cause;
+    if (settings.step > 0) cause = fmt::format("steps of {:g} s are likely to be too long: try a shorter --step", settings.step);
+    else if (settings.tolerance > 1e-7) cause = fmt::format("the tolerance of {:g} is likely to be too coarse: try --tolerance {:g}", settings.tolerance, settings.tolerance / 1000);
+    else if (report.steps <= 2 * static_cast<std::size_t>(settings.intervals) && report.rejected * 10 < report.steps)
+        cause = fmt::format("something shorter than the steps of some {:.2g} s, a pulse or a jump, was likely stepped over: try more --samples", report.t / static_cast<double>(std::max<std::size_t>(1, report.steps)));
+    else cause = "something jumps that the steps do not see, or digits cancel: try a smaller --tolerance, and declare the jump as an event, a mode or a function of time with `step`, `pulse` or `if`";
+    return fmt::format("the energy error of {:.2g} is above the limit of {:g}, so that the results are not to be trusted; {}", report.energy_error, report.energy_limit, cause);
+}
 
 std::string scene_of_run(const Model& model, const std::string& run) {
     const Run* found = find_run(model, run);
@@ -78,8 +97,12 @@ PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& 
     PreparedRun run = prepare_run(model, scene, options, "simulate");
     PreparedSimulation prepared;
     prepared.draw = run.settings.draw;
+    prepared.settings = run.settings;
     prepared.source = simulation_source(*run.machine.code, run.header, run.values, run.settings);
     if (options.compares_scenes) prepared.cost = cost_source(*run.machine.code, run.header, run.values, run.settings);
+    Diagnostics doubts;
+    warn_of_unlikely_start(run.values, *run.machine.system, doubts);
+    for (const Diagnostic& doubt : doubts.all()) prepared.doubts += render(doubt);
     prepared.machine = std::move(run.machine);
     prepared.header = std::move(run.header);
     prepared.name = std::move(run.name);
@@ -113,6 +136,7 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
         if (steps_by >> steps && steps > 0) report.methods.emplace_back(method, steps);
     }
     report.energy_error = std::stod(result.at("energy_error"));
+    report.energy_limit = energy_limit(prepared.settings);
     if (const auto step = result.find("euler_step"); step != result.end()) {
         const double value = std::stod(step->second);
         if (std::isfinite(value)) report.euler_step = value;
@@ -129,7 +153,7 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
         if (report.ended && !events[event].doc.empty()) report.message += ": " + events[event].doc;
     }
     if (report.status == "constraint broken" || report.status == "singular position") report.constraint = prepared.machine.system->constraints[std::stoul(result.at("constraint"))].item->name;
-    if (report.status == "not finite") {
+    if (report.status == "not finite" || report.status == "step too small") {
         report.culprit = name_of_state(*prepared.machine.system, std::stoul(result.at("state")));
     }
     report.files = {{folder / prepared.header.file_name, prepared.header.text}, {folder / (prepared.name + ".csv"), read_file(base.string() + ".csv")}};

@@ -18,6 +18,8 @@ struct PreparedSimulation {
     std::string cost;    ///< the source that measures the right-hand side; where costs are asked for
     std::string name;    ///< of result files, without ending
     bool draw = true;
+    SimulationSettings settings;
+    std::string doubts;  ///< warnings of start values
 };
 
 /// A machine that was generated, and all that is to be known of its run.
@@ -45,7 +47,9 @@ struct SimulationReport {
     std::optional<double> lost;        ///< J, of what switches: at events, as by impacts
     std::string message;               ///< of what switches: how the run ended, for people
     std::string mode;                  ///< of what switches: in which it ended
+    double energy_limit = 0;           ///< up to which the energy error is what steps of this tolerance make
     bool ended = false;                ///< by an event that the model says ends a run
+    bool keeps_energy() const { return energy_error <= energy_limit; }  // false for NaN
     bool is_good() const { return status == "success" || ended; }
     bool drawn = false;
     FileContents files;      ///< to be written: header, CSV, plots
@@ -83,6 +87,8 @@ private:
     std::size_t bytes_ = 0;
 };
 
+/// What to think of a run that does not keep its energy: a sentence with the likely cause.
+std::string energy_warning(const PreparedSimulation& prepared, const SimulationReport& report);
 /// Compiles and runs it. Throws Failure.
 SimulationReport run_simulation(const PreparedSimulation& prepared, const std::filesystem::path& folder);
 

@@ -111,7 +111,8 @@ ExitCode survey_command(const Options& options, Streams streams) {
     bool stopped = false;
     nlohmann::ordered_json json{{"schema", "dalembert/survey"}, {"version", json_version}, {"systems", nlohmann::ordered_json::array()}};
     for (const SurveyRow& row : rows) {
-        failed = failed || row.as_expected != row.equations;
+        failed = failed || row.as_expected != row.equations || (row.report.is_good() && !row.report.keeps_energy());
+        if (row.report.is_good() && !row.report.keeps_energy()) streams.err << fmt::format("dalembert: warning: {}: {}\n", row.name, energy_warning(row.simulation, row.report));
         stopped = stopped || !row.report.is_good();
         json["systems"].push_back({{"model", row.simulation.machine.system->scene.model->name},
                                    {"scene", row.simulation.machine.system->scene.name},

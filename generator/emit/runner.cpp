@@ -5,6 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "emit/cpp_bodies.hpp"
 #include "emit/helpers.hpp"
@@ -12,6 +14,8 @@
 #include "emit/template.hpp"
 #include "form/state_places.hpp"
 #include "graph/lower.hpp"
+#include "model/parser.hpp"
+#include "model/written_values.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -105,6 +109,22 @@ std::pair<std::string, std::string> recorded_states(const System& system) {
     return {fmt::format("{}", fmt::join(columns, ", ")), fmt::format("{}", fmt::join(values, ", "))};
 }
 
+/// What is recorded in a declared unit that is not SI.
+std::string shown_units(const System& system) {
+    std::vector<std::string> names;
+    for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state, SymbolKind::input})
+        for (const Variable& variable : system.symbols.all(kind)) names.push_back(variable.recorded_name());
+    for (const OutputEquation& output : system.outputs) names.push_back(output.name);
+    std::string text;
+    for (const std::string& name : names) {
+        const auto unit = declared_unit(*parse_expression(excerpt_of(std::make_shared<const Source>("recording", name))), system.names);
+        if (!unit || unit->is_coherent()) continue;
+        text += fmt::format("{}{{{}, {}, {}, {}}}", text.empty() ? "" : ", ", cpp_string(name), cpp_string(unit->written), double_literal(cln::double_approx(unit->factor) * std::pow(std::numbers::pi, unit->pi_power)),
+                            double_literal(cln::double_approx(unit->offset)));
+    }
+    return text;
+}
+
 std::string start_statements(const System& system, const Values& values) {
     const StatePlaces places = place_states(system);
     const std::vector<ex> state = values.state();
@@ -148,6 +168,9 @@ std::string simulation_source(Code& code, const Header& header, const Values& va
                                                  {"UNTIL", double_literal(settings.until)},
                                                  {"KINKS", settings.kinks.empty() ? "" : fmt::format("    options.kinks = {{{}}};\n", joined(settings.kinks))},
                                                  {"PANELS", panels},
+                                                 {"UNITS", shown_units(code.system)},
+                                                 {"CSV", settings.declared_csv ? "shown" : "recording"},
+                                                 {"PLOTTED", settings.declared_plots ? "shown" : "recording"},
                                                  {"DRAW", settings.draw ? "true" : "false"},
                                                  {"TITLE", cpp_string(fmt::format("{} ({})", title, scene.name))}};
     if (!scene.modes.empty()) return fill_template(embedded_file("switching.cpp.in"), values_of);

@@ -18,6 +18,8 @@ struct SimulationSettings {
     bool series = false;            ///< of these, where the header has some of the motion
     std::vector<Plot> plots;        ///< names as the recording has them
     bool draw = true;
+    bool declared_csv = false;      ///< in declared units, not in SI
+    bool declared_plots = true;
 };
 
 /// The source of a simulation. Parameters and start are those of `values`.

@@ -12,6 +12,7 @@
 #include "model/latex_words.hpp"
 #include "model/letter_dependences.hpp"
 #include "model/matrices.hpp"
+#include "model/written_values.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -201,6 +202,7 @@ Model with_letters(const Catalogue& catalogue, const CatalogueEntry& entry, cons
 PrintedEquation checked_entry(const Catalogue& catalogue, const CatalogueEntry& entry, const Model& model, Diagnostics& diagnostics) {
     PrintedEquation result = entry;
     const Names names(model);
+    convert_numbers(result.at, names);
     const UsedNames used(catalogue, entry);
     for (const PrintedLetter& letter : used.notation()) result.letters.push_back(letter);
     // What the file says of a letter is not said of a parameter of the model that is called the same; what the entry says is.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 
 #include "model/checks.hpp"
@@ -12,6 +13,15 @@
 namespace dalembert {
 
 namespace {
+
+/// How functions of other languages are written here; empty for what none has.
+std::string foreign_function(std::string_view name) {
+    static const std::map<std::string_view, const char*> usual{{"ln", "log(x)"}, {"lg", "log(x)/log(10)"}, {"log10", "log(x)/log(10)"}, {"log2", "log(x)/log(2)"}, {"arcsin", "asin(x)"}, {"arccos", "acos(x)"},
+                                                              {"arctan", "atan(x)"}, {"arctan2", "atan2(y, x)"}, {"tg", "tan(x)"}, {"cot", "1/tan(x)"}, {"fabs", "abs(x)"}, {"sgn", "sign(x)"}, {"signum", "sign(x)"},
+                                                              {"pow", "x^y"}, {"sqr", "x^2"}, {"square", "x^2"}, {"cbrt", "x^(1/3)"}, {"root", "x^(1/n)"}, {"der", "dot(x)"}};
+    const auto found = usual.find(name);
+    return found == usual.end() ? std::string() : found->second;
+}
 
 using Kind = Expression::Kind;
 
@@ -66,6 +76,14 @@ private:
         return depends;
     }
 
+    /// A rate as C++ calls it, or a name like it.
+    std::string hint(const std::string& name) const {
+        for (const char* ending : {"_ddot", "_dot"})
+            if (const std::string base = name.substr(0, name.size() - std::min(name.size(), std::string(ending).size())); name.ends_with(ending) && names_.find(base) != nullptr)
+                return fmt::format("; write {}({})", ending + 1, base);
+        return did_you_mean(name, names_.all());
+    }
+
     unsigned name(const Expression& e) {
         if (bound_.contains(e.name)) {
             if (!e.children.empty()) error(Id::not_indexed, e.span, fmt::format("'{}' has no index", e.name));
@@ -87,7 +105,7 @@ private:
             const bool is_function = find_function(e.name) != nullptr || is_special_form(e.name) || is_printed_form(e.name);
             error(Id::unknown_name, e.span,
                   is_function ? fmt::format("'{}' is a function and needs its arguments in brackets", e.name)
-                              : fmt::format("'{}' is not defined{}", e.name, did_you_mean(e.name, names_.all())));
+                              : fmt::format("'{}' is not defined{}", e.name, hint(e.name)));
             return 0;
         }
         index(e, *named->item);
@@ -174,7 +192,8 @@ private:
         } else if (function == nullptr) {
             std::vector<std::string> known{"dot", "ddot", "sum"};
             for (const FunctionSpec& f : functions()) known.emplace_back(f.name);
-            error(Id::unknown_name, e.span, fmt::format("there is no function '{}'{}", e.name, did_you_mean(e.name, known)));
+            const std::string usual = foreign_function(e.name);
+            error(Id::unknown_name, e.span, fmt::format("there is no function '{}'{}", e.name, usual.empty() ? did_you_mean(e.name, known) : "; write " + usual));
         } else if (const std::size_t count = function->count(); e.children.size() != count) {
             error(Id::wrong_arguments, e.span, fmt::format("'{}({})' takes {} argument{}, here it has {}", e.name, function->arguments, count,
                                                            count == 1 ? "" : "s", e.children.size()));

@@ -8,7 +8,7 @@ namespace dalembert {
 
 namespace {
 
-/// What every kind of item must be in. Values that are numbers alone were converted from their unit when they were read.
+/// What every kind of item must be in. Values of what is declared in a unit are checked where they are converted.
 class UnitCheck {
 public:
     UnitCheck(const Model& model, const Names& names, Diagnostics& diagnostics)
@@ -16,32 +16,12 @@ public:
 
     void run() {
         for (const Size& size : model_.sizes) expect(size.value, Dimension::none(), "the value", "size", size);
-        for (const Parameter& parameter : model_.parameters) {
-            for (const ExpressionPtr& value : parameter.values) {
-                si_value(value, parameter.unit.dimension, "the value", "parameter", parameter);
-                counted(value, parameter.unit, "parameter", parameter);
-            }
-            range(parameter, "parameter");
-        }
         for (const Definition& definition : model_.definitions) {
             if (definition.is_made) continue;
             if (definition.unit) expect(definition.value, definition.unit->dimension, "the value", "definition", definition);
             else units_.of(*definition.value, {});
         }
-        for (const Coordinate& coordinate : model_.coordinates) {
-            counted(coordinate.start, coordinate.unit, "coordinate", coordinate);
-            counted(coordinate.start_rate, coordinate.unit, "coordinate", coordinate);
-            si_value(coordinate.start, coordinate.unit.dimension, "the start", "coordinate", coordinate);
-            si_value(coordinate.start_rate, coordinate.unit.dimension / Dimension::time(), "the start rate", "coordinate", coordinate);
-            range(coordinate, "coordinate");
-        }
-        for (const Input& input : model_.inputs) range(input, "input");
-        for (const State& state : model_.states) {
-            counted(state.start, state.unit, "state", state);
-            si_value(state.start, state.unit.dimension, "the start", "state", state);
-            expect(state.derivative, state.unit.dimension / Dimension::time(), "the derivative", "state", state);
-            range(state, "state");
-        }
+        for (const State& state : model_.states) expect(state.derivative, state.unit.dimension / Dimension::time(), "the derivative", "state", state);
         for (const Output& output : model_.outputs) {
             if (output.unit) expect(output.value, output.unit->dimension, "the value", "output", output);
             else units_.of(*output.value, {});
@@ -49,10 +29,6 @@ public:
         if (model_.gravity) {
             vector(model_.gravity->acceleration, Dimension::acceleration(), "the acceleration of gravity");
             if (model_.gravity->reference) vector(*model_.gravity->reference, Dimension::length(), "the reference of gravity");
-        }
-        for (const Attitude& attitude : model_.attitudes) {
-            for (const ExpressionPtr& part : attitude.start) si_value(part, Dimension::none(), "the start", "attitude", attitude);
-            for (const ExpressionPtr& rate : attitude.start_rate) si_value(rate, Dimension::none() / Dimension::time(), "the start rate", "attitude", attitude);
         }
         for (const Solid& solid : model_.solids) check(solid);
         for (const Body& body : model_.bodies) check(body);
@@ -85,8 +61,6 @@ public:
         for (const PotentialTerm& term : model_.potentials) {
             expect(term.energy, Dimension::energy(), "the energy", "potential", term);
             for (const CoordinateEntry& entry : term.forces) force_on(entry, "potential", term);
-            for (const CoordinateEntry& entry : term.reference)
-                si_value(entry.value, units_.of_coordinate(entry.coordinate), "the reference", "potential", term);
         }
         written(model_.constraints);
         written(model_.events);
@@ -109,34 +83,12 @@ public:
         for (const Rod& rod : model_.rods) check(rod);
         for (const Block& block : model_.blocks) check(block);
         for (const Enclosure& enclosure : model_.enclosures) check(enclosure);
-        for (const Run& run : model_.runs) check(run);
     }
 
 private:
     void expect(const ExpressionPtr& expression, const Dimension& expected, const char* part, const char* kind, const Item& item,
                 const Units::Bound& bound = {}) {
         if (expression) units_.expect(*expression, expected, fmt::format("{} of {} '{}'", part, kind, item.name), bound);
-    }
-
-    void si_value(const ExpressionPtr& expression, const Dimension& expected, const char* part, const char* kind, const Item& item) {
-        if (expression && dependence(*expression, names_) != 0) expect(expression, expected, part, kind, item);
-    }
-
-    /// Plain numbers were converted when they were read; what counts with indices and sizes is SI, and must not look otherwise.
-    void counted(const ExpressionPtr& value, const Unit& unit, const char* kind, const Item& item) {
-        if (!value || unit.is_coherent() || dependence(*value, names_) != 0) return;
-        bool counts = false;
-        for_each(*value, [&](const Expression& e) { counts = counts || (e.kind == Expression::Kind::name && e.name != "pi"); });
-        if (counts)
-            diagnostics_.error(Id::unit_mismatch, value->span,
-                               fmt::format("'{}' counts with an index or a size and is in SI, but {} '{}' is declared in '{}'; declare it in SI", value->written(), kind,
-                                           item.name, unit.written));
-    }
-
-    void range(const Quantity& quantity, const char* kind) {
-        if (!quantity.range) return;
-        si_value(quantity.range->low, quantity.unit.dimension, "the range", kind, quantity);
-        si_value(quantity.range->high, quantity.unit.dimension, "the range", kind, quantity);
     }
 
     void vector(const VectorExpression& vector, const Dimension& expected, const std::string& what, const Units::Bound& bound = {}) {
@@ -409,20 +361,6 @@ private:
         for (const auto& corner : enclosure.polygon)
             for (const ExpressionPtr& coordinate : corner) expect(coordinate, Dimension::length(), "a corner", "enclosure", enclosure);
         expect(enclosure.height, Dimension::length(), "the height", "enclosure", enclosure);
-    }
-
-    void check(const Run& run) {
-        const auto seconds = [&](const ExpressionPtr& e, const char* part) {
-            if (e) units_.expect_si(*e, Dimension::time(), fmt::format("the {} of run '{}'", part, run.name));
-        };
-        seconds(run.until, "end");
-        seconds(run.period, "period");
-        seconds(run.step, "step");
-        for (const auto* entries : {&run.start, &run.inputs, &run.parameters, &run.exact})
-            for (const RunEntry& entry : *entries) {
-                const Measure variable = units_.of(*entry.variable, {});
-                if (!variable.fits_all) units_.expect_si(*entry.value, variable.dimension, fmt::format("the value of '{}' in run '{}'", entry.variable->written(), run.name));
-            }
     }
 
     void law(const std::optional<Law>& law, const Dimension& variable, const Dimension& expected, const char* part, const char* kind, const Item& item) {

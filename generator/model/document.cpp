@@ -84,6 +84,19 @@ private:
     SourcePtr source_;
 };
 
+/// What to do about a value around this place that is an expression without quotes; nothing where it is none.
+std::string unquoted(const std::string& text, std::size_t place) {
+    const std::size_t line = place == 0 ? 0 : text.rfind('\n', place - 1) + 1;
+    const std::size_t equals = text.rfind('=', std::min(place, text.size() - 1));
+    if (text.empty() || equals == std::string::npos || equals < line) return {};
+    const std::size_t begin = text.find_first_not_of(" \t", equals + 1);
+    if (begin == std::string::npos) return {};
+    const std::string value = text.substr(begin, text.find_first_of(",}#\n", begin) - begin);
+    const std::string trimmed = value.substr(0, value.find_last_not_of(" \t\r") + 1);
+    const bool is_expression = !trimmed.empty() && trimmed.find_first_of("\"'[{=") == std::string::npos && trimmed.find_first_of("abcdfghijklmnopqrstuvwxyzABCDFGHIJKLMNOPQRSTUVWXYZ*/^(") != std::string::npos;
+    return is_expression ? "; an expression stands in quotes: \"" + trimmed + "\"" : std::string();
+}
+
 }  // namespace
 
 const DocumentNode::Member* DocumentNode::find(std::string_view key) const {
@@ -109,7 +122,8 @@ DocumentNode parse_document(const SourcePtr& source) {
         return converter.node(toml::parse(std::string_view(source->text()), std::string_view(source->name())));
     } catch (const toml::parse_error& error) {
         Span span = converter.span(error.source());
-        throw Failure(Diagnostic{Id::toml_syntax, std::move(span), "the file is not valid TOML: " + std::string(error.description())});
+        const std::string hint = unquoted(source->text(), span.begin);
+        throw Failure(Diagnostic{Id::toml_syntax, std::move(span), "the file is not valid TOML: " + std::string(error.description()) + hint});
     }
 }
 

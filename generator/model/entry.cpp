@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "model/parser.hpp"
+#include "model/written_values.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -11,14 +12,6 @@ namespace dalembert {
 namespace {
 
 using NodeKind = DocumentNode::Kind;
-
-bool is_constant(const Expression& expression) {
-    bool constant = true;
-    for_each(expression, [&](const Expression& e) {
-        if (e.kind == Expression::Kind::name && e.name != "pi") constant = false;
-    });
-    return constant;
-}
 
 }  // namespace
 
@@ -127,7 +120,7 @@ ExpressionPtr Entry::expression(const DocumentNode& node, ValueType type) const 
 
 ExpressionPtr Entry::constant(const DocumentNode& node, const Unit& unit) const {
     ExpressionPtr value = expression(node, ValueType::constant);
-    return value && is_constant(*value) ? to_si(std::move(value), unit) : value;
+    return value && is_plain_number(*value) ? to_si(std::move(value), unit) : value;
 }
 
 ExpressionPtr Entry::constant(std::string_view key, const Unit& unit) const {

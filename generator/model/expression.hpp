@@ -17,7 +17,7 @@ using ExpressionPtr = std::shared_ptr<const Expression>;
 
 struct Expression {
     enum class Kind {
-        number,    ///< value
+        number,    ///< value; of one that was written with a unit, in SI, with the SI unit as name
         name,      ///< name, children are its indices: phi, phi[k], mass_matrix[s, phi]
         call,      ///< name(children)
         negate,    ///< -children[0]

@@ -33,7 +33,7 @@ Binding binding(const Expression& e) {
         case Kind::divide: return as_product;
         case Kind::negate: return as_negative;
         case Kind::power: return as_power;
-        case Kind::number: return is_negative(e.value) ? as_negative : number_text(e.value).find('/') != std::string::npos ? as_product : as_primary;
+        case Kind::number: return !e.name.empty() ? as_primary : is_negative(e.value) ? as_negative : number_text(e.value).find('/') != std::string::npos ? as_product : as_primary;
         default: return as_primary;
     }
 }
@@ -50,7 +50,7 @@ public:
             return binding(*e.children[i]) < least ? "(" + text + ")" : text;
         };
         switch (e.kind) {
-            case Kind::number: return number_text(e.value);
+            case Kind::number: return e.name.empty() ? number_text(e.value) : "(" + number_text(e.value) + " " + e.name + ")";
             case Kind::name: return e.children.empty() ? e.name : e.name + "[" + list(e.children, {}) + "]";
             case Kind::call: return readable_ && e.name == "cases" ? cases(e) : e.name + "(" + list(e.children, {}) + ")";
             case Kind::sum: return "sum(" + list(e.children, e.name) + ")";

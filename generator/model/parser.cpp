@@ -3,11 +3,25 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
+#include "model/dimension.hpp"
+
 namespace dalembert {
 
 namespace {
 
 constexpr int deepest = 100;
+
+bool is_unit(const Token& word) {
+    try {
+        evaluate_unit(*make_name(word.text, word.span));
+        return true;
+    } catch (const Failure&) {
+        return false;
+    }
+}
 
 class Parser {
 public:
@@ -82,7 +96,15 @@ private:
 
     [[noreturn]] void fail(std::string_view expected) const {
         const std::string found = token().kind == Token::Kind::end ? "the text ends" : fmt::format("there is '{}'", token().text);
-        throw Failure(Diagnostic{Id::syntax, token().span, fmt::format("{} where {} is expected", found, expected)});
+        throw Failure(Diagnostic{Id::syntax, token().span, fmt::format("{} where {} is expected{}", found, expected, hint())});
+    }
+
+    /// What other languages write here.
+    std::string hint() const {
+        if (token().text == "*" && at_ > 0 && tokens_[at_ - 1].text == "*") return "; a power is written with '^', as x^2";
+        if (token().text == "\u00b0") return "; degrees are written deg, degrees Celsius degC";
+        if (token().text == "'" || token().text == "\"") return "; a text has no quotes of its own inside";
+        return {};
     }
 
     void sign(std::string_view text, std::string_view expected) {
@@ -132,6 +154,8 @@ private:
         if (!is_sign("-")) return power();
         const Depth depth(*this);
         const Span begin = next().span;
+        // The sign belongs to the number: -5 degC is 268.15 K.
+        if (token().kind == Token::Kind::number && at_ + 1 < tokens_.size() && tokens_[at_ + 1].kind == Token::Kind::word) return number(true);
         ExpressionPtr operand = factor();
         Span span = cover(begin, operand->span);
         return std::make_shared<Expression>(Expression{Kind::negate, std::move(span), 0, {}, {std::move(operand)}});
@@ -147,14 +171,7 @@ private:
 
     ExpressionPtr primary() {
         const Token& first = token();
-        if (first.kind == Token::Kind::number) {
-            next();
-            const auto value = read_decimal(first.text);
-            if (!value)
-                throw Failure(Diagnostic{Id::number_too_large, first.span,
-                                         fmt::format("'{}' is not a decimal number with an exponent between -400 and 400", first.text)});
-            return make_number(*value, first.span);
-        }
+        if (first.kind == Token::Kind::number) return number(false);
         if (is_sign("(")) {
             next();
             ExpressionPtr inside = expression();
@@ -184,6 +201,53 @@ private:
             sign("]", "']' or ','");
         }
         return name;
+    }
+
+    /// A number, or one with a unit: "5 bar", "9.81 m/s^2". That is in SI at once, and keeps its SI unit as its name.
+    ExpressionPtr number(bool is_negative) {
+        const std::size_t begin = is_negative ? at_ - 1 : at_;
+        const Token first = next();
+        const auto read = read_decimal(first.text);
+        if (!read)
+            throw Failure(Diagnostic{Id::number_too_large, first.span,
+                                     fmt::format("'{}' is not a decimal number with an exponent between -400 and 400", first.text)});
+        if (token().kind != Token::Kind::word) return make_number(*read, first.span);
+        if (at_ + 1 < tokens_.size() && tokens_[at_ + 1].text == "(") fail("an operator or the end of the expression");
+        if (!is_unit(token()))
+            throw Failure(Diagnostic{Id::unknown_unit, token().span, fmt::format("'{1}' behind '{0}' is not a unit; a product is written '{0}*{1}'", first.text, token().text)});
+        bool is_product = false;
+        ExpressionPtr written = unit_power();
+        while ((is_sign("*") || is_sign("/")) && tokens_[at_ + 1].kind == Token::Kind::word && tokens_[at_ + 1].text != "t" && is_unit(tokens_[at_ + 1])) {  // t is the time
+            is_product = true;
+            const Kind kind = next().text == "*" ? Kind::multiply : Kind::divide;
+            written = binary(kind, std::move(written), unit_power());
+        }
+        const Span span = cover(tokens_[begin].span, tokens_[at_ - 1].span);
+        if (is_product && !(is_edge(begin == 0 ? nullptr : &tokens_[begin - 1]) && is_edge(&token())))
+            throw Failure(Diagnostic{Id::syntax, span, fmt::format("within a longer expression, a number with such a unit stands in brackets: '({})', so that it is clear where the unit ends", span.text())});
+        return in_unit(is_negative ? -*read : *read, evaluate_unit(*written), span);
+    }
+
+    ExpressionPtr unit_power() {
+        const Token word = next();
+        ExpressionPtr name = make_name(word.text, word.span);
+        if (!is_sign("^")) return name;
+        next();
+        return binary(Kind::power, std::move(name), factor());
+    }
+
+    /// What may stand beside an expression that is whole; nothing is the beginning.
+    static bool is_edge(const Token* token) {
+        if (token == nullptr || token->kind == Token::Kind::end) return true;
+        static constexpr std::array<std::string_view, 11> edges{"(", ")", "[", "]", ",", "=", "->", "<", ">", "..", "|"};
+        return token->kind == Token::Kind::sign && std::find(edges.begin(), edges.end(), token->text) != edges.end();
+    }
+
+    static ExpressionPtr in_unit(const Rational& value, const Unit& unit, const Span& span) {
+        ExpressionPtr result = std::make_shared<Expression>(Expression{Kind::number, span, (value + unit.offset) * unit.factor, unit.si()});
+        for (int i = 0; i < unit.pi_power; ++i) result = make_binary(Kind::multiply, result, make_name("pi", span));
+        for (int i = 0; i > unit.pi_power; --i) result = make_binary(Kind::divide, result, make_name("pi", span));
+        return result;
     }
 
     ExpressionPtr call(const Token& function) {

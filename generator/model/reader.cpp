@@ -15,6 +15,7 @@
 #include "model/read_statics.hpp"
 #include "model/read_switching.hpp"
 #include "model/verdict.hpp"
+#include "model/written_values.hpp"
 #include "text/files.hpp"
 #include "text/nearest.hpp"
 
@@ -283,7 +284,10 @@ Model read_model(const SourcePtr& source, Diagnostics& diagnostics) {
     diagnostics.stop_on_errors();
     check_switching(model, diagnostics);
     diagnostics.stop_on_errors();
+    convert_numbers(model);
     check_units(model, diagnostics);
+    diagnostics.stop_on_errors();
+    convert_values(model, diagnostics);
     diagnostics.stop_on_errors();
     return model;
 }

@@ -80,7 +80,7 @@ std::string resolve_scene(const Model& model, const std::string& wanted) {
         fail(Id::scene_needed, model.name_span, fmt::format("model '{}' has the scenes {}; choose one with --scene", model.name, quoted_list(known)));
     }
     if (std::find(known.begin(), known.end(), wish.base) == known.end())
-        fail(Id::unknown_scene, model.name_span,
+        fail(Id::unknown_scene, Span{std::make_shared<const Source>("--scene", wanted), 0, wish.base.size()},
              fmt::format("model '{}' has no scene '{}'; its scenes are {}", model.name, wish.base, quoted_list(known)));
     return wanted;
 }

@@ -403,12 +403,12 @@ constexpr std::array printed_keys{
     doc_key, for_key, when_key,
 };
 constexpr std::array run_keys{
-    KeySpec{"until", T::constant, true, "end of the run in seconds; an expression of parameters is allowed"},
+    KeySpec{"until", T::constant, true, "end of the run in seconds, or with a unit, \"2 min\"; an expression of parameters is allowed"},
     KeySpec{"scene", T::text, false, "the scene it belongs to; every scene, if left out"},
     KeySpec{"period", T::constant, false, "time of one period in seconds, where there is one; used by the energy test"},
-    KeySpec{"start", T::expressions_by_name, false, "start values that differ: { s = 0.2, \"dot(s)\" = 0 }, in SI"},
-    KeySpec{"inputs", T::expressions_by_name, false, "inputs as expressions of t and the states; 0 for what is left out"},
-    KeySpec{"parameters", T::expressions_by_name, false, "parameters that differ, in SI"},
+    KeySpec{"start", T::expressions_by_name, false, "start values that differ: { s = 0.2, \"dot(s)\" = 0 }, without a unit in the declared one"},
+    KeySpec{"inputs", T::expressions_by_name, false, "inputs as expressions of t and the states, without a unit in the declared one; 0 for what is left out, but temperatures and pressures have to be given"},
+    KeySpec{"parameters", T::expressions_by_name, false, "parameters that differ, without a unit in the declared one"},
     KeySpec{"exact", T::expressions_by_name, false, "closed forms of outputs and states, of t and parameters, where there are some: references of `cost`"},
     KeySpec{"tolerance", T::number, false, "relative tolerance of a step; 1e-9 if left out"},
     KeySpec{"method", T::choice, false, "\"automatic\" (default): \"dopri5\" or at 1e-6 and less \"dop853\", \"rodas5p\" as long as the problem is stiff; also \"taylor\" for smooth motion at tight tolerances, \"fehlberg78\", \"bulirsch_stoer\", or with a fixed step \"euler\", \"rk4\" or, for separable machines, \"symplectic\""},

@@ -6,6 +6,7 @@
 #include "model/dimension.hpp"
 #include "model/expression_text.hpp"
 #include "model/parser.hpp"
+#include "model/unit_reference.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -15,6 +16,7 @@ namespace {
 struct Known {
     Unit unit;
     bool takes_prefix;
+    const char* doc;
 };
 
 Unit unit(Dimension dimension, Rational factor = 1, int pi_power = 0) { return {dimension, std::move(factor), pi_power, 0, {}}; }
@@ -28,41 +30,41 @@ const std::map<std::string, Known, std::less<>>& known_units() {
         const D pascal = D::force() / D::length() / D::length();
         const Rational r60 = 60;
         return std::map<std::string, Known, std::less<>>{
-            {"m", {unit(D::length()), true}},
-            {"g", {unit(D::mass(), Rational(1) / 1000), true}},
-            {"s", {unit(D::time()), true}},
-            {"A", {unit(ampere), true}},
-            {"K", {unit(D::base(4)), true}},
-            {"mol", {unit(D::base(5)), true}},
-            {"cd", {unit(D::base(6)), true}},
-            {"rad", {unit(D::none()), true}},
-            {"sr", {unit(D::none()), false}},
-            {"N", {unit(D::force()), true}},
-            {"J", {unit(D::energy()), true}},
-            {"W", {unit(D::power()), true}},
-            {"Pa", {unit(pascal), true}},
-            {"Hz", {unit(D::none() / D::time()), true}},
-            {"V", {unit(volt), true}},
-            {"Ohm", {unit(volt / ampere), true}},
-            {"ohm", {unit(volt / ampere), true}},
-            {"C", {unit(ampere * D::time()), true}},
-            {"F", {unit(ampere * D::time() / volt), true}},
-            {"H", {unit(volt * D::time() / ampere), true}},
-            {"Wb", {unit(volt * D::time()), true}},
-            {"T", {unit(volt * D::time() / D::length() / D::length()), true}},
-            {"bar", {unit(pascal, 100000), true}},
-            {"atm", {unit(pascal, 101325), false}},
-            {"l", {unit(D::length().raised({3, 1}), Rational(1) / 1000), true}},
-            {"L", {unit(D::length().raised({3, 1}), Rational(1) / 1000), true}},
-            {"t", {unit(D::mass(), 1000), false}},
-            {"min", {unit(D::time(), r60), false}},
-            {"h", {unit(D::time(), 3600), false}},
-            {"d", {unit(D::time(), 86400), false}},
-            {"deg", {unit(D::none(), Rational(1) / 180, 1), false}},
-            {"rev", {unit(D::none(), 2, 1), false}},
-            {"rpm", {unit(D::none() / D::time(), 2 / r60, 1), false}},
-            {"degC", {Unit{D::base(4), 1, 0, Rational(27315) / 100, {}}, false}},
-            {"percent", {unit(D::none(), Rational(1) / 100), false}},
+            {"m", {unit(D::length()), true, "metre"}},
+            {"g", {unit(D::mass(), Rational(1) / 1000), true, "gram"}},
+            {"s", {unit(D::time()), true, "second"}},
+            {"A", {unit(ampere), true, "ampere"}},
+            {"K", {unit(D::base(4)), true, "kelvin; differences of temperature too"}},
+            {"mol", {unit(D::base(5)), true, "mole"}},
+            {"cd", {unit(D::base(6)), true, "candela"}},
+            {"rad", {unit(D::none()), true, "radian"}},
+            {"sr", {unit(D::none()), false, "steradian"}},
+            {"N", {unit(D::force()), true, "newton"}},
+            {"J", {unit(D::energy()), true, "joule"}},
+            {"W", {unit(D::power()), true, "watt"}},
+            {"Pa", {unit(pascal), true, "pascal"}},
+            {"Hz", {unit(D::none() / D::time()), true, "hertz"}},
+            {"V", {unit(volt), true, "volt"}},
+            {"Ohm", {unit(volt / ampere), true, "ohm"}},
+            {"ohm", {unit(volt / ampere), true, "ohm"}},
+            {"C", {unit(ampere * D::time()), true, "coulomb"}},
+            {"F", {unit(ampere * D::time() / volt), true, "farad"}},
+            {"H", {unit(volt * D::time() / ampere), true, "henry"}},
+            {"Wb", {unit(volt * D::time()), true, "weber"}},
+            {"T", {unit(volt * D::time() / D::length() / D::length()), true, "tesla"}},
+            {"bar", {unit(pascal, 100000), true, "bar, 100000 Pa"}},
+            {"atm", {unit(pascal, 101325), false, "standard atmosphere, 101325 Pa"}},
+            {"l", {unit(D::length().raised({3, 1}), Rational(1) / 1000), true, "litre"}},
+            {"L", {unit(D::length().raised({3, 1}), Rational(1) / 1000), true, "litre"}},
+            {"t", {unit(D::mass(), 1000), false, "tonne, 1000 kg"}},
+            {"min", {unit(D::time(), r60), false, "minute"}},
+            {"h", {unit(D::time(), 3600), false, "hour"}},
+            {"d", {unit(D::time(), 86400), false, "day"}},
+            {"deg", {unit(D::none(), Rational(1) / 180, 1), false, "degree of an angle"}},
+            {"rev", {unit(D::none(), 2, 1), false, "revolution"}},
+            {"rpm", {unit(D::none() / D::time(), 2 / r60, 1), false, "revolutions per minute"}},
+            {"degC", {Unit{D::base(4), 1, 0, Rational(27315) / 100, {}}, false, "degree Celsius, for temperatures but not for differences"}},
+            {"percent", {unit(D::none(), Rational(1) / 100), false, "percent"}},
         };
     }();
     return table;
@@ -88,6 +90,31 @@ std::optional<Rational> prefix_factor(char prefix) {
     }
 }
 
+/// What to write for units of other systems and spellings of others; nothing for what is neither.
+std::string other_unit(const std::string& name) {
+    struct Other {
+        const char* instead;
+        const char* kind = "";  ///< with what is like it
+    };
+    static constexpr const char* lengths = ", and lengths are in m, with prefixes as mm, cm, km";
+    static constexpr const char* pressures = ", and pressures are in Pa and bar, with prefixes as kPa, mbar";
+    static constexpr const char* masses = ", and masses are in g and t, with prefixes as kg, mg";
+    static constexpr const char* powers = ", and powers are in W, with prefixes as kW";
+    static constexpr const char* forces = ", and forces are in N, with prefixes as kN";
+    static const std::map<std::string, Other, std::less<>> others{
+        {"Nm", {"N*m"}}, {"kNm", {"kN*m"}}, {"Ns", {"N*s"}}, {"Ws", {"W*s"}}, {"Wh", {"W*h"}}, {"kWh", {"kW*h"}}, {"As", {"A*s"}}, {"Ah", {"A*h"}}, {"kmh", {"km/h"}}, {"kph", {"km/h"}},
+        {"sec", {"s"}}, {"secs", {"s"}}, {"hr", {"h"}}, {"hour", {"h"}}, {"minute", {"min"}}, {"day", {"d"}}, {"degree", {"deg"}}, {"degrees", {"deg"}}, {"Celsius", {"degC"}}, {"celsius", {"degC"}}, {"Kelvin", {"K"}},
+        {"meter", {"m"}}, {"metre", {"m"}}, {"micron", {"um"}}, {"cc", {"cm^3"}}, {"liter", {"l"}}, {"litre", {"l"}}, {"ton", {"t"}},
+        {"ft", {"0.3048 m", lengths}}, {"inch", {"0.0254 m", lengths}}, {"yd", {"0.9144 m", lengths}}, {"mile", {"1609.344 m", lengths}}, {"nmi", {"1852 m", lengths}},
+        {"psi", {"6894.757 Pa", pressures}}, {"mmHg", {"133.3224 Pa", pressures}}, {"torr", {"133.3224 Pa", pressures}}, {"Torr", {"133.3224 Pa", pressures}},
+        {"lb", {"0.45359237 kg", masses}}, {"lbm", {"0.45359237 kg", masses}}, {"oz", {"0.02834952 kg", masses}}, {"lbf", {"4.448222 N", forces}}, {"kgf", {"9.80665 N", forces}}, {"kp", {"9.80665 N", forces}},
+        {"hp", {"745.6999 W", powers}}, {"PS", {"735.49875 W", powers}}, {"mph", {"0.44704 m/s"}}, {"knot", {"0.514444 m/s"}}, {"cal", {"4.184 J"}}, {"kcal", {"4184 J"}}, {"BTU", {"1055.056 J"}}, {"eV", {"1.602176634e-19 J"}}};
+    const auto found = others.find(name);
+    if (found == others.end()) return {};
+    const std::string_view instead = found->second.instead;
+    return instead.front() >= '0' && instead.front() <= '9' ? fmt::format("; 1 {} is {}{}", name, instead, found->second.kind) : fmt::format("; write {}", instead);
+}
+
 Unit lookup(const Expression& name) {
     const auto& table = known_units();
     if (const auto exact = table.find(name.name); exact != table.end()) return exact->second.unit;
@@ -102,8 +129,10 @@ Unit lookup(const Expression& name) {
     }
     std::vector<std::string> names;
     for (const auto& [known, entry] : table) names.push_back(known);
-    throw Failure(Diagnostic{Id::unknown_unit, name.span,
-                             fmt::format("'{}' is not a unit{}", name.name, did_you_mean(name.name, names))});
+    std::string hint = other_unit(name.name);
+    if (hint.empty()) hint = did_you_mean(name.name, names);
+    if (hint.empty()) hint = "; `dalembert help units` lists them";
+    throw Failure(Diagnostic{Id::unknown_unit, name.span, fmt::format("'{}' is not a unit{}", name.name, hint)});
 }
 
 [[noreturn]] void cannot_read(const Expression& part, const char* why) {
@@ -162,6 +191,16 @@ Unit evaluate(const Expression& e) {
 }
 
 }  // namespace
+
+std::string unit_reference() {
+    std::string text = "Units, joined by *, / and ^, as in kg*m/s^2:\n";
+    for (const auto& [name, known] : known_units()) text += fmt::format("  {:<8} {:<8} {}\n", name, known.takes_prefix ? "prefix" : "", known.doc);
+    return text +
+           "Prefixes: p n u m c d h k M G, from 1e-12 to 1e9, as in mm, kPa, um.\n"
+           "1 is the unit of what has none; 1/s a rate. Inches, feet, pounds and the like are given by their value in these.\n"
+           "A number without a unit counts in the declared unit of what it is given to; one with a unit, \"5 bar\", is converted. Within a longer expression\n"
+           "a number with a composed unit stands in brackets: (3 m/s)*t.\n";
+}
 
 Unit parse_unit(const Excerpt& excerpt) {
     if (excerpt.text.find_first_not_of(" \t") == std::string::npos)

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "model/vocabulary.hpp"
+#include "model/written_values.hpp"
 
 namespace dalembert {
 
@@ -32,6 +33,16 @@ std::optional<Rational> constant_value(const Expression& e) {
 
 constexpr Measure anything{{}, true};
 
+/// The unit of a number that was written with one.
+Unit unit_named(const std::string& name, const Span& span) {
+    const auto source = std::make_shared<const Source>("unit", name);
+    try {
+        return parse_unit(excerpt_of(source));
+    } catch (const Failure&) {
+        throw Failure(Diagnostic{Id::unknown_unit, span, "the unit of this number cannot be read"});
+    }
+}
+
 Measure raised(Measure measure, const Fraction& exponent) {
     measure.dimension = measure.dimension.raised(exponent);
     return measure;
@@ -57,13 +68,6 @@ void Units::expect(const Expression& expression, const Dimension& expected, cons
                                          measure.dimension.described()), {&expression});
 }
 
-void Units::expect_si(const Expression& expression, const Dimension& expected, const std::string& what) {
-    numbers_fit_all_ = true;
-    const Measure measure = of(expression, {});
-    if (!measure.dimension.is_none()) expect(expression, expected, what);
-    numbers_fit_all_ = false;
-}
-
 Dimension Units::of_coordinate(std::string_view name) const {
     const Named* named = names_.find(name);
     return named == nullptr ? Dimension::none() : named->quantity().unit.dimension;
@@ -72,8 +76,9 @@ Dimension Units::of_coordinate(std::string_view name) const {
 Measure Units::agreeing(const Expression& whole, const Expression& a, const Measure& ma, const Expression& b, const Measure& mb) {
     if (ma.fits_all) return mb;
     if (mb.fits_all || ma.dimension == mb.dimension) return ma;
-    return mismatch(whole, fmt::format("'{}' is in '{}' while '{}' is in '{}'; the two must agree", a.written(), ma.dimension.described(),
-                                       b.written(), mb.dimension.described()), {&a, &b});
+    const bool lacks_unit = is_plain_number(a) || is_plain_number(b);
+    return mismatch(whole, fmt::format("'{}' is in '{}' while '{}' is in '{}'; the two must agree{}", a.written(), ma.dimension.described(),
+                                       b.written(), mb.dimension.described(), lacks_unit ? "; a number takes its unit with it, as in '(5 bar)'" : ""), {&a, &b});
 }
 
 void Units::dimensionless(const Expression& e, const std::string& what, const Bound& bound) {
@@ -85,7 +90,9 @@ void Units::dimensionless(const Expression& e, const std::string& what, const Bo
 Measure Units::of(const Expression& e, const Bound& bound) {
     const auto part = [&](std::size_t i) { return of(*e.children[i], bound); };
     switch (e.kind) {
-        case Kind::number: return {Dimension::none(), numbers_fit_all_ || is_zero(e.value)};
+        case Kind::number:
+            if (!e.name.empty()) return {unit_named(e.name, e.span).dimension};
+            return {Dimension::none(), is_zero(e.value)};
         case Kind::name: return name(e, bound);
         case Kind::call: return call(e, bound);
         case Kind::negate: return part(0);
@@ -129,7 +136,7 @@ Measure Units::name(const Expression& e, const Bound& bound) {
     if (e.name == "pi") return {};
     if (e.name == "infinity") return anything;
     if (e.name == "stefan_boltzmann") return {Dimension::power() / Dimension::length().raised({2, 1}) / Dimension::temperature().raised({4, 1})};
-    if (e.name == "t") return {Dimension::time()};
+    if (e.name == "t") return {is_time_plain_ ? Dimension::none() : Dimension::time()};
     if (find_quantity(e.name) != nullptr) return quantity(e, bound);
     const Named* named = names_.find(e.name);
     if (named == nullptr) return {};  // an index of a family

@@ -20,14 +20,13 @@ class Units {
 public:
     using Bound = std::map<std::string, Dimension, std::less<>>;
 
-    Units(const Names& names, Diagnostics& diagnostics) : names_(names), diagnostics_(diagnostics) {}
+    /// The time is a number of seconds without a unit where `is_time_plain`.
+    Units(const Names& names, Diagnostics& diagnostics, bool is_time_plain = false) : names_(names), diagnostics_(diagnostics), is_time_plain_(is_time_plain) {}
 
     /// Reports disagreements inside the expression (unit-mismatch).
     Measure of(const Expression& expression, const Bound& bound);
     /// Reports when the expression is not in the expected unit. What is named in the sentence.
     void expect(const Expression& expression, const Dimension& expected, const std::string& what, const Bound& bound = {});
-    /// The same where plain numbers stand for values in SI, as in the inputs of runs.
-    void expect_si(const Expression& expression, const Dimension& expected, const std::string& what);
     /// Of a coordinate.
     Dimension of_coordinate(std::string_view name) const;
 
@@ -44,7 +43,7 @@ private:
     const Names& names_;
     Diagnostics& diagnostics_;
     std::map<const Definition*, Measure> definitions_;
-    bool numbers_fit_all_ = false;
+    bool is_time_plain_;
 };
 
 }  // namespace dalembert

@@ -35,6 +35,10 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
             best = candidate;
         }
     }
+    // What was not written to its end: --tol for --tolerance.
+    if (best.empty() && word.size() >= 3)
+        for (const std::string& candidate : candidates)
+            if (candidate.starts_with(word)) return candidate;
     return best;
 }
 

@@ -176,6 +176,7 @@ private:
             const Scalar e = c.finite ? control_.error_norm(x_, c.y, c.error) : Scalar(0);
             if (!c.finite || !(e <= Scalar(1)) || !keeps_rest(c) || (!is_cut() && (this->ends_close(c) || this->is_moved_far(c)))) {
                 not_finite = not_finite || !c.finite;
+                if (c.finite) outcome_.state = control_.worst(x_, c.y, c.error);
                 ++outcome_.rejected;
                 h = c.length * (e <= Scalar(1) ? Scalar(1) / Scalar(4) : control_.factor_of_failure(e, stepper_->order()));
                 continue;

@@ -31,6 +31,25 @@ struct Recording {
     }
 };
 
+/// The unit in which a column is shown: its value in SI is (value + offset) * factor.
+struct ShownUnit {
+    std::string column;
+    std::string unit;
+    double factor;
+    double offset;
+};
+
+/// The table with some columns in other units.
+inline Recording in_units(Recording recording, const std::vector<ShownUnit>& units) {
+    for (const ShownUnit& shown : units) {
+        const std::size_t column = recording.find(shown.column);
+        if (column == recording.columns.size()) continue;
+        recording.columns[column].unit = shown.unit;
+        for (std::vector<double>& row : recording.rows) row[column] = row[column] / shown.factor - shown.offset;
+    }
+    return recording;
+}
+
 namespace detail {
 
 /// The shortest text that reads back as the same number.

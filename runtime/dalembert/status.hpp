@@ -51,7 +51,7 @@ struct Outcome {
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
     Status status = Status::success;
     double t = 0;                 ///< s, where it ended
-    std::size_t state = 0;        ///< with not_finite: the state that is to blame
+    std::size_t state = 0;        ///< with not_finite and step_too_small: the state that is to blame
     std::size_t guard = none;     ///< with event and event_storm: the guard; with not_finite: one that is not a number, if no state is to blame
     std::size_t constraint = none;  ///< with constraint_broken and singular_position: which one, in the order of constraint_table()
     std::size_t events = 0;       ///< guards that changed their sign and were passed
@@ -69,7 +69,7 @@ std::string message(const Outcome& outcome, const Table& names, const Guards& gu
     text += " at t = " + std::to_string(outcome.t) + " s";
     if (outcome.status == Status::not_finite && outcome.state < names.size())
         text += ": state '" + std::string(names[outcome.state].name) + "' or its derivative is not finite";
-    if (outcome.status == Status::step_too_small) text += ": the tolerance cannot be met";
+    if (outcome.status == Status::step_too_small) text += ": the tolerance cannot be met" + (outcome.state < names.size() ? ", least by state '" + std::string(names[outcome.state].name) + "'" : std::string());
     if (outcome.status == Status::constraint_broken) text += ": constraint number " + std::to_string(outcome.constraint) + " is not met, and cannot be by a small step";
     if (outcome.status == Status::singular_position) text += ": constraint number " + std::to_string(outcome.constraint) + " depends on the others there";
     if (outcome.guard >= guards.size()) return text;

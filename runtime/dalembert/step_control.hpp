@@ -83,6 +83,21 @@ public:
         return largest;
     }
 
+    /// The state with the largest error, measured in the same way.
+    std::size_t worst(const State& x, const State& y, const State& error) const {
+        using std::abs;
+        using std::max;
+        Scalar largest = Scalar(-1);
+        std::size_t worst = 0;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const Scalar ratio = abs(error[i]) / max(options_.scale[i], max(Scalar(abs(x[i])), Scalar(abs(y[i]))));
+            if (!(ratio > largest)) continue;
+            largest = ratio;
+            worst = i;
+        }
+        return worst;
+    }
+
     /// Hairer, Norsett, Wanner: Solving Ordinary Differential Equations I, section II.4: a first step from the sizes of x and dx/dt.
     Scalar first(const State& x, const State& dxdt, int order) const {
         using std::abs;

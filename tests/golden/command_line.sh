@@ -26,6 +26,12 @@ expect 2 'MODEL is required' "$PROGRAM" derive
 expect 2 "no model 'nowhere'\|there is no file" "$PROGRAM" derive nowhere.toml
 expect 2 "no scene 'lap'; its scenes are 'lab' and 'ideal'" "$PROGRAM" derive "$model" --scene lap
 expect 2 'is not a file name' "$PROGRAM" generate "$model" --header ../x.hpp -o "$here/none"
+expect 2 "there is no verb 'simulat'; did you mean 'simulate'" "$PROGRAM" simulat "$model"
+expect 2 "'simulate' has no option '--tol'; did you mean '--tolerance'" "$PROGRAM" simulate "$model" --tol 1e-6 -o "$here/none"
+expect 2 "^--scene:1:1: error.unknown-scene" "$PROGRAM" derive "$model" --scene lap
+expect 2 "^--run:1:1: error.unknown-run" "$PROGRAM" simulate "$model" --run nowhere -o "$here/none"
+expect 0 'degC .*degree Celsius' "$PROGRAM" help units
+expect 0 'number of intervals' "$PROGRAM" help simulate
 expect 2 'NAME=WHOLE_NUMBER' "$PROGRAM" derive "$model" --size N
 expect 2 'no size' "$PROGRAM" derive "$model" --size N=3
 expect 2 "did you mean 'bodies'" "$PROGRAM" help bodie
@@ -33,7 +39,7 @@ expect 2 "'q' is no parameter that scene 'lab' has" "$PROGRAM" generate "$model"
 expect 2 "did you mean 'm_W'" "$PROGRAM" generate "$model" --fix m_w -o "$here/none"
 expect 2 "'g' is fixed twice" "$PROGRAM" generate "$model" --fix g,g=9.8 -o "$here/none"
 expect 2 'is 50 m, but its range ends at 5 m' "$PROGRAM" generate "$model" --fix l_S=50 -o "$here/none"
-expect 2 "'g' is in 'm/s^2', but 'kg' is in 'kg'" "$PROGRAM" generate "$model" --fix g=1kg -o "$here/none"
+expect 2 "the value of 'g' must be in 'm/s^2', but '1kg' is in 'kg'" "$PROGRAM" generate "$model" --fix g=1kg -o "$here/none"
 expect 2 "must not depend on 's'" "$PROGRAM" generate "$model" --fix g=s -o "$here/none"
 expect 2 'singular-mass' "$PROGRAM" generate "$SOURCE/tests/golden/two_masses_without.toml" --fix m_2=0 -o "$here/none"
 expect 2 "'fin' has rods whose cells are computed in loops" "$PROGRAM" generate "$SOURCE/systems/heat/fin.toml" --size N=500 --together -o "$here/none"

@@ -117,7 +117,7 @@ TEST_CASE("bad questions") {
     asked({"--run", "flying", "--maximise", "distance", "--over", "alpha=10deg:80deg"}, "the model has no run 'flying'");
     asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=80deg:10deg"}, "it begins at the smaller one");
     asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=0deg:80deg"}, "its range begins at");
-    asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=10m:80m"}, "'alpha' is in '1', but 'm' is in 'm'");
+    asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=10m:80m"}, "the value of 'alpha' must be in '1', but '10m' is in 'm'");
     asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=10deg"}, "is not of the form PARAMETER=LOW:HIGH");
     asked({"--run", "flight", "--over", "alpha=10deg:80deg"}, "Give either --maximise OUTPUT or --minimise OUTPUT");
 }
