@@ -148,22 +148,22 @@ struct Transition {
 inline constexpr std::array<std::array<Transition, mode_count>, event_count> transitions{{
     std::array<Transition, mode_count>{{  // inner_hits
         {true, {{{Mode::inner_closed_and_outer_open, Mode::inner_open_and_outer_open}}, 2}, {{{Mode::inner_open_and_outer_closed}}, 1}, {{{Mode::inner_closed_and_outer_open}}, 1}},
-        {true, {{{Mode::inner_open_and_outer_closed}}, 1}, {{{Mode::inner_open_and_outer_open, Mode::inner_closed_and_outer_open}}, 2}, {{{Mode::inner_open_and_outer_closed}}, 1}},
+        {true, {{{Mode::inner_closed_and_outer_open, Mode::inner_open_and_outer_closed}}, 2}, {{{Mode::inner_open_and_outer_open}}, 1}, {{{Mode::inner_closed_and_outer_open}}, 1}},
         {false, {}, {}, {}},
     }},
     std::array<Transition, mode_count>{{  // inner_opens
         {false, {}, {}, {}},
         {false, {}, {}, {}},
-        {true, {{{Mode::inner_open_and_outer_open}}, 1}, {}, {}},
+        {true, {{{Mode::inner_open_and_outer_open}}, 1}, {{{Mode::inner_open_and_outer_closed}}, 1}, {}},
     }},
     std::array<Transition, mode_count>{{  // outer_hits
         {true, {{{Mode::inner_open_and_outer_closed, Mode::inner_open_and_outer_open}}, 2}, {{{Mode::inner_closed_and_outer_open}}, 1}, {{{Mode::inner_open_and_outer_closed}}, 1}},
         {false, {}, {}, {}},
-        {true, {{{Mode::inner_closed_and_outer_open}}, 1}, {{{Mode::inner_open_and_outer_open, Mode::inner_open_and_outer_closed}}, 2}, {{{Mode::inner_closed_and_outer_open}}, 1}},
+        {true, {{{Mode::inner_open_and_outer_closed, Mode::inner_closed_and_outer_open}}, 2}, {{{Mode::inner_open_and_outer_open}}, 1}, {{{Mode::inner_open_and_outer_closed}}, 1}},
     }},
     std::array<Transition, mode_count>{{  // outer_opens
         {false, {}, {}, {}},
-        {true, {{{Mode::inner_open_and_outer_open}}, 1}, {}, {}},
+        {true, {{{Mode::inner_open_and_outer_open}}, 1}, {{{Mode::inner_closed_and_outer_open}}, 1}, {}},
         {false, {}, {}, {}},
     }},
     std::array<Transition, mode_count>{{  // chamber_1

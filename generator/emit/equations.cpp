@@ -135,7 +135,7 @@ std::string events(const System& s, const Notation& write) {
         if (!event.is_watched) continue;
         std::string next = event.ends ? "the run ends" : "";
         if (!event.ends)
-            for (const std::size_t mode : s.scene.modes_after(event.item->next, *s.scene.mode)) next += (next.empty() ? "" : ", else ") + s.scene.modes[mode].name;
+            for (const std::size_t mode : s.scene.modes_after(event.next(), *s.scene.mode)) next += (next.empty() ? "" : ", else ") + s.scene.modes[mode].name;
         text += fmt::format("  {}: {} -> {}\n", event.name, write(event.guard), next);
     }
     return text.empty() ? text : "\nevents: where this falls through zero -> mode afterwards\n" + text;
@@ -288,7 +288,7 @@ nlohmann::ordered_json mode_as_json(const System& s) {
         if (!event.is_watched) continue;
         json["events"].push_back({{"name", event.name}, {"guard", write(event.guard)}, {"ends", event.ends}, {"next", nlohmann::ordered_json::array()}});
         if (event.ends) continue;
-        for (const std::size_t mode : s.scene.modes_after(event.item->next, *s.scene.mode)) json["events"].back()["next"].push_back(s.scene.modes[mode].name);
+        for (const std::size_t mode : s.scene.modes_after(event.next(), *s.scene.mode)) json["events"].back()["next"].push_back(s.scene.modes[mode].name);
     }
     return json;
 }

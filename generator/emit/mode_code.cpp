@@ -82,7 +82,8 @@ std::string mode_tables(const std::vector<const Code*>& machine) {
                 return parts.empty() ? std::string("{}") : fmt::format("{{{{{{{}}}}}, {}}}", fmt::join(parts, ", "), to.size());
             };
             const bool leads = event.is_watched && !event.ends;
-            rows += fmt::format("        {{{}, {}, {}, {}}},\n", event.is_watched, leads ? list(scene.modes_after(event.item->next, m)) : "{}", leads ? list(scene.modes_beside(*event.item, m)) : "{}",
+            rows += fmt::format("        {{{}, {}, {}, {}}},\n", event.is_watched, leads ? list(scene.modes_after(event.next(), m)) : "{}",
+                                leads ? list(scene.modes_beside(*event.item, event.next(), m)) : "{}",
                                 leads && !event.item->rest.empty() ? list(scene.modes_after(event.item->rest, m)) : "{}");
         }
         rows += "    }},\n";

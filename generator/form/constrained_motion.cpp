@@ -7,6 +7,7 @@
 
 #include "balance/steps.hpp"
 #include "form/on_constraints.hpp"
+#include "form/shared_forces.hpp"
 #include "symbolic/squares.hpp"
 #include "text/diagnostic.hpp"
 
@@ -28,6 +29,8 @@ public:
     void run() {
         for (std::size_t i = 0; i < system_.constraints.size(); ++i)
             if (system_.constraints[i].holds) add(i);
+        find_repetitions();
+        check_sliding();
         leave_out_redundant();
         Motion& motion = system_.motion;
         for (std::size_t j = 0; j < n_; ++j)
@@ -62,23 +65,32 @@ private:
         });
     }
 
-    static void subtract(Row& from, const Row& row) {
-        const ex factor = from.factors[row.pivot];
+    static void subtract(Row& from, const Row& row) { take(from, from.factors[row.pivot], row); }
+
+    /// from - factor*row
+    static void take(Row& from, const ex& times, const Row& row) {
+        const ex factor = times;
         if (factor.is_zero()) return;
-        const auto take = [&](ex& a, const ex& b) { a = (a - factor * b).expand(); };
-        for (std::size_t j = 0; j < from.factors.size(); ++j) take(from.factors[j], row.factors[j]);
-        take(from.drift, row.drift);
-        for (std::size_t i = 0; i < from.made_of.size(); ++i) take(from.made_of[i], row.made_of[i]);
+        const auto less = [&](ex& a, const ex& b) { a = (a - factor * b).expand(); };
+        for (std::size_t j = 0; j < from.factors.size(); ++j) less(from.factors[j], row.factors[j]);
+        less(from.drift, row.drift);
+        for (std::size_t i = 0; i < from.made_of.size(); ++i) less(from.made_of[i], row.made_of[i]);
     }
 
-    void add(std::size_t constraint) {
+    Row row_of(std::size_t constraint) const {
         const ConstraintEquation& c = system_.constraints[constraint];
         Row row{c.rate.jacobian, c.rate.drift, std::vector<ex>(system_.constraints.size(), 0), 0, constraint, c.item};
         for (ex& factor : row.factors) factor = factor.expand();
         row.made_of[constraint] = 1;
+        return row;
+    }
+
+    void add(std::size_t constraint) {
+        Row row = row_of(constraint);
+        if (!system_.scene.mode || is_zero(row)) check_rate(row);
         for (const Row& other : rows_) subtract(row, other);
-        check_rate(row);
-        if (!choose_pivot(row)) {
+        if (!system_.scene.mode) check_rate(row);
+        if (is_zero(row) || !choose_pivot(row)) {
             kept_.push_back(std::move(row));
             return;
         }
@@ -89,8 +101,87 @@ private:
         divide(row.drift);
         for (auto* others : {&rows_, &kept_})
             for (Row& other : *others) subtract(other, row);
-        for (const Row& other : kept_) check_rate(other);
+        if (!system_.scene.mode)
+            for (const Row& other : kept_) check_rate(other);
         rows_.push_back(std::move(row));
+    }
+
+    static bool is_zero(const Row& row) {
+        return std::all_of(row.factors.begin(), row.factors.end(), [](const ex& factor) { return factor.is_zero(); });
+    }
+
+    /// Of what constraints in a mode repeat each other, each of which may have to let go.
+    void find_repetitions() {
+        if (!system_.scene.mode) return;
+        std::vector<std::vector<ex>> repeated;
+        std::vector<Row> kept;
+        for (Row& row : kept_) {
+            for (const Row& other : kept)
+                if (const auto factor = multiple_of(row, other)) take(row, *factor, other);
+            if (!is_zero(row)) {
+                kept.push_back(std::move(row));
+                continue;
+            }
+            // What moves at a rate of its own cannot be held.
+            if (!row.drift.is_zero() && !row.drift.normal().is_zero()) check_rate(row);
+            repeated.push_back(row.made_of);
+        }
+        kept_ = std::move(kept);
+        system_.repetitions = repetitions(system_, std::move(repeated));
+        if (auto why = why_not_shared(system_, system_.repetitions)) throw Failure(std::move(*why));
+    }
+
+    /// row = factor*other, with a factor of parameters.
+    std::optional<ex> multiple_of(const Row& row, const Row& other) const {
+        std::optional<ex> factor;
+        for (std::size_t j = 0; j < n_ && !factor; ++j)
+            if (!other.factors[j].is_zero()) factor = ex(row.factors[j] / other.factors[j]).normal();
+        if (!factor || factor->is_zero() || !is_of_parameters(*factor, symbols_)) return std::nullopt;
+        for (std::size_t j = 0; j < n_; ++j)
+            if (!ex(row.factors[j] - *factor * other.factors[j]).expand().is_zero()) return std::nullopt;
+        return factor;
+    }
+
+    /// Where friction slides: 1 forwards, -1 backwards.
+    int slides(const ConstraintEquation& c) const {
+        if (c.holds || c.item->elsewhere == nullptr) return 0;
+        return system_.scene.modes[*system_.scene.mode].is_in(c.item->name + "_slides_forwards") ? 1 : -1;
+    }
+
+    /// Frictions on the same rate slide the same way.
+    void check_directions(std::size_t i) const {
+        const Row row = row_of(i);
+        for (std::size_t j = 0; j < i; ++j) {
+            const ConstraintEquation& before = system_.constraints[j];
+            if (slides(before) == 0) continue;
+            const Row other = row_of(j);
+            const auto factor = multiple_of(row, other);
+            if (!factor || !ex(row.drift - *factor * other.drift).expand().is_zero() || slides(before) * sign_of_factor(*factor) != -slides(system_.constraints[i])) continue;
+            throw Failure(Diagnostic{Id::doubly_determined, row.item->span, fmt::format("frictions '{}' and '{}' do not slide in opposite directions", before.item->name, row.item->name), {{before.item->span, "on the same rate"}}});
+        }
+    }
+
+    /// Friction does not slide where other constraints hold its rate: then the mode in which it sticks is the one that counts.
+    void check_sliding() const {
+        if (!system_.scene.mode) return;
+        for (std::size_t i = 0; i < system_.constraints.size(); ++i) {
+            const ConstraintEquation& c = system_.constraints[i];
+            if (slides(c) == 0) continue;
+            check_directions(i);
+            Row row = row_of(i);
+            if (is_zero(row)) continue;
+            for (const Row& other : rows_) subtract(row, other);
+            for (const Row& other : kept_)
+                if (const auto factor = multiple_of(row, other)) take(row, *factor, other);
+            if (!is_zero(row) || !(row.drift.is_zero() || row.drift.normal().is_zero())) continue;
+            std::vector<std::vector<ex>> repeated{row.made_of};
+            for (const Repetition& r : system_.repetitions) repeated.push_back(r.made_of);
+            if (why_not_shared(system_, repetitions(system_, std::move(repeated)))) continue;
+            std::vector<Note> notes;
+            for (std::size_t other = 0; other < row.made_of.size(); ++other)
+                if (other != i && !row.made_of[other].is_zero()) notes.push_back({system_.constraints[other].item->span, fmt::format("'{}' holds it", system_.constraints[other].item->name)});
+            throw Failure(Diagnostic{Id::doubly_determined, c.item->span, fmt::format("friction '{}' does not slide{}: its rate is held at zero", c.item->name, in_which_mode(system_.scene)), std::move(notes)});
+        }
     }
 
     /// What follows from others wherever they hold cannot be told from these by its force. Neither elimination nor letters show it, but numbers do.
@@ -116,7 +207,7 @@ private:
 
     /// Whether anything is left of a rate.
     void check_rate(const Row& row) const {
-        if (!std::all_of(row.factors.begin(), row.factors.end(), [](const ex& f) { return f.is_zero(); })) return;
+        if (!is_zero(row)) return;
         if (rows_.empty() && kept_.empty()) throw Failure(Diagnostic{Id::undetermined, row.item->span, fmt::format("constraint '{}' holds a rate that no velocity changes", row.item->name)});
         std::vector<Note> notes;
         for (const auto* others : {&rows_, &kept_})

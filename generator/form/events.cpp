@@ -129,6 +129,26 @@ private:
 
 }  // namespace
 
+std::vector<Condition> EventEquation::next() const {
+    if (together.empty()) return item->next;
+    std::vector<Condition> all{Condition{Condition::Kind::conjunction, item->span, {}, {}}};
+    std::vector<Condition> alone;
+    std::vector<const Event*> events{item};
+    events.insert(events.end(), together.begin(), together.end());
+    for (const Event* event : events) {
+        std::vector<Condition> longer;
+        for (const Condition& before : all)
+            for (const Condition& to : event->next) {
+                longer.push_back(before);
+                longer.back().parts.push_back(to);
+            }
+        all = std::move(longer);
+        alone.insert(alone.end(), event->next.begin(), event->next.end());
+    }
+    all.insert(all.end(), alone.begin(), alone.end());
+    return all;
+}
+
 ex guard_rate(const System& system, const ex& guard) { return system.with_rates(system.symbols.time_derivative(guard)); }
 
 void events(System& system) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "form/mode_systems.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <set>
 
 #include "text/diagnostic.hpp"
 
@@ -12,6 +15,13 @@ namespace dalembert {
 namespace {
 
 using Systems = std::vector<std::unique_ptr<System>>;
+
+constexpr std::size_t most_modes = 64;
+
+[[noreturn]] void too_many(const Scene& scene) {
+    const ModeGroup& last = *scene.mode_groups.back();
+    throw Failure(Diagnostic{Id::too_large, last.span, fmt::format("scene '{}' has more than {} modes that can be, of {} combinations, and this version derives no more: each of '{}' goes with each of the other groups", scene.name, most_modes, scene.modes.size(), last.name)});
+}
 
 bool is_same_limit(const EventEquation& a, const EventEquation& b) { return a.name == b.name && a.doc == b.doc; }
 
@@ -45,6 +55,12 @@ void renumber(const Systems& modes) {
     }
 }
 
+/// What is the same in several modes.
+void tell_once(const Systems& modes) {
+    std::set<std::pair<std::size_t, std::string>> told;
+    for (const auto& system : modes) std::erase_if(system->warnings, [&](const Diagnostic& d) { return !told.insert({d.span.begin, d.message}).second; });
+}
+
 }  // namespace
 
 std::vector<std::unique_ptr<System>> derive_modes(const Names& names, const Scene& scene) {
@@ -54,12 +70,15 @@ std::vector<std::unique_ptr<System>> derive_modes(const Names& names, const Scen
         return modes;
     }
     std::optional<Failure> overdetermined;
+    std::vector<Diagnostic> left_out;
     for (std::size_t mode = 0; mode < scene.modes.size(); ++mode) {
         try {
             modes.push_back(derive(names, in_mode(scene, mode)));
+            if (modes.size() > most_modes) too_many(scene);
         } catch (const Failure& failure) {
             if (failure.diagnostics().front().id != Id::doubly_determined) throw;
             if (!overdetermined) overdetermined = failure;
+            if (failure.diagnostics().front().severity == Severity::warning) left_out.push_back(failure.diagnostics().front());
         }
     }
     if (overdetermined) {
@@ -67,7 +86,10 @@ std::vector<std::unique_ptr<System>> derive_modes(const Names& names, const Scen
         for (const ModeGroup* group : scene.mode_groups)
             if (!std::all_of(group->modes.begin(), group->modes.end(), is_left)) throw *overdetermined;
         renumber(modes);
+        std::vector<Diagnostic>& warnings = modes.front()->warnings;
+        warnings.insert(warnings.begin(), left_out.begin(), left_out.end());
     }
+    tell_once(modes);
     align_limits(modes);
     return modes;
 }

@@ -4,6 +4,7 @@
 #include "form/named_balances.hpp"
 #include "form/quadrature.hpp"
 #include "form/quantities.hpp"
+#include "form/shared_forces.hpp"
 
 #include <fmt/format.h>
 
@@ -266,8 +267,10 @@ std::unique_ptr<System> derive(const Names& names, Scene scene) {
     constrain(*system);
     const ex by_jets = exchanged_by_jets(*system);
     system->exchanged_power += by_jets;
+    SharedForces shared(*system);
     outputs(*system);
     events(*system);
+    shared.settle();
     system->named = name_balances(*system, system->symbols);
     system->named.exchanged_power += by_jets;
     return system;

@@ -55,6 +55,13 @@ struct ConstraintEquation {
     GiNaC::ex whole_rate;
 };
 
+/// Constraints whose rates repeat each other in a mode: sum of made_of[i]*rate[i] = 0. What each of them bears is known but for
+/// share*made_of[i], with the force of the last of them as the share: made_of is 1 there, and 0 in all other repetitions.
+struct Repetition {
+    std::size_t last;                   ///< constraint
+    std::vector<GiNaC::ex> made_of;     ///< factors of all constraints, numbers or parameters of known sign
+};
+
 /// What is solved for: the accelerations of coordinates that constraints leave free, all of them where nothing is eliminated; and behind
 /// them multipliers, the forces of constraints from which no velocity follows: matrix*unknowns = force. With M of the free coordinates and
 /// J of those constraints the matrix is [M, -J'; -J, 0]; the rows of constraints say -(J qdd - gamma) = 0.
@@ -102,6 +109,9 @@ struct EventEquation {
     GiNaC::ex guard;  ///< falls through zero; may contain accelerations
     GiNaC::ex rate;   ///< of the guard; may contain accelerations and their rates
     Reset reset, rest;
+    std::vector<const Event*> together = {};  ///< events that happen with it: of constraints that let go together
+    /// The modes that it leads to, in order of preference: where all of these events happen, else each of them alone.
+    std::vector<Condition> next() const;
 };
 
 /// Lives at one place, because its parts refer to each other.
@@ -159,6 +169,7 @@ struct System {
     std::vector<OutputEquation> outputs;
 
     std::vector<ConstraintEquation> constraints;
+    std::vector<Repetition> repetitions;
     Motion motion;
     std::vector<Diagnostic> warnings;
     /// Whether runs have to be brought back to constraints: to those with a multiplier, and to eliminated ones whose rate has factors that

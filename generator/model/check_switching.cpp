@@ -55,7 +55,9 @@ private:
     }
 
     void check(const Event& event) {
-        if ((dependence(*event.guard, names_) & ~(on_parameters | on_modes)) == 0) wrong(event.guard->span, fmt::format("the guard of event '{}' depends on nothing that moves, so that it never goes through zero", event.name));
+        // What an element watches may depend on a profile alone: it jumps where the phase ends.
+        const unsigned still = on_parameters | on_modes, depends = dependence(*event.guard, names_);
+        if ((depends & ~still) == 0 && !(event.is_made && (depends & on_modes) != 0)) wrong(event.guard->span, fmt::format("the guard of event '{}' depends on nothing that moves, so that it never goes through zero", event.name));
         if (!event.ends && event.next.empty() && event.reset.empty() && !event.meets)
             wrong(event.span, fmt::format("event '{}' neither leads to a mode nor resets anything nor ends the run, so that it would happen again at once", event.name));
         if (event.meets) {

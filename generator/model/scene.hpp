@@ -91,11 +91,13 @@ struct Scene {
     /// Whether the condition of an item holds, in the mode of the scene or else in any.
     bool holds(const std::optional<Condition>& when) const;
     bool holds(const std::optional<Condition>& when, std::size_t in_mode) const;
-    /// The modes that an event leads to, in order of preference; where the scene has none of them, the one that it comes from.
+    /// The modes that an event leads to, in order of preference. Where the scene lacks one of them, those take its place that have what
+    /// the event asks for and differ from it in the fewest other groups: what meets a stop sticks there. None at all: the one it comes from.
     std::vector<std::size_t> modes_after(const std::vector<Condition>& next, std::size_t from) const;
-    /// Further modes that it may lead to, because what it resets drives other parts of the machine out of theirs: an impact turns a velocity
-    /// round, so that friction acts the other way. None for an event that resets nothing.
-    std::vector<std::size_t> modes_beside(const Event& event, std::size_t from) const;
+    /// Further modes that an event with these next ones may lead to, because it drives other parts of the machine out of theirs:
+    /// an impact turns a velocity round, so that friction acts the other way; a force that a profile switches on tears loose
+    /// what sticks.
+    std::vector<std::size_t> modes_beside(const Event& event, const std::vector<Condition>& next, std::size_t from) const;
     /// Whether a volume has a temperature state in this scene.
     bool has_temperature(const Volume& volume, const Names& names) const;
     /// Whether a node stores heat in this scene.

@@ -65,7 +65,7 @@ AuditEntry balance_power(const System& system, Prover& prover) {
         if (node.is_tapped) change.push_back(symbols.time_derivative(node.stored_energy));
     ex power = system.supplied_power - system.dissipated_power + system.prescribed_power + system.exchanged_power;
     for (std::size_t i = 0; i < system.motion.free.size(); ++i) power += system.motion.residual[i] * symbols.get(SymbolKind::velocity, system.motion.free[i]);
-    for (const std::size_t constraint : system.motion.multipliers) power += system.constraints[constraint].force * system.constraints[constraint].whole_rate;
+    for (const std::size_t constraint : system.motion.multipliers) power += symbols.get(SymbolKind::multiplier, constraint) * system.constraints[constraint].whole_rate;
     for (const auto& [node, heat] : system.heat.defined) power -= heat;
     const GiNaC::exmap held = system.held_motion();
     const auto in = [&](const ex& e) { return held.empty() ? e : e.subs(held, GiNaC::subs_options::no_pattern); };

@@ -59,6 +59,9 @@ public:
     /// Whether the last two are no further apart than `most`.
     bool is_repeated(Scalar longest) const { return count_ > 1 && interval() <= longest; }
 
+    /// Whether it has happened between the last two times of the other one.
+    bool is_between(const Accumulation& other) const { return count_ > 1 && other.count_ > 1 && time(0) >= other.time(1) && time(0) <= other.time(0); }
+
     /// Too close together to be told apart, or beyond the sum that they had while they shrank steadily.
     bool is_stalled() const { return stalls_ >= enough_stalls || (has_sum_ && !is_steady() && time(0) >= sum_); }
 

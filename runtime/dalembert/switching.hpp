@@ -82,7 +82,8 @@ struct SwitchingOutcome : Outcome {
 ///
 /// Events accumulate where three or more of their intervals shrink by a steady ratio, and the sum of all to come is less than the root of a
 /// rounding (1.5e-8) of the sequence so far, or where they cannot be told apart any more. The motion is then followed without that event to
-/// the sum, a rounding or two behind the guard; `settle` makes up for that.
+/// the sum, a rounding or two behind the guard; `settle` makes up for that. An event without after_accumulation() that happens between the
+/// bounces goes with them; alone it ends the run.
 ///
 /// What has the rate zero stays exactly as it is; with Method::rodas5p but for rounding, where steps are long.
 ///

@@ -221,21 +221,33 @@ private:
     }
 
     /// Where the event accumulates, the run goes on at the time at which its intervals vanish. What accumulates at the same time, as in
-    /// parts of a machine that are alike, goes with it.
+    /// parts of a machine that are alike, goes with it; so does what happens between, as friction that turns round at the top of each bounce.
     Status pass_accumulation(std::size_t happened, std::size_t& event) {
         using std::abs;
         const Accumulation<Scalar>& times = accumulations_[happened];
         if (!times.is_certain() || (times.end() > to_ && !times.is_stalled())) return Status::success;
         const Scalar end = times.end() < to_ ? times.end() : to_;
-        std::array<bool, events> is_over{};
-        for (std::size_t e = 0; e < events; ++e)
-            is_over[e] = e == happened || (System::is_watched(here_.mode, e) && goes_on_after(e) && accumulations_[e].is_certain() &&
-                                           abs(accumulations_[e].end() - end) <= control_.tiny(t_));
+        const std::size_t leader = goes_on_after(happened) ? happened : leader_of(happened);
         if constexpr (says_what_follows_accumulation<System>) {
-            if (goes_on_after(happened)) return end > t_ && !coast(is_over, end) ? Status::success : settle(is_over, event);
+            if (leader != none && leader != happened && !accumulations_[leader].is_certain() && !times.is_stalled()) return Status::success;
+            std::array<bool, events> is_over{}, is_ignored{};
+            for (std::size_t e = 0; e < events; ++e) {
+                const bool is_certain = accumulations_[e].is_certain();
+                const Scalar apart = abs(accumulations_[e].end() - end);
+                is_over[e] = e == leader || (System::is_watched(here_.mode, e) && goes_on_after(e) && is_certain && apart <= control_.tiny(t_));
+                is_ignored[e] = is_over[e] || e == happened || (is_certain && apart <= (end - t_) / Scalar(8) + control_.tiny(t_));
+            }
+            if (leader != none) return end > t_ && !coast(is_ignored, end) ? Status::success : settle(is_over, event);
         }
         result_.accumulates_at = static_cast<double>(end);
         return Status::accumulation;
+    }
+
+    /// An event that says what follows, and happens between any two times of the one that does not.
+    std::size_t leader_of(std::size_t event) const {
+        for (std::size_t e = 0; e < events; ++e)
+            if (e != event && goes_on_after(e) && accumulations_[e].is_between(accumulations_[event])) return e;
+        return none;
     }
 
     bool goes_on_after(std::size_t event) const {
@@ -248,8 +260,8 @@ private:
     }
 
     /// To the end of accumulations, without a look at their events. False, and nothing has happened, if there is another one before.
-    bool coast(const std::array<bool, events>& is_over, Scalar end) {
-        here_.is_ignored = is_over;
+    bool coast(const std::array<bool, events>& is_ignored, Scalar end) {
+        here_.is_ignored = is_ignored;
         State x = x_;
         std::size_t other = none;
         is_trial_ = true;

@@ -110,7 +110,7 @@ TEST_CASE("an impact on a cart throws its pendulum: the momentum along the free 
     CHECK(closed.motion.positions.size() == 1);
 }
 
-TEST_CASE("a ball alone is struck without a solve, and modes whose constraints repeat each other are not there") {
+TEST_CASE("a ball alone is struck without a solve, and modes whose constraints contradict each other are not there") {
     Machine machine = machine_from(block + "[stops.left]\ngap = \"x + l\"\n[stops.right]\ngap = \"l - x\"\nrestitution = \"1/2\"\n");
     const Scene& scene = machine.system->scene;
     std::vector<std::string> names;
@@ -121,7 +121,46 @@ TEST_CASE("a ball alone is struck without a solve, and modes whose constraints r
     CHECK((*after(right.reset, 1) + symbol(*machine.system, SymbolKind::velocity, "x") / 2).is_zero());
     CHECK(after(event(*machine.system, "left_hits").reset, 1)->is_zero());
     CHECK(scene.modes_after(right.item->next, 0) == std::vector<std::size_t>{1, 0});
-    CHECK(scene.modes_after(right.item->next, 2) == std::vector<std::size_t>{2});  // closed on both sides is no mode
+    CHECK(scene.modes_after(right.item->next, 2) == std::vector<std::size_t>{1, 2});  // closed on both sides is no mode
+}
+
+TEST_CASE("what repeats each other in a mode is left when nothing can hold any more, and friction does not slide where its rate is held") {
+    const std::string parameters = "[inputs]\nF = { unit = \"N\" }\n[definitions]\nC = { value = \"c*l/5\", unit = \"N\" }\nH = { value = \"c*l/3\", unit = \"N\" }\n"
+                                   "[forces.f]\nforce = [\"F\", 0, 0]\non = \"block\"\n";
+    Machine machine = machine_from(block + parameters + "[frictions.floor]\nrate = \"dot(x)\"\nnormal_force = \"C\"\ncoefficient = 1\nstatic_coefficient = \"H/C\"\n[stops.wall]\ngap = \"x\"\n");
+    std::vector<std::string> names;
+    for (const SceneMode& m : machine.system->scene.modes) names.push_back(m.name);
+    CHECK(names == std::vector<std::string>{"floor_sticks_and_wall_open", "floor_sticks_and_wall_closed", "floor_slides_forwards_and_wall_open", "floor_slides_backwards_and_wall_open"});
+    const System& held = *mode(machine, "floor_sticks_and_wall_closed").system;
+    const ex F = symbol(held, SymbolKind::input, "F"), H = held.symbols.without_definitions(symbol(held, SymbolKind::definition, "H"));
+    const EventEquation& breaks = event(held, "floor_breaks_forwards");
+    // The stop bears what presses on it, friction all it can against what pulls off.
+    CHECK((held.symbols.without_definitions(breaks.guard) - (H - F)).expand().is_zero());
+    CHECK(held.scene.modes_after(breaks.next(), 1).front() == 2);
+    CHECK(!event(held, "floor_breaks_backwards").is_watched);
+    CHECK(!event(held, "wall_opens").is_watched);
+    const auto force = [&](std::size_t constraint, int pull) { return held.constraints[constraint].force.subs(F == pull, GiNaC::subs_options::no_pattern).evalf(); };
+    CHECK((force(0, 3) + 3).is_zero());
+    CHECK(force(1, 3).is_zero());
+    CHECK(force(0, -3).is_zero());
+    CHECK((force(1, -3) - 3).is_zero());
+    // Where the sum of the velocities before the impact is turned round, friction is, too; what rests sticks.
+    const System& back = *mode(machine, "floor_slides_backwards_and_wall_open").system;
+    CHECK(back.scene.modes_after(event(back, "wall_hits").next(), 3) == std::vector<std::size_t>{1, 3});
+    for (Machine* each : {&machine, &machine.other_modes[0], &machine.other_modes[1], &machine.other_modes[2]}) CHECK(all_proven(*each->system));
+    generate(machine);
+    CHECK(proofs_of(machine).all_proven());
+
+    const auto refused = [](const std::string& text) {
+        try {
+            machine_from(text);
+        } catch (const Failure& failure) {
+            return failure.diagnostics().front().message;
+        }
+        return std::string();
+    };
+    CHECK(refused(block + parameters + "[constraints.rail]\nrate = \"dot(x)\"\n[frictions.floor]\nrate = \"2*dot(x)\"\nnormal_force = \"C\"\ncoefficient = 1\n") ==
+          "friction 'floor' does not slide in mode 'floor_slides_forwards': its rate is held at zero");
 }
 
 TEST_CASE("a mode's name is 1 there and 0 elsewhere, and a saturation follows its value within limits") {
