@@ -17,6 +17,23 @@ ex number(std::size_t n) { return numeric(static_cast<unsigned long>(n)); }
 
 ex middle(const ex& a, const ex& b) { return ((a + b) / 2).expand(); }
 
+/// The area that a bar of the same conductance has throughout, (b - a)/integral(dx/A): exact where A is linear (the logarithmic mean) or the
+/// square of something linear (the product of its values at both ends); of other laws, and of tips through which nothing could flow, by the
+/// area half way.
+template <class Area>
+ex mean_area(const Area& area, const ex& from, const ex& to, const ex& length) {
+    const GiNaC::symbol x("x");
+    const ex law = area(x).expand();
+    if (!law.has(x)) return area(from);
+    if (area(0).expand().is_zero() || area(length).expand().is_zero()) return area(middle(from, to));
+    if (law.is_polynomial(x) && law.degree(x) == 1) return log_mean(area(from), area(to));
+    if (law.is_polynomial(x) && law.degree(x) == 2) {
+        const ex c = law.coeff(x, 2), b = law.coeff(x, 1), a = law.coeff(x, 0);
+        if ((b * b - 4 * a * c).expand().is_zero()) return whole((c * from * to + b * (from + to) / 2 + a).expand());
+    }
+    return area(middle(from, to));
+}
+
 }  // namespace
 
 RodGeometry::RodGeometry(const Rod& rod, const Translator& translate, std::size_t cells)
@@ -69,7 +86,8 @@ ex RodGeometry::volume(const GridPlace& p) const {
 }
 
 ex RodGeometry::shape_factor(const ex& from, const ex& to, const ex& distance) const {
-    if (rod_.shape == Rod::Shape::bar || from.is_zero()) return area(middle(from, to)) / distance;
+    if (rod_.shape == Rod::Shape::bar) return mean_area([this](const ex& x) { return area(x); }, from, to, extent()) / distance;
+    if (from.is_zero()) return area(middle(from, to)) / distance;
     if (rod_.shape == Rod::Shape::cylinder) return 2 * GiNaC::Pi * value(rod_.height) / log_ratio(to, from);
     return 4 * GiNaC::Pi * from * to / distance;
 }
