@@ -90,6 +90,7 @@ public:
         mode(equilibrium);
         format(equilibrium, "text or json", {"text", "json"});
         equilibrium->add_option("--hold", options_.hold, "states that keep their value, comma separated")->delimiter(',');
+        equilibrium->add_option("--moving", options_.moving, "coordinates that go on at constant speed: a steady motion is sought, at the speeds of the start; comma separated")->delimiter(',');
         equilibrium->add_option("--free", options_.free, "inputs that may change, comma separated")->delimiter(',');
         CLI::App* modal = model_verb("modal", "eigenvalues, eigenvectors and modal form of a linear mechanical system, or of the linearisation at its start");
         settings(modal);

@@ -44,6 +44,7 @@ struct Options {
     double limit = 5;                     ///< s, of one run that cost measures
     std::map<std::string, std::vector<int>> size_lists;  ///< of cost: every size is measured
     std::vector<std::string> hold;
+    std::vector<std::string> moving;      ///< coordinates
     std::vector<std::string> free;
     bool taylor = false;                  ///< the header gets series
     bool together = false;                ///< and a function for rates, Jacobian, outputs and energies at once

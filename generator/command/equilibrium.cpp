@@ -11,6 +11,7 @@
 #include "command/shared.hpp"
 #include "emit/runner.hpp"
 #include "form/constrained_motion.hpp"
+#include "prove/constraint_validity.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -35,7 +36,7 @@ void mark(const std::vector<std::string>& names, const std::vector<const Variabl
 }
 
 /// What constraints hold: coordinates at their place, which rates alone do not know, and velocities at zero.
-void hold_positions(const System& system, std::vector<GiNaC::ex>& x, const Values& values, std::vector<bool>& free_states) {
+void hold_positions(const System& system, std::vector<GiNaC::ex>& x, const Values& values, std::vector<bool>& free_states, bool is_moving) {
     const GiNaC::exmap at = values.substitution();
     const bool finds_positions = system.needs_projection() && system.symbols.attitudes().empty();
     for (const ConstraintEquation& constraint : system.constraints) {
@@ -52,10 +53,31 @@ void hold_positions(const System& system, std::vector<GiNaC::ex>& x, const Value
         x[in_x] = place.subs(at, GiNaC::subs_options::no_pattern).evalf();
         free_states[in_x] = false;
     }
+    if (is_moving && finds_positions) return;
     for (const auto& [coordinate, rate] : system.motion.velocities) {
         x[system.symbols.place(SymbolKind::velocity, coordinate)] = 0;
         free_states[system.symbols.place(SymbolKind::velocity, coordinate)] = false;
     }
+}
+
+/// Flags of the coordinates that move, whose speeds stay those of the start.
+std::vector<bool> moving_coordinates(const Options& options, const std::vector<const Variable*>& states, std::vector<bool>& free_states) {
+    std::vector<bool> moving(states.size(), false);
+    mark(options.moving, states, moving, true, "moving");
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        if (!moving[i]) continue;
+        if (states[i]->kind != SymbolKind::coordinate) throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("--moving: '{}' is no coordinate", states[i]->name)});
+        for (std::size_t k = 0; k < states.size(); ++k)
+            if (states[k]->kind == SymbolKind::velocity && states[k]->position == states[i]->position) free_states[k] = false;
+    }
+    return moving;
+}
+
+/// Names of states by the places that the program printed.
+std::vector<std::string> names_at(const std::string& places, const std::vector<const Variable*>& states) {
+    std::vector<std::string> names;
+    for (const double place : number_list(places, ',')) names.push_back(states[static_cast<std::size_t>(place)]->name);
+    return names;
 }
 
 }  // namespace
@@ -88,6 +110,8 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     std::vector<bool> free_inputs(inputs.size(), false);
     mark(options.hold, states, free_states, false, "hold");
     mark(options.free, inputs, free_inputs, true, "free");
+    const std::vector<bool> moving = moving_coordinates(options, states, free_states);
+    if (!options.moving.empty()) meet_constraints(system, values);
 
     // Each needs a temperature that is held, or its level is arbitrary and its heat has nowhere to go.
     const std::size_t first_plain = system.symbols.positions() + system.symbols.degrees();
@@ -100,9 +124,9 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     }
 
     auto start = values.state();
-    hold_positions(system, start, values, free_states);
+    hold_positions(system, start, values, free_states, !options.moving.empty());
     const ScratchFolder scratch;
-    const auto result = run_with_header(scratch, header, equilibrium_source(*chosen.code, header, values, start, free_states, free_inputs), {}, "-O0");  // compiling takes longer than running
+    const auto result = run_with_header(scratch, header, equilibrium_source(*chosen.code, header, values, start, free_states, free_inputs, moving), {}, "-O0");  // compiling takes longer than running
     const bool found = result.at("status") == "success";
     const auto x = number_list(result.at("x"), ',');
     const auto u = number_list(result.at("u"), ',');
@@ -119,7 +143,7 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
         text += fmt::format("no equilibrium found ({}{}), largest |dx/dt| left {}\n  try another start with --state, keep a state with --hold, let an input change with --free, or see by simulate where it goes\n", result.at("status"),
                             result.at("status") == "not finite" ? ": dx/dt or its Jacobian has no value" : "", result.at("residual"));
     else if (result.at("kind") == "family") text += fmt::format("one of a family of equilibria of dimension {}\n", result.at("dimension"));
-    else text += "an isolated equilibrium\n";
+    else text += options.moving.empty() ? "an isolated equilibrium\n" : "a steady motion\n";
     const auto list = [&](const char* key, const std::vector<const Variable*>& variables, const std::vector<double>& numbers_of) {
         json[key] = nlohmann::ordered_json::object();
         for (std::size_t i = 0; i < variables.size(); ++i) {
@@ -140,8 +164,17 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
                 text += "\n";
             }
         }
+        const auto free = names_at(result.at("free"), states), ignorable = names_at(result.at("ignorable"), states);
+        json["free_states"] = free;
+        json["ignorable_states"] = ignorable;
         json["eigenvalues"] = nlohmann::ordered_json::array();
-        text += "eigenvalues of A [1/s]\n";
+        if (free.size() < states.size()) {
+            text += fmt::format("free to be chosen where constraints hold: {}; the other states follow from them\n", quoted_list(free));
+            if (!ignorable.empty()) text += fmt::format("nothing depends on {}: an eigenvalue 0 for each\n", quoted_list(ignorable));
+            text += "eigenvalues of the motions that constraints allow [1/s]\n";
+        } else {
+            text += "eigenvalues of A [1/s]\n";
+        }
         for (const auto& pair : matrix(result.at("eigenvalues"))) {
             json["eigenvalues"].push_back({{"real", pair[0]}, {"imaginary", pair[1]}});
             text += fmt::format("  {:>12.6g} {:+.6g} i\n", pair[0] + 0.0, pair[1] + 0.0);

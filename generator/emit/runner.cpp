@@ -273,7 +273,7 @@ std::string modal_source(const Code& code, const Header& header, const Values& v
                                                          {"INPUTS", joined(inputs)}});
 }
 
-std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<GiNaC::ex>& x, const std::vector<bool>& free_states, const std::vector<bool>& free_inputs) {
+std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<GiNaC::ex>& x, const std::vector<bool>& free_states, const std::vector<bool>& free_inputs, const std::vector<bool>& moving) {
     return fill_template(embedded_file("equilibrium.cpp.in"), {{"NAMESPACE", header.name_space},
                                                                {"SYSTEM", system_type(code, header)},
                                                                {"HEADER", header.file_name},
@@ -281,7 +281,8 @@ std::string equilibrium_source(const Code& code, const Header& header, const Val
                                                                {"START", joined(x)},
                                                                {"INPUTS", joined(values.inputs())},
                                                                {"FREE_STATES", flags(free_states)},
-                                                               {"FREE_INPUTS", flags(free_inputs)}});
+                                                               {"FREE_INPUTS", flags(free_inputs)},
+                                                               {"MOVING", flags(moving)}});
 }
 
 }  // namespace dalembert

@@ -42,7 +42,7 @@ std::vector<std::string> compared_columns(const System& system);
 
 /// The source of a search for an equilibrium from x; flags say which states and inputs are free.
 std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<GiNaC::ex>& x, const std::vector<bool>& free_states,
-                               const std::vector<bool>& free_inputs);
+                               const std::vector<bool>& free_inputs, const std::vector<bool>& moving);
 
 /// The program that prints the modal form at x (in the order of the model) with the inputs.
 std::string modal_source(const Code& code, const Header& header, const Values& values, const std::vector<GiNaC::ex>& x, const std::vector<GiNaC::ex>& inputs);

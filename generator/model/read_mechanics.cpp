@@ -19,6 +19,12 @@ std::vector<CoordinateEntry> coordinates(const Entry& e, std::string_view key) {
     return result;
 }
 
+/// A body that turns and has a mass has an inertia, too, even if it is zero: forgotten, the body would swing like a point.
+void needs_inertia(const Entry& e, const char* turning, const char* of_a_point) {
+    if (!e.has(turning) || !e.has("mass") || e.has("inertia") || e.has("solid")) return;
+    e.error(Id::missing_key, e.span_of(turning), fmt::format("body '{}' has a mass and turns, but has no inertia, so that it would move like a point; give it one, inertia = {} if it is a point, or leave out '{}'", e.name(), of_a_point, turning));
+}
+
 /// What has axes of its own.
 void in_space(const Entry& e, const Body& body) {
     const auto both = [&](const char* a, const char* b, const char* why) {
@@ -32,6 +38,8 @@ void in_space(const Entry& e, const Body& body) {
     if (body.inertia) e.error(Id::wrong_type, e.span_of("inertia"), fmt::format("the inertia of body '{}', which turns in space, is [Jx, Jy, Jz] or three rows", e.name()));
     const bool turns = e.has("turns") || e.has("attitude") || e.has("on");
     if (!body.tensor.empty() && !turns) e.error(Id::missing_key, e.span_of("inertia"), fmt::format("body '{}' has an inertia but neither turns nor an attitude", e.name()));
+    needs_inertia(e, "turns", "[0, 0, 0]");
+    needs_inertia(e, "attitude", "[0, 0, 0]");
 }
 
 }  // namespace
@@ -76,6 +84,8 @@ void read(const Entry& e, Body& body) {
     if (e.has("inertia") && !e.has("rotation") && !e.has("angular_velocity"))
         e.error(Id::missing_key, e.span_of("inertia"),
                 fmt::format("body '{}' has an inertia but neither rotation nor angular_velocity", e.name()));
+    needs_inertia(e, "rotation", "0");
+    needs_inertia(e, "angular_velocity", "0");
 }
 
 void read(const Entry& e, Spring& spring) {

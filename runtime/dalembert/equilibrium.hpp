@@ -39,7 +39,8 @@ struct Equilibrium {
 
 namespace detail {
 
-/// f(z) = 0 for the states and inputs z that are free, with the positions that constraints hold behind the rates. States, inputs and their rates have units of any size, so what is judged
+/// f(z) = 0 for the states and inputs z that are free, with the positions and rates that constraints hold behind them. Coordinates may move on at
+/// constant speed: they keep their value, and their rate is not asked to vanish. States, inputs and their rates have units of any size, so what is judged
 /// is always a row relative to |df/dz| |z|, its size when nothing cancels, and a column relative to max(|z|, 1 SI unit).
 template <class System>
 class EquilibriumSearch {
@@ -48,10 +49,12 @@ class EquilibriumSearch {
 
 public:
     template <class FreeStates, class FreeInputs>
-    EquilibriumSearch(const System& system, Equilibrium<System>& point, const FreeStates& free_states, const FreeInputs& free_inputs, Scalar t)
-        : system_(system), point_(point), t_(t), rows_(static_cast<Index>(point.x.size() + positions())) {
-        for (std::size_t i = 0; i < point.x.size(); ++i)
-            if (free_states[i]) add(point.x[i], free_state_columns_, i);
+    EquilibriumSearch(const System& system, Equilibrium<System>& point, const FreeStates& free_states, const FreeInputs& free_inputs, const FreeStates& moving, Scalar t)
+        : system_(system), point_(point), t_(t), rows_(static_cast<Index>(point.x.size() + 2 * positions())) {
+        for (std::size_t i = 0; i < point.x.size(); ++i) {
+            if (moving[i]) moving_.push_back(static_cast<Index>(i));
+            else if (free_states[i]) add(point.x[i], free_state_columns_, i);
+        }
         for (std::size_t i = 0; i < point.u.size(); ++i)
             if (free_inputs[i]) add(point.u[i], free_input_columns_, i);
     }
@@ -64,7 +67,7 @@ public:
         }
         point_.residual = static_cast<double>(f_.template lpNorm<Eigen::Infinity>());
         const Scalar rounding = Scalar(10000) * Eigen::NumTraits<Scalar>::epsilon();
-        if (!(f_.cwiseQuotient(row_sizes_).template lpNorm<Eigen::Infinity>() <= rounding)) return;
+        if (!(f_.cwiseQuotient(row_sizes_).template lpNorm<Eigen::Infinity>() <= rounding) || !goes_on()) return;
         point_.status = Status::success;
         point_.dimension = static_cast<std::size_t>(columns() - rank());
         if (point_.dimension > 0 && !has_neighbour()) point_.dimension = 0;
@@ -86,12 +89,25 @@ private:
         else return 0;
     }
 
+    /// Whether the rates stay as they are while coordinates move on.
+    bool goes_on() const {
+        using std::abs;
+        typename System::State dxdt;
+        system_.rhs(point_.x, point_.u, t_, dxdt);
+        const Matrix<Scalar> A = jacobian_x(system_, point_.x, point_.u, t_);
+        for (const Index k : moving_)
+            for (Index i = 0; i < A.rows(); ++i)
+                if (!(abs(A(i, k) * dxdt[static_cast<std::size_t>(k)]) <= Scalar(1e-8) * (Scalar(1) + A.row(i).template lpNorm<1>()))) return false;
+        return true;
+    }
+
     bool take_residual() {
         typename System::State dxdt;
         system_.rhs(point_.x, point_.u, t_, dxdt);
         f_.resize(rows_);
         f_.head(static_cast<Index>(dxdt.size())) = Eigen::Map<const Vector<Scalar>>(dxdt.data(), static_cast<Index>(dxdt.size()));
-        if constexpr (positions() > 0) f_.tail(static_cast<Index>(positions())) = constraint_positions(system_, point_.x, t_);
+        for (const Index k : moving_) f_[k] = Scalar(0);
+        if constexpr (positions() > 0) f_.tail(2 * static_cast<Index>(positions())) << constraint_positions(system_, point_.x, t_), constraint_rates(system_, point_.x, t_);
         return f_.allFinite();
     }
 
@@ -102,7 +118,9 @@ private:
         if constexpr (positions() > 0) {
             const Matrix<Scalar> J = constraint_position_jacobian(system_, point_.x, t_);
             A.block(A.cols(), 0, J.rows(), J.cols()) = J;
+            A.bottomRows(J.rows()) = constraint_rate_jacobian(system_, point_.x, t_);
         }
+        for (const Index k : moving_) A.row(k).setZero(), B.row(k).setZero();
         scaled_.resize(rows_, columns());
         Index c = 0;
         for (const Index i : free_state_columns_) scaled_.col(c++) = A.col(i);
@@ -115,6 +133,12 @@ private:
             scaled_.col(j) *= sizes_[j];
         }
         row_sizes_ = scaled_.cwiseAbs().rowwise().sum();
+        if constexpr (positions() > 0) {
+            // Accelerations that constraints hold at zero: what is left of them is rounding, of the size of the others.
+            auto accelerations = row_sizes_.segment(static_cast<Index>(System::velocity_place), static_cast<Index>(System::velocity_place));
+            const Scalar largest = accelerations.maxCoeff();
+            accelerations = (accelerations.array() > Scalar(1e-10) * largest).select(accelerations, largest);
+        }
         for (Index i = 0; i < rows_; ++i)
             if (!(row_sizes_[i] > Scalar(0))) row_sizes_[i] = Scalar(1);  // nothing free moves this row
         for (Index i = 0; i < rows_; ++i) scaled_.row(i) /= row_sizes_[i];
@@ -180,23 +204,25 @@ private:
     Scalar t_;
     Index rows_;
     std::vector<Scalar*> unknowns_;
-    std::vector<Index> free_state_columns_, free_input_columns_;
+    std::vector<Index> free_state_columns_, free_input_columns_, moving_;
     Vector<Scalar> f_, sizes_, row_sizes_;
     Matrix<Scalar> scaled_;
 };
 
 }  // namespace detail
 
-/// Unknowns are the states that are free and the inputs that are free; everything else keeps the value given.
+/// Unknowns are the states that are free and the inputs that are free; everything else keeps the value given. Coordinates that are `moving` go on at
+/// constant speed.
 template <class System>
 Equilibrium<System> find_equilibrium(const System& system, const typename System::State& x0, const typename System::Input& u0,
                                      const std::array<bool, std::tuple_size<typename System::State>::value>& free_states,
                                      const std::array<bool, std::tuple_size<typename System::Input>::value>& free_inputs,
-                                     typename System::scalar_type t = typename System::scalar_type(0), std::size_t most_iterations = 100) {
+                                     typename System::scalar_type t = typename System::scalar_type(0), std::size_t most_iterations = 100,
+                                     const std::array<bool, std::tuple_size<typename System::State>::value>& moving = {}) {
     Equilibrium<System> result;
     result.x = x0;
     result.u = u0;
-    detail::EquilibriumSearch<System>(system, result, free_states, free_inputs, t).run(most_iterations);
+    detail::EquilibriumSearch<System>(system, result, free_states, free_inputs, moving, t).run(most_iterations);
     return result;
 }
 

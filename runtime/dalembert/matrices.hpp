@@ -56,6 +56,35 @@ auto constraint_position_jacobian(const System& system, const typename System::S
     return result;
 }
 
+/// The rates that constraints hold at zero, and their derivatives by the states: by velocities as the header knows them, by coordinates by differences
+/// of the sixth order. Not of machines with quaternions.
+template <class System>
+Vector<typename System::scalar_type> constraint_rates(const System& system, const typename System::State& x, typename System::scalar_type t) {
+    typename System::Constraints w{};
+    system.constraint_rates(x, t, w);
+    return Eigen::Map<const Vector<typename System::scalar_type>>(w.data(), static_cast<Eigen::Index>(w.size()));
+}
+template <class System>
+auto constraint_rate_jacobian(const System& system, const typename System::State& x, typename System::scalar_type t) {
+    using Scalar = typename System::scalar_type;
+    typename System::ConstraintJacobian A{};
+    system.constraint_jacobian(x, t, A);
+    const std::size_t m = System::constraint_table().size(), n = A.size() / m;
+    Matrix<Scalar> result = Matrix<Scalar>::Zero(static_cast<Eigen::Index>(m), static_cast<Eigen::Index>(x.size()));
+    result.middleCols(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n)) = detail::expanded<detail::Dense>(A, m, n);
+    const Scalar h = Scalar(1) / Scalar(128);
+    for (std::size_t j = 0; j < n; ++j) {
+        const auto difference = [&](int steps) {
+            typename System::State ahead = x, behind = x;
+            ahead[j] += Scalar(steps) * h;
+            behind[j] -= Scalar(steps) * h;
+            return Vector<Scalar>(constraint_rates(system, ahead, t) - constraint_rates(system, behind, t));
+        };
+        result.col(static_cast<Eigen::Index>(j)) = (Scalar(45) * difference(1) - Scalar(9) * difference(2) + difference(3)) / (Scalar(60) * h);
+    }
+    return result;
+}
+
 /// A = df/dx
 template <class System>
 auto jacobian_x(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {

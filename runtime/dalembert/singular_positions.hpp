@@ -41,6 +41,7 @@ public:
     Independence<Scalar> operator()(const System& system, const typename System::State& x, Scalar t, bool learns, Mode... mode) {
         using std::max;
         using std::sqrt;
+        if (learns) see_used(system, x, t, mode...);
         const std::vector<Scalar> rows = weighted_rows(system, x, t, mode...);
         std::vector<Scalar> gram(m * m);
         for (std::size_t i = 0; i < m; ++i)
@@ -58,9 +59,24 @@ public:
     }
 
 private:
+    /// Constraints that follow from others were left out of the equations: their residuals correct nothing. One that is dependent at the start alone does later.
+    template <class... Mode>
+    void see_used(const System& system, const typename System::State& x, Scalar t, Mode... mode) {
+        if (looks_ == 20) return;
+        ++looks_;
+        for (std::size_t i = 0; i < m; ++i) {
+            if (is_used_[i]) continue;
+            typename System::Constraints residual{};
+            typename System::Generalised step{};
+            residual[i] = Scalar(1);
+            system.correction(mode..., x, t, residual, step);
+            for (const Scalar& entry : step) is_used_[i] = is_used_[i] || entry != Scalar(0);
+        }
+    }
+
     /// A D^(-1/2), row by row.
     template <class... Mode>
-    static std::vector<Scalar> weighted_rows(const System& system, const typename System::State& x, Scalar t, Mode... mode) {
+    std::vector<Scalar> weighted_rows(const System& system, const typename System::State& x, Scalar t, Mode... mode) const {
         using std::abs;
         using std::max;
         using std::sqrt;
@@ -73,7 +89,7 @@ private:
         std::vector<Scalar> rows(m * n);
         for (std::size_t j = 0; j < n; ++j) {
             const Scalar weight = Scalar(1) / sqrt(max(Scalar(abs(M[j * n + j])), Scalar(heaviest * std::numeric_limits<Scalar>::epsilon())));
-            for (std::size_t i = 0; i < m; ++i) rows[i * n + j] = A[j * m + i] * weight;
+            for (std::size_t i = 0; i < m; ++i) rows[i * n + j] = is_used_[i] ? Scalar(A[j * m + i] * weight) : Scalar(0);
         }
         return rows;
     }
@@ -112,6 +128,8 @@ private:
     }
 
     std::array<Scalar, m> sizes_{};
+    std::array<bool, m> is_used_{};
+    int looks_ = 0;
     std::size_t rank_ = 0;
 };
 

@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A start at rest was no equilibrium: accelerations that are zero but for rounding were scaled up.
+limit=600
+dalembert 0 equilibrium "$model"
+prints "an isolated equilibrium"
+prints "free to be chosen where constraints hold: 'phi' and 'dot\(phi\)'"
+near "angular frequency" "$(number '^ +-?0 \+')" 3.74357 1e-5
