@@ -12,7 +12,7 @@
 // Proven as identities:
 //     balances of mass and energy: 1 of 1 balances
 //     d(T + V + E)/dt = supplied - dissipated + exchanged + prescribed: proven
-//     this code = the derivation: 17 of 17 functions
+//     this code = the derivation: 18 of 18 functions
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 2     61     7        0      8
@@ -25,6 +25,7 @@
 //   output_jacobian_u     17     48     7        0     13
 //   internal_energy        0      1     0        0      0
 //   exchanged_power        6      8     0        0      5
+//   guards                 1      1     0        0      0
 //
 // The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
 // License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
@@ -50,7 +51,7 @@ inline constexpr std::size_t state_count = 1;
 inline constexpr std::size_t input_count = 4;
 inline constexpr std::size_t output_count = 12;
 inline constexpr std::size_t parameter_count = 10;
-inline constexpr std::size_t guard_count = 0;
+inline constexpr std::size_t guard_count = 1;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { T_P = 0 }; };
@@ -112,7 +113,9 @@ struct Guard {
     bool ends;
 };
 
-inline constexpr std::array<Guard, guard_count> guard_list{};
+inline constexpr std::array<Guard, guard_count> guard_list{
+    Guard{"L*u/nu - Re_c", "kink or jump where L*u/nu - Re_c is zero", false},
+};
 
 /// Start values of the state in SI, for the default parameters.
 inline constexpr std::array<double, state_count> start_values{293};
@@ -762,8 +765,10 @@ public:
     }
 
     /// Functions whose sign matters, in the order of guard_table().
-    /// Operations: none
-    void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
+    /// Operations: 1 + or -, 1 *
+    void guards(const State& /*x*/, const Input& u, Scalar /*t*/, Guards& g) const noexcept {
+        const Scalar u_value = u[0];
+        g[0] = c_.k4 * u_value - p_.Re_c;
     }
 
 private:

@@ -59,7 +59,7 @@ inline constexpr std::size_t state_count = 4;
 inline constexpr std::size_t input_count = 2;
 inline constexpr std::size_t output_count = 5;
 inline constexpr std::size_t parameter_count = 14;
-inline constexpr std::size_t guard_count = 8;
+inline constexpr std::size_t guard_count = 9;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s_k = 0, s_k_dot = 1, p_1 = 2, p_2 = 3 }; };
@@ -128,6 +128,7 @@ inline constexpr std::array<Guard, guard_count> guard_list{
     Guard{"p_b", "flow p_b changes its direction", false},
     Guard{"a_t", "flow a_t changes its direction", false},
     Guard{"b_t", "flow b_t changes its direction", false},
+    Guard{"x_v", "kink or jump where x_v is zero", false},
 };
 
 /// Start values of the state in SI, for the default parameters.
@@ -1247,10 +1248,11 @@ public:
 
     /// Functions whose sign matters, in the order of guard_table().
     /// Operations: 8 + or -, 3 *
-    void guards(const State& x, const Input& /*u*/, Scalar /*t*/, Guards& g) const noexcept {
+    void guards(const State& x, const Input& u, Scalar /*t*/, Guards& g) const noexcept {
         const Scalar s_k = x[0];
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
+        const Scalar x_v = u[0];
         g[0] = p_.A_1 * s_k;
         g[1] = p_1;
         g[2] = p_.A_2 * (p_.l - p_.d) - p_.A_2 * s_k;
@@ -1259,6 +1261,7 @@ public:
         g[5] = p_.p_s - p_2;
         g[6] = -(p_.p_t - p_1);
         g[7] = -(p_.p_t - p_2);
+        g[8] = x_v;
     }
 
 private:

@@ -59,7 +59,7 @@ inline constexpr std::size_t state_count = 4;
 inline constexpr std::size_t input_count = 2;
 inline constexpr std::size_t output_count = 5;
 inline constexpr std::size_t parameter_count = 15;
-inline constexpr std::size_t guard_count = 4;
+inline constexpr std::size_t guard_count = 5;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s_k = 0, s_k_dot = 1, p_1 = 2, p_2 = 3 }; };
@@ -125,6 +125,7 @@ inline constexpr std::array<Guard, guard_count> guard_list{
     Guard{"chamber_1", "the pressure in volume chamber_1 is about to become negative", true},
     Guard{"chamber_2", "volume chamber_2 is about to vanish", true},
     Guard{"chamber_2", "the pressure in volume chamber_2 is about to become negative", true},
+    Guard{"x_v", "kink or jump where x_v is zero", false},
 };
 
 /// Start values of the state in SI, for the default parameters.
@@ -1162,14 +1163,16 @@ public:
 
     /// Functions whose sign matters, in the order of guard_table().
     /// Operations: 2 + or -, 3 *
-    void guards(const State& x, const Input& /*u*/, Scalar /*t*/, Guards& g) const noexcept {
+    void guards(const State& x, const Input& u, Scalar /*t*/, Guards& g) const noexcept {
         const Scalar s_k = x[0];
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
+        const Scalar x_v = u[0];
         g[0] = p_.A_1 * s_k;
         g[1] = p_1;
         g[2] = p_.A_2 * (p_.l - p_.d) - p_.A_2 * s_k;
         g[3] = p_2;
+        g[4] = x_v;
     }
 
 private:

@@ -62,7 +62,7 @@ inline constexpr std::size_t state_count = 4;
 inline constexpr std::size_t input_count = 2;
 inline constexpr std::size_t output_count = 6;
 inline constexpr std::size_t parameter_count = 15;
-inline constexpr std::size_t guard_count = 12;
+inline constexpr std::size_t guard_count = 13;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s = 0, s_dot = 1, p_1 = 2, p_2 = 3 }; };
@@ -138,6 +138,7 @@ inline constexpr std::array<Guard, guard_count> guard_list{
     Guard{"supply_2", "flow supply_2 changes between choked and subsonic", false},
     Guard{"exhaust_2", "flow exhaust_2 changes its direction", false},
     Guard{"exhaust_2", "flow exhaust_2 changes between choked and subsonic", false},
+    Guard{"u", "kink or jump where u is zero", false},
 };
 
 /// Start values of the state in SI, for the default parameters.
@@ -1520,7 +1521,7 @@ public:
 
     /// Functions whose sign matters, in the order of guard_table().
     /// Operations: 15 + or -, 9 *, 3 /, 9 other functions
-    void guards(const State& x, const Input& /*u*/, Scalar /*t*/, Guards& g) const noexcept {
+    void guards(const State& x, const Input& u, Scalar /*t*/, Guards& g) const noexcept {
         using std::abs;
         using std::pow;
         const Scalar s = x[0];
@@ -1540,6 +1541,7 @@ public:
         const Scalar e9 = p_.p_0 - p_2;
         const Scalar abs_10 = abs(e9);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
+        const Scalar u_value = u[0];
         g[0] = p_.V_d + p_.A_1 * s;
         g[1] = p_1;
         g[2] = c_.k9 - p_.A_2 * s;
@@ -1552,6 +1554,7 @@ public:
         g[9] = abs_8 - max_p_S_2 * e4;
         g[10] = -e9;
         g[11] = abs_10 - max_p_0_2 * e4;
+        g[12] = u_value;
     }
 
 private:

@@ -60,7 +60,7 @@ inline constexpr std::size_t state_count = 4;
 inline constexpr std::size_t input_count = 2;
 inline constexpr std::size_t output_count = 6;
 inline constexpr std::size_t parameter_count = 18;
-inline constexpr std::size_t guard_count = 8;
+inline constexpr std::size_t guard_count = 9;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s = 0, s_dot = 1, p_1 = 2, p_2 = 3 }; };
@@ -135,6 +135,7 @@ inline constexpr std::array<Guard, guard_count> guard_list{
     Guard{"smooth_exhaust_1", "flow smooth_exhaust_1 changes between choked and subsonic", false},
     Guard{"smooth_supply_2", "flow smooth_supply_2 changes between choked and subsonic", false},
     Guard{"smooth_exhaust_2", "flow smooth_exhaust_2 changes between choked and subsonic", false},
+    Guard{"u", "kink or jump where u is zero", false},
 };
 
 /// Start values of the state in SI, for the default parameters.
@@ -1605,7 +1606,7 @@ public:
 
     /// Functions whose sign matters, in the order of guard_table().
     /// Operations: 13 + or -, 9 *, 3 /, 9 other functions
-    void guards(const State& x, const Input& /*u*/, Scalar /*t*/, Guards& g) const noexcept {
+    void guards(const State& x, const Input& u, Scalar /*t*/, Guards& g) const noexcept {
         using std::abs;
         using std::pow;
         const Scalar s = x[0];
@@ -1621,6 +1622,7 @@ public:
         const Scalar max_p_S_2 = detail::max<Scalar>(p_.p_S, p_2);
         const Scalar abs_6 = abs(p_.p_0 - p_2);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
+        const Scalar u_value = u[0];
         g[0] = p_.V_d + p_.A_1 * s;
         g[1] = p_1;
         g[2] = c_.k10 - p_.A_2 * s;
@@ -1629,6 +1631,7 @@ public:
         g[5] = abs_4 - max_p_0 * e3;
         g[6] = abs_5 - max_p_S_2 * e3;
         g[7] = abs_6 - max_p_0_2 * e3;
+        g[8] = u_value;
     }
 
 private:

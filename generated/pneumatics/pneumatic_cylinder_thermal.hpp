@@ -61,7 +61,7 @@ inline constexpr std::size_t state_count = 6;
 inline constexpr std::size_t input_count = 2;
 inline constexpr std::size_t output_count = 6;
 inline constexpr std::size_t parameter_count = 18;
-inline constexpr std::size_t guard_count = 14;
+inline constexpr std::size_t guard_count = 15;
 
 // Where everything stands in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s = 0, s_dot = 1, p_1 = 2, p_2 = 3, T_1 = 4, T_2 = 5 }; };
@@ -144,6 +144,7 @@ inline constexpr std::array<Guard, guard_count> guard_list{
     Guard{"supply_2", "flow supply_2 changes between choked and subsonic", false},
     Guard{"exhaust_2", "flow exhaust_2 changes its direction", false},
     Guard{"exhaust_2", "flow exhaust_2 changes between choked and subsonic", false},
+    Guard{"u", "kink or jump where u is zero", false},
 };
 
 /// Start values of the state in SI, for the default parameters.
@@ -1755,7 +1756,7 @@ public:
 
     /// Functions whose sign matters, in the order of guard_table().
     /// Operations: 15 + or -, 9 *, 3 /, 9 other functions
-    void guards(const State& x, const Input& /*u*/, Scalar /*t*/, Guards& g) const noexcept {
+    void guards(const State& x, const Input& u, Scalar /*t*/, Guards& g) const noexcept {
         using std::abs;
         using std::pow;
         const Scalar s = x[0];
@@ -1777,6 +1778,7 @@ public:
         const Scalar e9 = p_.p_0 - p_2;
         const Scalar abs_10 = abs(e9);
         const Scalar max_p_0_2 = detail::max<Scalar>(p_.p_0, p_2);
+        const Scalar u_value = u[0];
         g[0] = p_.V_d + p_.A_1 * s;
         g[1] = p_1;
         g[2] = T_1;
@@ -1791,6 +1793,7 @@ public:
         g[11] = abs_8 - max_p_S_2 * e4;
         g[12] = -e9;
         g[13] = abs_10 - max_p_0_2 * e4;
+        g[14] = u_value;
     }
 
 private:

@@ -16,10 +16,12 @@ using GiNaC::pow;
 
 namespace {
 
+// A flow says itself where its law has an edge, and where a width makes it smooth enough: what else changes with its direction is not located.
+
 /// a where the direction is positive, b where it is negative.
 ex upstream(const ex& direction, const ex& a, const ex& b) {
     if ((a - b).expand().is_zero()) return a;
-    return unit_step(direction) * a + unit_step(-direction) * b;
+    return unit_step(unlocated(direction)) * a + unit_step(unlocated(-direction)) * b;
 }
 
 class FlowMaking {
@@ -82,7 +84,7 @@ private:
     ex outflow_velocity(FlowState& f, const ex& difference, const ex& density, bool one_way) {
         if (f.member.item->width) {
             const ex width = value(f.member.item->width);
-            const ex dp = one_way ? maximum(difference, 0) : difference;
+            const ex dp = one_way ? maximum(unlocated(difference), 0) : difference;
             return GiNaC::sqrt(2 / density) * dp * pow(pow(dp, 2) + pow(width, 2), numeric(-1, 4));
         }
         const ex dp = is_ex_the_function(difference, whole) ? difference.op(0) : difference;
@@ -93,7 +95,7 @@ private:
                 throw Failure(Diagnostic{Id::not_allowed_here, f.member.item->span,
                                          fmt::format("flow '{}' goes like the root of '{}', which is integrated as its root; that needs ranges by which density and gravity are positive", f.member.name(), z.base)});
             edge(f, fmt::format("ends, {} is zero", z.base).c_str(), z.symbol);
-            return GiNaC::sqrt(square) * z.symbol * unit_step(z.symbol);
+            return GiNaC::sqrt(square) * z.symbol * unit_step(unlocated(z.symbol));
         }
         edge(f, one_way ? "opens or closes" : "changes its direction", difference);
         const ex argument = 2 * difference / density;
@@ -117,7 +119,7 @@ private:
             f.mass_flow = is_open ? ex(f.density * volume_flow) : ex(0);
         } else if (item.conductance) {
             edge(f, "opens or closes", dp);
-            f.mass_flow = f.density * value(item.conductance) * maximum(dp, 0);
+            f.mass_flow = f.density * value(item.conductance) * maximum(unlocated(dp), 0);
         } else {
             f.mass_flow = f.density * value(item.coefficient) * value(item.area) * outflow_velocity(f, dp, f.density, true);
         }
@@ -133,9 +135,9 @@ private:
         const ex k = gas.isentropic_exponent();
         const ex dp = difference(f);
         if (item.switches) return switched_orifice(f, k, gas.gas_constant(), dp);
-        const ex higher = maximum(f.from->pressure, f.to->pressure);
+        const ex higher = maximum(unlocated(f.from->pressure), f.to->pressure);
         const ex temperature_root = upstream(dp, pow(*f.from->temperature, numeric(-1, 2)), pow(*f.to->temperature, numeric(-1, 2)));
-        const ex relative = magnitude(dp) / higher;
+        const ex relative = magnitude(unlocated(dp)) / higher;
         ex root = signed_root(higher * dp);
         if (item.width) root = GiNaC::sqrt(higher) * dp * pow(pow(dp, 2) + pow(value(item.width), 2), numeric(-1, 4));
         else edge(f, "changes its direction", dp);
@@ -215,7 +217,7 @@ ex kept(const FlowState& f) { return f.storing - f.shaft_power; }
 ex carried(const FlowState& f) {
     const ex difference = (f.from->carried() - f.to->carried()).expand();
     if (difference.is_zero()) return f.mass_flow * f.from->carried();
-    return maximum(f.mass_flow, 0) * f.from->carried() + minimum(f.mass_flow, 0) * f.to->carried();
+    return maximum(unlocated(f.mass_flow), 0) * f.from->carried() + minimum(unlocated(f.mass_flow), 0) * f.to->carried();
 }
 
 /// a - b, kept whole but for the factors of both, as c_p of a gas.
@@ -229,16 +231,16 @@ ex whole_difference(const ex& a, const ex& b) {
 
 }  // namespace
 
-ex FlowState::leaving() const { return carried(*this) + unit_step(-mass_flow) * kept(*this); }
-ex FlowState::arriving() const { return carried(*this) - unit_step(mass_flow) * kept(*this); }
+ex FlowState::leaving() const { return carried(*this) + unit_step(unlocated(-mass_flow)) * kept(*this); }
+ex FlowState::arriving() const { return carried(*this) - unit_step(unlocated(mass_flow)) * kept(*this); }
 
 ex FlowState::excess_at_from(bool is_whole) const {
     const ex a = to->carried(), b = from->carried();
-    return -minimum(mass_flow, 0) * (is_whole ? whole_difference(a, b) : a - b) - unit_step(-mass_flow) * kept(*this);
+    return -minimum(unlocated(mass_flow), 0) * (is_whole ? whole_difference(a, b) : a - b) - unit_step(unlocated(-mass_flow)) * kept(*this);
 }
 ex FlowState::excess_at_to(bool is_whole) const {
     const ex a = from->carried(), b = to->carried();
-    return maximum(mass_flow, 0) * (is_whole ? whole_difference(a, b) : a - b) - unit_step(mass_flow) * kept(*this);
+    return maximum(unlocated(mass_flow), 0) * (is_whole ? whole_difference(a, b) : a - b) - unit_step(unlocated(mass_flow)) * kept(*this);
 }
 
 namespace {

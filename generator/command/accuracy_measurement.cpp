@@ -23,8 +23,8 @@ bool holds(const Code& code, ExactCode& at) {
         const MaybeExact& value = at.at(function, code[function].results[i]);
         return value && !cln::minusp(value->value);
     };
-    for (std::size_t i = 0; i < system.fluids.guards.size(); ++i)
-        if (system.fluids.guards[i].ends && !is_met(Function::guards, i)) return false;
+    for (std::size_t i = 0; i < system.guards.size(); ++i)
+        if (system.guards[i].ends && !is_met(Function::guards, i)) return false;
     for (std::size_t e = 0; e < system.events.size(); ++e)
         if (system.events[e].ends && system.events[e].is_watched && !is_met(Function::events, e)) return false;
     const std::vector<MaybeExact> rates = at.rates();

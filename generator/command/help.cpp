@@ -28,6 +28,8 @@ std::string function_reference() {
     for (const FunctionSpec& function : functions())
         text += fmt::format("  {:<48} {}\n", fmt::format("{}({})", function.name, function.arguments), function.doc);
     return text +
+           "Kinks and jumps of abs, sign, min, max, step, ramp, pulse, mod and if are located in runs, wherever they stand: at known times where the time alone decides,\n"
+           "  else as guards of the header; unlocated(x) says that those in x are smooth enough. What jumps in its second derivative or higher, as abs(v)*v, is smooth enough by itself\n"
            "Operations: + - * / ^, dot(x) and ddot(x) (total time derivatives), sum(k, 1, N, term)\n"
            "In outputs and printed equations also: diff(expression, variable), integral(function, x, from, to), limit(expression, x, place), at(expression, x, place),\n"
            "  quantity(9.81, m/s^2); limits and integrals may go to infinity; limit(e, x, place, 1) is from above, with -1 from below\n"

@@ -88,6 +88,14 @@ PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const s
     check_solid_values(system, values);
     meet_constraints(system, values);
     SimulationSettings settings = preparation.make_settings(values, system);
+    for (const Machine& other : machine.other_modes) {
+        Values same(other.system->scene, other.system->translate);
+        preparation.set_values(same, *other.system);
+        const std::vector<double> kinks = preparation.make_settings(same, *other.system).kinks;
+        settings.kinks.insert(settings.kinks.end(), kinks.begin(), kinks.end());
+    }
+    std::sort(settings.kinks.begin(), settings.kinks.end());
+    settings.kinks.erase(std::unique(settings.kinks.begin(), settings.kinks.end()), settings.kinks.end());
     settings.series = has_series(machine) && (!tries_series || have_series(*machine.code, settings.inputs));
     std::string name = fmt::format("{}_{}", system.scene.sized_name(), system.scene.name);
     return {std::move(machine), std::move(header), std::move(values), std::move(settings), std::move(name)};
@@ -125,7 +133,7 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
     report.status = result.at("status");
     report.t = std::stod(result.at("t"));
     report.events = std::stoul(result.at("events"));
-    const auto& guards = prepared.machine.system->fluids.guards;
+    const auto& guards = prepared.machine.system->guards;
     if (const std::size_t guard = std::stoul(result.at("guard")); guard < guards.size() && prepared.machine.system->scene.modes.empty()) report.guard = guards[guard].doc;
     report.steps = std::stoul(result.at("steps"));
     report.rejected = std::stoul(result.at("rejected"));

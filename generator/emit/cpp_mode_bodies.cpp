@@ -90,7 +90,7 @@ CppBody CppBodies::kinks(const std::vector<Guard>& kinks) {
     CppFunction cpp(code_, f, cached_texts_, arguments_);
     std::string statements;
     for (std::size_t k = 0; k < kinks.size(); ++k) {
-        const auto& guards = code_.system.fluids.guards;
+        const auto& guards = code_.system.guards;
         const auto found = std::find_if(guards.begin(), guards.end(), [&](const Guard& g) { return g.is_same(kinks[k]); });
         if (found == guards.end()) {
             statements += fmt::format("{}k[{}] = Scalar(1);\n", indent, k);

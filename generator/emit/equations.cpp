@@ -201,8 +201,8 @@ std::string equations_as_text(const System& s) {
     };
     if (s.has_balances()) text += fmt::format("  internal_energy = {}{}\n", write(s.named.internal_energy), of_cells("energy", &RodField::energy));
     if (s.has_exchange()) text += fmt::format("  exchanged_power = {}{}\n", write(s.named.exchanged_power), of_cells("source", &RodField::source));
-    if (!s.fluids.guards.empty()) text += "\nguards: a run ends where one becomes negative, or the right-hand side has an edge where its sign changes\n";
-    for (const Guard& guard : s.fluids.guards) text += fmt::format("  {} ({}): {}\n", guard.doc, guard.ends ? "ends" : "edge", write(guard.value));
+    if (!s.guards.empty()) text += "\nguards: a run ends where one becomes negative, or the right-hand side has an edge where its sign changes\n";
+    for (const Guard& guard : s.guards) text += fmt::format("  {} ({}): {}\n", guard.doc, guard.ends ? "ends" : "edge", write(guard.value));
     text += events(s, write);
     if (!s.outputs.empty()) text += "\noutputs\n";
     for (const OutputEquation& output : s.outputs) text += fmt::format("  {} = {}\n", output.name, write(s.named.shortened(output.value)));
@@ -270,7 +270,7 @@ nlohmann::ordered_json equations_as_json(const System& s) {
     json["internal_energy"] = write(s.internal_energy);
     json["exchanged_power"] = write(s.exchanged_power);
     json["guards"] = nlohmann::ordered_json::array();
-    for (const Guard& guard : s.fluids.guards) json["guards"].push_back({{"name", guard.name}, {"doc", guard.doc}, {"ends", guard.ends}, {"value", write(guard.value)}});
+    for (const Guard& guard : s.guards) json["guards"].push_back({{"name", guard.name}, {"doc", guard.doc}, {"ends", guard.ends}, {"value", write(guard.value)}});
     json["outputs"] = nlohmann::ordered_json::object();
     for (const OutputEquation& output : s.outputs) json["outputs"][output.name] = write(output.value);
     return json;

@@ -47,7 +47,7 @@ public:
         values("MODE_ARGUMENT", switches_ ? "Mode mode, " : "");
         values("MODE_CALL", switches_ ? "mode, " : "");
         functions();
-        for (auto& [name, text] : header_tables(system_, switches_ ? kinks_ : system_.fluids.guards)) values(name, std::move(text));
+        for (auto& [name, text] : header_tables(system_, switches_ ? kinks_ : system_.guards)) values(name, std::move(text));
         for (auto& [name, text] : header_equations(modes_)) values(name, std::move(text));
         values("API_VERSION", std::to_string(header_api_version));
         values("NAME", cpp_string(system_.scene.model->name));
@@ -143,7 +143,7 @@ private:
             return;
         }
         for (const Code* code : modes_)
-            for (const Guard& guard : code->system.fluids.guards)
+            for (const Guard& guard : code->system.guards)
                 if (!guard.ends && std::none_of(kinks_.begin(), kinks_.end(), [&](const Guard& known) { return known.is_same(guard); })) kinks_.push_back(guard);
         std::map<std::string, std::string> v;
         const auto add = [&](const std::string& name, const CppBody& body, std::optional<Function> counted = {}) {

@@ -27,6 +27,7 @@ const std::vector<Helper>& helpers() {
         {"select", scalars, {}},
         {"sign", scalars, {"select"}},
         {"step", scalars, {"select"}},
+        {"if_else", scalars, {"select"}},
         {"min", scalars, {"select"}},
         {"max", scalars, {"select"}},
         {"inverse_norm", scalars, {"select"}},

@@ -107,13 +107,18 @@ std::string condition(const Expression& e) {
     return mathml(*e.children[0]) + sign(text) + mathml(*e.children[1]);
 }
 
-std::string cases(const Expression& e) {
+/// Values, each with where it holds.
+std::string alternatives(const std::vector<std::pair<std::string, std::string>>& values) {
     std::string rows;
-    for (std::size_t i = 0; i < e.children.size(); i += 2) {
-        const std::string where = i + 1 == e.children.size() ? "<mtext>otherwise</mtext>" : condition(*e.children[i + 1]);
-        rows += "<mtr><mtd>" + mathml(*e.children[i]) + "</mtd><mtd>" + where + "</mtd></mtr>";
-    }
+    for (const auto& [value, where] : values) rows += "<mtr><mtd>" + value + "</mtd><mtd>" + where + "</mtd></mtr>";
     return row("<mo>{</mo><mtable columnalign=\"left\">" + rows + "</mtable>");
+}
+
+std::string cases(const Expression& e) {
+    std::vector<std::pair<std::string, std::string>> rows;
+    for (std::size_t i = 0; i < e.children.size(); i += 2)
+        rows.emplace_back(mathml(*e.children[i]), i + 1 == e.children.size() ? "<mtext>otherwise</mtext>" : condition(*e.children[i + 1]));
+    return alternatives(rows);
 }
 
 std::string dots(const Expression& e) {
@@ -143,6 +148,7 @@ std::string call(const Expression& e) {
     if (e.name == "inverse" && count == 1) return fmt::format("<msup>{}{}</msup>", row(factor(*e.children[0])), row("<mo>−</mo><mn>1</mn>"));
     if (e.name == "cross" && count == 2) return factor(*e.children[0]) + sign("×") + factor(*e.children[1]);
     if (e.name == "cases") return cases(e);
+    if (e.name == "if" && count == 3) return alternatives({{part(1), part(0) + sign("≥") + "<mn>0</mn>"}, {part(2), "<mtext>otherwise</mtext>"}});
     if (e.name == "matrix" || e.name == "vector") {
         std::vector<const Expression*> rows;
         for (const ExpressionPtr& child : e.children) rows.push_back(child.get());

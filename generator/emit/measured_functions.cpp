@@ -58,7 +58,7 @@ private:
     }
     std::vector<std::string> guard_names() const {
         std::vector<std::string> names;
-        for (const Guard& guard : system_.fluids.guards) names.push_back(guard.doc);
+        for (const Guard& guard : system_.guards) names.push_back(guard.doc);
         return names;
     }
     void add(std::string name, std::string statements, std::vector<MeasuredResult> results) {

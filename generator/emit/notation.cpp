@@ -109,10 +109,15 @@ std::string Notation::atom(const Atom& a, const Atoms& atoms) const {
         if (style_ == Style::text) return fmt::format("({})^({})", arguments[0], arguments[1]);
         return fmt::format("\\left({}\\right)^{{{}}}", arguments[0], arguments[1]);
     }
+    if (a.op == Op::if_else) {
+        if (style_ == Style::text) return fmt::format("if({} >= 0, {}, {})", arguments[0], arguments[1], arguments[2]);
+        return fmt::format("\\operatorname{{if}}\\left({} \\ge 0, {}, {}\\right)", arguments[0], arguments[1], arguments[2]);
+    }
     if (style_ == Style::text) return fmt::format("{}({})", name_of(a.op), fmt::join(arguments, ", "));
     switch (a.op) {
         case Op::sqrt: return fmt::format("\\sqrt{{{}}}", arguments[0]);
         case Op::inverse_norm: return fmt::format("\\frac{{1}}{{\\sqrt{{{}}}}}", arguments[0]);
+        case Op::floor: return fmt::format("\\left\\lfloor {} \\right\\rfloor", arguments[0]);
         case Op::abs: return fmt::format("\\left|{}\\right|", arguments[0]);
         case Op::asin:
         case Op::acos:

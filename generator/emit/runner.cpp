@@ -210,6 +210,7 @@ std::vector<std::string> repeated_arguments(const System& system, const Values& 
     for (std::size_t i = 0; i < system.symbols.count(SymbolKind::parameter); ++i) arguments.push_back(double_literal(values.parameter(i)));
     for (const ex& value : values.state()) arguments.push_back(double_literal(value));
     for (const double number : {settings.until, settings.tolerance, settings.step, static_cast<double>(settings.intervals)}) arguments.push_back(double_literal(number));
+    for (const double kink : settings.kinks) arguments.push_back(double_literal(kink));
     return arguments;
 }
 

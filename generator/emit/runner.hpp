@@ -14,7 +14,7 @@ struct SimulationSettings {
     int intervals = 500;
     std::vector<GiNaC::ex> inputs;  ///< expressions of time and state, one an input
     std::vector<std::pair<std::string, GiNaC::ex>> exact;  ///< closed forms of what is recorded, of time alone
-    std::vector<double> kinks;      ///< s, of the inputs; see input_kinks
+    std::vector<double> kinks;      ///< s, at known times; see input_kinks
     bool series = false;            ///< of these, where the header has some of the motion
     std::vector<Plot> plots;        ///< names as the recording has them
     bool draw = true;

@@ -155,7 +155,7 @@ void events(System& system) {
     const EventMaker maker(system);
     for (const auto& member : system.scene.events) system.events.push_back(maker.make(*member.item));
     if (system.scene.modes.empty()) return;
-    for (const Guard& guard : system.fluids.guards)
+    for (const Guard& guard : system.guards)
         if (guard.ends) system.events.push_back({nullptr, guard.name, guard.doc, true, true, guard.value, guard_rate(system, guard.value), {}, {}});
 }
 

@@ -2,10 +2,13 @@
 #include "form/input_kinks.hpp"
 
 #include <cln/float.h>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
-#include "symbolic/functions.hpp"
+#include "symbolic/switches.hpp"
 
 namespace dalembert {
 
@@ -14,34 +17,51 @@ using GiNaC::ex;
 namespace {
 
 constexpr int kink_parts = 1000;
+constexpr int most_parts = 100000;
 constexpr int kink_digits = 40;
-
-/// What changes its sign at a kink, of all functions in e that have one.
-std::vector<ex> switches_in(const ex& e) {
-    std::vector<ex> result;
-    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
-        if (is_ex_the_function(*part, minimum) || is_ex_the_function(*part, maximum)) result.push_back(part->op(0) - part->op(1));
-        for (const bool is_one : {is_ex_the_function(*part, magnitude), is_ex_the_function(*part, sign_of), is_ex_the_function(*part, unit_step), is_ex_the_function(*part, signed_root), is_ex_the_function(*part, forward_root)})
-            if (is_one) result.push_back(part->op(0));
-    }
-    return result;
-}
 
 class Kinks {
 public:
-    Kinks(const ex& switch_function, const ex& time) : function_(switch_function), time_(time) {}
+    Kinks(const ex& switch_function, const ex& time, double until) : function_(switch_function), time_(time), until_(until) {}
 
-    void find(double until, std::set<double>& kinks) const {
+    /// Adds to the kinks. Those that are known already divide the run: what stands inside others has its own.
+    void find(std::set<double>& kinks) const {
+        std::vector<double> times;
+        const int parts = parts_of_run();
+        for (int i = 0; i <= parts; ++i) times.push_back(until_ * i / parts);
+        double last = 0;
+        for (const double kink : kinks) {
+            for (int k = 1; k < 4; ++k) times.push_back(last + (kink - last) * k / 4);
+            times.push_back(kink);
+            last = kink + std::max(kink, until_) * std::numeric_limits<double>::epsilon();
+            times.push_back(last);
+        }
+        for (int k = 1; k < 4; ++k) times.push_back(last + (until_ - last) * k / 4);
+        std::sort(times.begin(), times.end());
         std::optional<int> before = sign_at(0);
-        for (int i = 1; i <= kink_parts && before; ++i) {
-            const double t = until * i / kink_parts;
-            const std::optional<int> sign = sign_at(t);
-            if (sign && *sign != *before) kinks.insert(last_with(*before, until * (i - 1) / kink_parts, t));
+        for (std::size_t i = 1; i < times.size() && before; ++i) {
+            if (times[i] == times[i - 1]) continue;
+            const std::optional<int> sign = sign_at(times[i]);
+            if (sign && *sign != *before) kinks.insert(last_with(*before, times[i - 1], times[i]));
             before = sign;
         }
     }
 
 private:
+    /// At least four looks between two zeros of sines and cosines of the time.
+    int parts_of_run() const {
+        double fastest = 0;
+        for (auto part = function_.preorder_begin(); part != function_.preorder_end(); ++part) {
+            if (!is_ex_the_function(*part, GiNaC::sin) && !is_ex_the_function(*part, GiNaC::cos)) continue;
+            const auto rate = value_at(partial(part->op(0), time_), {{time_, 0}}, kink_digits);
+            if (rate) fastest = std::max(fastest, std::fabs(cln::double_approx(*rate)));
+        }
+        const double parts = 4 * fastest * until_ / std::acos(-1.0);
+        if (parts > most_parts)
+            throw Failure(Diagnostic{Id::too_large, {}, fmt::format("up to {:.6g} s there are about {:.0f} kinks or jumps at known times; a run passes at most {}, so choose a shorter one", until_, parts / 4, most_parts / 4)});
+        return std::max(kink_parts, static_cast<int>(parts));
+    }
+
     std::optional<int> sign_at(double t) const {
         const auto value = value_at(function_, {{time_, GiNaC::numeric(cln::rational(cln::cl_DF(t)))}}, kink_digits);
         if (!value) return std::nullopt;
@@ -53,29 +73,51 @@ private:
         const double least = (without - with) * std::numeric_limits<double>::epsilon();
         while (true) {
             const double middle = with + (without - with) / 2;
-            if (!(middle > with && middle < without) || without < least) return with;
+            if (!(middle > with && middle < without) || without - with < least) return with;
             (sign_at(middle) == sign ? with : without) = middle;
         }
     }
 
     const ex& function_;
     const ex& time_;
+    double until_;
 };
+
+/// Whether time is all that moves in e.
+bool is_of_time_alone(const ex& e, const ex& time) {
+    if (!e.has(time)) return false;
+    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
+        if (GiNaC::is_a<GiNaC::symbol>(*part) && !part->is_equal(time)) return false;
+    return true;
+}
 
 }  // namespace
 
 std::vector<double> input_kinks(const System& system, const std::vector<ex>& inputs, const Values& values, double until) {
     const Symbols& symbols = system.symbols;
-    GiNaC::exmap parameters;
+    GiNaC::exmap parameters, given;
     for (std::size_t i = 0; i < symbols.count(SymbolKind::parameter); ++i) parameters[symbols.get(SymbolKind::parameter, i)] = values.parameter(i);
-    const ex& time = symbols.time();
+    for (std::size_t i = 0; i < inputs.size(); ++i) given[symbols.get(SymbolKind::input, i)] = inputs[i];
+    std::vector<ex> functions;
+    const auto add = [&](const ex& e) {
+        const ex function = symbols.without_definitions(e).subs(parameters, GiNaC::subs_options::no_pattern);
+        const bool is_known = std::any_of(functions.begin(), functions.end(), [&](const ex& known) { return known.is_equal(function); });
+        if (!is_known && is_of_time_alone(function, symbols.time())) functions.push_back(function);
+    };
+    // What stands inside another comes first.
+    const auto add_switches = [&](const ex& e) {
+        const std::vector<Switch> switches = switches_in(e);
+        for (auto one = switches.rbegin(); one != switches.rend(); ++one) add(one->by);
+    };
+    for (const ex& input : inputs) add_switches(symbols.without_definitions(input));
+    for (const Guard& guard : system.guards) {
+        if (guard.ends) continue;
+        const ex value = symbols.without_definitions(guard.value).subs(given, GiNaC::subs_options::no_pattern);
+        add_switches(value);
+        add(value);
+    }
     std::set<double> kinks;
-    for (const ex& input : inputs)
-        for (const ex& part : switches_in(symbols.without_definitions(input))) {
-            const ex function = part.subs(parameters, GiNaC::subs_options::no_pattern);
-            if (!function.has(time)) continue;
-            if (value_at(function, {{time, 1}}, kink_digits)) Kinks(function, time).find(until, kinks);  // else of states, too
-        }
+    for (const ex& function : functions) Kinks(function, symbols.time(), until).find(kinks);
     // A zero that is a number has one just before it and one on it.
     std::vector<double> result;
     for (const double kink : kinks)

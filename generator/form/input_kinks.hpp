@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Times at which inputs of a run have kinks and jumps.
+// Times at which the right-hand side of a run is known to have kinks and jumps.
 #pragma once
 
 #include "form/system.hpp"
 
 namespace dalembert {
 
-/// Rising times between zero and `until`, in s, at which what stands in |x|, sign, min, max and roots of an input changes its sign, where that is a
-/// function of time alone. What changes its sign twice within a thousandth of the run may be missed.
+/// Rising times between zero and `until`, in s, at which a function with a kink or jump in an input, or an edge of the equations with the inputs
+/// inserted, changes its sign, where that is a function of time alone. Looked for within parts of a thousandth of the run, four between two zeros
+/// of sines and cosines of the time, and four between two kinks of what stands inside: what changes its sign twice within one may be missed.
+/// Throws Failure (too-large).
 std::vector<double> input_kinks(const System& system, const std::vector<GiNaC::ex>& inputs, const Values& values, double until);
 
 }  // namespace dalembert

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "form/constrained_motion.hpp"
 #include "form/events.hpp"
+#include "form/model_edges.hpp"
 #include "form/named_balances.hpp"
 #include "form/quadrature.hpp"
 #include "form/quantities.hpp"
@@ -269,6 +270,8 @@ std::unique_ptr<System> derive(const Names& names, Scene scene) {
     system->exchanged_power += by_jets;
     SharedForces shared(*system);
     outputs(*system);
+    system->guards = system->fluids.guards;
+    model_edges(*system);
     events(*system);
     shared.settle();
     system->named = name_balances(*system, system->symbols);

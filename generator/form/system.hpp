@@ -165,6 +165,9 @@ struct System {
     /// The rate of what parameters and states determine.
     Rate rate() const;
 
+    /// Where the model ends and where its right-hand side has edges: of fluids, and behind them of functions with kinks and jumps in the equations.
+    std::vector<Guard> guards;
+
     NamedBalances named;
     std::vector<OutputEquation> outputs;
 

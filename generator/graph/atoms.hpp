@@ -26,6 +26,8 @@ enum class Op {
     in_column,                              ///< 1 in the column of a Jacobian that the argument names, else 0; in programs only
     power,  ///< arguments: base, exponent
     one_minus_cos, sinc, cosc, growth_mean, logc, sinc_slope, cosc_slope, logc_slope,  ///< what forms that lose digits are rewritten into
+    if_else,  ///< arguments: x, what holds for x >= 0, what holds else
+    floor,
 };
 
 const char* name_of(Op op);

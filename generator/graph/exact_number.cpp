@@ -144,7 +144,9 @@ MaybeExact ExactArithmetic::function(Op op, const std::vector<const MaybeExact*>
             case Op::exp: return with_slope(value(op, {x.value}), [&](const cln::cl_R& y) { return approximate(y); });
             case Op::sqrt: return with_slope(value(op, {x.value}), [&](const cln::cl_R& y) { return cln::zerop(y) ? 0 : approximate(1 / (2 * y)); });
             case Op::sign:
+            case Op::floor:
             case Op::step: return with_slope(value(op, {x.value}), [](const cln::cl_R&) { return 0.0; });
+            case Op::if_else: return **arguments[cln::minusp(x.value) ? 2 : 1];
             case Op::min:
             case Op::max: {
                 const ExactNumber& y = **arguments[1];

@@ -30,6 +30,7 @@ const std::vector<FunctionOp>& function_ops() {
         {GiNaC::sinh_SERIAL::serial, Op::sinh, -1}, {GiNaC::cosh_SERIAL::serial, Op::cosh, 1},  {GiNaC::tanh_SERIAL::serial, Op::tanh, -1},
         {GiNaC::log_SERIAL::serial, Op::log, 0},    {GiNaC::atan2_SERIAL::serial, Op::atan2, 0},
         {magnitude_SERIAL::serial, Op::abs, 1},     {sign_of_SERIAL::serial, Op::sign, -1},     {unit_step_SERIAL::serial, Op::step, 0},
+        {if_else_SERIAL::serial, Op::if_else, 0},   {floor_of_SERIAL::serial, Op::floor, 0},
         {norm_SERIAL::serial, Op::sqrt, 0},         {inverse_norm_SERIAL::serial, Op::inverse_norm, 0},
         {minimum_SERIAL::serial, Op::min, 0},       {maximum_SERIAL::serial, Op::max, 0},
         {exp_minus_one_SERIAL::serial, Op::expm1, 0}, {one_minus_cos_SERIAL::serial, Op::one_minus_cos, 1}, {sinc_SERIAL::serial, Op::sinc, 1}, {cosc_SERIAL::serial, Op::cosc, 1},
@@ -139,6 +140,7 @@ private:
             const Polynomial inside = folded((*this)(e.op(0)), atoms_);
             return inside.is_zero() ? inside : kept_whole(inside, 1, atoms_);
         }
+        if (serial == unlocated_SERIAL::serial) return (*this)(e.op(0));
         if (is_network_function(e)) return network(e);
         if (serial == GiNaC::exp_SERIAL::serial) return exponential(folded((*this)(e.op(0)), atoms_));
         for (const FunctionOp& known : function_ops()) {

@@ -33,7 +33,7 @@ public:
         for (const OutputEquation& output : system_.outputs) l.output.push_back(one(system_.with_rates(output.value)));
         l.definitions = all(system_.symbols.definition_values());
         l.start = all(start_values(system_));
-        for (const Guard& guard : system_.fluids.guards) l.guards.push_back(one(guard.value));
+        for (const Guard& guard : system_.guards) l.guards.push_back(one(guard.value));
         for (const By by : {By::state, By::input, By::parameter, By::time}) {
             const Partials p = partials(system_, by);
             auto& columns = l.by[static_cast<std::size_t>(by)];

@@ -27,6 +27,8 @@ ex applied(Op op, const std::vector<ex>& a) {
         case Op::abs: return magnitude(a[0]);
         case Op::sign: return sign_of(a[0]);
         case Op::step: return unit_step(a[0]);
+        case Op::if_else: return if_else(a[0], a[1], a[2]);
+        case Op::floor: return floor_of(a[0]);
         case Op::independent_inverse: return 1 / a[0];  // of constraints that are independent
         case Op::min: return minimum(a[0], a[1]);
         case Op::max: return maximum(a[0], a[1]);

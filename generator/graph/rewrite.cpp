@@ -55,7 +55,7 @@ void Rewriter::draw(const std::vector<Polynomial>& guards) {
                 changed = true;
             }
         }
-        const auto& list = system_.fluids.guards;
+        const auto& list = system_.guards;
         const bool holds = std::all_of(list.begin(), list.end(), [&](const Guard& guard) {
             if (!guard.ends) return true;
             const MaybeExact value = at.exact(guards[static_cast<std::size_t>(&guard - list.data())]);

@@ -47,8 +47,10 @@ private:
         for (auto id = static_cast<NodeId>(result_.moves.size()); id < program_.size(); ++id) {
             const Node& node = program_[id];
             bool moving = node.kind == Node::Kind::symbol && atoms_[node.index].is_dynamic;
-            const bool jumps = node.kind == Node::Kind::function && (node.op == Op::sign || node.op == Op::step);
-            for (const NodeId argument : node.arguments) moving = moving || (!jumps && result_.moves[argument]);
+            // What these depend on by a jump alone does not move between two jumps.
+            const auto is = [&](Op op) { return node.kind == Node::Kind::function && node.op == op; };
+            const std::size_t by_jumps = is(Op::sign) || is(Op::step) || is(Op::floor) || is(Op::if_else) ? 1 : 0;
+            for (std::size_t i = by_jumps; i < node.arguments.size(); ++i) moving = moving || result_.moves[node.arguments[i]];
             result_.moves.push_back(moving);
         }
     }
@@ -133,6 +135,10 @@ private:
             case Op::abs: return rule({{program_.function(Op::sign, of), {}, a}});
             case Op::min: return smaller(a, of[1], a, of[1]);
             case Op::max: return smaller(a, of[1], of[1], a);
+            case Op::if_else: {
+                const NodeId is_first = program_.function(Op::if_else, {a, one, number(0)});
+                return rule({{is_first, {}, of[1]}, {one_minus(is_first), {}, of[2]}});
+            }
             case Op::compression: return rule({{one, product({a, function(Op::exp, {program_.negated(a)})}), a}});
             case Op::decay_mean: return divided({{one, program_.difference(function(Op::exp, {program_.negated(a)}), z), a}}, a);
             case Op::decay_mean_slope: return divided({{minus, program_.sum({{false, function(Op::exp, {program_.negated(a)})}, {false, product({number(2), z})}}), a}}, a);

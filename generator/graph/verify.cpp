@@ -42,7 +42,7 @@ public:
         values(Function::internal_energy, {system_.internal_energy});
         values(Function::exchanged_power, {system_.exchanged_power});
         std::vector<ex> guards;
-        for (const Guard& guard : system_.fluids.guards) guards.push_back(guard.value);
+        for (const Guard& guard : system_.guards) guards.push_back(guard.value);
         values(Function::guards, guards);
         if (code_.has_together) together(outputs);
         switching();

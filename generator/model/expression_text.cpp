@@ -52,7 +52,9 @@ public:
         switch (e.kind) {
             case Kind::number: return e.name.empty() ? number_text(e.value) : "(" + number_text(e.value) + " " + e.name + ")";
             case Kind::name: return e.children.empty() ? e.name : e.name + "[" + list(e.children, {}) + "]";
-            case Kind::call: return readable_ && e.name == "cases" ? cases(e) : e.name + "(" + list(e.children, {}) + ")";
+            case Kind::call:
+                if (e.name == "if" && e.children.size() == 3) return "if(" + (*this)(*e.children[0]) + " >= 0, " + (*this)(*e.children[1]) + ", " + (*this)(*e.children[2]) + ")";
+                return readable_ && e.name == "cases" ? cases(e) : e.name + "(" + list(e.children, {}) + ")";
             case Kind::sum: return "sum(" + list(e.children, e.name) + ")";
             case Kind::negate: return "-" + child(0, as_negative);
             case Kind::add: return child(0, as_sum) + " + " + child(1, as_product);

@@ -183,7 +183,7 @@ private:
         }
         if (first.kind != Token::Kind::word) fail("a number, a name or '('");
         next();
-        if (is_sign("(")) return first.text == "sum" ? sum(first) : call(first);
+        if (is_sign("(")) return first.text == "sum" ? sum(first) : first.text == "if" ? choice(first) : call(first);
         auto name = std::make_shared<Expression>(Expression{Kind::name, first.span, 0, first.text});
         if (is_sign(".")) {  // a part of a part: bar.first
             next();
@@ -265,6 +265,111 @@ private:
         return result;
     }
 
+    /// What holds where `difference` is not negative, or where it is; or is made of such.
+    struct Condition {
+        enum class Kind { not_negative, negative, both, either } kind;
+        ExpressionPtr difference = {};
+        std::vector<Condition> parts = {};
+
+        static Condition opposite(Condition c) {
+            constexpr Kind opposites[]{Kind::negative, Kind::not_negative, Kind::either, Kind::both};
+            c.kind = opposites[static_cast<std::size_t>(c.kind)];
+            for (Condition& part : c.parts) part = opposite(std::move(part));
+            return c;
+        }
+    };
+
+    /// if(condition, a, b) becomes if(difference, a, b): a where the difference is not negative. Of several conditions one stands inside the other.
+    ExpressionPtr choice(const Token& function) {
+        next();
+        comparisons_ = 0;
+        const Condition condition = disjunction();
+        sign(",", "',' behind the condition");
+        ExpressionPtr a = expression();
+        sign(",", "',' before the value that holds else");
+        ExpressionPtr b = expression();
+        const Span span = cover(function.span, token().span);
+        sign(")", "')'");
+        return chosen(condition, a, b, span);
+    }
+
+    static ExpressionPtr chosen(const Condition& c, const ExpressionPtr& a, const ExpressionPtr& b, const Span& span) {
+        switch (c.kind) {
+            case Condition::Kind::both: return chosen(c.parts[0], chosen(c.parts[1], a, b, span), b, span);
+            case Condition::Kind::either: return chosen(c.parts[0], a, chosen(c.parts[1], a, b, span), span);
+            case Condition::Kind::negative: return std::make_shared<Expression>(Expression{Kind::call, span, 0, "if", {c.difference, b, a}});
+            case Condition::Kind::not_negative: break;
+        }
+        return std::make_shared<Expression>(Expression{Kind::call, span, 0, "if", {c.difference, a, b}});
+    }
+
+    bool is_word(std::string_view text) const { return token().kind == Token::Kind::word && token().text == text; }
+
+    Condition disjunction() {
+        const Depth depth(*this);
+        Condition left = conjunction();
+        while (is_word("or")) {
+            next();
+            left = {Condition::Kind::either, {}, {std::move(left), conjunction()}};
+        }
+        return left;
+    }
+
+    Condition conjunction() {
+        Condition left = negation();
+        while (is_word("and")) {
+            next();
+            left = {Condition::Kind::both, {}, {std::move(left), negation()}};
+        }
+        return left;
+    }
+
+    Condition negation() {
+        if (!is_word("not")) return comparison();
+        const Depth depth(*this);
+        next();
+        return Condition::opposite(negation());
+    }
+
+    /// A bracket begins a condition or an expression: that shows behind it.
+    Condition comparison() {
+        const std::size_t begin = at_;
+        if (is_sign("(")) {
+            try {
+                next();
+                Condition inside = disjunction();
+                sign(")", "')'");
+                return inside;
+            } catch (const Failure&) {
+                at_ = begin;
+            }
+        }
+        ExpressionPtr left = expression();
+        Condition result = compared(left);
+        while (is_sign("<") || is_sign(">")) result = {Condition::Kind::both, {}, {std::move(result), compared(left)}};
+        return result;
+    }
+
+    /// The expression and what it is compared with, which it becomes then: a < b < c.
+    Condition compared(ExpressionPtr& left) {
+        constexpr int most = 10;  // each may double what is written out
+        if (!is_sign("<") && !is_sign(">")) fail("'<', '<=', '>' or '>='");
+        if (++comparisons_ > most) throw Failure(Diagnostic{Id::too_large, token().span, fmt::format("the condition compares more than {} times; split it into definitions", most)});
+        const bool is_less = next().text == "<";
+        const bool or_equal = is_sign("=");
+        if (or_equal) next();
+        const ExpressionPtr right = expression();
+        // a < b: a - b is negative; a > b: b - a is. a <= b: b - a is not negative.
+        ExpressionPtr difference = is_less != or_equal ? binary(Kind::subtract, left, right) : turned(left, right);
+        left = right;
+        return {or_equal ? Condition::Kind::not_negative : Condition::Kind::negative, std::move(difference), {}};
+    }
+
+    /// right - left
+    static ExpressionPtr turned(const ExpressionPtr& left, const ExpressionPtr& right) {
+        return std::make_shared<Expression>(Expression{Kind::subtract, cover(left->span, right->span), 0, {}, {right, left}});
+    }
+
     ExpressionPtr sum(const Token& function) {
         auto result = std::make_shared<Expression>(Expression{Kind::sum, function.span});
         next();
@@ -282,6 +387,7 @@ private:
     Span whole_;
     std::size_t at_ = 0;
     int depth_ = 0;
+    int comparisons_ = 0;  ///< in the condition that is read
 };
 
 }  // namespace

@@ -277,6 +277,7 @@ Measure Units::function(const FunctionSpec& function, const Expression& e, const
         case UnitRule::same: return agreeing_up_to(count);
         case UnitRule::square_root: return raised(part(0), {1, 2});
         case UnitRule::sign: part(0); return {};
+        case UnitRule::choice: part(0); return agreeing(e, *e.children[1], part(1), *e.children[2], part(2));
         case UnitRule::ratio: agreeing_up_to(count); return {};
         case UnitRule::ratio_and_angle:
             agreeing_up_to(count - 1);

@@ -13,6 +13,7 @@ enum class UnitRule {
     same,             ///< all arguments and the result
     square_root,
     sign,             ///< any argument, dimensionless result
+    choice,           ///< any first argument; the others and the result
     ratio,            ///< equal arguments, dimensionless result
     ratio_and_angle,  ///< the same, but for the last argument, which is dimensionless
     fourth_power,     ///< equal arguments, result their fourth power

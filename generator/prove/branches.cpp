@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "symbolic/functions.hpp"
+#include "symbolic/switches.hpp"
 
 namespace dalembert {
 
@@ -15,10 +15,9 @@ Branches::Branches(const ex& e, const Symbols& symbols) {
     const ex written = symbols.without_definitions(e);
     std::set<ex, GiNaC::ex_is_less> known;
     for (auto part = written.preorder_begin(); part != written.preorder_end(); ++part) {
-        const bool is_of_one = is_ex_the_function(*part, magnitude) || is_ex_the_function(*part, sign_of) || is_ex_the_function(*part, unit_step);
-        const bool is_of_two = is_ex_the_function(*part, minimum) || is_ex_the_function(*part, maximum);
-        if (!is_of_one && !is_of_two) continue;
-        const ex by = is_of_one ? part->op(0) : part->op(0) - part->op(1);
+        const auto one = switch_of(*part);
+        if (!one) continue;
+        const ex& by = one->by;
         if (!known.insert(by).second) continue;
         std::set<std::string> letters;
         bool has_free = false;  // what has a range, or is positive, is drawn from all that it may be

@@ -127,7 +127,7 @@ void NormalForm::note_argument(const ex& e) {
 
 Polynomial NormalForm::function(const ex& e) {
     const std::string name = ex_to<GiNaC::function>(e).get_name();
-    static const std::set<std::string> with_sign{"sign_of", "magnitude", "unit_step", "signed_root", "inverse_root", "forward_root", "norm", "inverse_norm"};
+    static const std::set<std::string> with_sign{"sign_of", "magnitude", "unit_step", "if_else", "signed_root", "inverse_root", "forward_root", "norm", "inverse_norm"};
     if (with_sign.contains(name)) note_argument(e.op(0));
     if (name == "minimum" || name == "maximum") note_argument(e.op(0) - e.op(1));
     if (name == "sin") return sine_and_cosine(convert(e.op(0))).first;
@@ -153,7 +153,7 @@ Polynomial NormalForm::function(const ex& e) {
         const Polynomial x = convert(e.op(0));
         return multiply(x, sign_of(x));
     }
-    if (name == "whole") return convert(e.op(0));
+    if (name == "whole" || name == "unlocated") return convert(e.op(0));
     if (name == "sum_of_three") return convert(e.op(0) + e.op(1) + e.op(2));
     if (name == "exp_minus_one") return exponential(convert(e.op(0))) - Polynomial(1);
     if (name == "one_minus_cos") return Polynomial(1) - sine_and_cosine(convert(e.op(0))).second;
@@ -195,10 +195,17 @@ Polynomial NormalForm::function(const ex& e) {
     if (const auto heat = heat_function(name, e)) return *heat;
     if (name == "norm") return root(convert(e.op(0)), 2);
     if (name == "inverse_norm") return inverse(root(convert(e.op(0)), 2));
-    if (name == "unit_step") {
+    const auto where_positive = [&] {
         Polynomial result = sign_of(convert(e.op(0)));
         result.add({}, 1);
         result *= Rational(1) / 2;
+        return result;
+    };
+    if (name == "unit_step") return where_positive();
+    if (name == "if_else") {
+        const Polynomial otherwise = convert(e.op(2));
+        Polynomial result = multiply(where_positive(), convert(e.op(1)) - otherwise);
+        result += otherwise;
         return result;
     }
     if (name == "minimum" || name == "maximum") {

@@ -30,7 +30,7 @@ std::optional<int> sign_of_terms(const ex& e) {
     if (e.is_zero()) return 0;
     if (e.info(GiNaC::info_flags::positive)) return 1;
     if (GiNaC::is_exactly_a<numeric>(e)) return ex_to<numeric>(e).is_negative() ? -1 : 1;
-    if (is_ex_the_function(e, whole)) return sign_of_terms(e.op(0));
+    if (is_ex_the_function(e, whole) || is_ex_the_function(e, unlocated)) return sign_of_terms(e.op(0));
     if (GiNaC::is_a<GiNaC::power>(e)) return sign_of_power(e.op(0), e.op(1));
     if (!GiNaC::is_a<GiNaC::add>(e) && !GiNaC::is_a<GiNaC::mul>(e)) return std::nullopt;
     const bool is_sum = GiNaC::is_a<GiNaC::add>(e);

@@ -29,9 +29,9 @@ ex slope(const ex& f) {
     if (is_ex_the_function(f, GiNaC::exp)) return f;
     if (is_ex_the_function(f, GiNaC::log)) return pow(u, -1);
     if (is_ex_the_function(f, magnitude)) return sign_of(u);
-    if (is_ex_the_function(f, sign_of) || is_ex_the_function(f, unit_step)) return 0;
+    if (is_ex_the_function(f, sign_of) || is_ex_the_function(f, unit_step) || is_ex_the_function(f, floor_of)) return 0;
     if (is_ex_the_function(f, norm)) return inverse_norm(u) / 2;
-    if (is_ex_the_function(f, whole)) return 1;
+    if (is_ex_the_function(f, whole) || is_ex_the_function(f, unlocated)) return 1;
     if (is_ex_the_function(f, exp_minus_one)) return GiNaC::exp(u);
     if (is_ex_the_function(f, one_minus_cos)) return GiNaC::sin(u);
     if (is_ex_the_function(f, sinc)) return sinc_slope(u);
@@ -130,6 +130,7 @@ ex derivative(const ex& e, const Rate& rate, bool keeps = false) {
     }
     if (!GiNaC::is_a<GiNaC::function>(e)) return 0;
     if (is_network_function(e)) return derivative_of_network(e, [&](const ex& part) { return derivative(part, rate, keeps); });
+    if (is_ex_the_function(e, if_else)) return if_else(e.op(0), derivative(e.op(1), rate, keeps), derivative(e.op(2), rate, keeps));
     const ex first = derivative(e.op(0), rate, keeps);
     if (keeps && is_ex_the_function(e, whole)) return whole(first);
     if (e.nops() == 1) return first.is_zero() ? ex(0) : slope(e) * first;

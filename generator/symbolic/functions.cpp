@@ -40,6 +40,22 @@ ex unit_step_eval(const ex& x) {
 }
 ex unit_step_evalf(const ex& x) { return unit_step_eval(x.evalf()); }
 
+ex if_else_eval(const ex& x, const ex& a, const ex& b) {
+    if (is_real_number(x)) return ex_to<numeric>(x).is_negative() ? b : a;
+    if (x.info(GiNaC::info_flags::positive) || a.is_equal(b)) return a;
+    return if_else(x, a, b).hold();
+}
+ex if_else_evalf(const ex& x, const ex& a, const ex& b) { return if_else_eval(x.evalf(), a.evalf(), b.evalf()); }
+
+ex floor_of_eval(const ex& x) {
+    if (!is_real_number(x)) return floor_of(x).hold();
+    return numeric(cln::floor1(cln::the<cln::cl_R>(ex_to<numeric>(x).to_cl_N())));
+}
+ex floor_of_evalf(const ex& x) { return floor_of_eval(x.evalf()); }
+
+ex unlocated_eval(const ex& x) { return is_exactly_a<numeric>(x) || x.info(GiNaC::info_flags::positive) ? x : unlocated(x).hold(); }
+ex unlocated_evalf(const ex& x) { return x.evalf(); }
+
 ex norm_eval(const ex& x) { return is_real_number(x) ? ex(GiNaC::sqrt(x)) : norm(x).hold(); }
 ex norm_evalf(const ex& x) { return norm_eval(x.evalf()); }
 
@@ -182,7 +198,7 @@ ex outflow_factor_by_exponent_evalf(const ex& d, const ex& k) {
 
 struct Elementary : GiNaC::map_function {
     ex operator()(const ex& e) override {
-        if (is_ex_the_function(e, whole)) return (*this)(e.op(0));
+        if (is_ex_the_function(e, whole) || is_ex_the_function(e, unlocated)) return (*this)(e.op(0));
         if (is_ex_the_function(e, exp_minus_one)) return GiNaC::exp((*this)(e.op(0))) - 1;
         if (is_ex_the_function(e, log_one_plus)) return GiNaC::log(1 + (*this)(e.op(0)));
         const auto of = [&] { return (*this)(e.op(0)); };
@@ -221,6 +237,9 @@ ex in_elementary_functions(const ex& e) {
 REGISTER_FUNCTION(magnitude, eval_func(magnitude_eval).evalf_func(magnitude_evalf))
 REGISTER_FUNCTION(sign_of, eval_func(sign_of_eval).evalf_func(sign_of_evalf))
 REGISTER_FUNCTION(unit_step, eval_func(unit_step_eval).evalf_func(unit_step_evalf))
+REGISTER_FUNCTION(if_else, eval_func(if_else_eval).evalf_func(if_else_evalf))
+REGISTER_FUNCTION(floor_of, eval_func(floor_of_eval).evalf_func(floor_of_evalf))
+REGISTER_FUNCTION(unlocated, eval_func(unlocated_eval).evalf_func(unlocated_evalf))
 REGISTER_FUNCTION(norm, eval_func(norm_eval).evalf_func(norm_evalf))
 REGISTER_FUNCTION(inverse_norm, eval_func(inverse_norm_eval).evalf_func(inverse_norm_evalf))
 REGISTER_FUNCTION(minimum, eval_func(minimum_eval).evalf_func(minimum_evalf))

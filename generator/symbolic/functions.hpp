@@ -16,6 +16,9 @@ DECLARE_FUNCTION_1P(sign_of)    ///< -1, 0, 1, derivative 0
 DECLARE_FUNCTION_1P(unit_step)     ///< 0 below zero, 1/2 at zero, 1 above; derivative 0
 DECLARE_FUNCTION_1P(norm)          ///< sqrt(x) of a sum of squares, derivative inverse_norm(x)/2
 DECLARE_FUNCTION_1P(inverse_norm)  ///< 1/sqrt(x), and 0 at 0, where a speed has no direction; derivative -inverse_norm(x)^3/2
+DECLARE_FUNCTION_3P(if_else)    ///< (x, a, b): a for x >= 0, else b; derivative likewise
+DECLARE_FUNCTION_1P(floor_of)   ///< the largest whole number that is not above x, derivative 0
+DECLARE_FUNCTION_1P(unlocated)  ///< x itself, whose change of sign in another function is left to the control of steps
 DECLARE_FUNCTION_2P(minimum)
 DECLARE_FUNCTION_2P(maximum)
 

@@ -26,6 +26,8 @@ struct BySigns : GiNaC::map_function {
         const auto size = [](const ex& u) { return u * sign_of(u); };
         if (is_ex_the_function(inside, magnitude)) return size(inside.op(0).expand());
         if (is_ex_the_function(inside, sign_of)) return sign_of(inside.op(0).expand());
+        if (is_ex_the_function(inside, unlocated)) return inside.op(0);
+        if (is_ex_the_function(inside, if_else)) return (inside.op(1) + inside.op(2) + (inside.op(1) - inside.op(2)) * sign_of(inside.op(0).expand())) / 2;
         if (is_ex_the_function(inside, minimum)) return (inside.op(0) + inside.op(1) - size((inside.op(0) - inside.op(1)).expand())) / 2;
         if (is_ex_the_function(inside, maximum)) return (inside.op(0) + inside.op(1) + size((inside.op(0) - inside.op(1)).expand())) / 2;
         return inside;

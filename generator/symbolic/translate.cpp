@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "symbolic/functions.hpp"
+#include "symbolic/switches.hpp"
 #include "symbolic/heat_formulas.hpp"
 #include "text/diagnostic.hpp"
 
@@ -186,6 +187,12 @@ ex Translator::call(const Expression& e, const Indices& indices, const Letters& 
         if (e.name == "sqrt") return power(e, x, numeric(1, 2));
         if (e.name == "abs") return magnitude(x);
         if (e.name == "sign") return sign_of(x);
+        if (e.name == "step") return if_else(x, 1, 0);
+        if (e.name == "ramp") return maximum(x, 0);
+        if (e.name == "pulse") return if_else(x, 1, 0) - if_else(x - arguments[1], 1, 0);
+        if (e.name == "mod") return x - arguments[1] * floor_of(x / arguments[1]);
+        if (e.name == "if") return if_else(x, arguments[1], arguments[2]);
+        if (e.name == "unlocated") return with_unlocated_switches(x);
         if (e.name == "min") return minimum(x, arguments[1]);
         if (e.name == "max") return maximum(x, arguments[1]);
     } catch (const GiNaC::pole_error&) {

@@ -117,9 +117,14 @@ public:
         number_ = from.number;
         if (tried_ == window) reconsider(from);
         ++tried_;
-        ++all_;
         length_ = c.length;
         now_->take(from, c);
+    }
+
+    /// Steps that only look for the time of an event are not judged.
+    void check(const Point<State>& from, Candidate<State>& c) override {
+        ++all_;
+        now_->check(from, c);
     }
 
     void between(const Point<State>& from, Candidate<State>& c, Scalar t, State& x) override { now_->between(from, c, t, x); }

@@ -195,6 +195,20 @@ public:
         return changed;
     }
 
+    /// Behind a kink at a known time: kinks that changed with it need no search. How many.
+    std::size_t pass_known(const State& x, Scalar t) {
+        const Values g = raw(x, t);
+        std::size_t changed = 0;
+        for (std::size_t i = 0; i < G; ++i) {
+            const int now = sign(g[i]);
+            if (ends_[i] || watches_[i].rests || now == 0 || now == settled_[i]) continue;
+            if (settled_[i] != 0) ++changed;
+            settled_[i] = now;
+            watches_[i].excursion = Scalar(0);
+        }
+        return changed;
+    }
+
     /// Whether a kink that rests is still near its zero at (x, t), or leaves it to one side, no faster than twice as far in a step. Estimates of errors
     /// do not see every jump.
     bool keeps_rest(const State& x, Scalar t) const {

@@ -178,6 +178,7 @@ protected:
         State x;
         for (std::size_t i = 0; i < x_.size(); ++i) x[i] = x_[i] + (behind - t_) * dxdt_[i];
         move(behind, x);
+        if constexpr (G > 0) outcome_.events += events_.pass_known(x_, t_);
         control_.forget();
         evaluate(x_, t_, dxdt_);
     }

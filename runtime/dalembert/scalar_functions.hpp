@@ -34,6 +34,14 @@ Scalar step(const Scalar& x) noexcept {
 }
 // end step
 
+// begin if_else
+/// a for x >= 0, else b
+template <class Scalar>
+Scalar if_else(const Scalar& x, const Scalar& a, const Scalar& b) noexcept {
+    return select(x >= Scalar(0), a, select(x < Scalar(0), b, x));
+}
+// end if_else
+
 // begin is_near
 /// Whether a value is equal to a sum of terms of a size, but for what a run leaves of it within its tolerance: half of the digits. What is
 /// to be zero, a sum without terms, is zero exactly.

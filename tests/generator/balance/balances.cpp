@@ -41,7 +41,7 @@ TEST_CASE("a vessel of oil: dp/dt = beta/V times the volume flow (3.92)") {
     const Machine machine = machine_from(oil + leak + "[states]\np = { unit = \"bar\", start = 50 }\n[volumes.vessel]\nmedium = \"oil\"\nvolume = \"V\"\npressure = \"p\"\n");
     CHECK(all_proven(*machine.system));
     CHECK(machine.audit.balances.size() == 2);
-    CHECK(machine.system->fluids.guards.size() == 1);
+    CHECK(machine.system->guards.size() == 1);
     CHECK(written(machine, machine.system->state_rates[0]) != "0");
 }
 
@@ -140,8 +140,8 @@ TEST_CASE("a level that is integrated as its root empties at a constant rate") {
     const System& system = *machine.system;
     CHECK(system.symbols.all(SymbolKind::state)[0].name == "sqrt(h)");
     CHECK(partial(system.state_rates[0].subs(unit_step(system.symbols.get(SymbolKind::state, 0)) == 1), system.symbols.get(SymbolKind::state, 0)).is_zero());
-    REQUIRE(system.fluids.guards.size() == 1);
-    CHECK_FALSE(system.fluids.guards[0].ends);
+    REQUIRE(system.guards.size() == 1);
+    CHECK_FALSE(system.guards[0].ends);
 }
 
 TEST_CASE("all that acts on a coordinate includes the pressure") {
@@ -172,7 +172,7 @@ TEST_CASE("a tank that is pressed empty by more than its own head ends there") {
                                              "[volumes.tank]\nmedium = \"water\"\nvolume = \"A*h\"\nfilling = \"h\"\npressure = \"" + pressure + "\"\nhead = \"h\"\ngravity = \"g\"\n"
                                              "[flows.opening]\nfrom = \"tank\"\nto = \"ambient\"\nlaw = \"hydraulic_orifice\"\narea = \"0.001*A\"\ncoefficient = 1\n");
         CHECK(all_proven(*machine.system));
-        return std::count_if(machine.system->fluids.guards.begin(), machine.system->fluids.guards.end(), [](const Guard& guard) { return guard.ends; });
+        return std::count_if(machine.system->guards.begin(), machine.system->guards.end(), [](const Guard& guard) { return guard.ends; });
     };
     CHECK(guards("p_0") == 0);
     CHECK(guards("2*p_0") == 1);
