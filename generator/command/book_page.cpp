@@ -24,12 +24,6 @@ std::string column(const char* label, const std::string& inside) {
 
 std::string paragraph(const std::string& text) { return text.empty() ? "" : "<p>" + html_text(text) + "</p>\n"; }
 
-std::string formulas(const std::vector<Equation>& equations) {
-    std::string text;
-    for (const Equation& equation : equations) text += math_element(mathml(equation));
-    return text;
-}
-
 std::string example(const PrintedRow& row) {
     if (!row.counterexample) return {};
     const CounterExample& c = *row.counterexample;
@@ -41,7 +35,7 @@ std::string example(const PrintedRow& row) {
 std::string entry(const PrintedRow& row) {
     const Verdict verdict = row.verdict();
     std::string text = fmt::format("<section class=\"entry {}\">\n<h3>{} <span class=\"verdict\">{}</span></h3>\n", style_of(verdict), html_text(row.id), to_string(verdict));
-    std::string columns = column("printed", formulas(row.shown));
+    std::string columns = column("printed", row.formulas);
     columns += column("derived", math_element(mathml_of_text(row.derived)));
     if (is_wrong(row)) columns += column("difference, printed left minus right", math_element(mathml_of_text(row.difference)));
     if (row.suggestion) columns += column("perhaps meant", math_element(mathml_of_text(row.suggestion->equation)));
@@ -50,6 +44,11 @@ std::string entry(const PrintedRow& row) {
     if (!row.reason.empty() && verdict != Verdict::proven) text += paragraph((verdict == Verdict::proven_under_assumption ? "Assuming " : "Reason: ") + row.reason);
     if (row.suggestion) text += paragraph("Likely slip: " + row.suggestion->words);
     return text + example(row) + "</section>\n";
+}
+
+/// What has no verdict, with the reason.
+std::string entry(const BookProblem& problem) {
+    return fmt::format("<section class=\"entry unchecked\">\n<h3>{} <span class=\"verdict\">{}</span></h3>\n{}</section>\n", html_text(problem.id), html_text(problem.verdict), paragraph(problem.reason));
 }
 
 std::string table(const VerdictCounts& counts) {
@@ -66,6 +65,8 @@ std::string page(const std::vector<BookPart>& parts, bool only_errata) {
         std::string inside;
         for (const PrintedRow& row : part.rows)
             if (!only_errata || is_wrong(row)) inside += entry(row);
+        if (!only_errata)
+            for (const BookProblem& problem : part.problems) inside += entry(problem);
         if (inside.empty()) continue;
         body += fmt::format("<h2>{}</h2>\n{}{}", html_text(part.title), paragraph(part.about), inside);
     }

@@ -7,12 +7,20 @@
 
 namespace dalembert {
 
+/// An entry, or a whole file, that has no verdict.
+struct BookProblem {
+    std::string id;
+    std::string verdict;  ///< "not read", "not checked"
+    std::string reason;
+};
+
 /// What was found of one model or catalogue.
 struct BookPart {
     std::string title;    ///< of the text
     std::string about;    ///< edition, or which part
     std::vector<PrintedRow> rows;
     VerdictCounts counts;
+    std::vector<BookProblem> problems = {};  ///< behind the rows
 };
 
 /// book.html and errata.html in a folder.

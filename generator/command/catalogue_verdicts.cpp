@@ -66,8 +66,12 @@ void take_over(const CatalogueEntry& entry, PrintedEquation& printed) {
 }  // namespace
 
 void CatalogueVerdicts::each(const CatalogueEntry& written, const Visit& visit) {
+    if (!written.unreadable.empty()) throw Failure(written.unreadable);
     if (!written.not_checkable.empty()) return;
-    const CatalogueEntry entry = with_equations(catalogue_, written, written.model.empty() ? nullptr : &loaded(written)->model);
+    for (const CatalogueEntry& entry : with_equations(catalogue_, written, written.model.empty() ? nullptr : &loaded(written)->model)) each_system(entry, visit);
+}
+
+void CatalogueVerdicts::each_system(const CatalogueEntry& entry, const Visit& visit) {
     Diagnostics diagnostics;
     if (entry.model.empty()) {
         const LoadedModel letters(with_letters(catalogue_, entry, nullptr));
@@ -100,6 +104,7 @@ void CatalogueVerdicts::each(const CatalogueEntry& written, const Visit& visit) 
 
 std::vector<PrintedRow> CatalogueVerdicts::check(const CatalogueEntry& entry) {
     PrintedVerdicts verdicts(writes_derived_);
+    if (!entry.unreadable.empty()) throw Failure(entry.unreadable);
     if (!entry.not_checkable.empty()) verdicts.add_unchecked(entry, entry.not_checkable);
     each(entry, [&](const System& system, const PrintedEquation& checked) { verdicts.add(system, checked); });
     return verdicts.rows();

@@ -19,6 +19,7 @@ public:
     std::vector<PrintedRow> check(const CatalogueEntry& entry);
 
 private:
+    void each_system(const CatalogueEntry& entry, const Visit& visit);
     /// A scene of a model with letters added, in all its modes.
     struct Derived {
         std::shared_ptr<const LoadedModel> loaded;

@@ -5,7 +5,7 @@
 #include <ostream>
 
 #include "command/book_page.hpp"
-#include "command/catalogue_verdicts.hpp"
+#include "command/entry_process.hpp"
 #include "command/json_output.hpp"
 #include "command/printed_report.hpp"
 #include "command/shared.hpp"
@@ -115,51 +115,72 @@ FileResult check_catalogue(const SourcePtr& source, const Options& options, Stre
     const Catalogue catalogue = read_catalogue(source, diagnostics);
     const bool as_text = options.format != "json";
     FileResult result{{{"schema", "dalembert/check"}, {"version", json_version}, {"catalogue", catalogue.title}, {"edition", catalogue.edition}, {"printed", nlohmann::ordered_json::array()}}, {catalogue.title, catalogue.edition, {}, {}}};
-    CatalogueVerdicts verdicts(catalogue, !options.pages.empty());
     if (as_text) streams.out << safe_line(catalogue.title) << std::endl;
-    std::size_t unread = 0;
     std::vector<std::string> names;
     for (const CatalogueEntry& entry : catalogue.entries) names.push_back(entry.name);
     const std::size_t width = column_width(names);
-    const auto check = [&](const CatalogueEntry& entry) -> std::vector<PrintedRow> {
-        try {
-            return verdicts.check(entry);
-        } catch (const Failure& failure) {
-            if (failure.exit_code() != ExitCode::bad_input) throw;
-            ++unread;
-            for (const Diagnostic& d : failure.diagnostics()) {
-                result.json["errors"].push_back(as_json(entry.name, d));
-                const auto is_same = [&](const Diagnostic& other) { return other.message == d.message && other.span.source == d.span.source && other.span.begin == d.span.begin; };
-                if (std::none_of(result.unreadable.begin(), result.unreadable.end(), is_same)) result.unreadable.push_back(d);
-            }
-            if (as_text) streams.out << fmt::format("  {:<{}} not read: {}\n", safe_line(entry.name), width, safe_line(failure.diagnostics().front().message)) << std::flush;
-            return {};
-        }
+    std::size_t unread = 0, unchecked = 0;
+    const auto has_no_verdict = [&](const CatalogueEntry& entry, const char* verdict, const std::string& reason) {
+        result.part.problems.push_back({entry.name, verdict, reason});
+        if (as_text) streams.out << fmt::format("  {:<{}} {}: {}\n", safe_line(entry.name), width, verdict, safe_line(reason)) << std::flush;
     };
-    for (const CatalogueEntry& entry : catalogue.entries)
-        for (const PrintedRow& row : check(entry)) {
+    check_entries(catalogue, !options.pages.empty(), {}, [&](const CatalogueEntry& entry, const EntryOutcome& outcome) {
+        for (const Diagnostic& d : outcome.errors) {
+            result.json["errors"].push_back(as_json(entry.name, d));
+            const auto is_same = [&](const Diagnostic& other) { return other.message == d.message && other.span.source == d.span.source && other.span.begin == d.span.begin; };
+            if (std::none_of(result.unreadable.begin(), result.unreadable.end(), is_same)) result.unreadable.push_back(d);
+        }
+        if (!outcome.errors.empty()) {
+            ++unread;
+            has_no_verdict(entry, "not read", outcome.errors.front().message);
+        } else if (!outcome.stopped.empty()) {
+            ++unchecked;
+            result.failed = true;
+            result.json["errors"].push_back({{"id", entry.name}, {"error", "stopped"}, {"message", outcome.stopped}});
+            has_no_verdict(entry, "not checked", outcome.stopped);
+        }
+        for (const PrintedRow& row : outcome.rows) {
             result.failed = result.failed || !row.as_expected();
             result.part.counts.add(row.verdict());
             result.json["printed"].push_back(report_json(row, catalogue.title));
             if (as_text) streams.out << report_text(row, width) << std::flush;
             result.part.rows.push_back(row);
         }
-    if (as_text) streams.out << result.part.counts.line() << (unread > 0 ? fmt::format("; {} more could not be read", unread) : "") << (result.failed ? "; not all as expected\n" : "\n");
+    });
+    if (as_text)
+        streams.out << result.part.counts.line() << (unread > 0 ? fmt::format("; {} more could not be read", unread) : "") << (unchecked > 0 ? fmt::format("; {} more could not be checked", unchecked) : "")
+                    << (result.failed ? "; not all as expected\n" : "\n");
     result.json["summary"] = result.part.counts.json();
     result.json["passed"] = !result.failed && unread == 0;
     return result;
+}
+
+/// What is wrong with one of several files takes nothing from the others.
+FileResult check_file(const std::string& path, const Options& options, Streams streams) {
+    Options one = options;
+    one.choice.model = path;
+    try {
+        const SourcePtr source = read_text_file(path);
+        return is_catalogue(source) ? check_catalogue(source, one, streams) : Check(one, streams).run();
+    } catch (const Failure& failure) {
+        if (options.models.size() == 1 || failure.exit_code() != ExitCode::bad_input) throw;
+        FileResult result{{{"schema", "dalembert/check"}, {"version", json_version}, {"file", path}, {"errors", nlohmann::ordered_json::array()}, {"passed", false}}, {path, "", {}, {}}};
+        for (const Diagnostic& d : failure.diagnostics()) {
+            if (d.severity != Severity::error) continue;
+            result.json["errors"].push_back(as_json("", d));
+            result.part.problems.push_back({"the file", "not read", d.message});
+            result.unreadable.push_back(d);
+        }
+        if (options.format != "json") streams.out << fmt::format("{}\n  not read: {}\n", safe_line(path), safe_line(failure.diagnostics().front().message));
+        return result;
+    }
 }
 
 }  // namespace
 
 ExitCode check_command(const Options& options, Streams streams) {
     std::vector<FileResult> results;
-    for (const std::string& path : options.models) {
-        const SourcePtr source = read_text_file(path);
-        Options one = options;
-        one.choice.model = path;
-        results.push_back(is_catalogue(source) ? check_catalogue(source, one, streams) : Check(one, streams).run());
-    }
+    for (const std::string& path : options.models) results.push_back(check_file(path, options, streams));
     VerdictCounts counts;
     bool failed = false;
     std::vector<BookPart> parts;
@@ -173,7 +194,7 @@ ExitCode check_command(const Options& options, Streams streams) {
         unreadable.insert(unreadable.end(), result.unreadable.begin(), result.unreadable.end());
     }
     const bool is_whole = unreadable.empty();
-    if (is_whole && !options.pages.empty()) write_files(book_pages(parts, options.pages));
+    if (!options.pages.empty()) write_files(book_pages(parts, options.pages));
     if (options.format != "json") {
         if (results.size() > 1) streams.out << counts.line(fmt::format("printed equations in {} files", results.size()).c_str()) << (is_whole ? "" : "; not all could be read") << (failed ? "; not all as expected\n" : "\n");
     } else if (results.size() == 1) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "command/difference_text.hpp"
+#include "emit/mathml.hpp"
 #include "model/cases.hpp"
 
 namespace dalembert {
@@ -56,14 +57,16 @@ void PrintedVerdicts::add(const System& system, const PrintedEquation& entry) {
         const Verdict verdict = check.verdict();
         if (row.found && weight(*row.found) >= weight(verdict)) continue;
         row.found = verdict;
-        row.shown = entry.shown;
+        row.formulas.clear();
+        if (for_pages_)
+            for (const Equation& equation : entry.shown) row.formulas += math_element(mathml(equation));
         for (const PrintedResult& result : check.equations) {
             if (result.comparison.verdict != verdict) continue;
             row.equation = result.written;
             row.reason = result.comparison.reason;
             row.difference = result.difference ? difference_text(system, *result.difference, is_of_cases(entry)) : "";
             row.counterexample = result.counterexample;
-            if (writes_derived_ && result.derived) row.derived = short_text(write(*result.derived)) + (result.is_motion ? " = 0" : "");
+            if (for_pages_ && result.derived) row.derived = short_text(write(*result.derived)) + (result.is_motion ? " = 0" : "");
             break;
         }
         const bool is_wrong = verdict == Verdict::wrong || verdict == Verdict::dimensionally_wrong;

@@ -19,8 +19,8 @@ struct PrintedRow {
     std::string difference = {};
     std::optional<CounterExample> counterexample = {};
     std::optional<Suggestion> suggestion = {};
-    std::vector<Equation> shown = {};    ///< as they are written
-    std::string derived = {};            ///< what the derivation has instead of the first side, where it was asked for
+    std::string formulas = {};           ///< the equations as they are written, in MathML, where pages were asked for
+    std::string derived = {};            ///< what the derivation has instead of the first side, where pages were asked for
 
     Verdict verdict() const { return found.value_or(Verdict::not_checkable); }
     bool as_expected() const;
@@ -28,7 +28,8 @@ struct PrintedRow {
 
 class PrintedVerdicts {
 public:
-    explicit PrintedVerdicts(bool writes_derived = false) : writes_derived_(writes_derived) {}
+    /// With `for_pages` rows also have what only pages show.
+    explicit PrintedVerdicts(bool for_pages = false) : for_pages_(for_pages) {}
 
     /// Checks what the scene of a system contains of its model's printed equations.
     void add(const System& system);
@@ -40,7 +41,7 @@ public:
 
 private:
     PrintedRow& row_of(const std::string& id, const PrintedEquation& entry);
-    bool writes_derived_;
+    bool for_pages_;
     std::vector<PrintedRow> rows_;
 };
 

@@ -7,6 +7,7 @@
 
 #include "model/checks.hpp"
 #include "model/latex_conditions.hpp"
+#include "model/latex_meaning.hpp"
 #include "model/latex_reader.hpp"
 #include "model/latex_rounded.hpp"
 #include "model/latex_words.hpp"
@@ -58,8 +59,9 @@ Range range_about(const CatalogueLetter& letter) {
 }
 
 /// A letter without a value of its own is a number like any other; what is positive is so by its range.
-void add(Model& model, const CatalogueLetter& letter, Diagnostics& diagnostics) {
+void add(Model& model, const CatalogueLetter& letter, bool is_dimensionless, Diagnostics& diagnostics) {
     Quantity quantity = letter;
+    if (is_dimensionless) quantity.unit = Unit{};
     if (letter.is_positive && !letter.range) quantity.range = range_about(letter);
     if (letter.is_positive && letter.range && letter.range->low && letter.range->low->kind == Expression::Kind::number && !cln::plusp(letter.range->low->value))
         diagnostics.error(Id::value_out_of_range, letter.range->span, fmt::format("'{}' is positive, so that its range begins above zero", letter.name));
@@ -90,6 +92,9 @@ std::vector<const CatalogueLetter*> letters_of(const Catalogue& catalogue, const
 /// Names of the model and of letters are read as words, not as products.
 PrintedNotation notation_of(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) {
     PrintedNotation notation;
+    notation.set_decimal_mark(catalogue.decimal_mark);
+    if (catalogue.preamble) notation.add_macros(*catalogue.preamble);
+    for (const auto& [name, body] : catalogue.macros) notation.add_macro(name, body);
     for (const auto* letters : {&entry.own, &catalogue.letters})
         for (const CatalogueLetter& letter : *letters) {
             notation.add_word(letter.name);
@@ -152,30 +157,61 @@ void check_solution(const CatalogueEntry& entry) {
 
 }  // namespace
 
-CatalogueEntry with_equations(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) {
-    CatalogueEntry result = entry;
-    if (entry.latex)
-        for (const LatexEquation& read : read_latex(*entry.latex, notation_of(catalogue, entry, model))) {
-            const bool is_said_of_equations = is_condition(read) && !result.equations.empty();
-            if (is_said_of_equations || !read.conditions.empty()) check_conditions(read, catalogue, entry, model);
-            if (is_said_of_equations) continue;
-            // Said to be rounded: what stands without a unit is a number all the same.
-            const bool is_rounded = std::find(read.relations.begin(), read.relations.end(), Relation::approximately) != read.relations.end();
-            if (is_rounded && !result.number_unit) result.number_unit = Unit{};
-            for (const Relation relation : read.relations)
-                if (relation != Relation::equal && relation != Relation::approximately)
-                    fail(Id::not_allowed_here, read.equation.span, fmt::format("'{}' is not an equation; what is compared by '{}' is not checked", read.equation.span.text(), sign_of(relation)));
-            if (read.relations.empty()) fail(Id::syntax, read.equation.span, fmt::format("'{}' is an expression where an equation is expected", read.equation.span.text()));
-            const bool has_e = !declares_e(catalogue, entry, model) && has_limit(read.equation);  // of the whole chain
-            for (Equation& equation : with_rounded_numbers(read)) {
-                for (ExpressionPtr& side : equation.sides) {
-                    side = in_model_words(side);
-                    if (has_e) side = with_eulers_number(side);
-                }
-                result.equations.push_back(std::move(equation));
+namespace {
+
+/// What stands on one side only holds of one of the signs, and the equation does not say of which.
+void refuse_one_sided_signs(const LatexEquation& read) {
+    const auto& has = read.has_both_signs;
+    if (std::find(has.begin(), has.end(), true) != has.end() && std::find(has.begin(), has.end(), false) != has.end())
+        fail(Id::not_allowed_here, read.equation.span, fmt::format("'\\pm' stands on one side of '{}' only, so that it is not said which sign holds; write the sign, or say under 'solves' which equation both of them solve", read.equation.span.text()));
+}
+
+/// Adds the equations of the LaTeX with the upper or the lower signs. Whether there are such signs.
+bool add_equations(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model, bool is_lower_sign, CatalogueEntry& result) {
+    PrintedNotation notation = notation_of(catalogue, entry, model);
+    if (is_lower_sign) notation.take_lower_signs();
+    bool has_signs = false;
+    const std::size_t first = result.equations.size();
+    for (LatexEquation& read : read_latex(*entry.latex, notation)) {
+        const bool is_signed = std::find(read.has_both_signs.begin(), read.has_both_signs.end(), true) != read.has_both_signs.end();
+        has_signs = has_signs || is_signed;
+        if (is_signed && entry.solved.empty()) refuse_one_sided_signs(read);
+        if (is_lower_sign && !is_signed && entry.solved.empty()) continue;
+        const bool is_said_of_equations = is_condition(read) && result.equations.size() > first;
+        if (is_said_of_equations || !read.conditions.empty()) check_conditions(read, catalogue, entry, model);
+        if (is_said_of_equations) continue;
+        // Said to be rounded: what stands without a unit is a number all the same.
+        const bool is_rounded = std::find(read.relations.begin(), read.relations.end(), Relation::approximately) != read.relations.end();
+        if (is_rounded && !result.number_unit) result.number_unit = Unit{};
+        for (const Relation relation : read.relations)
+            if (relation != Relation::equal && relation != Relation::approximately)
+                fail(Id::not_allowed_here, read.equation.span, fmt::format("'{}' is not an equation; what is compared by '{}' is not checked", read.equation.span.text(), sign_of(relation)));
+        if (read.relations.empty()) fail(Id::syntax, read.equation.span, fmt::format("'{}' is an expression where an equation is expected", read.equation.span.text()));
+        for (ExpressionPtr& side : read.equation.sides) side = with_known_meaning(side, catalogue, entry, model);
+        take_constants_out(read, catalogue, entry, model);
+        const bool has_e = !declares_e(catalogue, entry, model) && has_limit(read.equation);  // of the whole chain
+        for (Equation& equation : with_rounded_numbers(read)) {
+            mark_rounded(equation);
+            for (ExpressionPtr& side : equation.sides) {
+                side = in_model_words(side);
+                if (has_e) side = with_eulers_number(side);
             }
+            result.equations.push_back(std::move(equation));
         }
-    if (!entry.solved.empty()) check_solution(result);
+    }
+    return has_signs;
+}
+
+}  // namespace
+
+std::vector<CatalogueEntry> with_equations(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) {
+    std::vector<CatalogueEntry> result{entry};
+    if (entry.latex && add_equations(catalogue, entry, model, false, result.front())) {
+        if (!entry.solved.empty()) result.push_back(entry);
+        add_equations(catalogue, entry, model, true, result.back());
+    }
+    if (!entry.solved.empty())
+        for (const CatalogueEntry& one : result) check_solution(one);
     return result;
 }
 
@@ -193,7 +229,7 @@ Model with_letters(const Catalogue& catalogue, const CatalogueEntry& entry, cons
     Diagnostics diagnostics;
     const Names known(base != nullptr ? *base : model);
     for (const CatalogueLetter* letter : letters_of(catalogue, entry, used))
-        if (known.find(letter->name) == nullptr) add(model, *letter, diagnostics);
+        if (known.find(letter->name) == nullptr) add(model, *letter, entry.is_dimensionless, diagnostics);
     check_letter_names(model, diagnostics);
     diagnostics.stop_on_errors();
     return model;

@@ -32,7 +32,9 @@ struct CatalogueEntry : PrintedEquation {
     std::optional<Excerpt> latex;  ///< instead of equations
     std::vector<LatexMeaning> notation;
     std::vector<Excerpt> functions;
+    bool is_dimensionless = false;  ///< all its letters are numbers
     std::string not_checkable; ///< why there is nothing to be checked; empty where there is
+    std::vector<Diagnostic> unreadable = {};  ///< what is wrong in the entry itself
 };
 
 struct Catalogue {
@@ -42,17 +44,22 @@ struct Catalogue {
     std::vector<CatalogueLetter> letters;
     std::vector<LatexMeaning> notation;
     std::vector<Excerpt> functions;  ///< letters that are functions: "T", or with what of, "T(x)"
+    std::vector<std::pair<Excerpt, std::string>> macros;
+    std::optional<Excerpt> preamble;  ///< lines that define macros
+    char decimal_mark = 0;            ///< '.' or ','; 0 where the text does not say
+    std::vector<std::string> coordinates;  ///< Cartesian ones, of \nabla
     std::vector<CatalogueEntry> entries;
 };
 
 /// Whether a file says that it is a catalogue: it has a section [catalogue].
 bool is_catalogue(const SourcePtr& source);
 
-/// Reads and checks a catalogue, but for what its entries say of models. Throws Failure with everything that is wrong.
+/// Reads and checks a catalogue, but for what its entries say of models. What is wrong in an entry is kept with it. Throws Failure with everything else
+/// that is wrong.
 Catalogue read_catalogue(const SourcePtr& source, Diagnostics& diagnostics);
 
-/// The entry with its LaTeX read, if it has any. Throws Failure.
-CatalogueEntry with_equations(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model);
+/// The entry with its LaTeX read, if it has any: two of them where it says what letters are with \pm, one for each sign. Throws Failure.
+std::vector<CatalogueEntry> with_equations(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model);
 
 /// A model with the letters of an entry and nothing else; with `base`, that model with those letters that it does not have.
 Model with_letters(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* base);

@@ -19,6 +19,10 @@ constexpr std::array catalogue_keys{
     KeySpec{"edition", Type::text, false, "which edition, or where it was found"},
     KeySpec{"doc", Type::text, false, "which part of the text this file is about"},
     KeySpec{"functions", Type::effects, false, "of entries in LaTeX: letters that are functions, with what they are functions of: [\"f(x)\", \"L\"]"},
+    KeySpec{"preamble", Type::text, false, "of entries in LaTeX: lines of the text that define macros, \\newcommand, \\def and \\DeclareMathOperator; what else stands there is passed over"},
+    KeySpec{"decimal", Type::choice, false, "of entries in LaTeX: \".\" or \",\" stands before decimals, and the other one between thousands: 42,164"},
+    KeySpec{"coordinates", Type::effects, false, "of entries in LaTeX: the Cartesian coordinates that \\nabla differentiates by: [\"x\", \"y\", \"z\"]"},
+    KeySpec{"dimensionless", Type::boolean, false, "true: the text counts without units, and all letters of entries without a model are numbers"},
 };
 constexpr std::array letter_keys{
     KeySpec{"unit", Type::unit, true, "its unit: \"kg\", \"N/m\", \"1\""},
@@ -30,6 +34,9 @@ constexpr std::array letter_keys{
 };
 constexpr std::array notation_keys{
     KeySpec{"value", Type::expression, true, "what the letter of the text stands for"},
+};
+constexpr std::array macro_keys{
+    KeySpec{"value", Type::text, true, "what it stands for, in LaTeX"},
 };
 constexpr std::array entry_keys{
     KeySpec{"equation", Type::equation, false, "the printed equation in the model language: \"left = right\", also \"a = b = c\""},
@@ -47,6 +54,7 @@ constexpr std::array entry_keys{
     KeySpec{"at", Type::expressions_by_name, false, "a point at which it holds: { phi = 0, \"dot(phi)\" = 0 }"},
     KeySpec{"solves", Type::equations, false, "the entry says what letters are, \"x = ...\"; these are the equations that they solve: what has to hold when they are inserted"},
     KeySpec{"unit", Type::unit, false, "a side that is a number alone is a value in this unit, right to half a unit of its last printed digit"},
+    KeySpec{"dimensionless", Type::boolean, false, "true: the letters of the entry are numbers, whatever their units are elsewhere; without a model"},
     KeySpec{"not_checkable", Type::text, false, "instead of an equation: why there is nothing to check, as \"definition\""},
     KeySpec{"expect", Type::choice, false, "the verdict of a known misprint: \"wrong\", \"dimensionally wrong\", \"numerically equal\", \"not checkable\""},
     KeySpec{"source", Type::text, false, "where it is printed, if not in the catalogue's source"},
@@ -60,6 +68,7 @@ constexpr std::array catalogue_table{
     SectionSpec{"letters", true, "Letters of the text that may have any sign, with their units.", "[letters]\nx = \"m\"\nq = { unit = \"m\", of = \"t\" }", letter_keys, "unit"},
     SectionSpec{"positive", true, "Letters of the text that are positive.", "[positive]\nm = \"kg\"\ng = { unit = \"m/s^2\", value = 9.81 }", letter_keys, "unit"},
     SectionSpec{"notation", true, "What letters of the text stand for in models.", "[notation]\nT           = \"kinetic_energy\"\n'\\varphi_1' = \"phi_1\"", notation_keys, "value"},
+    SectionSpec{"macros", true, "Macros of the text, and what they stand for; a macro has as many arguments as #1, #2, ... occur.", "[macros]\n'\\v'   = '\\mathbf{#1}'\n'\\pdd' = '\\frac{\\partial #1}{\\partial #2}'", macro_keys, "value"},
     SectionSpec{"entries", true, "The equations, by their printed numbers.",
                 "[entries.\"2.219\"]\nmodel    = \"../mechanics/spherical_pendulum.toml\"\nequation = \"potential_energy = m*g*l*(1 - cos(theta))\"", entry_keys, ""},
 };

@@ -22,7 +22,7 @@ const std::vector<std::string>* LatexParser::arguments_of(const LatexLetter& let
 std::vector<ExpressionPtr> LatexParser::list_until_bracket(const LatexToken& open) {
     const Inside brackets(*this);
     std::vector<ExpressionPtr> list{expression()};
-    while (take(",")) list.push_back(expression());
+    while (take(",") || take(";")) list.push_back(expression());
     if (!closes(open, token())) expected("')' or ','");
     next();
     return list;
@@ -32,9 +32,17 @@ std::vector<ExpressionPtr> LatexParser::list_until_bracket(const LatexToken& ope
 LatexParser::Brackets LatexParser::brackets_at(std::size_t open, std::size_t close) {
     Brackets found;
     const std::size_t here = at_;
+    const auto is_comma = [&](std::size_t i) { return at(i).is(",") || at(i).is(";"); };
     for (std::size_t i = open + 1; i < close && found.is_plain;) {
+        if (at(i).is("\\dots") && !found.names.empty()) {  // (x_1, \dots, x_n)
+            found.spelled += ", ...";
+            found.printed += ", ...";
+            found.is_plain = ++i == close || is_comma(i);
+            if (is_comma(i)) ++i;
+            continue;
+        }
         const auto read = starts_letter(i) ? letter_at(i) : std::nullopt;
-        found.is_plain = read && read->first.power_at == 0 && (read->second == close || at(read->second).is(","));
+        found.is_plain = read && read->first.power_at == 0 && (read->second == close || is_comma(read->second));
         if (!found.is_plain) break;
         const LatexLetter& argument = read->first.letter;
         const auto dummy_of = argument.meant_by_dummy();
@@ -49,8 +57,9 @@ LatexParser::Brackets LatexParser::brackets_at(std::size_t open, std::size_t clo
         found.has_place = found.has_place || std::any_of(argument.index.begin(), argument.index.end(), [](const LatexToken& t) { return t.kind == LatexToken::Kind::letter; });
         found.has_index = found.has_index || (found.names.size() == 1 && !argument.index.empty() && !found.is_instant);
         found.spelled += (found.spelled.empty() ? "" : ", ") + dummy_of.value_or(argument.plain_name());
+        found.printed += (found.printed.empty() ? "" : ", ") + argument.canonical();
         i = read->second;
-        if (at(i).is(",")) found.is_plain = ++i < close;
+        if (is_comma(i)) found.is_plain = ++i < close;
     }
     found.is_plain = found.is_plain && !found.names.empty();
     int depth = 0;
@@ -91,18 +100,54 @@ ExpressionPtr LatexParser::value_at(const ExpressionPtr& function, const std::st
     return call("at", first, {function, make_name(argument, value->span), value});
 }
 
+void LatexParser::find_calls() {
+    if (called_with_letters_) return;
+    called_with_letters_.emplace();
+    for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
+        const auto read = starts_letter(i) ? letter_at(i) : std::nullopt;
+        if (!read || !at(read->second).is("(")) continue;
+        const std::size_t close = closing_bracket(read->second);
+        if (close + 1 >= tokens_.size()) continue;
+        const Brackets found = brackets_at(read->second, close);
+        if (!found.is_plain) continue;
+        const bool says_of_what = found.dummies.empty() && !found.has_index && !found.has_place && !found.is_instant;
+        if (!says_of_what) called_with_letters_->try_emplace(read->first.letter.canonical());
+        else if (const auto [known, is_new] = called_with_letters_->emplace(read->first.letter.canonical(), found.names); !is_new && known->second.empty()) known->second = found.names;
+        else if (!is_new && known->second != found.names) known->second = {""};
+    }
+}
+
 /// Whether the letter stands before letters in brackets somewhere in the text.
 bool LatexParser::is_called(const LatexLetter& letter) {
-    if (!called_with_letters_) {
-        called_with_letters_.emplace();
-        for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
-            const auto read = starts_letter(i) ? letter_at(i) : std::nullopt;
-            if (!read || !at(read->second).is("(")) continue;
-            const std::size_t close = closing_bracket(read->second);
-            if (close + 1 < tokens_.size() && brackets_at(read->second, close).is_plain) called_with_letters_->insert(read->first.letter.canonical());
-        }
-    }
+    find_calls();
     return called_with_letters_->contains(letter.canonical());
+}
+
+/// The letters that stand behind it in brackets elsewhere in the text, always the same ones: what it is a function of. Null where nothing says so.
+const std::vector<std::string>* LatexParser::called_with(const LatexLetter& letter) {
+    find_calls();
+    const auto found = called_with_letters_->find(letter.canonical());
+    return found == called_with_letters_->end() || found->second.empty() || found->second.front().empty() ? nullptr : &found->second;
+}
+
+/// The name of x_0 and x_A is x here: another place of the same letter.
+std::string LatexParser::as_argument(LatexLetter letter) {
+    letter.index.clear();
+    letter.label.clear();
+    return letter.plain_name();
+}
+
+/// Whether what stands in the brackets is the value of a function of these letters: a number, letters of the same names with an index, or expressions of
+/// them, as x + h for x. Anything else may be a factor.
+bool LatexParser::is_value_of(const std::vector<std::string>& arguments, std::size_t open, std::size_t close) {
+    const Brackets found = brackets_at(open, close);
+    if (found.is_list || (close == open + 2 && at(open + 1).kind == LatexToken::Kind::number)) return true;
+    if (arguments.size() != 1) return false;
+    for (std::size_t i = open + 1; i < close; ++i) {
+        const auto read = starts_letter(i) ? letter_at(i) : std::nullopt;
+        if (read && as_argument(read->first.letter) == arguments.front()) return true;
+    }
+    return false;
 }
 
 /// f(...): the function itself, or its value at what stands in the brackets; note [how a product is read]. Not moved where it is a product.
@@ -114,6 +159,8 @@ ExpressionPtr LatexParser::applied(ExpressionPtr function, const LatexLetter& le
     const LatexToken open = token();
     const std::string name = excerpt_.text.substr(at(first).begin, at(bracket - 1).end - at(first).begin);
     const auto* arguments = arguments_of(letter);
+    if (arguments == nullptr && !(brackets_at(bracket, close).is_plain && !brackets_at(bracket, close).has_index))
+        if (const auto* elsewhere = called_with(letter); elsewhere != nullptr && is_value_of(*elsewhere, bracket, close)) arguments = elsewhere;
     if (arguments != nullptr && !arguments->empty()) {
         next();
         const auto values = list_until_bracket(open);
@@ -131,8 +178,12 @@ ExpressionPtr LatexParser::applied(ExpressionPtr function, const LatexLetter& le
         return function;
     }
     const bool is_function = arguments != nullptr;
-    const Brackets found = brackets_at(bracket, close);
+    Brackets found = brackets_at(bracket, close);
     const LetterDependence* known = dependence_of(*function);
+    if (found.is_plain && found.is_list && !is_function && (known == nullptr || !known->has_expression)) {  // of what a letter depends on, nothing is to be inserted
+        found.dummies.clear();
+        found.spelled = found.printed;
+    }
     const bool is_number = close == bracket + 2 && at(bracket + 1).kind == LatexToken::Kind::number;
     const auto unclear = [&](const std::string& why) {
         at_ = close + 1;

@@ -77,6 +77,8 @@ ExpressionPtr LatexParser::derivative() {
     next();
     const bool braced = take("{");
     const bool is_partial = next().text == "\\partial";
+    const auto skip_empty_order = [&] { at_ += is("^") && token(1).is("{") && token(2).is("}") ? 3 : 0; };  // as macros leave it
+    skip_empty_order();
     const int above = is("^") ? order() : 1;
     ExpressionPtr inside;
     if (braced) {
@@ -93,6 +95,7 @@ ExpressionPtr LatexParser::derivative() {
             expected("the letter that is differentiated by");
         }
         ExpressionPtr variable = differential_variable();
+        skip_empty_order();
         const int times = is("^") ? order() : 1;
         for (int i = 0; i < times; ++i) variables.push_back(variable);
     }
@@ -137,9 +140,11 @@ ExpressionPtr LatexParser::fraction() {
     if (is_derivative()) return derivative();
     const std::size_t first = at_;
     next();
+    ++fractions_;
     ExpressionPtr above = is("{") && !token(1).is("}") ? group() : braced("the numerator");
     const Inside brackets(*this);
     ExpressionPtr below = braced("the denominator");
+    --fractions_;
     const bool is_number = above->kind == Kind::number && below->kind == Kind::number;
     ExpressionPtr result = node(Kind::divide, first, {std::move(above), std::move(below)});
     if (!is_number) return result;

@@ -33,6 +33,10 @@ const char* sign_of(Relation relation) {
         case Relation::greater: return ">";
         case Relation::greater_equal: return "\\ge";
         case Relation::not_equal: return "\\neq";
+        case Relation::proportional: return "\\propto";
+        case Relation::similar: return "\\sim";
+        case Relation::much_less: return "\\ll";
+        case Relation::much_greater: return "\\gg";
     }
     return "";
 }
@@ -45,6 +49,10 @@ std::optional<Relation> LatexParser::relation_of(const LatexToken& t) {
     if (t.is(">")) return Relation::greater;
     if (t.is("\\ge")) return Relation::greater_equal;
     if (t.is("\\neq")) return Relation::not_equal;
+    if (t.is("\\propto")) return Relation::proportional;
+    if (t.is("\\sim")) return Relation::similar;
+    if (t.is("\\ll")) return Relation::much_less;
+    if (t.is("\\gg")) return Relation::much_greater;
     return std::nullopt;
 }
 
@@ -114,9 +122,13 @@ LatexEquation LatexParser::chain() {
     integrated_.clear();
     std::size_t first = at_;
     for (;;) {
+        const std::size_t side = at_;
         result.equation.sides.push_back(expression());
+        const auto sign_behind = both_signs_.lower_bound(at(side).begin);
+        result.has_both_signs.push_back(sign_behind != both_signs_.end() && *sign_behind < at(at_).begin);
         if (is(":") && result.relations.empty()) {  // "\mathbf{e}_x: ..." names the equation
             result.equation.sides.clear();
+            result.has_both_signs.clear();
             next();
             first = at_;
             continue;
@@ -199,9 +211,21 @@ std::pair<std::string, std::vector<std::string>> LatexParser::whole_function() {
     return result;
 }
 
-std::vector<LatexEquation> read_latex(const Excerpt& excerpt, const PrintedNotation& notation) { return LatexParser(excerpt, notation).equations(); }
-ExpressionPtr read_latex_expression(const Excerpt& excerpt, const PrintedNotation& notation) { return LatexParser(excerpt, notation).whole_expression(); }
-std::string canonical_letter(const Excerpt& excerpt, const PrintedNotation& notation) { return LatexParser(excerpt, notation).whole_letter(); }
-std::pair<std::string, std::vector<std::string>> function_with_arguments(const Excerpt& excerpt, const PrintedNotation& notation) { return LatexParser(excerpt, notation).whole_function(); }
+std::vector<LatexEquation> read_latex(const Excerpt& excerpt, const PrintedNotation& notation) {
+    const Excerpt text = without_macros(excerpt, notation.macros());
+    return LatexParser(text, notation).equations();
+}
+ExpressionPtr read_latex_expression(const Excerpt& excerpt, const PrintedNotation& notation) {
+    const Excerpt text = without_macros(excerpt, notation.macros());
+    return LatexParser(text, notation).whole_expression();
+}
+std::string canonical_letter(const Excerpt& excerpt, const PrintedNotation& notation) {
+    const Excerpt text = without_macros(excerpt, notation.macros());
+    return LatexParser(text, notation).whole_letter();
+}
+std::pair<std::string, std::vector<std::string>> function_with_arguments(const Excerpt& excerpt, const PrintedNotation& notation) {
+    const Excerpt text = without_macros(excerpt, notation.macros());
+    return LatexParser(text, notation).whole_function();
+}
 
 }  // namespace dalembert

@@ -52,6 +52,8 @@ ExpressionPtr LatexParser::primary() {
             if (t.text == "\\sum" || t.text == "\\prod") return counted();
             if (t.text == "\\lim") return limit();
             if (t.text == "\\nabla") return nabla();
+            if (t.text == "\\cancel") return cancelled();
+            if (t.text == "\\langle") return average();
             if (t.text == "\\differential" || t.text == "\\partial") return differential();
             if (t.text == "\\underbrace" || t.text == "\\overbrace") return under_brace();
             if (t.text == "\\infty") {
@@ -85,7 +87,8 @@ ExpressionPtr LatexParser::postfix(ExpressionPtr base, std::size_t first) {
         } else if (is("'") || is("\\prime")) {
             wrong(place(token()), "a prime is expected behind a letter only");
         } else if (is("!")) {
-            wrong(place(token()), "there is '!' where an operator is expected; factorials are not read");
+            next();
+            base = call("factorial", first, {std::move(base)});
         } else {
             return base;
         }
@@ -269,6 +272,27 @@ ExpressionPtr LatexParser::root() {
     const ExpressionPtr one = make_number(1, degree->span);
     const Span span = degree->span;
     return node(Kind::power, first, {std::move(inside), std::make_shared<Expression>(Expression{Kind::divide, span, 0, {}, {one, degree}})});
+}
+
+/// \cancel of a factor in a fraction changes nothing; a term that is crossed out may be zero, or stand elsewhere too.
+ExpressionPtr LatexParser::cancelled() {
+    const std::size_t first = at_;
+    const auto is_sign = [](const LatexToken& t) { return t.is("+") || t.is("-") || relation_of(t).has_value(); };
+    const std::size_t behind = behind_argument(at_ + 1);
+    if (fractions_ == 0 || (at_ > 0 && is_sign(at(at_ - 1))) || is_sign(at(behind)))
+        wrong(excerpt_.span(at(first).begin, at(std::max(behind, first + 1) - 1).end), "it is not clear whether what is crossed out is zero; leave it out, or write it without '\\cancel'");
+    next();
+    return braced("what is crossed out");
+}
+
+/// \langle e \rangle
+ExpressionPtr LatexParser::average() {
+    const std::size_t first = at_;
+    next();
+    const Inside brackets(*this);
+    ExpressionPtr inside = expression();
+    expect("\\rangle");
+    return call("average", first, {std::move(inside)});
 }
 
 /// What is written at the brace is a remark.

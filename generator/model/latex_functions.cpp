@@ -15,8 +15,8 @@ const std::map<std::string, std::string, std::less<>> function_names{{"sin", "si
     {"min", "min"}, {"max", "max"}, {"abs", "abs"}, {"sqrt", "sqrt"}, {"atan2", "atan2"}, {"arctan2", "atan2"}, {"artanh", "artanh"}, {"arsinh", "arsinh"}, {"arcosh", "arcosh"},
     {"atanh", "artanh"}, {"asinh", "arsinh"}, {"acosh", "arcosh"}, {"arctanh", "artanh"}, {"arcsinh", "arsinh"}, {"arccosh", "arcosh"}};
 
-/// \sin^{-1}
-const std::map<std::string, std::string, std::less<>> inverse_names{{"sin", "asin"}, {"cos", "acos"}, {"tan", "atan"}, {"sinh", "arsinh"}, {"cosh", "arcosh"}, {"tanh", "artanh"}};
+/// What \sin^{-1} may mean.
+const std::map<std::string, std::string, std::less<>> inverse_names{{"sin", "\\arcsin"}, {"cos", "\\arccos"}, {"tan", "\\arctan"}, {"sinh", "\\operatorname{arsinh}"}, {"cosh", "\\operatorname{arcosh}"}, {"tanh", "\\operatorname{artanh}"}};
 
 /// Letters that are angles by custom and so end the argument of a function without brackets.
 const std::set<std::string, std::less<>> angles{"\\alpha", "\\beta", "\\gamma", "\\delta", "\\theta", "\\vartheta", "\\phi", "\\varphi", "\\psi", "\\chi"};
@@ -122,8 +122,7 @@ ExpressionPtr LatexParser::function() {
     if (is_inverse) {
         const auto inverse = inverse_names.find(name);
         if (inverse == inverse_names.end()) wrong(power->span, fmt::format("the inverse of '{}' is not read; write it out, or 1/{}", printed, printed));
-        name = inverse->second;
-        power = nullptr;
+        wrong(power->span, fmt::format("it is not clear whether '\\{}^{{-1}}' is the inverse function or 1/\\{}; write '{}' or '\\frac{{1}}{{\\{} ...}}'", printed, printed, inverse->second, printed));
     }
     const bool is_bracketed = token().kind == LatexToken::Kind::sign;
     ExpressionPtr argument = function_argument(printed);
@@ -152,6 +151,19 @@ ExpressionPtr LatexParser::function() {
 ExpressionPtr LatexParser::nabla() {
     const std::size_t first = at_;
     next();
+    if (is("^")) {  // \nabla^2 e
+        const std::size_t power = at_;
+        next();
+        const bool braced = take("{");
+        const bool is_two = token().kind == LatexToken::Kind::number && token().text == "2";
+        if (is_two) next();
+        if (is_two && (!braced || take("}")) && starts_factor()) {
+            ExpressionPtr inside = factor();
+            return call("laplacian", first, {std::move(inside)});
+        }
+        at_ = power;
+        return make_name("nabla", from(first));
+    }
     const bool is_divergence = is("\\cdot");
     const bool is_curl = is("\\times");
     if (is_divergence || is_curl) next();

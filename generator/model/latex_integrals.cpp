@@ -53,8 +53,7 @@ ExpressionPtr LatexParser::counted() {
     const std::size_t first = at_;
     const LatexToken sign = next();
     const std::string example = fmt::format("the limits of the {}, as in '{}_{{i=1}}^{{N}}',", sign.is("\\sum") ? "sum" : "product", sign.text);
-    ExpressionPtr lower;
-    ExpressionPtr upper;
+    ExpressionPtr lower, upper, condition;
     std::string index;
     while (is("_") || is("^")) {
         const Inside brackets(*this);
@@ -62,16 +61,22 @@ ExpressionPtr LatexParser::counted() {
             upper = braced("the last index");
             continue;
         }
-        if (!is("{")) expected(example);
-        next();
-        if (token().kind != LatexToken::Kind::letter) expected("the index");
-        index = next().text;
-        if (!is("=")) expected(example);
-        next();
-        lower = expression();
+        const bool is_braced = take("{");
+        if (token().kind != LatexToken::Kind::letter && !is_greek(token().text)) expected("the index");
+        const std::size_t name = at_;
+        index = is_greek(token().text) ? greek_name(next().text) : next().text;
+        if (!is_braced) continue;
+        const bool is_equal = take("=");
+        if (is_equal) lower = expression();
+        if (is_equal ? take(",") : !is("}")) {
+            if (!is_equal) at_ = name;
+            const bool is_set = !is_equal && at(name + 1).is("\\in") && !at(name + 2).is("[") && !at(name + 2).is("(");
+            if (is_set) wrong(place(at(name + 1)), fmt::format("the set that '{}' runs over is not read; {} expected", index, example + " is"));
+            condition = this->condition();
+        }
         expect("}");
     }
-    if (!lower || !upper) expected(example);
+    if (!lower || !upper || condition) return counted_without_limits(sign, first, index, std::move(condition));
     counters_.push_back(index);
     ExpressionPtr inside = term();
     counters_.pop_back();
@@ -80,6 +85,17 @@ ExpressionPtr LatexParser::counted() {
         return call("product", first, {std::move(inside), counter, std::move(lower), std::move(upper)});
     }
     return node(Kind::sum, first, {std::move(lower), std::move(upper), std::move(inside)}, index);
+}
+
+/// \sum_i and \sum_{j \neq i}: over all that there are, which only letters say that are declared for this index.
+ExpressionPtr LatexParser::counted_without_limits(const LatexToken& sign, std::size_t first, const std::string& index, ExpressionPtr condition) {
+    if (!index.empty()) counters_.push_back(index);
+    ExpressionPtr inside = term();
+    if (!index.empty()) counters_.pop_back();
+    std::vector<ExpressionPtr> parts{std::move(inside)};
+    if (!index.empty()) parts.push_back(make_name(index, place(sign)));
+    if (condition) parts.push_back(std::move(condition));
+    return call(sign.is("\\sum") ? "sum_over" : "product_over", first, std::move(parts));
 }
 
 /// 0^+, 0^{-} and 0+ at the end of a place: what is read is taken out of the tokens. 1 from above, -1 from below.

@@ -15,7 +15,69 @@ bool is_operator(const LatexToken& t) { return t.is("+") || t.is("-") || t.is("\
 
 }  // namespace
 
+/// \pm and \mp are one sign each, the upper or the lower ones of all; in an index they are part of the name.
+void LatexParser::take_signs() {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+        LatexToken& t = tokens_[i];
+        if (!t.is("\\pm") && !t.is("\\mp")) continue;
+        const LatexToken* before = i > 0 ? &tokens_[i - 1] : nullptr;
+        const bool is_alone = before != nullptr && before->is("{") && i > 1 && (at(i - 2).is("_") || at(i - 2).is("^")) && at(i + 1).is("}");
+        if (is_alone || (before != nullptr && (before->is("_") || before->is("^")))) continue;
+        both_signs_.insert(t.begin);
+        t.kind = LatexToken::Kind::sign;
+        t.text = t.text == (notation_.is_lower_sign() ? "\\mp" : "\\pm") ? "+" : "-";
+    }
+}
+
+/// {} keeps a distance, but for the one that carries the scripts of {}^A x and what takes an argument.
+void LatexParser::drop_empty_groups() {
+    Tokens kept;
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+        if (at(i).is("{") && (is_operator(at(i + 1)) || at(i + 1).is("=")) && at(i + 2).is("}") && (kept.empty() || (!kept.back().is("_") && !kept.back().is("^")))) {  // {\cdot}
+            kept.push_back(tokens_[i + 1]);
+            i += 2;
+            continue;
+        }
+        const LatexToken* before = kept.empty() ? nullptr : &kept.back();
+        bool is_idle = at(i).is("{") && at(i + 1).is("}");
+        if (is_idle && before != nullptr) {
+            const bool takes_argument = before->is("_") || before->is("^") || before->is("]") || before->is("}") || (before->kind == LatexToken::Kind::command && !is_greek(before->text) && !is_operator(*before) && !relation_of(*before) && !before->is("\\differential"));
+            // Of \frac{a}{} the second one is missing, and has to be said.
+            bool is_second = false;
+            if (before->is("}")) {
+                int depth = 0;
+                std::size_t k = kept.size();
+                while (k-- > 0) {
+                    depth += kept[k].is("}") ? 1 : kept[k].is("{") ? -1 : 0;
+                    if (depth == 0) break;
+                }
+                is_second = k > 0 && k < kept.size() && kept[k - 1].is("\\frac");
+            }
+            is_idle = !takes_argument || (before->is("]") || (before->is("}") && !is_second));
+        }
+        const bool has_scripts = at(i + 2).is("^") || at(i + 2).is("_");
+        const bool is_behind = before != nullptr && at(i).space == Space::none && (before->kind == LatexToken::Kind::letter || before->kind == LatexToken::Kind::upright || is_greek(before->text) || before->is("}") || before->is(")"));
+        if (is_idle && has_scripts && !is_behind) is_idle = false;
+        if (is_idle) ++i;
+        else kept.push_back(tokens_[i]);
+    }
+    tokens_ = std::move(kept);
+}
+
+/// \vec{\nabla} is \nabla.
+void LatexParser::drop_marks_of_nabla() {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+        if (!at(i).is("\\vec") && !at(i).is("\\mathbf") && !at(i).is("\\underline") && !at(i).is("\\bar")) continue;
+        const auto here = tokens_.begin() + static_cast<std::ptrdiff_t>(i);
+        if (at(i + 1).is("\\nabla")) tokens_.erase(here);
+        else if (at(i + 1).is("{") && at(i + 2).is("\\nabla") && at(i + 3).is("}")) tokens_.erase(here + 3), tokens_.erase(here, here + 2);
+    }
+}
+
 void LatexParser::prepare() {
+    take_signs();
+    drop_empty_groups();
+    drop_marks_of_nabla();
     Tokens split;
     split.reserve(tokens_.size());
     for (const LatexToken& t : tokens_) {
@@ -131,6 +193,27 @@ bool LatexParser::continues(std::size_t line_break) const {
     return columns > 0;
 }
 
+/// a &= b & c &= d: whether another equation begins behind this column.
+bool LatexParser::divides_columns(std::size_t column) const {
+    const auto is_edge = [](const LatexToken& t) { return t.is("\\\\") || t.kind == LatexToken::Kind::begin || t.kind == LatexToken::Kind::end_of || t.kind == LatexToken::Kind::end; };
+    const LatexToken &before = at(column > 0 ? column - 1 : 0), &behind = at(column + 1);
+    if (column == 0 || relation_of(before) || is_operator(before) || relation_of(behind) || word_of(behind) == Word::condition) return false;
+    bool has_relation = false;
+    int columns = 0, depth = 0;
+    for (std::size_t k = column; k-- > 0 && !(depth == 0 && is_edge(at(k)));) {
+        depth += at(k).is("}") || at(k).kind == LatexToken::Kind::end_of ? 1 : at(k).is("{") || at(k).kind == LatexToken::Kind::begin ? -1 : 0;
+        has_relation = has_relation || (depth == 0 && relation_of(at(k)));
+        columns += depth == 0 && at(k).is("&") ? 1 : 0;
+    }
+    if (!has_relation || (is_operator(behind) && !(behind.is("-") && columns % 2 == 1))) return false;
+    depth = 0;
+    for (std::size_t k = column + 1; k < tokens_.size() && depth >= 0 && !(depth == 0 && is_edge(at(k))); ++k) {
+        if (depth == 0 && relation_of(at(k))) return true;
+        depth += at(k).is("{") || at(k).kind == LatexToken::Kind::begin ? 1 : at(k).is("}") || at(k).kind == LatexToken::Kind::end_of ? -1 : 0;
+    }
+    return false;
+}
+
 /// Lines and columns of aligned equations go; a line break stays where another equation begins.
 void LatexParser::drop_layout() {
     std::vector<bool> dropped(tokens_.size(), false);
@@ -159,13 +242,17 @@ void LatexParser::drop_layout() {
         } else if (t.kind == LatexToken::Kind::sign) {
             if (t.text == "{" || t.side == Side::left) ++braces.back();
             else if ((t.text == "}" || t.side == Side::right) && !dropped[i]) --braces.back();
+            if (open.back() && braces.back() <= 0 && t.text == "&" && divides_columns(i)) {
+                tokens_[i].text = "\\\\";
+                continue;
+            }
             if (open.back() && braces.back() <= 0 && (t.text == "&" || (t.text == "\\\\" && continues(i)))) dropped[i] = true;
             if (open.back() && braces.back() > 0 && t.text == "\\\\" && at(i + 1).is("&")) dropped[i] = true;
         }
     }
     // {a = b}: braces around an equation.
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-        if (!at(i).is("{") || (i > 0 && !dropped[i - 1] && !at(i - 1).is("\\\\") && !at(i - 1).is(","))) continue;
+        if (!at(i).is("{") || (i > 0 && !dropped[i - 1] && !at(i - 1).is("\\\\") && !at(i - 1).is(",") && !at(i - 1).is("\\Rightarrow") && !at(i - 1).is("\\rightarrow") && at(i).space != Space::quad)) continue;
         const std::size_t close = closing_brace(i);
         int depth = 0;
         bool has_equation = false;

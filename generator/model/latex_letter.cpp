@@ -17,7 +17,7 @@ const std::map<std::string, std::string, std::less<>> mark_names{{"\\mathbf", "b
     {"\\bar", "bar"}, {"\\hat", "hat"}, {"\\tilde", "tilde"}, {"\\overline", "over"}, {"\\underline", "under"}, {"\\check", "check"}, {"\\breve", "breve"}, {"\\acute", "acute"}, {"\\grave", "grave"}, {"\\mathring", "ring"}};
 
 const std::map<std::string, std::string, std::less<>> sign_names{{"*", "star"}, {"+", "plus"}, {"-", "minus"}, {"\\infty", "inf"}, {"\\circ", "circ"}, {"°", "circ"}, {"\\max", "max"}, {"\\min", "min"}, {"\\perp", "perp"}, {"\\parallel", "par"},
-    {"'", "prime"}, {"\\prime", "prime"}, {"\\differential", "d"}, {"\\times", "times"}, {"\\dagger", "dagger"}, {"\\partial", "border"}, {"=", "is"}, {"\\star", "star"}, {"\\rightarrow", "to"}, {"\\Sigma", "Sigma"}, {"\\lim", "lim"}, {"\\sup", "sup"}};
+    {"'", "prime"}, {"\\prime", "prime"}, {"\\differential", "d"}, {"\\times", "times"}, {"\\dagger", "dagger"}, {"\\partial", "border"}, {"=", "is"}, {"\\star", "star"}, {"\\rightarrow", "to"}, {"\\Sigma", "Sigma"}, {"\\lim", "lim"}, {"\\sup", "sup"}, {"\\pm", "pm"}, {"\\mp", "mp"}};
 
 bool is_alphanumeric(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
 
@@ -35,6 +35,16 @@ std::string as_name(std::string_view text) {
     }
     while (name.ends_with('_')) name.pop_back();
     return name;
+}
+
+/// "u'v'" in words: "u_prime_v_prime"; "\\rho u" is "rho u".
+std::string words_of(std::string_view base) {
+    std::string text;
+    for (const char c : base) {
+        if (c == '\'') text += "_prime_";
+        else text += c == '\\' ? '_' : c;
+    }
+    return text;
 }
 
 }  // namespace
@@ -81,6 +91,7 @@ std::string LatexLetter::canonical() const {
     constexpr std::array<const char*, 5> dotted{"", "\\dot", "\\ddot", "\\dddot", "\\ddddot"};
     if (dots > 0) text = std::string(dotted[static_cast<std::size_t>(std::min(dots, 4))]) + "{" + text + "}";
     if (is_difference) text = "\\Delta " + text;
+    if (!before.empty()) text = "{}^{" + canonical_script(before) + "}" + text;
     const auto script = [&](const char* sign, const std::vector<LatexToken>& tokens) {
         if (tokens.empty()) return;
         const std::string inside = canonical_script(tokens);
@@ -93,7 +104,8 @@ std::string LatexLetter::canonical() const {
 
 std::string LatexLetter::plain_name() const {
     std::string name = is_difference ? "Delta_" : "";
-    name += base.starts_with('\\') ? greek_name(base) : as_name(base);
+    if (const std::string part = script_name(before); !part.empty()) name += part + "_";
+    name += base.starts_with('\\') && is_greek(base) ? greek_name(base) : as_name(words_of(base));
     for (const std::string& mark : marks) {
         const auto known = mark_names.find(mark);
         name += "_" + (known != mark_names.end() ? known->second : mark.substr(1));

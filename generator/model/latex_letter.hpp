@@ -9,6 +9,7 @@
 //   \mathbf{r}, \vec{r}, \mathcal{V}, \bar{x}, \hat{x}, \tilde{x}, \overline{R}, \underline{R}
 //                                r_bold, r_vec, V_cal, x_bar, x_hat, x_tilde, R_over, R_under
 //   \Delta T, y'                 Delta_T, y_prime
+//   {}^A x, \overline{u'v'}      A_x, u_prime_v_prime_over
 //   e^{x}                        exp(x)           (an e without a power is a letter)
 //   m_i inside \sum_i            m[i]             (an index that is counted stands in brackets: F_{ij} is F[i, j], r_{S,i} is r_S[i])
 #pragma once
@@ -25,6 +26,7 @@ struct LatexLetter {
     std::vector<std::string> marks;   ///< "\\mathbf", "\\tilde", the innermost first; no dots
     int dots = 0;
     bool is_difference = false;       ///< behind \Delta
+    std::vector<LatexToken> before;   ///< scripts of {}^A x
     std::vector<LatexToken> index;    ///< parts with "," between them
     std::vector<LatexToken> label;    ///< a superscript that is no power
     int primes = 0;

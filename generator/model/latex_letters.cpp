@@ -33,6 +33,7 @@ bool LatexParser::starts_letter(std::size_t i) {
         case LatexToken::Kind::command: return is_greek(t.text) || is_fancy(t);
         case LatexToken::Kind::sign: {
             if (t.text != "{" || not_a_letter_.contains(i)) return false;
+            if (at(i + 1).is("}") && !starts_scripts_before(i)) return false;
             if (letter_at(i)) return true;
             not_a_letter_.insert(i);
             return false;
@@ -58,12 +59,46 @@ std::optional<std::pair<LatexParser::Read, std::size_t>> LatexParser::letter_at(
 std::optional<LatexParser::Read> LatexParser::try_letter() {
     const Depth depth(*this);
     Read read;
+    if (starts_scripts_before(at_) && !read_scripts_before(read)) return std::nullopt;
     if (is("\\Delta") && notation_.find("\\Delta") == nullptr && !token(1).is("{") && starts_letter(at_ + 1)) {
         next();
         read.letter.is_difference = true;
     }
     if (!read_nucleus(read) || !read_scripts(read)) return std::nullopt;
     return read;
+}
+
+bool LatexParser::starts_scripts_before(std::size_t i) const { return at(i).is("{") && at(i + 1).is("}") && (at(i + 2).is("^") || at(i + 2).is("_")); }
+
+/// {}^A_B x
+bool LatexParser::read_scripts_before(Read& read) {
+    at_ += 2;
+    while (is("^") || is("_")) {
+        next();
+        const Tokens script = script_tokens();
+        if (script_name(script).empty() || !std::all_of(script.begin(), script.end(), can_be_script)) return false;
+        if (!read.letter.before.empty()) read.letter.before.push_back({LatexToken::Kind::sign, ",", script.front().begin, script.front().begin});
+        read.letter.before.insert(read.letter.before.end(), script.begin(), script.end());
+    }
+    return starts_letter(at_);
+}
+
+/// \overline{u'v'} is one letter: what stands under the bar is letters, primes and powers, nothing that a mean could be taken apart by.
+bool LatexParser::read_long_mark(Read& read) {
+    const std::size_t end = closing_brace(at_ - 1);
+    Tokens inside(tokens_.begin() + static_cast<std::ptrdiff_t>(at_), tokens_.begin() + static_cast<std::ptrdiff_t>(end));
+    std::erase_if(inside, [](const LatexToken& t) { return t.is("{") || t.is("}"); });
+    const auto is_part = [](const LatexToken& t) { return t.kind == LatexToken::Kind::letter || is_greek(t.text) || t.is("'") || t.is("\\prime") || t.is("_") || t.is("^") || t.kind == LatexToken::Kind::upright; };
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+        const bool is_script = i > 0 && (inside[i - 1].is("^") || inside[i - 1].is("_"));
+        if (!is_part(inside[i]) && !(is_script && inside[i].kind == LatexToken::Kind::number)) return false;
+        if (inside[i].is("\\prime")) inside[i].text = "'";
+    }
+    if (inside.empty() || end + 1 >= tokens_.size()) return false;
+    read = Read{};
+    read.letter.base = canonical_script(inside);
+    at_ = end;
+    return true;
 }
 
 bool LatexParser::read_nucleus(Read& read) {
@@ -74,7 +109,8 @@ bool LatexParser::read_nucleus(Read& read) {
         std::string letters = t.text;
         for (std::size_t k = 1; token(k).kind == LatexToken::Kind::letter && token(k).space == Space::none; ++k) letters += token(k).text;
         const std::size_t word = letters.size() > 1 ? notation_.word_length(letters) : 0;
-        const std::size_t length = std::max<std::size_t>(word, 1);
+        const bool is_stem = letters.size() > 1 && token(letters.size()).is("_") && notation_.is_stem(letters);
+        const std::size_t length = is_stem ? letters.size() : std::max<std::size_t>(word, 1);
         letter.base = letters.substr(0, length);
         at_ += length;
         return true;
@@ -109,10 +145,17 @@ bool LatexParser::read_marked(Read& read) {
     if (const int dots = dots_of(mark); dots > 0) letter.dots += dots;
     else letter.marks.push_back(mark);
     if (braced) {
-        if (!read_scripts(read) || read.power_at != 0) return false;
-        if (!is("}") && at_ == inside + 1 && at(inside).kind == LatexToken::Kind::letter)  // \mathbf{AB}
+        const bool is_letter = read_scripts(read) && read.power_at == 0;
+        if (is_letter && !is("}") && at_ == inside + 1 && at(inside).kind == LatexToken::Kind::letter)  // \mathbf{AB}
             while (token().kind == LatexToken::Kind::letter && token().space == Space::none) letter.base += next().text;
-        if (!take("}")) return false;
+        if (is_letter && take("}")) return true;
+        if (mark != "\\overline" && mark != "\\bar") return false;
+        at_ = inside;
+        const bool is_difference = letter.is_difference;
+        if (!read_long_mark(read)) return false;
+        letter.is_difference = is_difference;
+        letter.marks.push_back(mark);
+        return take("}");
     }
     return true;
 }
@@ -170,7 +213,10 @@ bool LatexParser::read_superscript(Read& read) {
     const std::size_t sign = at_;
     LatexLetter& letter = read.letter;
     next();
-    if (token().is("{") && token(1).is("}")) return false;
+    if (token().is("{") && token(1).is("}")) {
+        at_ = sign;
+        return false;
+    }
     Tokens script = script_tokens();
     const auto all = [&](auto test) { return std::all_of(script.begin(), script.end(), test); };
     const auto is_turn = [](const LatexToken& t) { return t.is_letter("T") || t.is("\\intercal") || (t.kind == LatexToken::Kind::upright && t.text == "T"); };
@@ -278,6 +324,20 @@ ExpressionPtr LatexParser::translate(const LatexLetter& letter, std::size_t firs
     return result;
 }
 
+/// \dot{(a b)} is a rate; a bar over a sum is a mean. Null, and not moved, where neither stands here.
+ExpressionPtr LatexParser::marked_expression() {
+    const std::size_t first = at_;
+    const int dots = dots_of(token().text);
+    const bool is_mean = is("\\overline") || is("\\bar");
+    if ((dots == 0 && !is_mean) || !token(1).is("{") || token(2).is("}")) return nullptr;
+    next();
+    const Inside brackets(*this);
+    ExpressionPtr inside = braced("what stands under the mark");
+    if (is_mean) return call("mean", first, {std::move(inside)});
+    for (int left = dots; left > 0; left -= 2) inside = call(left >= 2 ? "ddot" : "dot", first, {inside});
+    return inside;
+}
+
 ExpressionPtr LatexParser::letter_factor() {
     const std::size_t first = at_;
     if (is("\\mathbf") || is("\\vec")) {  // the vector or matrix of zeros
@@ -298,6 +358,7 @@ ExpressionPtr LatexParser::letter_factor() {
     const auto read = try_letter();
     if (!read) {
         at_ = first;
+        if (ExpressionPtr marked = marked_expression()) return marked;
         if (is_fancy(token())) {
             next();
             expected(fmt::format("one letter under '{}'", shown(at(first))));

@@ -7,6 +7,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace dalembert {
 
@@ -19,7 +20,7 @@ using Words = std::set<std::string, std::less<>>;
 
 /// Nothing but their looks.
 const Words without_meaning{"\\displaystyle", "\\textstyle", "\\scriptstyle", "\\limits", "\\nolimits", "\\nonumber", "\\notag", "\\hfill", "\\noindent", "\\hline",
-                            "\\boxed", "\\fbox", "\\ensuremath", "\\mathstrut", "\\strut", "\\protect", "\\centering", "\\[", "\\]", "\\(", "\\)", "\\/", "\\mathord", "\\mathop",
+                            "\\boxed", "\\fbox", "\\ensuremath", "\\mathstrut", "\\strut", "\\qty", "\\null", "\\hfil", "\\par", "\\medskip", "\\smallskip", "\\bigskip", "\\tiny", "\\small", "\\footnotesize", "\\scriptsize", "\\normalsize", "\\large", "\\Large", "\\rm", "\\it", "\\protect", "\\centering", "\\[", "\\]", "\\(", "\\)", "\\/", "\\mathord", "\\mathop",
                             "\\mathbin", "\\mathrel", "\\mathinner", "\\unboldmath", "\\boldmath", "\\allowbreak", "\\nobreak", "\\newline", "\\relax"};
 /// With an argument that says nothing either.
 const Words with_idle_argument{"\\label", "\\tag", "\\hspace", "\\vspace", "\\phantom", "\\hphantom", "\\vphantom", "\\color", "\\footnote", "\\textcolor", "\\stackrel", "\\overset", "\\underset", "\\mathclap", "\\cite", "\\ref", "\\eqref"};
@@ -30,13 +31,13 @@ const Words sizes{"\\left", "\\right", "\\middle", "\\big", "\\Big", "\\bigg", "
 
 const std::map<std::string, std::string, std::less<>> one_spelling{
     {"\\dfrac", "\\frac"}, {"\\tfrac", "\\frac"}, {"\\cfrac", "\\frac"}, {"\\nicefrac", "\\frac"}, {"\\sfrac", "\\frac"}, {"\\leq", "\\le"}, {"\\leqslant", "\\le"}, {"\\geq", "\\ge"},
-    {"\\geqslant", "\\ge"}, {"\\ne", "\\neq"}, {"\\lt", "<"}, {"\\gt", ">"}, {"\\simeq", "\\approx"}, {"\\cong", "\\approx"}, {"\\to", "\\rightarrow"}, {"\\longrightarrow", "\\rightarrow"},
-    {"\\Longrightarrow", "\\Rightarrow"}, {"\\Leftrightarrow", "\\Rightarrow"}, {"\\Longleftrightarrow", "\\Rightarrow"}, {"\\iff", "\\Rightarrow"}, {"\\implies", "\\Rightarrow"},
+    {"\\geqslant", "\\ge"}, {"\\ne", "\\neq"}, {"\\varpropto", "\\propto"}, {"\\approxeq", "\\approx"}, {"\\triangleq", ":="}, {"\\doteq", ":="}, {"\\eqdef", ":="}, {"\\lt", "<"}, {"\\gt", ">"}, {"\\simeq", "\\approx"}, {"\\cong", "\\approx"}, {"\\to", "\\rightarrow"}, {"\\longrightarrow", "\\rightarrow"},
+    {"\\Longrightarrow", "\\Rightarrow"}, {"\\Leftrightarrow", "\\Rightarrow"}, {"\\Longleftrightarrow", "\\Rightarrow"}, {"\\iff", "\\Rightarrow"}, {"\\therefore", "\\Rightarrow"}, {"\\because", "\\Rightarrow"}, {"\\leadsto", "\\Rightarrow"}, {"\\implies", "\\Rightarrow"},
     {"\\ldots", "\\dots"}, {"\\cdots", "\\dots"}, {"\\dotsc", "\\dots"}, {"\\dotsb", "\\dots"}, {"\\dotsm", "\\dots"}, {"\\vdots", "\\dots"}, {"\\ddots", "\\dots"},
     {"\\lbrace", "\\{"}, {"\\rbrace", "\\}"}, {"\\lbrack", "["}, {"\\rbrack", "]"}, {"\\vert", "|"}, {"\\lvert", "|"}, {"\\rvert", "|"}, {"\\mid", "|"},
     {"\\Vert", "\\|"}, {"\\lVert", "\\|"}, {"\\rVert", "\\|"}, {"\\ast", "*"}, {"\\colon", ":"}, {"\\coloneqq", ":="}, {"\\colonequals", ":="}, {"\\bm", "\\mathbf"},
     {"\\boldsymbol", "\\mathbf"}, {"\\textbf", "\\mathbf"}, {"\\pmb", "\\mathbf"}, {"\\mathscr", "\\mathcal"}, {"\\overrightarrow", "\\vec"}, {"\\widetilde", "\\tilde"},
-    {"\\widehat", "\\hat"}, {"\\lg", "\\log_{10}"}, {"\\dd", "\\differential"}, {"\\diff", "\\differential"}, {"\\oint", "\\int"}, {"\\top", "\\intercal"}, {"\\degree", "\\circ"}, {"\\textdegree", "\\circ"}, {"\\centerdot", "\\cdot"}};
+    {"\\widehat", "\\hat"}, {"\\varGamma", "\\Gamma"}, {"\\varDelta", "\\Delta"}, {"\\varTheta", "\\Theta"}, {"\\varLambda", "\\Lambda"}, {"\\varXi", "\\Xi"}, {"\\varPi", "\\Pi"}, {"\\varSigma", "\\Sigma"}, {"\\varUpsilon", "\\Upsilon"}, {"\\varPhi", "\\Phi"}, {"\\varPsi", "\\Psi"}, {"\\varOmega", "\\Omega"}, {"\\bcancel", "\\cancel"}, {"\\xcancel", "\\cancel"}, {"\\textbullet", "\\cdot"}, {"\\bullet", "\\cdot"}, {"\\ddag", "\\dagger"}, {"\\lg", "\\log_{10}"}, {"\\dd", "\\differential"}, {"\\diff", "\\differential"}, {"\\oint", "\\int"}, {"\\top", "\\intercal"}, {"\\degree", "\\circ"}, {"\\textdegree", "\\circ"}, {"\\centerdot", "\\cdot"}};
 
 const std::map<std::string, std::string, std::less<>> spelt_out{{"·", "\\cdot"}, {"×", "\\times"}, {"−", "-"}, {"°", "°"}, {"≤", "\\le"}, {"≥", "\\ge"}, {"≈", "\\approx"}, {"∂", "\\partial"}, {"∞", "\\infty"}, {"≠", "\\neq"},
     {"α", "\\alpha"}, {"β", "\\beta"}, {"γ", "\\gamma"}, {"δ", "\\delta"}, {"ε", "\\varepsilon"}, {"η", "\\eta"}, {"θ", "\\theta"}, {"κ", "\\kappa"}, {"λ", "\\lambda"}, {"μ", "\\mu"}, {"µ", "\\mu"},
@@ -48,7 +49,7 @@ bool is_latex_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == 
 
 class LatexLexer {
 public:
-    LatexLexer(const Excerpt& excerpt, std::size_t from, std::size_t to) : excerpt_(excerpt), text_(excerpt.text), i_(from), to_(to) {}
+    LatexLexer(const Excerpt& excerpt, std::size_t from, std::size_t to, char decimal_mark) : excerpt_(excerpt), text_(excerpt.text), i_(from), to_(to), decimal_mark_(decimal_mark) {}
 
     std::vector<LatexToken> run() {
         while (i_ < to_) word();
@@ -110,6 +111,7 @@ private:
             ++i_;
         } else if (c == '\\') {
             command();
+        } else if (c == '{' && font_switch()) {
         } else {
             sign();
         }
@@ -119,7 +121,8 @@ private:
     void number() {
         const std::size_t begin = i_;
         bool is_fraction = false;
-        const auto digits = [&] { while (is_latex_digit(at(i_))) ++i_; };
+        std::string value;  // as it is written, without what stands between thousands
+        const auto digits = [&] { while (is_latex_digit(at(i_))) value += text_[i_++]; };
         digits();
         for (;;) {
             const std::string_view rest = text_.substr(i_, to_ - i_);
@@ -127,17 +130,66 @@ private:
             const std::size_t width = braced ? 3 : 1;
             const auto is_digit_at = [&](std::size_t k) { return is_latex_digit(at(i_ + k)); };
             if (!is_fraction && (braced || rest.starts_with('.') || (rest.starts_with(',') && i_ > begin)) && is_digit_at(width)) {
-                if (rest.starts_with("{.}") && is_digit_at(4) && is_digit_at(5) && !is_digit_at(6)) wrong(begin, i_ + 6, "it is not clear whether this point stands between thousands; write '1.234' or '1\\,234'");
+                const char mark = rest[braced ? 1 : 0];
+                const bool is_group = is_digit_at(width + 1) && is_digit_at(width + 2) && !is_digit_at(width + 3) && i_ - begin < 4 && text_[begin] != '0' && i_ > begin;
+                const Mark meaning = meaning_of(mark, braced, is_group, begin, i_ + width + 3);
+                if (meaning == Mark::end) break;
+                if (meaning == Mark::thousands) {
+                    while (text_.substr(i_, width) == rest.substr(0, width) && is_digit_at(width) && is_digit_at(width + 1) && is_digit_at(width + 2) && !is_digit_at(width + 3)) {
+                        value += text_.substr(i_ + width, 3);
+                        i_ += width + 3;
+                    }
+                    continue;
+                }
                 is_fraction = true;
+                value += text_.substr(i_, width);
                 i_ += width;
                 digits();
             } else if (rest.starts_with("\\,") && is_digit_at(2) && is_digit_at(3) && is_digit_at(4) && !is_digit_at(5)) {
+                value += text_.substr(i_, 5);
                 i_ += 5;
             } else {
                 break;
             }
         }
-        add(Kind::number, std::string(text_.substr(begin, i_ - begin)), begin, i_);
+        add(Kind::number, std::move(value), begin, i_);
+    }
+
+    enum class Mark { decimal, thousands, end };
+
+    /// What the mark in 42,164 is. Where the text does not say which mark divides thousands, three digits behind a comma are refused.
+    Mark meaning_of(char mark, bool is_braced, bool is_group, std::size_t begin, std::size_t end) const {
+        const bool is_other = decimal_mark_ != 0 && decimal_mark_ != mark;
+        if (!is_group) return is_other && mark == ',' && !is_braced ? Mark::end : Mark::decimal;
+        if (is_other) return Mark::thousands;
+        const bool is_plain_point = mark == '.' && !is_braced;  // most texts have a decimal point, and those that have not may say so
+        if (decimal_mark_ == mark || is_plain_point) return Mark::decimal;
+        wrong(begin, std::min(end, to_), fmt::format("it is not clear whether this '{}' stands between thousands or before decimals; say decimal = \".\" or decimal = \",\" under [catalogue], or write '1\\,234' for thousands", mark));
+    }
+
+    /// {\bf M} is \mathbf{M}, {\rm kg} is \mathrm{kg}.
+    bool font_switch() {
+        static const std::map<std::string, std::string, std::less<>> switches{{"\\bf", "\\mathbf"}, {"\\bfseries", "\\mathbf"}, {"\\boldmath", "\\mathbf"}, {"\\cal", "\\mathcal"}, {"\\rm", "\\mathrm"}, {"\\sf", "\\mathrm"}, {"\\tt", "\\mathrm"}, {"\\it", ""}, {"\\em", ""}, {"\\sl", ""}, {"\\mit", ""}};
+        const std::size_t begin = i_++;
+        skip_blanks();
+        const std::size_t name_begin = i_;
+        const auto font = at(i_) == '\\' ? switches.find(command_name()) : switches.end();
+        if (font == switches.end()) {
+            i_ = begin;
+            return false;
+        }
+        skip_blanks();
+        if (font->second == "\\mathrm") {
+            const std::size_t close = closing(begin);
+            const std::string text(text_.substr(i_, close - i_));
+            const std::size_t inside = std::exchange(i_, close + 1);
+            if (text == "d") add(Kind::command, "\\differential", begin, i_);
+            else add(Kind::upright, text, begin, i_, Side::neutral, inside);
+            return true;
+        }
+        if (!font->second.empty()) add(Kind::command, font->second, name_begin, i_);
+        add(Kind::sign, "{", begin, begin + 1);
+        return true;
     }
 
     void sign() {
@@ -175,6 +227,7 @@ private:
         if (thin_spaces.contains(name)) return spaced(Space::thin);
         if (name == "\\quad" || name == "\\qquad") return spaced(Space::quad);
         if (name == "\\\\" || name == "\\cr" || name == "\\tabularnewline") return line_break(begin);
+        if (name == "\\qty" && at(i_) == '{') return add(Kind::command, name, begin, i_);
         if (without_meaning.contains(name)) return;
         if (with_idle_argument.contains(name)) return idle_argument(name, begin);
         if (sizes.contains(name)) return bracket(name, begin);
@@ -223,6 +276,7 @@ private:
             text = std::string(1, text_[i_++]);
         }
         static const Words brackets{"(", ")", "[", "]", "\\{", "\\}", "|", "\\|", ".", "/"};
+        if (text == "\\langle" || text == "\\rangle") return add(Kind::command, text, begin, i_);
         if (!brackets.contains(text)) wrong(begin, i_, fmt::format("a bracket is expected behind '{}'", size));
         const bool left = size == "\\left" || size.back() == 'l';
         const bool right = size == "\\right" || size.back() == 'r';
@@ -271,6 +325,7 @@ private:
     std::string_view text_;
     std::size_t i_;
     std::size_t to_;
+    char decimal_mark_;
     Space space_ = Space::none;
     std::vector<LatexToken> tokens_;
     std::vector<std::size_t> wraps_;  ///< closing braces that are dropped, with their opening ones
@@ -278,6 +333,6 @@ private:
 
 }  // namespace
 
-std::vector<LatexToken> latex_tokens(const Excerpt& excerpt, std::size_t from, std::size_t to) { return LatexLexer(excerpt, from, to).run(); }
+std::vector<LatexToken> latex_tokens(const Excerpt& excerpt, std::size_t from, std::size_t to, char decimal_mark) { return LatexLexer(excerpt, from, to, decimal_mark).run(); }
 
 }  // namespace dalembert

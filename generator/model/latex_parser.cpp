@@ -9,11 +9,17 @@ namespace dalembert {
 
 namespace {
 constexpr int deepest_latex = 100;
+
+/// Commands that are no macro of an author.
+bool is_common_command(std::string_view text) {
+    static const std::set<std::string, std::less<>> common{"\\cdot", "\\times", "\\frac", "\\sqrt", "\\rightarrow", "\\Rightarrow", "\\approx", "\\le", "\\ge", "\\neq", "\\dots", "\\in", "\\forall", "\\circ", "\\prime", "\\langle", "\\rangle", "\\otimes", "\\int", "\\sum", "\\nabla", "\\partial", "\\not"};
+    return common.contains(text);
+}
 }
 
-LatexParser::LatexParser(const Excerpt& excerpt, const PrintedNotation& notation) : excerpt_(excerpt), notation_(notation), tokens_(latex_tokens(excerpt, 0, excerpt.text.size())) { prepare(); }
+LatexParser::LatexParser(const Excerpt& excerpt, const PrintedNotation& notation) : excerpt_(excerpt), notation_(notation), tokens_(latex_tokens(excerpt, 0, excerpt.text.size(), notation.decimal_mark())) { prepare(); }
 
-LatexParser::LatexParser(const LatexParser& whole, Tokens part) : excerpt_(whole.excerpt_), notation_(whole.notation_), tokens_(std::move(part)), depth_(whole.depth_), brackets_(1), counters_(whole.counters_) {
+LatexParser::LatexParser(const LatexParser& whole, Tokens part) : excerpt_(whole.excerpt_), notation_(whole.notation_), tokens_(std::move(part)), depth_(whole.depth_), brackets_(1), counters_(whole.counters_), both_signs_(whole.both_signs_) {
     const std::size_t end = tokens_.back().end;
     tokens_.push_back({LatexToken::Kind::end, "", end, end});
 }
@@ -34,13 +40,12 @@ std::string LatexParser::shown(const LatexToken& token) const { return excerpt_.
 
 void LatexParser::expected(std::string_view what) const {
     const LatexToken& found = token();
-    if (found.is("\\pm") || found.is("\\mp"))
-        wrong(place(found), fmt::format("'{}' stands for two equations; write one entry with each sign", shown(found)));
+    if (found.is("\\cancelto")) wrong(place(found), "'\\cancelto' says that something is replaced by something else; write what stands there afterwards");
     for (const char* command : {"\\SI", "\\qty", "\\num", "\\unit", "\\si"})
         if (found.is(command)) wrong(place(found), fmt::format("'{}' is not read; write the number with its unit behind it, as in '9.81\\,\\mathrm{{m/s^2}}'", shown(found)));
     if (found.is("\\dots")) wrong(place(found), "what the dots stand for must be written out");
     if (found.kind == LatexToken::Kind::command && !is_greek(found.text))
-        wrong(place(found), fmt::format("'{}' cannot be read here; {} is expected", shown(found), what));
+        wrong(place(found), fmt::format("'{}' cannot be read here; {} is expected{}", shown(found), what, is_common_command(found.text) ? "" : ". If it is a macro of the text, say under [macros] what it stands for"));
     wrong(place(found), is_end() ? fmt::format("the text ends where {} is expected", what) : fmt::format("there is '{}' where {} is expected", shown(found), what));
 }
 
@@ -130,6 +135,10 @@ ExpressionPtr LatexParser::term() {
         if (integral_ != nullptr && integral_->variable) return left;
         if (is("/")) {
             left = quotient(std::move(left), first);
+        } else if (is("\\otimes")) {
+            next();
+            ExpressionPtr right = product();
+            left = call("tensor", first, {std::move(left), std::move(right)});
         } else if (is("\\cdot") || is("\\times") || is("*")) {
             const bool is_cross = next().text == "\\times";
             if (integral_ != nullptr && at_differential()) return left;  // \mathbf{f} \cdot d\mathbf{r}
@@ -210,7 +219,7 @@ bool LatexParser::starts_factor() {
         }
         case LatexToken::Kind::begin: return true;
         case LatexToken::Kind::command: {
-            static const std::set<std::string, std::less<>> others{"\\frac", "\\sqrt", "\\int", "\\sum", "\\prod", "\\lim", "\\nabla", "\\infty", "\\underbrace", "\\overbrace", "\\differential", "\\partial"};
+            static const std::set<std::string, std::less<>> others{"\\frac", "\\sqrt", "\\int", "\\sum", "\\prod", "\\lim", "\\nabla", "\\infty", "\\underbrace", "\\overbrace", "\\differential", "\\partial", "\\cancel", "\\langle"};
             return others.contains(t.text) || is_greek(t.text) || is_function(t) || starts_letter(at_);
         }
         case LatexToken::Kind::sign:

@@ -94,6 +94,9 @@ private:
     ExpressionPtr number_factor();
     ExpressionPtr root();
     ExpressionPtr under_brace();
+    ExpressionPtr cancelled();
+    ExpressionPtr average();
+    ExpressionPtr marked_expression();  ///< a dot or bar over more than a letter
     bool closes(const LatexToken& open, const LatexToken& token) const;
 
     // latex_units.cpp ------------------------------------------------------------------------------------------------------------------
@@ -114,6 +117,9 @@ private:
     bool read_marked(Read& read);
     bool read_scripts(Read& read);
     bool read_superscript(Read& read);
+    bool read_scripts_before(Read& read);  ///< of {}^A x
+    bool starts_scripts_before(std::size_t i) const;
+    bool read_long_mark(Read& read);       ///< \overline{u'v'}
     Tokens script_tokens();  ///< of the group or single token behind _ or ^
     bool starts_letter(std::size_t i);
     ExpressionPtr letter_factor();
@@ -127,6 +133,7 @@ private:
         std::vector<std::string> names;  ///< of letters alone
         std::vector<std::pair<std::string, ExpressionPtr>> dummies;  ///< \tau for t, \tilde{x} for x
         std::string spelled;
+        std::string printed;      ///< the same with variables of integration as they are
         bool is_plain = true;     ///< letters and commas
         bool is_list = false;
         bool is_instant = false;  ///< t_0
@@ -142,6 +149,10 @@ private:
     Brackets brackets_at(std::size_t open, std::size_t close);
     const LetterDependence* dependence_of(const Expression& function) const;
     bool is_called(const LatexLetter& letter);
+    void find_calls();
+    bool is_value_of(const std::vector<std::string>& arguments, std::size_t open, std::size_t close);
+    static std::string as_argument(LatexLetter letter);
+    const std::vector<std::string>* called_with(const LatexLetter& letter);
     ExpressionPtr slope_by_primes(const LatexLetter& letter, std::size_t first);
     const std::vector<std::string>* arguments_of(const LatexLetter& letter) const;
     std::vector<ExpressionPtr> list_until_bracket(const LatexToken& open);
@@ -170,6 +181,7 @@ private:
     // latex_integrals.cpp --------------------------------------------------------------------------------------------------------------
     ExpressionPtr integral();
     ExpressionPtr counted();
+    ExpressionPtr counted_without_limits(const LatexToken& sign, std::size_t first, const std::string& index, ExpressionPtr condition);
     int take_side_of_limit();
     ExpressionPtr limit();
     ExpressionPtr evaluated(ExpressionPtr e, std::size_t first);
@@ -186,6 +198,10 @@ private:
 
     // latex_equations.cpp --------------------------------------------------------------------------------------------------------------
     void prepare();
+    void take_signs();
+    void drop_empty_groups();
+    void drop_marks_of_nabla();
+    bool divides_columns(std::size_t column) const;
     void drop_tags();
     void drop_layout();
     bool is_layout(std::size_t begin) const;
@@ -206,15 +222,18 @@ private:
     int depth_ = 0;
     bool has_units_ = true;        ///< behind a number
     int magnitudes_ = 0;           ///< open bars: the next one closes
+    int fractions_ = 0;            ///< around us
     int brackets_ = 0;             ///< 0: the outermost level, where \quad and commas separate
     Integral* integral_ = nullptr;  ///< the one whose differential may stand here
     std::string integrated_;       ///< the variable of the last integral, for [F]_a^b
     std::vector<std::string> counters_;  ///< of the sums around
     std::set<std::string, std::less<>> vectors_;  ///< names that are printed as vectors
     std::map<std::string, std::string, std::less<>> applied_;  ///< f -> "(x)" where the notation does not say what f depends on
-    std::optional<std::set<std::string, std::less<>>> called_with_letters_;  ///< f(x): canonical letters, once it is asked for
+    /// f(x): canonical letters with the names in their brackets, once they are asked for; none where there are different ones.
+    std::optional<std::map<std::string, std::vector<std::string>, std::less<>>> called_with_letters_;
     std::map<std::string, std::string, std::less<>> called_;   ///< the letter that got each name
     bool has_differential_ = false;  ///< there was a dx outside of integrals, so that d(x y) is one too
+    std::set<std::size_t> both_signs_;  ///< where \pm and \mp stand in the text
     std::set<std::size_t> not_a_letter_;  ///< groups that were tried
 };
 

@@ -10,9 +10,11 @@
 //   limit(e, x, a)                  \lim_{x \to a} e
 //   at(e, x, a)                     \left. e \right|_{x=a}, and f(a) of a function f of x
 //   product(e, k, a, b)             \prod_{k=a}^b e; \sum is the `sum` of the model language
+//   sum_over(e, k), sum_over(e, k, condition), product_over(...)    \sum_k e, \sum_{k \neq i} e, without limits
+//   factorial(n), average(e), mean(e), tensor(a, b)    n!, \langle e \rangle, \overline{a + b}, a \otimes b
 //   matrix(row(...), ...), row(...), transpose(A), inverse(A), determinant(A), trace(A), diag(v)
 //   inner(a, b), cross(a, b), norm(v)       between what is bold or has an arrow: \cdot, \times, \|v\|
-//   gradient(e), divergence(v), curl(v)     \nabla e, \nabla \cdot v, \nabla \times v
+//   gradient(e), divergence(v), curl(v), laplacian(e)     \nabla e, \nabla \cdot v, \nabla \times v, \nabla^2 e
 //   quantity(number, unit)          9.81\,\mathrm{m}/\mathrm{s}^2; the unit is a tree of the grammar of units
 //   cases(e, condition, ..., e)     pieces with their conditions; the last one without a condition holds otherwise
 //   equal, not_equal, less, less_equal, greater, greater_equal (a, b), both(c, d), either(c, d)     conditions
@@ -24,7 +26,7 @@
 
 namespace dalembert {
 
-enum class Relation { equal, approximately, less, less_equal, greater, greater_equal, not_equal };
+enum class Relation { equal, approximately, less, less_equal, greater, greater_equal, not_equal, proportional, similar, much_less, much_greater };
 
 /// "=", "\approx", ...
 const char* sign_of(Relation relation);
@@ -35,6 +37,7 @@ struct LatexEquation {
     std::vector<Relation> relations;         ///< one less than sides
     std::vector<ExpressionPtr> conditions;   ///< "für x > 0": where it holds
     std::vector<Span> ranges;                ///< "\forall ...", "j = 1, \dots, n", "\in [0, 1]": said beside it and not read
+    std::vector<bool> has_both_signs;        ///< of each side: \pm or \mp stands there, which is + or - as the notation says
 };
 
 /// All equations of the text, in order. Throws Failure (syntax, too-deep, too-long, number-too-large) with a caret inside the text.

@@ -72,6 +72,15 @@ ExpressionPtr cases_in_model_words(const Expression& e) {
     return copy;
 }
 
+ExpressionPtr factorial_of(const Expression& e) {
+    constexpr int largest = 170;
+    const auto whole = e.children[0]->kind == Kind::number ? to_int(e.children[0]->value) : std::nullopt;
+    if (!whole || *whole < 0 || *whole > largest) fail(Id::not_allowed_here, e.span, fmt::format("the factorial '{}' has a value of a whole number up to {} only; write it out", e.written(), largest));
+    Rational value = 1;
+    for (int i = 2; i <= *whole; ++i) value = value * i;
+    return make_number(value, e.span);
+}
+
 }  // namespace
 
 ExpressionPtr in_model_words(const ExpressionPtr& e) {
@@ -91,7 +100,8 @@ ExpressionPtr in_model_words(const ExpressionPtr& e) {
     if (e->name == "variation") return total_differential(*copy, "delta_");
     if (e->name == "inner") return joined(Kind::multiply, e->span, call_of(e->span, "transpose", {copy->children[0]}), copy->children[1]);
     if (e->name == "norm") return call_of(e->span, "sqrt", {joined(Kind::multiply, e->span, call_of(e->span, "transpose", {copy->children[0]}), copy->children[0])});
-    static const std::set<std::string, std::less<>> without_meaning{"product", "gradient", "divergence", "curl", "equal", "not_equal", "less", "less_equal", "greater", "greater_equal", "both", "either"};
+    if (e->name == "factorial") return factorial_of(*copy);
+    static const std::set<std::string, std::less<>> without_meaning{"product", "product_over", "sum_over", "gradient", "divergence", "curl", "laplacian", "average", "mean", "tensor", "equal", "not_equal", "less", "less_equal", "greater", "greater_equal", "both", "either"};
     if (without_meaning.contains(e->name)) fail(Id::not_allowed_here, e->span, fmt::format("'{}' is read, but nothing is made of it yet; write out what it means", e->written()));
     if (e->name == "integral" && e->children.size() != 4) fail(Id::not_allowed_here, e->span, fmt::format("'{}' has no limits that it could be computed for", e->written()));
     return copy;

@@ -13,7 +13,10 @@ Excerpt notation_text(const std::string& text) { return excerpt_of(std::make_sha
 }  // namespace
 
 void PrintedNotation::add_word(std::string word) {
-    const bool is_latin = std::all_of(word.begin(), word.end(), [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
+    const auto is_latin_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    const bool is_latin = std::all_of(word.begin(), word.end(), is_latin_letter);
+    if (const std::size_t index = word.find('_'); index != std::string::npos && index > 1 && std::all_of(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(index), is_latin_letter))
+        stems_.insert(word.substr(0, index));
     if (word.size() > 1 && is_latin) words_.insert(std::move(word));
 }
 

@@ -8,6 +8,7 @@
 
 #include "model/expression.hpp"
 #include "model/latex_lexer.hpp"
+#include "model/latex_macros.hpp"
 
 namespace dalembert {
 
@@ -33,6 +34,13 @@ public:
     void add_index(std::string letter) { indices_.insert(std::move(letter)); }
     /// A name of the model. Where such a name is several Latin letters, they are read as one word and not as a product.
     void add_word(std::string word);
+    /// Macros of the text: "\\v" with what it stands for, or the lines of a preamble that define some.
+    void add_macro(const Excerpt& name, const std::string& body) { define_macro(macros_, name, body); }
+    void add_macros(const Excerpt& preamble) { define_macros(macros_, preamble); }
+    /// '.' or ',', the other one stands between thousands; 0 where the text does not say.
+    void set_decimal_mark(char mark) { decimal_mark_ = mark; }
+    /// Reads \\pm as - and \\mp as +.
+    void take_lower_signs() { is_lower_sign_ = true; }
 
     /// By canonical spelling.
     const ExpressionPtr* find(std::string_view canonical) const;
@@ -42,13 +50,21 @@ public:
     bool is_index(std::string_view letter) const { return indices_.contains(letter); }
     /// Length of the longest word at the begin of a text of letters; 0 without one.
     std::size_t word_length(std::string_view letters) const;
+    /// Whether letters with an index behind them are one name of several letters: PE_1.
+    bool is_stem(std::string_view letters) const { return stems_.contains(letters); }
+    const LatexMacros& macros() const { return macros_; }
+    char decimal_mark() const { return decimal_mark_; }
+    bool is_lower_sign() const { return is_lower_sign_; }
 
 private:
     std::map<std::string, ExpressionPtr, std::less<>> letters_;
     std::map<std::string, std::vector<std::string>, std::less<>> functions_;
     std::map<std::string, LetterDependence, std::less<>> dependences_;
     std::set<std::string, std::less<>> indices_;
-    std::set<std::string, std::less<>> words_;
+    std::set<std::string, std::less<>> words_, stems_;
+    LatexMacros macros_;
+    char decimal_mark_ = 0;
+    bool is_lower_sign_ = false;
 };
 
 }  // namespace dalembert

@@ -56,6 +56,9 @@ CatalogueEntry read_entry(const Entry& e) {
     entry.solved = e.equations("solves");
     entry.number_unit = e.unit("unit");
     entry.not_checkable = e.text("not_checkable");
+    entry.is_dimensionless = e.boolean("dimensionless");
+    if (entry.is_dimensionless && !entry.model.empty())
+        e.error(Id::not_allowed_here, e.span_of("dimensionless"), fmt::format("entry '{}' is checked against a model, whose quantities have units; write those of the equation, or leave the model out", e.name()));
     for (const RunEntry& point : e.by_name("at")) entry.at.push_back({point.variable, point.value});
     for (const bool is_positive : {false, true})
         e.each_named(is_positive ? "positive" : "letters", catalogue_section("letters"), [&](const Entry& letter) { entry.own.push_back(read_letter(letter, is_positive)); });
@@ -88,9 +91,9 @@ public:
         each("notation", [&](const Entry& e) {
             if (ExpressionPtr value = e.expression("value")) catalogue_.notation.push_back({e.name_excerpt(), std::move(value)});
         });
-        each("entries", [&](const Entry& e) { catalogue_.entries.push_back(read_entry(e)); });
-        distinct(catalogue_.letters);
-        for (const CatalogueEntry& entry : catalogue_.entries) distinct(entry.own);
+        each("macros", [&](const Entry& e) { catalogue_.macros.emplace_back(e.name_excerpt(), e.text("value")); });
+        entries();
+        distinct(catalogue_.letters, diagnostics_);
         return std::move(catalogue_);
     }
 
@@ -102,6 +105,35 @@ private:
         catalogue_.title = entry.text("source");
         catalogue_.edition = entry.text("edition");
         catalogue_.functions = entry.excerpts("functions");
+        catalogue_.preamble = entry.excerpt("preamble");
+        for (const auto& [name, span] : entry.names("coordinates")) catalogue_.coordinates.push_back(name);
+        is_dimensionless_ = entry.boolean("dimensionless");
+        if (!entry.has("decimal")) return;
+        const std::string mark = entry.text("decimal");
+        if (mark == "." || mark == ",") catalogue_.decimal_mark = mark[0];
+        else entry.error(Id::wrong_type, entry.span_of("decimal"), fmt::format("'{}' is no decimal mark; it is \".\" or \",\"", mark));
+    }
+
+    /// What is wrong in an entry is told with it, and takes nothing from the others.
+    void entries() {
+        const DocumentNode::Member* member = root_.find("entries");
+        if (member == nullptr || member->value.kind != DocumentNode::Kind::table) return each("entries", [](const Entry&) {});
+        for (const DocumentNode::Member& one : member->value.members) {
+            Diagnostics own;
+            CatalogueEntry entry;
+            try {
+                entry = read_entry(Entry(one, catalogue_section("entries"), own));
+                distinct(entry.own, own);
+            } catch (const Failure& failure) {
+                for (const Diagnostic& d : failure.diagnostics()) own.error(d.id, d.span, d.message, d.notes);
+            }
+            if (entry.name.empty()) entry.name = one.key, entry.span = one.key_span;
+            for (const Diagnostic& d : own.all())
+                if (d.severity == Severity::error) entry.unreadable.push_back(d);
+                else diagnostics_.warning(d.id, d.span, d.message, d.notes);
+            entry.is_dimensionless = entry.is_dimensionless || (is_dimensionless_ && entry.model.empty());
+            catalogue_.entries.push_back(std::move(entry));
+        }
     }
 
     template <class Read>
@@ -115,16 +147,17 @@ private:
         for (const DocumentNode::Member& one : member->value.members) read(Entry(one, catalogue_section(name), diagnostics_));
     }
 
-    void distinct(const std::vector<CatalogueLetter>& letters) {
+    static void distinct(const std::vector<CatalogueLetter>& letters, Diagnostics& diagnostics) {
         std::map<std::string, Span> seen;
         for (const CatalogueLetter& letter : letters)
             if (const auto [first, is_new] = seen.emplace(letter.name, letter.span); !is_new)
-                diagnostics_.error(Id::doubly_defined, letter.span, fmt::format("'{}' is defined twice", letter.name), {{first->second, fmt::format("'{}' is first defined here", letter.name)}});
+                diagnostics.error(Id::doubly_defined, letter.span, fmt::format("'{}' is defined twice", letter.name), {{first->second, fmt::format("'{}' is first defined here", letter.name)}});
     }
 
     DocumentNode root_;
     Diagnostics& diagnostics_;
     Catalogue catalogue_;
+    bool is_dimensionless_ = false;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "model/latex_meaning.hpp"
 #include "model/units.hpp"
 #include "model/verdict.hpp"
 #include "prove/printed_pair.hpp"
@@ -32,6 +33,7 @@ std::vector<const PrintedLetter*> ordered_letters(const PrintedEquation& printed
         }
         if (ordered.size() == before) {
             const auto stuck = std::find_if(printed.letters.begin(), printed.letters.end(), [&](const PrintedLetter& letter) { return is_waiting(letter.name); });
+            if (stuck == printed.letters.end()) break;  // some are named twice
             throw Failure(Diagnostic{Id::cyclic_definition, stuck->span, fmt::format("the letter '{}' of printed '{}' needs itself", stuck->name, printed.name)});
         }
     }
@@ -42,6 +44,7 @@ std::vector<const PrintedLetter*> ordered_letters(const PrintedEquation& printed
 std::optional<PrintedNumber> number_in(const PrintedEquation& printed, const Expression& side) {
     auto number = printed_number(side);
     if (number && !number->unit) number->unit = printed.number_unit;
+    if (number && !number->unit && is_rounded(side)) number->unit = Unit{};
     return number && number->unit ? number : std::nullopt;
 }
 
@@ -127,8 +130,12 @@ private:
     PrintedResult pair(const Equation& equation, std::size_t i) {
         const auto left = number(equation, i), right = number(equation, i + 1);
         if (left && right) return pairs().run_number(translate(*equation.sides[i]), rounded_like(*right, *left));
-        if (right) return pairs().run_number(translate(*equation.sides[i]), *right);
-        if (left) return pairs().run_number(translate(*equation.sides[i + 1]), *left);
+        for (const auto& [printed_number, at, other] : {std::tuple(right, i + 1, i), std::tuple(left, i, i + 1)}) {
+            if (!printed_number) continue;
+            PrintedResult result = pairs().run_number(translate(*equation.sides[other]), *printed_number);
+            const bool is_exact = !printed_.number_unit && is_rounded(*equation.sides[at]) && result.comparison.verdict == Verdict::not_checkable;
+            if (!is_exact) return result;  // or else letters are left, of which the number says something exact
+        }
         const ex a = translate(*equation.sides[i]);
         return pairs().run(a, translate(*equation.sides[i + 1]));
     }
@@ -157,8 +164,11 @@ PrintedEquation with_solution_inserted(const PrintedEquation& entry) {
     PrintedEquation result = entry;
     result.equations = entry.solved;
     for (const Equation& equation : entry.equations) {
-        result.letters.push_back({equation.sides[0]->name, equation.sides[1], equation.sides[0]->span});
-        if (equation.sides.size() > 2) result.equations.push_back({{equation.sides.begin() + 1, equation.sides.end()}, equation.span});
+        const std::string& name = equation.sides[0]->name;
+        const bool is_known = std::any_of(result.letters.begin(), result.letters.end(), [&](const PrintedLetter& letter) { return letter.name == name; });
+        if (!is_known) result.letters.push_back({name, equation.sides[1], equation.sides[0]->span});
+        if (is_known) result.equations.push_back(equation);
+        else if (equation.sides.size() > 2) result.equations.push_back({{equation.sides.begin() + 1, equation.sides.end()}, equation.span});
     }
     return result;
 }

@@ -41,6 +41,19 @@ std::optional<int> last_digit(std::string_view written) {
     return exponent - behind;
 }
 
+/// "42,164" is 42164 where that is its value: the text said what its comma is. Nothing where another number stands there, as in what a macro made.
+std::optional<std::string> without_thousands(std::string typed, const Rational& value) {
+    std::erase_if(typed, [](char c) { return std::string_view("(){} ").find(c) != std::string_view::npos; });
+    if (typed.starts_with('-')) typed.erase(0, 1);
+    for (const char mark : {'\0', ',', '.'}) {
+        std::string text = typed;
+        std::erase(text, mark);
+        std::replace(text.begin(), text.end(), ',', '.');
+        if (const auto read = read_decimal(text); read && *read == cln::abs(value)) return text;
+    }
+    return std::nullopt;
+}
+
 Rational power_of_ten(int exponent) { return cln::expt(cln::cl_RA(10), exponent); }
 
 int digits_of(const Rational& value, const Rational& unit) {
@@ -63,7 +76,8 @@ std::optional<PrintedNumber> printed_number(const Expression& e) {
         return inside;
     }
     if (e.kind == Kind::number) {
-        const auto exponent = last_digit(as_typed(e.span.text()));
+        const auto typed = without_thousands(as_typed(e.span.text()), e.value);
+        const auto exponent = typed ? last_digit(*typed) : std::nullopt;
         if (!exponent) return std::nullopt;
         const Rational unit = power_of_ten(*exponent);
         return PrintedNumber{e.value, unit / 2, digits_of(e.value, unit)};

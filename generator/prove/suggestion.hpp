@@ -10,6 +10,7 @@ namespace dalembert {
 struct Suggestion {
     std::string words;     ///< "'+' instead of '-' before 'b*x'"
     std::string equation;  ///< mended
+    std::string printed = {};  ///< the same as the text writes it, with the slip marked; empty where it is not in LaTeX
 };
 
 /// The letters of a system that one may be taken for another, with their units: parameters, definitions, coordinates, states and inputs,

@@ -159,9 +159,12 @@ equation = "v = v"
     CHECK(text.code == 2);
     CHECK(text.out.find("  1                proven\n  2                not read: ") != std::string::npos);
     CHECK(text.out.find("  4                proven\n2 printed equations: 2 proven; 2 more could not be read\n") != std::string::npos);
-    CHECK(text.err.find("'\\pm' stands for two equations") != std::string::npos);
+    CHECK(text.err.find("'\\pm' stands on one side of") != std::string::npos);
     CHECK(text.err.find("unknown") != std::string::npos);
-    CHECK_FALSE(std::filesystem::exists(folder.path() / "pages" / "book.html"));
+    std::ifstream book(folder.path() / "pages" / "book.html");
+    const std::string page{std::istreambuf_iterator<char>(book), {}};
+    CHECK(page.find("<h3>2 <span class=\"verdict\">not read</span></h3>\n<p>&#39;\\pm&#39; stands on one side") != std::string::npos);
+    CHECK(page.find("<h3>4 <span class=\"verdict\">proven</span></h3>") != std::string::npos);
     const Answer answer = ask("check", {path, "--format", "json"});
     CHECK(answer.code == 2);
     const nlohmann::json json = answer.json();
@@ -171,6 +174,27 @@ equation = "v = v"
     CHECK(json["errors"][1]["error"] == "unknown-name");
     CHECK(json["errors"][1]["line"].get<int>() > json["errors"][0]["line"].get<int>());
     CHECK(json["passed"] == false);
+}
+
+TEST_CASE("a mistake in the keys of an entry, or in another file, does not stop the others") {
+    const Folder folder;
+    const std::string path = folder.write("text.toml", head + "[entries.\"1\"]\nequatoin = \"u = u\"\n[entries.\"2\"]\nequation = \"u = (u\"\n[entries.\"3\"]\nequation = \"u = u\"\n");
+    const std::string broken = folder.write("broken.toml", "[catalogue]\nformat = 1\nsource = \"Any\"\n[letters]\na = \"furlong\"\n");
+    const Answer answer = ask("check", {broken, path, "-o", folder.path() / "pages"});
+    CHECK(answer.code == 2);
+    CHECK(answer.out.find("\n  not read: ") != std::string::npos);
+    CHECK(answer.out.find("  1                not read: ") != std::string::npos);
+    CHECK(answer.out.find("  2                not read: ") != std::string::npos);
+    CHECK(answer.out.find("  3                proven\n") != std::string::npos);
+    CHECK(answer.err.find("furlong") != std::string::npos);
+    CHECK(answer.err.find("did you mean 'equation'?") != std::string::npos);
+    CHECK(std::filesystem::exists(folder.path() / "pages" / "book.html"));
+}
+
+TEST_CASE("what solves an equation may be said twice") {
+    CHECK(verdict("solves = [\"u = v\"]\nequations = [\"u = v\", \"u = v\"]") == "proven");
+    CHECK(verdict("solves = [\"u = v\"]\nequations = [\"u = v\", \"u = v + w - w\"]") == "proven");
+    CHECK(verdict("solves = [\"u = v\"]\nequations = [\"u = v\", \"u = w\"]", 1) == "wrong");
 }
 
 TEST_CASE("letters of other letters in integrals") {

@@ -51,7 +51,11 @@ const Claim claims[]{
     {"with = { f = \"x^2 - a^2\" }", R"(f(a) = 0)", "'a' may be the letter that 'f' is a function of, or where it is taken; say what 'f' is a function of, as in functions = ['f(x)']"},
     {"with = { f = \"x^2 - a^2\" }\nfunctions = [\"f\"]", R"(f(-x) = f(x))", "it is not clear what 'f' is a function of"},
     {"with = { f = \"x^2\" }", R"(f(a) = a^2)", "'f' does not depend on 'a'"},
-    {"with = { h = \"v*t\" }", R"(h(t + T) = h(t) + v T)", "'h' stands before a letter in brackets elsewhere"},
+    {"with = { h = \"v*t\" }", R"(h(t + T) = h(t) + v T)", "proven"},
+    // said elsewhere in the text
+    {"with = { f = \"x^2\" }", R"(f(x) = x^2, f(2) = 4, f(x_0) = x_0^2, f(x + 1) = x^2 + 2 x + 1)", "proven"},
+    {"with = { f = \"x^2\" }", R"(f(x) = x^2, f(x + 1) = x^2 + x + 1)", "wrong"},
+    {"", R"(b(x) = b, b(0) = b)", "nothing says what 'b' is at another place than 'x'"},
     // factors
     {"with = { f = \"x^2\" }", R"(f(b + c) = x^2 b + x^2 c)", "proven"},
     {"", R"(a(b + c) = a b + a c)", "proven"},
@@ -85,8 +89,12 @@ const Claim others[]{
     {"", R"(26.57^\circ = 0.4636\,\mathrm{rad})", "proven"},
     {"", R"(26.57^\circ = 0.4646\,\mathrm{rad})", "wrong"},
     {"", R"(1\,\mathrm{km} = 1400\,\mathrm{m})", "wrong"},
+    {"", R"(\pi/3 = 1.0472)", "proven"},
+    {"", R"(\pi/3 = 1.0473)", "wrong"},
+    {"", R"(\pi = 3)", "wrong"},
+    {"", R"(a = 0.5)", "wrong"},
     {"", R"(1\tfrac12 = 1.5)", "it is not clear whether this is a sum, as in one and a half, or a product"},
-    {"", R"(1{.}000 = 1)", "it is not clear whether this point stands between thousands"},
+    {"", R"(1{.}000 = 1)", "it is not clear whether this '.' stands between thousands"},
     // matrices
     {"", R"(a = \mathbf{E} + \begin{bmatrix} a & b \\ b & a \end{bmatrix})", "'E_bold' is not defined"},
     {"with = { R = \"matrix(row(cos(x), -sin(x)), row(sin(x), cos(x)))\" }\nfunctions = [\"R(x)\"]", R"(R(a) R(b) = R(a + b))", "proven"},
@@ -96,6 +104,47 @@ const Claim others[]{
     // letters
     {"", R"(\int_0^1 x\,dx = \left. \frac{x^2}{2} \right|_0^1)", "proven"},
     {"positive = { t = \"s\" }", R"(a = a)", "'t' is the time"},
+};
+
+/// What is read of other people's texts, and a slip in each.
+const Claim readings[]{
+    {"", R"(\begin{align} (a+b)^2 &= a^2 + 2 a b + b^2 & (a-b)^2 &= a^2 - 2 a b + b^2 \end{align})", "proven"},
+    {"", R"(\begin{align} (a+b)^2 &= a^2 + 2 a b + b^2 & (a-b)^2 &= a^2 - 2 a b - b^2 \end{align})", "wrong"},
+    {"", R"(\begin{align} a &= a & -b &= b - 2 b \end{align})", "proven"},
+    {"", R"(\begin{eqnarray} a &=& a \\ b &=& 2 b \end{eqnarray})", "wrong"},
+    // both signs
+    {"", R"(\cos(a \pm b) = \cos a \cos b \mp \sin a \sin b)", "proven"},
+    {"", R"(\cos(a \pm b) = \cos a \cos b \pm \sin a \sin b)", "wrong"},
+    {"", R"(a = \pm b)", "'\\pm' stands on one side of 'a = \\pm b' only"},
+    {"positive = { p = \"1\", q = \"1\" }\nsolves = [\"a^2 + 2*p*a - q = 0\"]", R"(a = -p \pm \sqrt{p^2 + q})", "proven"},
+    {"positive = { p = \"1\", q = \"1\" }\nsolves = [\"a^2 + 2*p*a - q = 0\"]", R"(a = -p \pm \sqrt{p^2 - q})", "wrong"},
+    // integrals without limits
+    {"", R"(\int x^2 \, dx = \frac{x^3}{3} + c)", "proven"},
+    {"", R"(\int x^2 \, dx = \frac{x^3}{2} + c)", "wrong"},
+    {"", R"(2 \int x \, dx - b x = x^2 - b x + \text{const.})", "proven"},
+    {"", R"(a = \int x^2 \, dx)", "nothing says how 'a' depends on 'x'"},
+    {"", R"(x \int x \, dx = \frac{x^3}{2})", "so that its constant matters"},
+    // sums without limits, \nabla
+    {"letters = { s = { unit = \"1\", for = \"i = 1..3\" } }", R"(\sum_i s_i = \sum_{i=1}^3 s_i)", "proven"},
+    {"letters = { s = { unit = \"1\", for = \"i = 1..3\" } }", R"(\sum_i s_i = \sum_{i=1}^2 s_i)", "wrong"},
+    {"letters = { s = { unit = \"1\", for = \"i = 1..3\" } }", R"(\sum_{j \ne i} s_j = a)", "which members the sum"},
+    {"", R"(\sum a = a)", "write its index and limits"},
+    {"", R"(\nabla a = 0)", "the coordinates of '\\nabla' in '\\nabla a' are not known"},
+    // words and marks
+    {"", R"(\newcommand{\sq}[1]{#1^2} \sq{a} + \sq b = a a + b^2)", "proven"},
+    {"with = { W = \"x^2\" }", R"(\dv{W}{x} = 2 x \therefore \boxed{\dv[2]{W}{x} = 2})", "proven"},
+    {"with = { W = \"x^2*a^3\" }", R"(\pdv{W}{x}{a} = 6 x a^2)", "proven"},
+    {"", R"(\frac{x^3}{3!} = \frac{x^3}{6})", "proven"},
+    {"", R"(a! = a)", "has a value of a whole number"},
+    {"", R"(\frac{\cancel{a} b}{\cancel{a} c} = \frac{b}{c})", "proven"},
+    {"letters = { u_bar = \"1\", PE_1 = \"1\" }", R"({\it a} + \bar{u} + PE_1 = PE_1 + a + \bar u)", "proven"},
+    {"letters = { u_prime_v_prime_over = \"1\" }", R"(\overline{u'v'} + a = a + \overline{u' v'})", "proven"},
+    {"letters = { A_v_vec_B = \"1\" }", R"({}^A\vec{v}^B + a{} = a + {}^A\vec{v}^B)", "proven"},
+    {"", R"(\overline{a + b} = a + b)", "is read, but nothing is made of it yet"},
+    {"", R"(a \propto b)", "what is compared by '\\propto' is not checked"},
+    // without units
+    {"dimensionless = true\nletters = { m = \"kg\", u = \"m\" }", R"(m + u = u + m)", "proven"},
+    {"letters = { m = \"kg\", u = \"m\" }", R"(m + u = u + m)", "dimensionally wrong"},
 };
 
 void check_all(const Claim* first, const Claim* last) {
@@ -117,5 +166,50 @@ void check_all(const Claim* first, const Claim* last) {
 
 }  // namespace
 
+TEST_CASE("what other texts have") { check_all(std::begin(readings), std::end(readings)); }
 TEST_CASE("brackets behind a letter") { check_all(std::begin(claims), std::end(claims)); }
 TEST_CASE("conditions, rounded numbers, matrices by a letter") { check_all(std::begin(others), std::end(others)); }
+
+TEST_CASE("what a text says of itself") {
+    const std::string text = R"toml([catalogue]
+format = 1
+source = "Any text"
+decimal = "."
+dimensionless = true
+coordinates = ["x", "y"]
+preamble = '''
+\documentclass{book}
+\newcommand{\half}{\frac12}
+\def\pd#1#2{\frac{\partial #1}{\partial #2}}
+\newcommand{\broken}{
+'''
+[macros]
+'\v' = '\mathbf{#1}'
+[letters]
+a = "kg"
+x = "m"
+y = "s"
+[entries."numbers"]
+latex = '''42,164 = 42164, 42,164.2 = 42164.23, x + \half a = a/2 + x'''
+[entries."rounded"]
+latex = '''42164.3 = 42,164.2'''
+[entries."fields"]
+with = { W = "x^2 + y^2", w = "vector(x^2, x*y)" }
+latex = '''\nabla^2 W = 4, \pd{W}{x} = 2 x, \nabla \cdot w = 3 x, \nabla W = \begin{pmatrix} 2 x \\ 2 y \end{pmatrix}'''
+[entries."fields wrong"]
+with = { W = "x^2 + y^2" }
+latex = '''\vec{\nabla}^2 W = 2'''
+[entries."vector"]
+with = { v_bold = "vector(x, y)" }
+latex = '''\v{v} = \begin{pmatrix} x \\ y \end{pmatrix}'''
+)toml";
+    const Folder folder;
+    const nlohmann::json json = ask("check", {folder.write("text.toml", text), "--format", "json"}).json();
+    const std::vector<std::string> expected{"proven", "wrong", "proven", "wrong", "proven"};
+    CHECK_FALSE(json.contains("errors"));
+    REQUIRE(json["printed"].size() == expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        CAPTURE(i);
+        CHECK(json["printed"][i]["verdict"].get<std::string>() == expected[i]);
+    }
+}

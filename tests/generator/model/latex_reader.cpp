@@ -88,7 +88,7 @@ const Row rows[]{
     {R"(a = l\cos\varphi\,\dot\varphi + l\cos\varphi \dot\varphi)", "a = l*cos(phi)*dot(phi) + l*cos(phi)*dot(phi)"},
     {R"(a = \sin \omega t + \cos\frac{1}{2}\varphi + \sinh mL)", "a = sin(omega*t) + cos(1/2*phi) + sinh(m*L)"},
     {R"(a = \cos\varphi r + \sin {\varphi })", "a = cos(phi)*r + sin(phi)"},
-    {R"(a = \tan^{-1}(x) + \arctan x + \arcsin(y))", "a = atan(x) + atan(x) + asin(y)"},
+    {R"(a = \arctan(x) + \arctan x + \arcsin(y))", "a = atan(x) + atan(x) + asin(y)"},
     {R"(a = \exp(-x) + e^{x} + \mathrm{e}^{-\frac{t}{T}} + \ln\frac{a}{b} + \log_2 x)", "a = exp(-x) + exp(x) + exp(-t/T) + log(a/b) + log(x)/log(2)"},
     {R"(a = \cot x + \coth(x) + \tanh y)", "a = 1/tan(x) + 1/tanh(x) + tanh(y)"},
     {R"(a = \operatorname{sign}(v) + \operatorname{sgn}(\dot x) + \text{sign}(x))", "a = sign(v) + sign(dot(x)) + sign(x)"},
