@@ -180,7 +180,7 @@ ExpressionPtr LatexParser::applied(ExpressionPtr function, const LatexLetter& le
     const bool is_function = arguments != nullptr;
     Brackets found = brackets_at(bracket, close);
     const LetterDependence* known = dependence_of(*function);
-    if (found.is_plain && found.is_list && !is_function && (known == nullptr || !known->has_expression)) {  // of what a letter depends on, nothing is to be inserted
+    if (found.is_plain && found.is_list && found.has_place && !is_function && (known == nullptr || !known->has_expression)) {  // what it depends on; nothing is to be inserted
         found.dummies.clear();
         found.spelled = found.printed;
     }

@@ -134,7 +134,8 @@ public:
     ExpressionPtr operator()(const ExpressionPtr& e) const {
         const Span& span = e->span;
         if (is_constant(*e)) return make_number(0, span);
-        if (!has_open_integral(*e)) return call("diff", span, {e, make_name(variable_, span)});
+        const bool has_constant = (e->kind == Kind::add || e->kind == Kind::subtract) && (is_constant(*e->children[0]) || is_constant(*e->children[1]));
+        if (!has_open_integral(*e) && !has_constant) return call("diff", span, {e, make_name(variable_, span)});
         if (is_open_integral(*e)) {
             if (e->children[1]->name != variable_) fail(Id::not_allowed_here, span, fmt::format("the integrals run over '{}' and '{}'; write limits, so that each has a value", variable_, e->children[1]->written()));
             return e->children[0];
