@@ -2,9 +2,10 @@
 #include <iostream>
 
 #include "command/command_line.hpp"
+#include "text/guardian.hpp"
 
 int main(int argc, char** argv) {
-    const int code = dalembert::run_program({argv + 1, argv + argc}, {std::cout, std::cerr});
+    const int code = dalembert::guarded_program([&] { return dalembert::run_program({argv + 1, argv + argc}, {std::cout, std::cerr}); });
     if (std::cout.flush()) return code;
     std::cerr << "dalembert: the output cannot be written\n";
     return static_cast<int>(dalembert::ExitCode::tool_missing);

@@ -19,6 +19,9 @@
 #include "prove/right_angles.hpp"
 #include "prove/statics_validity.hpp"
 #include "prove/switching_validity.hpp"
+#include "symbolic/polynomial.hpp"
+#include "text/budgets.hpp"
+#include "text/guardian.hpp"
 
 namespace dalembert {
 
@@ -46,6 +49,11 @@ auto guarded(const Model& model, Work work) {
         return work();
     } catch (const Failure&) {
         throw;
+    } catch (const TooManyTerms&) {
+        throw Failure(Diagnostic{Id::too_large, model.name_span,
+                                 fmt::format("an expression in the code of model '{}', or a derivative of one, takes more than {:g} products of terms; shorter expressions, or a lower degree, need less", model.name, budget::code_work)});
+    } catch (const std::bad_alloc&) {
+        throw Failure(Diagnostic{Id::too_large, model.name_span, fmt::format("the derivation of model '{}' needs more memory than there is", model.name)});
     } catch (const std::exception& error) {
         throw Failure(Diagnostic{Id::division_by_zero, model.name_span,
                                  fmt::format("the derivation of model '{}' meets an expression that has no value: {}", model.name, error.what())});
@@ -53,11 +61,10 @@ auto guarded(const Model& model, Work work) {
 }
 
 void check_size(const Scene& scene) {
-    constexpr std::size_t most = 128;
     const std::size_t states = 2 * scene.coordinates.size() + scene.states.size();  // cells of fields are not counted: they are derived once
-    if (states > 2 * most)
+    if (states > budget::states)
         throw Failure(Diagnostic{Id::too_large, scene.model->name_span,
-                                 fmt::format("scene '{}' has {} states; this version derives at most {}", scene.name, states, 2 * most)});
+                                 fmt::format("scene '{}' has {} states; this version derives at most {}", scene.name, states, budget::states)});
 }
 
 void stop_on_unbalanced_mass(const System& system) {
@@ -111,6 +118,7 @@ void stop_on_failed_audit(const System& system, const Audit& audit) {
 }  // namespace
 
 std::shared_ptr<const LoadedModel> load(const std::filesystem::path& path, Diagnostics& diagnostics) {
+    enter_stage(fmt::format("reading '{}'", path.filename().string()));
     auto loaded = std::make_shared<LoadedModel>(read_model(path, diagnostics));
     warn_of_unused(loaded->model, diagnostics);
     warn_of_vanishing(loaded->model, diagnostics);
@@ -156,9 +164,13 @@ void keep_proofs(Machine& machine, bool with_series) {
 }
 
 void make_and_prove_code(Machine& machine, Stopwatch& watch, bool with_series) {
+    const Scene& scene = machine.system->scene;
+    const std::string name = scene.name + (scene.mode ? "', mode '" + scene.modes[*scene.mode].name : "");
+    enter_stage(fmt::format("the code of scene '{}'", name));
     machine.code = make_code(*machine.system, wish_of(machine, with_series));
     const OperationCount count = machine.code->count(Function::rhs);
     watch.lap("graph", fmt::format("{} operations in rhs, {} cached values", count.total(), machine.code->cache.values().size()));
+    enter_stage(fmt::format("the proof of the code of scene '{}'", name));
     machine.emitted = verify(*machine.code);
     keep_proofs(machine, with_series);
     if (!machine.system->heat.fields.empty()) {
@@ -202,10 +214,12 @@ Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::str
         check_size(scene);
         watch.lap("scene", fmt::format("{} coordinates, {} states, {} inputs, {} parameters{}", scene.coordinates.size(), scene.states.size(), scene.inputs.size(), scene.parameters.size(),
                                        scene.modes.empty() ? "" : fmt::format(", {} modes, {} events", scene.modes.size(), scene.events.size())));
+        enter_stage(fmt::format("the derivation of scene '{}'", scene.name));
         auto modes = derive_modes(loaded->names, scene);
         const System& first = *modes.front();
         watch.lap("derive", fmt::format("{} bodies, {} potentials, {} resistances, {} supplies{}", first.bodies.size(), first.potentials.size(), first.resistances.size(), first.supplies.size(),
                                         modes.size() == 1 ? "" : fmt::format(" in the first of {} modes", modes.size())));
+        enter_stage(fmt::format("the proof of scene '{}'", first.scene.name));
         prove(machine, loaded, std::move(modes.front()));
         for (std::size_t i = 1; i < modes.size(); ++i) prove(machine.other_modes.emplace_back(), loaded, std::move(modes[i]));
         watch.lap("prove", all_derivations_proven(machine) ? "everything proven" : "something only numerically equal");

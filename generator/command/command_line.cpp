@@ -12,6 +12,8 @@
 
 #include "graph/passes.hpp"
 #include "model/methods.hpp"
+#include "text/budgets.hpp"
+#include "text/guardian.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -54,6 +56,9 @@ public:
     Parser() : app_("Derives the equations of a machine, proves them, and emits C++.", "dalembert") {
         app_.footer(examples);
         app_.require_subcommand(1);
+        app_.fallthrough();
+        app_.add_option("--stage-seconds", stage_seconds_, "processor time that a stage may take, beside the counts of `help limits`")->check(CLI::PositiveNumber);
+        app_.add_option("--memory", memory_, "GB of memory that the program may take")->check(CLI::PositiveNumber);
         app_.set_version_flag("--version", std::string("dalembert ") + program_version);
 
         CLI::App* derive = model_verb("derive", "print the equations of motion");
@@ -145,7 +150,7 @@ public:
         CLI::App* scenes = app_.add_subcommand("scenes", "list the scenes of a model and their effects");
         scenes->add_option("MODEL", model_, "model file")->required();
         format(scenes, "text or json", {"text", "json"});
-        CLI::App* help = app_.add_subcommand("help", "the model language: a section, a key, `functions`, `quantities`, `units`; also `catalogue`, `errors`, `json` and any verb");
+        CLI::App* help = app_.add_subcommand("help", "the model language: a section, a key, `functions`, `quantities`, `units`; also `catalogue`, `errors`, `limits`, `json` and any verb");
         help->add_option("TOPIC", options_.topic, "for example `bodies`, `bodies.mass` or `mass`");
     }
 
@@ -171,6 +176,7 @@ public:
         }
         if (!std::isfinite(options_.tolerance) || !std::isfinite(options_.step) || !std::isfinite(options_.periods))
             throw Failure(Diagnostic{Id::bad_option, {}, "tolerance, step and periods are finite numbers"});
+        set_stage_budget(stage_seconds_, 1e9 * memory_);
         options_.verb = app_.get_subcommands().front()->get_name();
         for (const CLI::App* verb : app_.get_subcommands({})) {
             if (options_.verb != "help" || verb->get_name() != options_.topic) continue;
@@ -229,7 +235,7 @@ private:
         verb->add_option("--tolerance", options_.tolerance, "relative tolerance of a step")->check(CLI::Range(1e-16, 0.5));
         verb->add_option("--method", options_.method, methods_text())->check(CLI::IsMember(method_names()));
         verb->add_option("--step", options_.step, "step of methods with a fixed one, in seconds")->check(CLI::PositiveNumber);
-        verb->add_option("--samples", options_.samples, "number of intervals at which results are written")->check(CLI::Range(1, 1000000));
+        verb->add_option("--samples", options_.samples, "number of intervals at which results are written")->check(CLI::Range(1, budget::samples));
         verb->add_option("--periods", options_.periods, "length of the run in periods, where the run names a period")->check(CLI::PositiveNumber);
         if (!draws) return;
         verb->add_flag("--no-plot", options_.no_plot, "write the CSV only");
@@ -256,6 +262,7 @@ private:
     std::string model_;
     std::vector<std::string> sizes_;
     std::vector<std::string> arguments_;
+    double stage_seconds_ = 0, memory_ = 0;
 };
 
 ExitCode dispatch(const Options& options, Streams streams) {
@@ -276,6 +283,9 @@ int run_program(const std::vector<std::string>& arguments, Streams streams) {
     } catch (const Failure& failure) {
         streams.err << failure.what();
         return static_cast<int>(failure.exit_code());
+    } catch (const std::bad_alloc&) {
+        streams.err << "dalembert: error[too-large]: there is not enough memory; a smaller model, fewer cells or modes need less\n";
+        return static_cast<int>(ExitCode::bad_input);
     } catch (const GiNaC::pole_error&) {
         streams.err << "dalembert: error[division-by-zero]: a value that was given makes an expression divide by zero\n";
         return static_cast<int>(ExitCode::bad_input);

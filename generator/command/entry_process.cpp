@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command/catalogue_verdicts.hpp"
+#include "text/guardian.hpp"
 
 namespace dalembert {
 
@@ -120,6 +121,11 @@ void set_processor_time(int seconds) {
 /// One line for each entry from the given one on. Does not come back.
 [[noreturn]] void run_child(const Catalogue& catalogue, bool for_pages, const EntryLimits& limits, std::size_t first, int file) {
     signal(SIGPROF, SIG_DFL);
+    // What ends the program ends this process as well: it leads a group that the program's guardian knows.
+    setpgid(0, 0);
+    sigset_t none;
+    sigemptyset(&none);
+    pthread_sigmask(SIG_SETMASK, &none, nullptr);
     if (limits_memory()) {
         const rlim_t bytes = limits.gigabytes << 30U;
         const rlimit limit{bytes, bytes};
@@ -166,6 +172,10 @@ void check_entries(const Catalogue& catalogue, bool for_pages, const EntryLimits
             close(pipe_ends[0]);
             run_child(catalogue, for_pages, limits, next, pipe_ends[1]);
         }
+        if (child > 0) {
+            setpgid(child, child);  // here as well: whichever comes first
+            Leftovers::all().add_child(child);
+        }
         if (child < 0) fail(Id::tool_failed, {}, "no process can be started in which the entries are checked");
         close(pipe_ends[1]);
         std::string waiting;
@@ -180,6 +190,7 @@ void check_entries(const Catalogue& catalogue, bool for_pages, const EntryLimits
         close(pipe_ends[0]);
         int status = 0;
         waitpid(child, &status, 0);
+        Leftovers::all().remove_child(child);
         if (next < catalogue.entries.size()) {
             const CatalogueEntry& entry = catalogue.entries[next++];
             done(entry, {{}, {}, why_it_ended(status, limits)});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <ostream>
 
 #include "command/json_output.hpp"
@@ -9,6 +10,7 @@
 #include "form/quantities.hpp"
 #include "prove/constraint_validity.hpp"
 #include "prove/motion_at.hpp"
+#include "text/budgets.hpp"
 
 namespace dalembert {
 
@@ -19,11 +21,18 @@ namespace {
 /// Values as text. Results are correct in all digits that are asked for as long as no more than twice as many cancel.
 class Evaluation {
 public:
-    Evaluation(const System& system, const Values& values, int digits) : at_(system, values, 3 * digits + 30), digits_(digits) {}
-    std::string number(const ex& e) const { return decimal(cln::rational(at_(e)), digits_); }
+    Evaluation(const System& system, const Values& values, int digits) : at_(system, values, 3 * digits + 30), place_(system.scene.model->name_span), digits_(digits) {}
+    /// Throws Failure (number-too-large) for what no double holds.
+    std::string number(const std::string& name, const ex& e) const {
+        const cln::cl_R value = at_(e);
+        if (cln::abs(value) > cln::expt_pos(cln::cl_I(10), cln::cl_I(budget::magnitude)))
+            throw Failure(Diagnostic{Id::number_too_large, place_, fmt::format("the value of '{}' at this point is beyond 1e{}", name, budget::magnitude)});
+        return decimal(cln::rational(value), digits_);
+    }
 
 private:
     MotionAt at_;
+    Span place_;
     int digits_;
 };
 
@@ -48,12 +57,12 @@ ExitCode evaluate_command(const Options& options, Streams streams) {
     if (system.scene.mode) json["mode"] = system.scene.modes[*system.scene.mode].name;
     std::string text = title_of(system.scene) + "\n";
     // Up to 17 digits are numbers in JSON; more would be lost there and are texts.
-    const auto json_number = [&](const std::string& number) { return options.digits <= 17 ? nlohmann::ordered_json(std::stod(number)) : nlohmann::ordered_json(number); };
+    const auto json_number = [&](const std::string& number) { return options.digits <= 17 ? nlohmann::ordered_json(std::strtod(number.c_str(), nullptr)) : nlohmann::ordered_json(number); };
     const auto group = [&](const char* key, const char* title, const std::vector<std::pair<std::string, ex>>& entries) {
         json[key] = nlohmann::ordered_json::object();
         if (!entries.empty()) text += fmt::format("{}\n", title);
         for (const auto& [name, value] : entries) {
-            const std::string number = at.number(value);
+            const std::string number = at.number(name, value);
             json[key][name] = json_number(number);
             text += fmt::format("  {:<20} {}\n", name, number);
         }
@@ -81,8 +90,8 @@ ExitCode evaluate_command(const Options& options, Streams streams) {
     if (!system.scene.stickings.empty()) text += "friction at rest\n";
     for (const Sticking* item : system.scene.stickings) {
         const StickingState sticking = sticking_state(system, *item);
-        const bool sticks = at.number(sticking.sticks) == "1";
-        const std::string margin = at.number(sticking.margin), needed = at.number(sticking.needed);
+        const bool sticks = at.number(item->name, sticking.sticks) == "1";
+        const std::string margin = at.number(item->name, sticking.margin), needed = at.number(item->name, sticking.needed);
         json["sticking"][item->name] = {{"sticks", sticks}, {"margin", json_number(margin)}, {"needed_coefficient", json_number(needed)}};
         text += fmt::format("  {:<20} {}: margin {} N, needs a coefficient of {}\n", item->name, sticks ? "yes" : "no", margin, needed);
     }
@@ -95,7 +104,7 @@ ExitCode evaluate_command(const Options& options, Streams streams) {
     if (system.has_balances()) powers.emplace_back("internal_energy", system.internal_energy);
     if (system.has_exchange()) powers.emplace_back("exchanged_power", system.exchanged_power);
     for (const auto& [name, value] : powers) {
-        const std::string number = at.number(value);
+        const std::string number = at.number(name, value);
         json[name] = json_number(number);
         text += fmt::format("  {:<20} {}\n", name, number);
     }

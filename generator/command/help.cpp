@@ -11,6 +11,7 @@
 #include "model/schema.hpp"
 #include "model/unit_reference.hpp"
 #include "model/vocabulary.hpp"
+#include "text/budgets.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -66,6 +67,12 @@ std::string json_reference() {
     return text;
 }
 
+std::string limit_reference() {
+    std::string text = "What each stage may spend at most. Beyond a count, the same input ends at the same place on every machine.\n";
+    for (const StageBudget& row : budgets()) text += fmt::format("  {:<18} {:<50} {:>8g}  {}\n", row.stage, row.what, row.most, row.beyond);
+    return text + "Modes, cells and sizes of single elements have limits of their own, named where they are passed.\n";
+}
+
 }  // namespace
 
 ExitCode help_command(const Options& options, Streams streams) {
@@ -75,7 +82,7 @@ ExitCode help_command(const Options& options, Streams streams) {
         return ExitCode::good;
     }
     static const std::map<std::string, std::string (*)()> references{
-        {"errors", error_reference}, {"functions", function_reference}, {"quantities", quantity_reference}, {"json", json_reference}, {"units", unit_reference}, {"catalogue", catalogue_reference}};
+        {"errors", error_reference}, {"functions", function_reference}, {"quantities", quantity_reference}, {"json", json_reference}, {"limits", limit_reference}, {"units", unit_reference}, {"catalogue", catalogue_reference}};
     const auto reference = references.find(topic);
     const std::string text = reference != references.end() ? reference->second() : language_reference(topic);
     if (text.empty()) {

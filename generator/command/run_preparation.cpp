@@ -12,6 +12,7 @@
 #include "model/methods.hpp"
 #include "model/parser.hpp"
 #include "model/written_values.hpp"
+#include "text/budgets.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -34,6 +35,14 @@ bool is_in_scene(const Expression& variable, const System& system) {
         for (const Variable& known : system.symbols.all(kind))
             if (known.base == named.name) return true;
     return false;
+}
+
+/// Steps of one length are known before the run.
+void check_steps(const SimulationSettings& settings) {
+    if (!needs_step(settings.method) || !(settings.step > 0)) return;
+    const double steps = settings.until / settings.step;
+    if (steps > budget::steps)
+        throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("a run of {:g} s takes {:.3g} steps of {:g} s; the limit is {:g} steps", settings.until, steps, settings.step, budget::steps)});
 }
 
 /// What a point says of all letters but the time.
@@ -151,6 +160,13 @@ SimulationSettings RunPreparation::make_settings(const Values& values, const Sys
     if (options_.samples > 0) settings.intervals = options_.samples;
     if (!(settings.until > 0))
         throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("how long to simulate '{}'? Give --until, or a [runs.reference] in the model", model_name_)});
+    if (options_.periods > 0 && options_.models.empty() && (run_ == nullptr || !run_->period))
+        throw Failure(Diagnostic{Id::bad_option, {}, "--periods: the run names no period"});
+    // Beyond, doubles have no room for errors and shortest steps.
+    constexpr double shortest = 1e-150, longest = 1e150;
+    if (settings.until < shortest || settings.until > longest)
+        throw Failure(Diagnostic{Id::bad_option, run_ != nullptr && run_->until ? run_->until->span : Span{}, fmt::format("a run of {:g} s; runs take {:g} to {:g} s", settings.until, shortest, longest)});
+    check_steps(settings);
     if (needs_step(settings.method) && !(settings.step > 0)) throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the method {} needs a fixed step: --step", settings.method)});
     if (settings.method == "symplectic" && !is_separable(system))
         throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the method symplectic is for accelerations that depend on coordinates alone, without inputs, modes and constraints; those of '{}' do not, see `dalembert derive`", model_name_)});

@@ -5,6 +5,7 @@
 
 #include "symbolic/functions.hpp"
 #include "symbolic/network_functions.hpp"
+#include "text/budgets.hpp"
 
 namespace dalembert {
 
@@ -16,6 +17,9 @@ namespace {
 
 /// A product of sums with more terms than this is kept as a product.
 constexpr std::size_t most_terms = 400;
+
+/// A larger multiple in an exponential stays there.
+constexpr int largest_power = 100;
 
 struct FunctionOp {
     unsigned serial;
@@ -115,6 +119,8 @@ private:
 
     Polynomial multiply(const Polynomial& a, const Polynomial& b) {
         if (a.size() > 1 && b.size() > 1 && a.size() * b.size() > most_terms) return multiply(kept_whole(a, 1, atoms_), kept_whole(b, 1, atoms_));
+        work_ += static_cast<double>(a.size()) * static_cast<double>(b.size());
+        if (work_ > budget::code_work) throw TooManyTerms();
         return Polynomial::product(a, b, SIZE_MAX);
     }
 
@@ -174,13 +180,15 @@ private:
     Polynomial exponential(Polynomial argument) {
         if (argument.is_zero()) return Polynomial(1);
         const auto content = std::get<0>(primitive(argument, atoms_));
-        const auto n = cln::denominator(content) == 1 ? to_int(content) : std::optional<int>(is_negative(content) ? -1 : 1);
+        const bool is_power = cln::denominator(content) == 1 && cln::abs(content) <= largest_power;  // beyond, exp(x)^n has lost its digits
+        const auto n = is_power ? to_int(content) : std::optional<int>(is_negative(content) ? -1 : 1);
         const int exponent = n.value_or(1);
         argument *= Rational(1) / exponent;
         return Polynomial::letter(atoms_.letter(Op::exp, {std::move(argument)}), exponent);
     }
 
     Atoms& atoms_;
+    double work_ = 0;
 };
 
 }  // namespace

@@ -254,6 +254,7 @@ PrintedEquation checked_entry(const Catalogue& catalogue, const CatalogueEntry& 
     take_matrices_apart(result);
     if (!result.sizes.empty()) check_known(result, names, diagnostics);
     check_expressions(result, names, diagnostics);
+    if (!diagnostics.has_errors()) check_written_sizes(result, names, diagnostics);
     return result;
 }
 

@@ -17,6 +17,11 @@ void check_expressions(const Model& model, Diagnostics& diagnostics);
 
 /// The same of one printed equation.
 void check_expressions(const PrintedEquation& printed, const Names& names, Diagnostics& diagnostics);
+
+/// That no expression is too large when the definitions in it are written out. For what has passed the other checks.
+void check_written_sizes(const Model& model, Diagnostics& diagnostics);
+void check_written_sizes(const PrintedEquation& printed, const Names& names, Diagnostics& diagnostics);
+
 /// Of letters that are in no header, so that only words of the model language are taken.
 void check_letter_names(const Model& letters, Diagnostics& diagnostics);
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/document.hpp"
 
+#include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
+
+#include "text/budgets.hpp"
 
 namespace dalembert {
 
@@ -19,19 +22,21 @@ public:
         return {source_, source_->offset(position(region.begin)), source_->offset(position(region.end))};
     }
 
-    DocumentNode node(const toml::node& from) const {
+    DocumentNode node(const toml::node& from, int depth = 0) const {
         DocumentNode result;
         result.span = span(from.source());
+        if (depth > budget::nested_values)
+            throw Failure(Diagnostic{Id::too_deep, result.span, fmt::format("tables and lists stand in each other more than {} deep", budget::nested_values)});
         if (const toml::table* table = from.as_table()) {
             result.kind = DocumentNode::Kind::table;
             for (const auto& [key, value] : *table)
-                result.members.push_back({std::string(key.str()), span(key.source()), node(value)});
+                result.members.push_back({std::string(key.str()), span(key.source()), node(value, depth + 1)});
             // toml++ sorts keys by name; the order of writing is the order of declaration.
             std::stable_sort(result.members.begin(), result.members.end(),
                              [](const auto& a, const auto& b) { return a.key_span.begin < b.key_span.begin; });
         } else if (const toml::array* array = from.as_array()) {
             result.kind = DocumentNode::Kind::array;
-            for (const toml::node& element : *array) result.elements.push_back(node(element));
+            for (const toml::node& element : *array) result.elements.push_back(node(element, depth + 1));
         } else if (from.is_string()) {
             result.kind = DocumentNode::Kind::string;
             result.string = string(result.span, from.as_string()->get());

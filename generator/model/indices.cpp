@@ -2,14 +2,16 @@
 // Whole numbers of a scene: indices of members and bounds of families.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "model/scene.hpp"
+#include "model/sum_terms.hpp"
+#include "text/budgets.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
 
 namespace {
-
-constexpr int most_members = 10'000;
 
 [[noreturn]] void not_whole(const Expression& e) {
     throw Failure(Diagnostic{Id::index_out_of_range, e.span, fmt::format("'{}' is not a whole number", e.written())});
@@ -45,9 +47,16 @@ int index_value(const Expression& e, const Scene& scene, const Indices& indices)
 std::pair<int, int> bounds(const Family& family, const Scene& scene) {
     const int from = index_value(*family.from, scene, {});
     const int to = index_value(*family.to, scene, {});
-    if (static_cast<long long>(to) - from >= most_members)
-        throw Failure(Diagnostic{Id::too_large, family.span, fmt::format("the family has more than {} members", most_members)});
+    if (static_cast<long long>(to) - from >= budget::sum_terms)
+        throw Failure(Diagnostic{Id::too_large, family.span, fmt::format("the family has more than {} members", budget::sum_terms)});
     return {from, to};
+}
+
+void SumTerms::add(const Expression& sum, int from, int to) {
+    const long long terms = static_cast<long long>(to) - from + 1;
+    if (terms > budget::sum_terms) throw Failure(Diagnostic{Id::too_large, sum.span, fmt::format("the sum has more than {} terms", budget::sum_terms)});
+    all_ += std::max(terms, 0LL);
+    if (all_ > budget::all_sum_terms) throw Failure(Diagnostic{Id::too_large, sum.span, fmt::format("with the sums around it, the sum has more than {} terms in all", budget::all_sum_terms)});
 }
 
 const ExpressionPtr& value_of(const Member<Parameter>& member, const Scene& scene) {

@@ -9,12 +9,11 @@
 #include <set>
 #include <utility>
 
+#include "text/budgets.hpp"
+
 namespace dalembert {
 
 namespace {
-
-constexpr std::size_t most_latex_words = 20'000;
-constexpr std::size_t deepest_latex_wrap = 100;
 
 using Words = std::set<std::string, std::less<>>;
 
@@ -65,8 +64,8 @@ private:
     [[noreturn]] void wrong(std::size_t begin, std::size_t end, std::string message) const { fail(Id::syntax, excerpt_.span(begin, end), std::move(message)); }
 
     void add(Kind kind, std::string text, std::size_t begin, std::size_t end, Side side = Side::neutral, std::size_t inside = 0) {
-        if (tokens_.size() == most_latex_words)
-            fail(Id::too_long, excerpt_.span(begin, end), fmt::format("the equation has more than {} words and signs; split it", most_latex_words));
+        if (tokens_.size() == budget::words)
+            fail(Id::too_long, excerpt_.span(begin, end), fmt::format("the equation has more than {} words and signs; split it", budget::words));
         tokens_.push_back({kind, std::move(text), begin, end, space_, side, inside});
         space_ = Space::none;
     }
@@ -260,7 +259,7 @@ private:
         if (!wraps_second_argument.contains(name)) return;
         skip_blanks();
         if (at(i_) != '{') return;
-        if (wraps_.size() == deepest_latex_wrap) fail(Id::too_deep, excerpt_.span(begin, i_), fmt::format("'{}' is nested more than {} levels deep", name, deepest_latex_wrap));
+        if (wraps_.size() == static_cast<std::size_t>(budget::nesting)) fail(Id::too_deep, excerpt_.span(begin, i_), fmt::format("'{}' is nested more than {} levels deep", name, static_cast<std::size_t>(budget::nesting)));
         wraps_.push_back(closing(i_));
         ++i_;
     }

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
+#include "text/budgets.hpp"
+
 namespace dalembert {
 
 namespace {
-constexpr int deepest_latex = 100;
-
 /// Commands that are no macro of an author.
 bool is_common_command(std::string_view text) {
     static const std::set<std::string, std::less<>> common{"\\cdot", "\\times", "\\frac", "\\sqrt", "\\rightarrow", "\\Rightarrow", "\\approx", "\\le", "\\ge", "\\neq", "\\dots", "\\in", "\\forall", "\\circ", "\\prime", "\\langle", "\\rangle", "\\otimes", "\\int", "\\sum", "\\nabla", "\\partial", "\\not"};
@@ -25,9 +25,9 @@ LatexParser::LatexParser(const LatexParser& whole, Tokens part) : excerpt_(whole
 }
 
 LatexParser::Depth::Depth(LatexParser& parser) : parser_(parser) {
-    if (++parser_.depth_ > deepest_latex) {
+    if (++parser_.depth_ > budget::nesting) {
         --parser_.depth_;
-        fail(Id::too_deep, parser_.place(parser_.token()), fmt::format("the equation is nested more than {} levels deep; split it into definitions", deepest_latex));
+        fail(Id::too_deep, parser_.place(parser_.token()), fmt::format("the equation is nested more than {} levels deep; split it into definitions", budget::nesting));
     }
 }
 

@@ -5,11 +5,11 @@
 
 #include <numeric>
 
+#include "text/budgets.hpp"
+
 namespace dalembert {
 
 namespace {
-
-constexpr std::size_t most_tokens = 20'000;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
@@ -56,9 +56,9 @@ std::vector<Token> tokenise(const Excerpt& excerpt) {
             ++i;
             continue;
         }
-        if (tokens.size() == most_tokens)
+        if (tokens.size() == budget::words)
             throw Failure(Diagnostic{Id::too_long, excerpt.span(i, i + 1),
-                                     fmt::format("the expression has more than {} words and signs; split it into definitions", most_tokens)});
+                                     fmt::format("the expression has more than {} words and signs; split it into definitions", budget::words)});
         const std::string_view rest = text.substr(i);
         std::size_t length = 1;
         Token::Kind kind = Token::Kind::sign;

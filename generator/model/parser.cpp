@@ -7,12 +7,11 @@
 #include <array>
 
 #include "model/dimension.hpp"
+#include "text/budgets.hpp"
 
 namespace dalembert {
 
 namespace {
-
-constexpr int deepest = 100;
 
 bool is_unit(const Token& word) {
     try {
@@ -80,9 +79,9 @@ private:
     /// Counts nesting, so that no input can exhaust the stack.
     struct Depth {
         explicit Depth(Parser& parser) : parser_(parser) {
-            if (++parser_.depth_ > deepest)
+            if (++parser_.depth_ > budget::nesting)
                 throw Failure(Diagnostic{Id::too_deep, parser_.token().span,
-                                         fmt::format("the expression is nested more than {} levels deep; split it into definitions", deepest)});
+                                         fmt::format("the expression is nested more than {} levels deep; split it into definitions", budget::nesting)});
         }
         ~Depth() { --parser_.depth_; }
         Depth(const Depth&) = delete;

@@ -3,12 +3,12 @@
 
 #include <sstream>
 
+#include "text/budgets.hpp"
+
 namespace dalembert {
 
 std::optional<Rational> read_decimal(std::string_view text) {
-    constexpr std::size_t longest = 400;
-    constexpr int largest_exponent = 400;
-    if (text.empty() || text.size() > longest) return std::nullopt;
+    if (text.empty() || text.size() > budget::number_length) return std::nullopt;
 
     std::size_t i = 0;
     bool negative = false;
@@ -40,7 +40,7 @@ std::optional<Rational> read_decimal(std::string_view text) {
         const std::size_t first = i;
         for (; i < text.size() && text[i] >= '0' && text[i] <= '9'; ++i) {
             written = written * 10 + (text[i] - '0');
-            if (written > largest_exponent) return std::nullopt;
+            if (written > budget::number_exponent) return std::nullopt;
         }
         if (i == first || i < text.size()) return std::nullopt;
         exponent += negative_exponent ? -written : written;

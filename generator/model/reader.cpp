@@ -16,6 +16,7 @@
 #include "model/read_switching.hpp"
 #include "model/verdict.hpp"
 #include "model/written_values.hpp"
+#include "text/budgets.hpp"
 #include "text/files.hpp"
 #include "text/nearest.hpp"
 
@@ -121,8 +122,8 @@ void read(const Entry& e, Run& run) {
     if (!run.method.empty() && std::find(methods.begin(), methods.end(), run.method) == methods.end())
         e.error(Id::wrong_type, e.span_of("method"), fmt::format("'{}' is not a method; the methods are {}", run.method, quoted_list(methods)));
     run.samples = e.whole_number("samples", run.samples);
-    if (run.samples < 1 || run.samples > 1'000'000)
-        e.error(Id::value_out_of_range, e.span_of("samples"), "the number of samples lies between 1 and 1000000");
+    if (run.samples < 1 || run.samples > budget::samples)
+        e.error(Id::value_out_of_range, e.span_of("samples"), fmt::format("the number of samples lies between 1 and {}", budget::samples));
     run.plots = e.plots("plots");
 }
 
@@ -281,6 +282,8 @@ Model read_model(const SourcePtr& source, Diagnostics& diagnostics) {
     check_statics(model, diagnostics);
     check_balances(model, diagnostics);
     check_expressions(model, diagnostics);
+    diagnostics.stop_on_errors();
+    check_written_sizes(model, diagnostics);
     diagnostics.stop_on_errors();
     check_switching(model, diagnostics);
     diagnostics.stop_on_errors();

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "text/budgets.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -18,7 +19,7 @@ MotionAt::MotionAt(const System& system, const Values& values, int digits) : sys
     std::vector<std::vector<cln::cl_R>> m(n, std::vector<cln::cl_R>(n + 1));
     const auto entry = [&](const ex& e) {
         const auto v = value_at(e, point_, digits);
-        if (!v) throw Failure(Diagnostic{Id::division_by_zero, system.scene.model->name_span, "the equations of motion have no value at this point"});
+        if (!v) throw Failure(Diagnostic{Id::division_by_zero, system.scene.model->name_span, fmt::format("the equations of motion have no value at this point, or one of more than {} binary digits", budget::bits)});
         return *v;
     };
     for (std::size_t j = 0; j < n; ++j) {
@@ -50,7 +51,7 @@ MotionAt::MotionAt(const System& system, const Values& values, int digits) : sys
 
 cln::cl_R MotionAt::operator()(const ex& e) const {
     const auto v = value_at(e, point_, digits_);
-    if (!v) throw Failure(Diagnostic{Id::division_by_zero, system_.scene.model->name_span, "an expression has no value at this point"});
+    if (!v) throw Failure(Diagnostic{Id::division_by_zero, system_.scene.model->name_span, fmt::format("an expression has no value at this point, or one of more than {} binary digits", budget::bits)});
     return *v;
 }
 

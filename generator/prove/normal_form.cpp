@@ -3,6 +3,7 @@
 
 #include "prove/angle_basis.hpp"
 #include "symbolic/functions.hpp"
+#include "text/budgets.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -15,8 +16,6 @@ using GiNaC::numeric;
 
 namespace {
 
-constexpr std::size_t most_terms = 200'000;
-constexpr double most_products = 2e7;
 constexpr int largest_multiple = 24;
 constexpr int most_restarts = 200;
 
@@ -31,6 +30,7 @@ bool NormalForm::is_zero(const ex& given) {
     // Assumptions name angles.
     const ShortAngles angles = assumed_positive_.empty() ? with_short_angles(given) : ShortAngles{given, {}};
     const ex& e = angles.expression;
+    work_ = 0;
     for (int attempt = 0; attempt < most_restarts; ++attempt) {
         forget();
         try {
@@ -96,7 +96,7 @@ Polynomial NormalForm::convert(const ex& e) {
     if (GiNaC::is_a<GiNaC::add>(e)) {
         Polynomial sum;
         for (const ex& term : e) sum += convert(term);
-        if (sum.size() > most_terms) throw TooManyTerms();
+        if (sum.size() > budget::polynomial_terms) throw TooManyTerms();
         return sum;
     }
     if (GiNaC::is_a<GiNaC::mul>(e)) {
@@ -342,15 +342,17 @@ void NormalForm::add_reduced(Polynomial& to, const Monomial& monomial, const Rat
         for (const auto& [m, c] : value.terms()) add_reduced(to, rest * m, coefficient * c);
         return;
     }
+    work_ += 1 + static_cast<double>(bit_length(coefficient)) / 64;
     to.add(monomial, coefficient);
 }
 
 Polynomial NormalForm::multiply(const Polynomial& a, const Polynomial& b) {
-    if (static_cast<double>(a.size()) * static_cast<double>(b.size()) > most_products) throw TooManyTerms();
+    if (static_cast<double>(a.size()) * static_cast<double>(b.size()) > budget::polynomial_products) throw TooManyTerms();
     Polynomial result;
     for (const auto& [ma, ca] : a.terms()) {
         for (const auto& [mb, cb] : b.terms()) add_reduced(result, ma * mb, ca * cb);
-        if (result.size() > most_terms) throw TooManyTerms();
+        if (work_ > budget::proof_work) throw TooManyTerms();
+        if (result.size() > budget::polynomial_terms) throw TooManyTerms();
     }
     return result;
 }

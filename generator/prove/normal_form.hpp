@@ -100,6 +100,7 @@ private:
 
     std::set<std::string> assumed_positive_;
     bool functions_are_letters_;
+    double work_ = 0;  ///< products of terms in this proof, by 64 bits
     bool joins_roots_;
     std::set<GiNaC::ex, GiNaC::ex_is_less> must_not_vanish_;
     std::map<std::string, Letter> symbols_;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "mechanics/curvilinear.hpp"
+#include "model/sum_terms.hpp"
 #include "model/verdict.hpp"
 #include "prove/equivalence.hpp"
 #include "text/diagnostic.hpp"
@@ -20,11 +21,18 @@ class RightAngles {
 public:
     explicit RightAngles(const System& system) : system_(system) {}
 
+    void check(const Expression& e, const Indices& indices) {
+        terms_ = {};
+        visit(e, indices);
+    }
+
+private:
     void visit(const Expression& e, const Indices& indices) {
         if (e.kind == Kind::sum) {
             Indices inner = indices;
-            const int to = index_value(*e.children[1], system_.scene, indices);
-            for (int i = index_value(*e.children[0], system_.scene, indices); i <= to; ++i) {
+            const int from = index_value(*e.children[0], system_.scene, indices), to = index_value(*e.children[1], system_.scene, indices);
+            terms_.add(e, from, to);
+            for (int i = from; i <= to; ++i) {
                 inner[e.name] = i;
                 visit(*e.children[2], inner);
             }
@@ -35,7 +43,6 @@ public:
         for (const ExpressionPtr& child : e.children) visit(*child, indices);
     }
 
-private:
     Prover& prover() { return prover_ ? *prover_ : prover_.emplace(system_); }
 
     /// What a definition or output in it says.
@@ -77,6 +84,7 @@ private:
     }
 
     const System& system_;
+    SumTerms terms_;
     std::optional<Prover> prover_;  ///< most ask for none
     std::set<std::pair<const Item*, Indices>> seen_;
     std::set<std::pair<const BodyMotion*, std::pair<std::size_t, std::size_t>>> proven_;
@@ -84,11 +92,11 @@ private:
 
 }  // namespace
 
-void check_right_angles(const System& system, const Expression& e, const Indices& indices) { RightAngles(system).visit(e, indices); }
+void check_right_angles(const System& system, const Expression& e, const Indices& indices) { RightAngles(system).check(e, indices); }
 
 void check_right_angles(const System& system) {
     RightAngles check(system);
-    for (const auto& member : system.scene.outputs) check.visit(*member.item->value, Translator::indices_of(member));
+    for (const auto& member : system.scene.outputs) check.check(*member.item->value, Translator::indices_of(member));
 }
 
 }  // namespace dalembert

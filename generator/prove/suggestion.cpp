@@ -6,6 +6,7 @@
 #include "model/expression_text.hpp"
 #include "model/matrices.hpp"
 #include "model/vocabulary.hpp"
+#include "text/budgets.hpp"
 
 namespace dalembert {
 
@@ -100,6 +101,10 @@ std::vector<std::pair<std::size_t, Slip>> slips_in(const System& system, const P
 }
 
 std::optional<Suggestion> suggest(const System& system, const Member<PrintedEquation>& entry) {
+    std::size_t parts = 0;
+    for (const Equation& equation : entry.item->shown)
+        for (const ExpressionPtr& side : equation.sides) for_each(*side, [&](const Expression&) { ++parts; });
+    if (parts > budget::suggestion_parts) return std::nullopt;  // its changes are as many, and each is as long
     std::size_t tried = 0;
     const std::set<std::string> moving = moving_letters(system, *entry.item);
     for (const auto& [which, slip] : slips_in(system, *entry.item)) {

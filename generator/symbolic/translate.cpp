@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "symbolic/functions.hpp"
 #include "symbolic/switches.hpp"
 #include "symbolic/heat_formulas.hpp"
+#include "text/budgets.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -32,33 +35,73 @@ void refuse_rates_of_cells(const Expression& e, const ex& rate, const Scene& sce
                      {{field.rod->span, "the rod is defined here"}});
 }
 
-constexpr int most_terms = 10'000;
-constexpr int largest_exponent = 1'000;
-constexpr std::size_t most_bits = 100'000;
+/// The exact number that an expression is, or begins with as a factor or term.
+std::size_t bits_of(const ex& value) {
+    const ex number = GiNaC::is_exactly_a<numeric>(value) ? value : (GiNaC::is_a<GiNaC::mul>(value) || GiNaC::is_a<GiNaC::add>(value)) && value.nops() > 0 ? value.op(value.nops() - 1) : ex(0);
+    return GiNaC::is_exactly_a<numeric>(number) && ex_to<numeric>(number).is_rational() ? bit_length(cln::the<cln::cl_RA>(ex_to<numeric>(number).to_cl_N())) : 0;
+}
+
+bool has_letters(const ex& e) {
+    return std::any_of(e.preorder_begin(), e.preorder_end(), [](const ex& part) { return GiNaC::is_a<GiNaC::symbol>(part); });
+}
 
 }  // namespace
 
-ex Translator::operator()(const Expression& e, const Indices& indices, const Letters& letters) const { return visit(e, indices, letters); }
+ex Translator::operator()(const Expression& e, const Indices& indices, const Letters& letters) const {
+    struct Call {
+        explicit Call(int& calls) : calls_(calls) { ++calls_; }
+        ~Call() { --calls_; }
+        Call(const Call&) = delete;
+        Call& operator=(const Call&) = delete;
+        int& calls_;
+    };
+    if (calls_ == 0) terms_ = {};
+    const Call call(calls_);
+    return visit(e, indices, letters);
+}
 
 SpaceVector Translator::operator()(const VectorExpression& vector, const Indices& indices) const {
-    return {visit(*vector[0], indices, {}), visit(*vector[1], indices, {}), visit(*vector[2], indices, {})};
+    return {(*this)(*vector[0], indices), (*this)(*vector[1], indices), (*this)(*vector[2], indices)};
+}
+
+/// Throws Failure (number-too-large) for exact numbers that fill memory.
+void Translator::keep_small(const Expression& e, const ex& value) const {
+    if (bits_of(value) > budget::bits) fail(Id::number_too_large, e, fmt::format("'{}' has too many digits to be written exactly", e.written()));
+}
+
+/// Of what has no letters: it is a real number, and one that a computer has. Throws Failure (division-by-zero, number-too-large).
+void Translator::keep_magnitude(const Expression& e, const ex& value) const {
+    ex number = value;
+    try {
+        number = value.evalf();
+    } catch (const std::exception&) {  // CLN has no exponents of that size
+        fail(Id::number_too_large, e, fmt::format("the value of '{}' is beyond 1e{}", e.written(), budget::magnitude));
+    }
+    if (!GiNaC::is_exactly_a<numeric>(number)) return;
+    if (!ex_to<numeric>(number).is_real()) fail(Id::division_by_zero, e, fmt::format("'{}' is not a real number", e.written()));
+    static const numeric largest = GiNaC::pow(numeric(10), numeric(budget::magnitude));
+    if (GiNaC::abs(ex_to<numeric>(number)) > largest) fail(Id::number_too_large, e, fmt::format("the value of '{}' is beyond 1e{}", e.written(), budget::magnitude));
 }
 
 ex Translator::visit(const Expression& e, const Indices& indices, const Letters& letters) const {
     const auto part = [&](std::size_t i) { return visit(*e.children[i], indices, letters); };
+    const auto small = [&](ex value) {
+        keep_small(e, value);
+        return value;
+    };
     switch (e.kind) {
         case Kind::number: return numeric(e.value);
         case Kind::name: return name(e, indices, letters);
         case Kind::call: return call(e, indices, letters);
         case Kind::sum: return sum(e, indices, letters);
         case Kind::negate: return -part(0);
-        case Kind::add: return part(0) + part(1);
-        case Kind::subtract: return part(0) - part(1);
-        case Kind::multiply: return part(0) * part(1);
+        case Kind::add: return small(part(0) + part(1));
+        case Kind::subtract: return small(part(0) - part(1));
+        case Kind::multiply: return small(part(0) * part(1));
         case Kind::divide: {
             const ex divisor = part(1);
             if (divisor.is_zero()) fail(Id::division_by_zero, e, fmt::format("'{}' divides by '{}', which is zero", e.written(), e.children[1]->written()));
-            return part(0) / divisor;
+            return small(part(0) / divisor);
         }
         case Kind::power: break;
     }
@@ -68,13 +111,13 @@ ex Translator::visit(const Expression& e, const Indices& indices, const Letters&
 ex Translator::power(const Expression& e, const ex& base, const ex& exponent) const {
     if (GiNaC::is_exactly_a<numeric>(exponent)) {
         const numeric& n = ex_to<numeric>(exponent);
-        if (GiNaC::abs(n) > largest_exponent)
-            fail(Id::number_too_large, e, fmt::format("the exponent of '{}' is beyond {}", e.written(), largest_exponent));
+        if (GiNaC::abs(n) > budget::exponent)
+            fail(Id::number_too_large, e, fmt::format("the exponent of '{}' is beyond {}", e.written(), budget::exponent));
         if (base.is_zero() && !n.is_positive()) fail(Id::division_by_zero, e, fmt::format("'{}' raises zero to a power that is not positive", e.written()));
+        if (static_cast<double>(bits_of(base)) * std::abs(n.to_double()) > static_cast<double>(budget::bits))
+            fail(Id::number_too_large, e, fmt::format("'{}' has too many digits to be written exactly", e.written()));
         if (GiNaC::is_exactly_a<numeric>(base) && ex_to<numeric>(base).is_rational()) {
             const cln::cl_RA value = cln::the<cln::cl_RA>(ex_to<numeric>(base).to_cl_N());
-            if (bit_length(value) * static_cast<std::size_t>(std::abs(n.to_double())) > most_bits)
-                fail(Id::number_too_large, e, fmt::format("'{}' has too many digits to be written exactly", e.written()));
             if (is_negative(value) && !n.is_integer()) fail(Id::division_by_zero, e, fmt::format("'{}' is not a real number", e.written()));
         }
     }
@@ -144,7 +187,7 @@ ex Translator::is_in_mode(const Expression& e) const {
 ex Translator::sum(const Expression& e, const Indices& indices, const Letters& letters) const {
     const int from = index_value(*e.children[0], scene_, indices);
     const int to = index_value(*e.children[1], scene_, indices);
-    if (static_cast<long long>(to) - from >= most_terms) fail(Id::too_large, e, fmt::format("the sum has more than {} terms", most_terms));
+    terms_.add(e, from, to);
     GiNaC::exvector terms;
     Indices inner = indices;
     for (int i = from; i <= to; ++i) {
@@ -167,6 +210,12 @@ ex Translator::call(const Expression& e, const Indices& indices, const Letters& 
     if (e.name == "quantity") return visit(*to_si(e.children[0], evaluate_unit(*e.children[1])), indices, letters);
     std::vector<ex> arguments;
     for (std::size_t i = 0; i < e.children.size(); ++i) arguments.push_back(part(i));
+    const ex value = function(e, arguments);
+    if (std::none_of(arguments.begin(), arguments.end(), has_letters)) keep_magnitude(e, value);
+    return value;
+}
+
+ex Translator::function(const Expression& e, const std::vector<ex>& arguments) const {
     const ex& x = arguments[0];
     try {
         if (const auto heat = heat_function(e.name, arguments)) return *heat;

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "model/sum_terms.hpp"
 #include "symbolic/symbols.hpp"
 
 namespace dalembert {
@@ -78,6 +79,7 @@ private:
     GiNaC::ex is_in_mode(const Expression& e) const;
     GiNaC::ex rate(const Expression& e, const GiNaC::ex& value) const;
     GiNaC::ex call(const Expression& e, const Indices& indices, const Letters& letters) const;
+    GiNaC::ex function(const Expression& e, const std::vector<GiNaC::ex>& arguments) const;
     const GiNaC::ex& variable_of(const Expression& e, const GiNaC::ex& variable) const;
     GiNaC::ex slope(const Expression& e, const GiNaC::ex& function, const GiNaC::ex& variable) const;
     GiNaC::ex integrand(const Expression& e, const GiNaC::ex& variable, const Indices& indices, const Letters& letters) const;
@@ -96,6 +98,10 @@ private:
     const Symbols& symbols_;
     Quantities quantities_;
     std::function<bool(const DefiniteIntegral&)> is_integral_;
+    void keep_small(const Expression& e, const GiNaC::ex& value) const;
+    void keep_magnitude(const Expression& e, const GiNaC::ex& value) const;
+    mutable SumTerms terms_;
+    mutable int calls_ = 0;  ///< of operator(), in each other
     mutable std::map<std::pair<const Definition*, int>, GiNaC::ex> inserted_;
     mutable bool leaves_integrals_open_ = false;
     mutable std::vector<DefiniteIntegral> open_;

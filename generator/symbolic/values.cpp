@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/values.hpp"
 
+#include <cln/float.h>
+#include <cln/rational_ring.h>
+#include <cln/real.h>
 #include <fmt/format.h>
 
+#include "text/budgets.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -30,10 +34,19 @@ std::string shown(const ex& constant) {
 void check_magnitude(const std::string& name, const ex& value, const Span& place) {
     if (GiNaC::is_exactly_a<numeric>(value) && !value.is_zero()) {
         const numeric size = GiNaC::abs(GiNaC::ex_to<numeric>(value));
-        const numeric largest = GiNaC::pow(numeric(10), numeric(300));
+        const numeric largest = GiNaC::pow(numeric(10), numeric(budget::magnitude));
         if (size > largest || size < largest.inverse())
             throw Failure(Diagnostic{Id::number_too_large, place, fmt::format("the value of '{}' is beyond 1e300 or within 1e-300 of zero", name)});
     }
+}
+
+/// What would fill memory as an exact number: zero where it is that small, and nothing where it is that large.
+std::optional<cln::cl_R> of_bounded_length(const cln::cl_R& x) {
+    if (cln::zerop(x)) return x;
+    if (cln::instanceof(x, cln::cl_RA_ring)) return bit_length(cln::the<cln::cl_RA>(x)) > budget::bits ? std::nullopt : std::optional(x);
+    constexpr auto most = static_cast<long long>(budget::bits);
+    const long long exponent = cln::float_exponent(cln::the<cln::cl_F>(x));
+    return exponent > most ? std::nullopt : std::optional<cln::cl_R>(exponent < -most ? cln::cl_R(0) : x);
 }
 
 }  // namespace
@@ -151,7 +164,7 @@ std::optional<cln::cl_R> value_at(const ex& e, const GiNaC::exmap& constants, in
         if (!GiNaC::is_exactly_a<numeric>(value)) return std::nullopt;
         const numeric& number = ex_to<numeric>(value);
         if (!number.is_real()) return std::nullopt;
-        return cln::realpart(number.to_cl_N());
+        return of_bounded_length(cln::realpart(number.to_cl_N()));
     } catch (const std::exception&) {  // a pole, an overflow: the expression has no value there
         return std::nullopt;
     }

@@ -9,15 +9,15 @@
 #include <optional>
 #include <system_error>
 
+#include "text/budgets.hpp"
 #include "text/diagnostic.hpp"
+#include "text/guardian.hpp"
 
 namespace dalembert {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::uintmax_t largest_model = 1'000'000;
 
 [[noreturn]] void fail(Id id, std::string message, ExitCode exit_code = ExitCode::bad_input) {
     throw Failure(Diagnostic{id, {}, std::move(message)}, exit_code);
@@ -42,6 +42,12 @@ std::optional<std::size_t> first_bad_byte(const std::string& text) {
     return std::nullopt;
 }
 
+/// Of what is no regular file the size is not known: -1.
+void check_size(const std::string& name, std::uintmax_t size) {
+    if (size != static_cast<std::uintmax_t>(-1) && size > budget::file_bytes)
+        fail(Id::file_too_large, fmt::format("the file '{}' has {} bytes; a model has at most {}", name, size, budget::file_bytes));
+}
+
 }  // namespace
 
 std::string read_file(const fs::path& path) {
@@ -55,11 +61,13 @@ std::string read_file(const fs::path& path) {
 
 SourcePtr read_text_file(const fs::path& path) {
     std::error_code error;
-    const std::uintmax_t size = fs::file_size(path, error);
-    if (!error && size > largest_model)
-        fail(Id::file_too_large,
-             fmt::format("the file '{}' has {} bytes; a model has at most {}", path.string(), size, largest_model));
-    auto source = std::make_shared<const Source>(path.string(), read_file(path));
+    check_size(path.string(), fs::file_size(path, error));
+    return source_of(path.string(), read_file(path));
+}
+
+SourcePtr source_of(const std::string& name, std::string text) {
+    check_size(name, text.size());
+    auto source = std::make_shared<const Source>(name, std::move(text));
     if (const auto bad = first_bad_byte(source->text()))
         throw Failure(Diagnostic{Id::not_text,
                                  Span{source, *bad, *bad + 1},
@@ -69,6 +77,7 @@ SourcePtr read_text_file(const fs::path& path) {
 }
 
 void write_files(const FileContents& files) {
+    const auto not_ending = Leftovers::all().hold();
     std::vector<fs::path> made_folders;
     std::vector<std::pair<fs::path, fs::path>> pending;  // temporary, final
     std::error_code error;

@@ -14,6 +14,9 @@ namespace dalembert {
 /// Reads a UTF-8 text of at most 1 MB. Throws Failure (unreadable-file, file-too-large, not-text).
 SourcePtr read_text_file(const std::filesystem::path& path);
 
+/// A text of at most 1 MB as such a file is. Throws Failure (file-too-large, not-text).
+SourcePtr source_of(const std::string& name, std::string text);
+
 /// Reads any file. Throws Failure (unreadable-file).
 std::string read_file(const std::filesystem::path& path);
 

@@ -3,15 +3,18 @@
 
 #include <poll.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 
 #include "text/diagnostic.hpp"
+#include "text/guardian.hpp"
 
 extern char** environ;
 
@@ -24,7 +27,11 @@ void read_both(int first, int second, std::string& to_first, std::string& to_sec
     std::array<pollfd, 2> files{{{first, POLLIN, 0}, {second, POLLIN, 0}}};
     std::array<std::string*, 2> texts{&to_first, &to_second};
     int open = 2;
-    while (open > 0 && poll(files.data(), files.size(), -1) >= 0)
+    while (open > 0) {
+        if (poll(files.data(), files.size(), -1) < 0) {
+            if (errno == EINTR) continue;
+            return;
+        }
         for (std::size_t i = 0; i < files.size(); ++i) {
             if (files[i].fd < 0 || files[i].revents == 0) continue;
             std::array<char, 4096> buffer;
@@ -36,7 +43,28 @@ void read_both(int first, int second, std::string& to_first, std::string& to_sec
                 --open;
             }
         }
+    }
 }
+
+/// A process group of its own, so that all that it starts can be ended with it; and none of the signals that wait for us.
+class SpawnAttributes {
+public:
+    SpawnAttributes() {
+        posix_spawnattr_init(&attributes_);
+        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+        posix_spawnattr_setpgroup(&attributes_, 0);
+        sigset_t none;
+        sigemptyset(&none);
+        posix_spawnattr_setsigmask(&attributes_, &none);
+    }
+    ~SpawnAttributes() { posix_spawnattr_destroy(&attributes_); }
+    SpawnAttributes(const SpawnAttributes&) = delete;
+    SpawnAttributes& operator=(const SpawnAttributes&) = delete;
+    const posix_spawnattr_t* get() const { return &attributes_; }
+
+private:
+    posix_spawnattr_t attributes_{};
+};
 
 }  // namespace
 
@@ -54,7 +82,11 @@ ProcessResult run_process(const std::vector<std::string>& arguments) {
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
     pid_t child = 0;
-    const int failed = posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
+    const SpawnAttributes attributes;
+    auto not_ending = Leftovers::all().hold();
+    const int failed = posix_spawnp(&child, argv[0], &actions, attributes.get(), argv.data(), environ);
+    if (failed == 0) Leftovers::all().add_child(child);
+    not_ending.unlock();
     posix_spawn_file_actions_destroy(&actions);
     close(out[1]);
     close(err[1]);
@@ -62,7 +94,8 @@ ProcessResult run_process(const std::vector<std::string>& arguments) {
     if (failed == 0) {
         read_both(out[0], err[0], result.output, result.errors);
         int status = 0;
-        waitpid(child, &status, 0);
+        while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+        Leftovers::all().remove_child(child);
         result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     }
     close(out[0]);
@@ -71,15 +104,18 @@ ProcessResult run_process(const std::vector<std::string>& arguments) {
 }
 
 ScratchFolder::ScratchFolder() {
+    const auto not_ending = Leftovers::all().hold();
     std::string pattern = (std::filesystem::temp_directory_path() / "dalembert-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr)
         throw Failure(Diagnostic{Id::tool_failed, {}, "no folder for temporary files can be made"}, ExitCode::tool_missing);
     path_ = pattern;
+    Leftovers::all().add_folder(path_);
 }
 
 ScratchFolder::~ScratchFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
+    Leftovers::all().remove_folder(path_);
 }
 
 }  // namespace dalembert

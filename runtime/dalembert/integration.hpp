@@ -88,7 +88,9 @@ private:
             }
             const Scalar begin = t_;
             const Scalar length = target - begin;
-            const auto count = static_cast<std::size_t>(std::max(1.0, static_cast<double>(ceil(length / options_.step * (Scalar(1) - Scalar(1e-9))))));
+            const Scalar wanted = ceil(length / options_.step * (Scalar(1) - Scalar(1e-9)));
+            if (!(wanted <= Scalar(static_cast<double>(options_.max_steps)))) return end(Status::too_many_steps);
+            const auto count = static_cast<std::size_t>(std::max(1.0, static_cast<double>(wanted)));
             const Scalar h = length / Scalar(static_cast<double>(count));
             bool is_crossed = false;
             for (std::size_t k = 0; k < count; ++k) {

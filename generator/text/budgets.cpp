@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/budgets.hpp"
+
+#include <array>
+
+namespace dalembert {
+
+namespace {
+
+constexpr std::array table{
+    StageBudget{"reading", "bytes of a file", budget::file_bytes, "error file-too-large"},
+    StageBudget{"reading", "tables and lists in each other", budget::nested_values, "error too-deep"},
+    StageBudget{"reading", "words and signs of an expression", budget::words, "error too-long"},
+    StageBudget{"reading", "brackets, powers and signs in each other", budget::nesting, "error too-deep"},
+    StageBudget{"reading", "characters of a number", budget::number_length, "error number-too-large"},
+    StageBudget{"reading", "decimal exponent of a number", budget::number_exponent, "error number-too-large"},
+    StageBudget{"checks", "operations in each other, definitions written out", budget::written_depth, "error too-large"},
+    StageBudget{"checks", "operations of an expression, definitions written out", budget::written_size, "error too-large"},
+    StageBudget{"checks", "degree of an expression, definitions written out", budget::exponent, "error too-large"},
+    StageBudget{"numbers", "exponent of a power", budget::exponent, "error number-too-large"},
+    StageBudget{"numbers", "bits of an exact number", budget::bits, "error number-too-large"},
+    StageBudget{"numbers", "decimal exponent of a value", budget::magnitude, "error number-too-large"},
+    StageBudget{"sums", "terms of a sum", budget::sum_terms, "error too-large"},
+    StageBudget{"sums", "members of a family", budget::sum_terms, "error too-large"},
+    StageBudget{"sums", "terms of all sums in an expression", static_cast<double>(budget::all_sum_terms), "error too-large"},
+    StageBudget{"derivation", "states, without cells of rods and blocks", budget::states, "error too-large"},
+    StageBudget{"proofs", "terms of a polynomial", budget::polynomial_terms, "not proven, but compared at points"},
+    StageBudget{"proofs", "products of terms in one multiplication", budget::polynomial_products, "not proven, but compared at points"},
+    StageBudget{"proofs", "products of terms in one proof, by 64 bits", budget::proof_work, "not proven, but compared at points"},
+    StageBudget{"code", "products of terms in one expression", budget::code_work, "error too-large"},
+    StageBudget{"printed equations", "parts of an equation with suggestions", budget::suggestion_parts, "no suggestion"},
+    StageBudget{"runs", "steps", budget::steps, "error bad-option, or the run stops"},
+    StageBudget{"runs", "samples", budget::samples, "error value-out-of-range"},
+    StageBudget{"any stage", "seconds of processor time (--stage-seconds)", budget::stage_seconds, "the program stops, error too-large"},
+    StageBudget{"any stage", "bytes of memory (--memory, in GB)", budget::memory_bytes, "the program stops, error too-large"},
+};
+
+}  // namespace
+
+std::span<const StageBudget> budgets() { return table; }
+
+}  // namespace dalembert

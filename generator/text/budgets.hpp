@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What each stage may spend at most, in one place; `dalembert help limits` prints it. Counts come first: they end the same input at the
+// same place on every machine. Time and memory catch what no count foresees.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace dalembert {
+
+namespace budget {
+
+// reading
+inline constexpr std::size_t file_bytes = 1'000'000;
+inline constexpr std::size_t words = 20'000;        ///< words and signs of an expression or of a LaTeX text
+inline constexpr int nesting = 100;                 ///< brackets, powers, signs in each other
+inline constexpr int nested_values = 200;           ///< tables and arrays in each other
+inline constexpr std::size_t number_length = 400;   ///< characters
+inline constexpr int number_exponent = 400;
+// what definitions and outputs come to when one is written into the other
+inline constexpr double written_depth = 20'000;
+inline constexpr double written_size = 40'000;
+// numbers
+inline constexpr int exponent = 1'000;              ///< also the degree of what powers and products of powers come to
+inline constexpr std::size_t bits = 100'000;        ///< of an exact number
+inline constexpr int magnitude = 300;               ///< constants and values lie between 1e-300 and 1e300
+// sums and families
+inline constexpr int sum_terms = 10'000;
+inline constexpr long long all_sum_terms = 100'000; ///< of an expression, with sums in sums
+// derivation and proofs
+inline constexpr std::size_t states = 256;
+inline constexpr std::size_t polynomial_terms = 200'000;
+inline constexpr double polynomial_products = 2e7;  ///< of one multiplication
+inline constexpr double proof_work = 5e7;           ///< of a proof: products of terms, weighed by the length of their numbers
+inline constexpr double code_work = 3e7;            ///< of an expression that becomes code: products of terms
+inline constexpr std::size_t suggestion_parts = 600;
+// runs
+inline constexpr double steps = 1e8;                ///< as in IntegrationOptions::max_steps
+inline constexpr int samples = 1'000'000;
+// time and memory, beside the counts
+inline constexpr double stage_seconds = 900;        ///< of processor time
+inline constexpr double memory_bytes = 6e9;
+
+}  // namespace budget
+
+struct StageBudget {
+    const char* stage;
+    const char* what;    ///< what is counted
+    double most;
+    const char* beyond;  ///< what happens beyond
+};
+
+/// The table of `help limits`.
+std::span<const StageBudget> budgets();
+
+}  // namespace dalembert
