@@ -32,3 +32,24 @@ TEST_CASE("units with degrees above and below") {
     apply_settings(values, parse_settings({"phi=90deg"}, "state"), on_states, *machine.system);
     CHECK(values.state()[0].is_equal(GiNaC::Pi / 2));
 }
+
+TEST_CASE("a value without a unit counts in the declared one") {
+    const Machine machine = machine_from("[parameters]\nm = { value = 1, unit = \"t\" }\nk = { value = 2, unit = \"1\" }\n[coordinates]\nphi = { unit = \"deg\", start = \"2*k*(10 deg)\", start_rate = \"3*2\" }\n"
+                                         "[bodies.b]\nmass = \"m\"\nposition = [\"sin(phi)*(1 m)\", 0]\n");
+    Values values(machine.system->scene, machine.system->translate);
+    const auto set = [&](const char* parameter, const char* state) {
+        apply_settings(values, parse_settings({parameter}, "parameter"), on_parameters, *machine.system);
+        apply_settings(values, parse_settings({state}, "state"), on_states, *machine.system);
+    };
+    CHECK(values.state()[0].subs(values.substitution()).is_equal(2 * GiNaC::Pi / 9));
+    CHECK(values.state()[1].is_equal(GiNaC::Pi / 30));
+    set("m=2*3", "phi=3*15");
+    CHECK(values.parameter(0).is_equal(6000));
+    CHECK(values.state()[0].is_equal(GiNaC::Pi / 4));
+    set("m=2 kg", "phi=asin(1/2)");
+    CHECK(values.parameter(0).is_equal(2));
+    CHECK(values.state()[0].is_equal(GiNaC::Pi / 6));
+    set("m=1", "dot(phi)=18");
+    CHECK(values.state()[1].is_equal(GiNaC::Pi / 10));
+    CHECK_THROWS_AS(set("m=1", "phi=30*k"), Failure);  // in deg or in rad?
+}

@@ -48,6 +48,22 @@ TEST_CASE("what binds how") {
     CHECK(parsed("1e3*x") == "(1000*x)");
 }
 
+TEST_CASE("numbers with units are in SI") {
+    CHECK(parsed("5 bar") == "500000");
+    CHECK(parsed("5bar + 20 mbar") == "(500000+2000)");
+    CHECK(parsed("20 degC") == "5863/20");
+    CHECK(parsed("-5 degC") == "5363/20");
+    CHECK(parsed("T - 5 degC") == "(T-5563/20)");
+    CHECK(parsed("90 deg") == "(1/2*pi)");
+    CHECK(parsed("36 km/h") == "10");
+    CHECK(parsed("(36 km/h)*t") == "(10*t)");
+    CHECK(parsed("5 bar*t") == "(500000*t)");
+    CHECK(parsed("max(2 m, x)") == "max(2,x)");
+    CHECK(parsed("4 mm^2*c") == "(1/250000*c)");
+    CHECK(parse_expression(text("5 bar"))->name == "Pa");
+    CHECK(parse_expression(text("5"))->name.empty());
+}
+
 TEST_CASE("laws, equations, families") {
     const Law law = parse_law(text("e -> c*e"));
     CHECK(law.variable == "e");
@@ -76,4 +92,7 @@ TEST_CASE("what is no expression is refused at the right place") {
     CHECK(column("a $ b") == 3);
     CHECK(column("sum(k, 1, N)") == 12);
     CHECK(column("a = b") == 3);
+    CHECK(column("2 x") == 3);
+    CHECK(column("3 m/s*x") == 1);
+    CHECK(column("a + 3 m/s") == 5);
 }
