@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/functions.hpp"
 
+#include <cln/real.h>
+
 namespace dalembert {
 
 using GiNaC::ex;
