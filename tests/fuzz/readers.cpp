@@ -48,7 +48,7 @@ void number(const std::string& bytes) {
     for (const int digits : {1, 6, 17}) {
         const auto again = read_decimal(decimal(*value, digits));
         // Half a unit of the last digit at most.
-        if (again && cln::abs(*again - *value) * cln::expt_pos(cln::cl_I(10), cln::cl_I(digits - 1)) > cln::abs(*value)) std::abort();
+        if (again && cln::abs(*again - *value) * cln::expt(cln::cl_RA(10), cln::cl_I(digits - 1)) > cln::abs(*value)) std::abort();
     }
 }
 
