@@ -179,7 +179,9 @@ constexpr auto of_equilibrium = std::to_array<JsonField>({
     {"B[][]", "df/du"},
     {"C[][]", "dy/dx"},
     {"D[][]", "dy/du"},
-    {"eigenvalues[].real", "of A, 1/s"},
+    {"free_states[]", "states that are free to be chosen where constraints hold; without constraints all"},
+    {"ignorable_states[]", "of these, the coordinates that nothing depends on where constraints hold: an eigenvalue 0 for each"},
+    {"eigenvalues[].real", "of A, 1/s; where constraints hold, of the motions that they allow"},
     {"eigenvalues[].imaginary", ""},
 });
 
