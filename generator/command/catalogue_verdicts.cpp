@@ -5,6 +5,7 @@
 
 #include "form/letters_system.hpp"
 #include "form/mode_systems.hpp"
+#include "text/guardian.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -103,6 +104,7 @@ void CatalogueVerdicts::each_system(const CatalogueEntry& entry, const Visit& vi
 }
 
 std::vector<PrintedRow> CatalogueVerdicts::check(const CatalogueEntry& entry) {
+    enter_stage(fmt::format("the check of '{}'", entry.name));
     PrintedVerdicts verdicts(writes_derived_);
     if (!entry.unreadable.empty()) throw Failure(entry.unreadable);
     if (!entry.not_checkable.empty()) verdicts.add_unchecked(entry, entry.not_checkable);
