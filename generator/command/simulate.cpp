@@ -11,6 +11,18 @@ namespace dalembert {
 
 namespace {
 
+/// Where states and their derivatives are finite, their slopes are not: those of flows like a root, where they come to balance.
+std::string near_exact_roots(const Scene& scene) {
+    std::string flows;
+    for (const auto& member : scene.flows) {
+        const Flow& flow = *member.item;
+        const bool is_root = flow.law == Flow::Law::hydraulic_orifice || flow.law == Flow::Law::pneumatic_orifice || (flow.law == Flow::Law::check_valve && flow.area);
+        if (is_root && !flow.width && !flow.switches) flows += fmt::format("{}'{}'", flows.empty() ? "" : ", ", member.name());
+    }
+    if (flows.empty()) return "";
+    return fmt::format("; every state and derivative is finite, but a flow like a root has an infinite slope where the pressures at its ends come to balance, here one of {}; with a `width` (a pressure) its law is smooth there", flows);
+}
+
 /// "dop853", "dop853 for 20 steps, rodas5p for 100 (stiff)"
 std::string methods_text(const SimulationReport& report) {
     if (report.methods.size() == 1 && report.methods[0].first != "rodas5p") return report.methods[0].first;
@@ -72,7 +84,7 @@ ExitCode simulate_command(const Options& options, Streams streams) {
         }
         std::string why;
         if (!report.constraint.empty()) why = cause(report);
-        if (!report.culprit.empty() && report.status == "not finite") why = fmt::format("; state '{}' or its derivative is not finite", report.culprit);
+        if (report.status == "not finite") why = report.culprit.empty() ? near_exact_roots(prepared.machine.system->scene) : fmt::format("; state '{}' or its derivative is not finite", report.culprit);
         if (report.status == "step too small")
             why = fmt::format("{}; try a larger --tolerance than {:g}, and look there for something that jumps or grows without bound", report.culprit.empty() ? "" : fmt::format(": the error of state '{}' stays too large however short a step is", report.culprit),
                               prepared.settings.tolerance);

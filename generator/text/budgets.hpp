@@ -28,7 +28,8 @@ inline constexpr int magnitude = 300;               ///< constants and values li
 inline constexpr int sum_terms = 10'000;
 inline constexpr long long all_sum_terms = 100'000; ///< of an expression, with sums in sums
 // derivation and proofs
-inline constexpr std::size_t states = 256;
+inline constexpr std::size_t coordinates = 128;
+inline constexpr std::size_t states = 1024;
 inline constexpr std::size_t polynomial_terms = 200'000;
 inline constexpr double polynomial_products = 2e7;  ///< of one multiplication
 inline constexpr double proof_work = 5e7;           ///< of a proof: products of terms, weighed by the length of their numbers
