@@ -12,9 +12,9 @@ namespace {
 constexpr std::size_t most_macro_calls = 2'000;
 constexpr std::size_t longest_text = 100'000;
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool is_macro_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_macro_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_macro_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 /// Of the package physics, where the text defines none of its own.
 const LatexMacros& usual_macros() {
@@ -76,13 +76,13 @@ private:
         fail(Id::syntax, text_.span(std::min(begin, size), std::min(end, size)), std::move(message));
     }
     void skip_blanks(std::size_t& i) const {
-        while (is_blank(at(i))) ++i;
+        while (is_macro_blank(at(i))) ++i;
     }
 
     /// The letters behind the backslash at i, and i behind them; nothing, and i where it was, where a sign stands there.
     std::string name_at(std::size_t& i) const {
         std::size_t k = i + 1;
-        while (is_letter(at(k))) ++k;
+        while (is_macro_letter(at(k))) ++k;
         const std::string name = text_.text.substr(std::min(i + 1, text_.text.size()), k - i - 1);
         if (!name.empty()) i = k;
         return name;
@@ -133,15 +133,15 @@ private:
     /// A command must not run into a letter behind it.
     static void append(std::string& text, std::string_view more) {
         std::size_t k = text.size();
-        while (k > 0 && is_letter(text[k - 1])) --k;
+        while (k > 0 && is_macro_letter(text[k - 1])) --k;
         const bool ends_in_command = k > 0 && k < text.size() && text[k - 1] == '\\' && (k < 2 || text[k - 2] != '\\');
-        if (ends_in_command && !more.empty() && is_letter(more[0])) text += ' ';
+        if (ends_in_command && !more.empty() && is_macro_letter(more[0])) text += ' ';
         text += more;
     }
 
     /// The bytes [begin, end) become this, and all of it stands at begin.
     void replace(std::size_t begin, std::size_t end, std::string by) {
-        if (const char next = at(end); is_letter(next)) append(by, std::string_view(&next, 1)), by.pop_back();
+        if (const char next = at(end); is_macro_letter(next)) append(by, std::string_view(&next, 1)), by.pop_back();
         const std::size_t place = text_.offsets[begin];
         text_.text.replace(begin, end - begin, by);
         const auto from = text_.offsets.begin() + static_cast<std::ptrdiff_t>(begin);
@@ -165,7 +165,7 @@ private:
             const char c = macro.body[k];
             const bool is_argument = c == '#' && k + 1 < macro.body.size() && macro.body[k + 1] >= '1' && static_cast<std::size_t>(macro.body[k + 1] - '0') <= macro.arguments;
             if (is_argument) append(text, arguments[static_cast<std::size_t>(macro.body[++k] - '1')]);
-            else if (is_letter(c) && k > 0 && macro.body[k - 1] != '\\' && !is_letter(macro.body[k - 1])) append(text, std::string_view(&macro.body[k], 1));
+            else if (is_macro_letter(c) && k > 0 && macro.body[k - 1] != '\\' && !is_macro_letter(macro.body[k - 1])) append(text, std::string_view(&macro.body[k], 1));
             else text += c;
         }
         replace(begin, i, std::move(text));
@@ -219,11 +219,11 @@ private:
         if (is_braced) ++k;
         LatexMacro macro;
         if (command == "def") {
-            for (skip_blanks(k); at(k) == '#' && is_digit(at(k + 1)); k += 2) ++macro.arguments;
+            for (skip_blanks(k); at(k) == '#' && is_macro_digit(at(k + 1)); k += 2) ++macro.arguments;
             if (at(k) != '{') wrong(k, k + 1, "only '\\def' with '#1#2...' and braces is read");
         } else if (command != "DeclareMathOperator") {
             if (const auto number = optional_argument(k)) {
-                if (number->size() != 1 || !is_digit((*number)[0])) wrong(i, k, "a macro has up to nine arguments");
+                if (number->size() != 1 || !is_macro_digit((*number)[0])) wrong(i, k, "a macro has up to nine arguments");
                 macro.arguments = static_cast<std::size_t>((*number)[0] - '0');
                 macro.first = optional_argument(k);
             }
@@ -244,11 +244,11 @@ private:
 
 void define_macro(LatexMacros& macros, const Excerpt& name, const std::string& body) {
     const std::string& text = name.text;
-    if (text.size() < 2 || text[0] != '\\' || !std::all_of(text.begin() + 1, text.end(), is_letter))
+    if (text.size() < 2 || text[0] != '\\' || !std::all_of(text.begin() + 1, text.end(), is_macro_letter))
         fail(Id::syntax, name.whole(), fmt::format("'{}' is not the name of a macro; a backslash and letters are expected, such as '\\v'", text));
     LatexMacro macro{0, {}, body};
     for (std::size_t i = 0; i + 1 < body.size(); ++i)
-        if (body[i] == '#' && is_digit(body[i + 1])) macro.arguments = std::max(macro.arguments, static_cast<std::size_t>(body[i + 1] - '0'));
+        if (body[i] == '#' && is_macro_digit(body[i + 1])) macro.arguments = std::max(macro.arguments, static_cast<std::size_t>(body[i + 1] - '0'));
     macros[text.substr(1)] = std::move(macro);
 }
 
