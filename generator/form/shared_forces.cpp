@@ -91,6 +91,8 @@ struct SharedForces::Row {
     std::set<std::size_t> events;    ///< whose guards it is made of
 };
 
+SharedForces::~SharedForces() = default;
+
 SharedForces::SharedForces(System& system) : system_(system) {
     if (system.repetitions.empty()) return;
     for (std::size_t i = 0; i < system.constraints.size(); ++i) {

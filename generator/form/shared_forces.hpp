@@ -26,6 +26,9 @@ std::optional<Diagnostic> why_not_shared(const System& system, const std::vector
 class SharedForces {
 public:
     explicit SharedForces(System& system);
+    SharedForces(const SharedForces&) = delete;
+    SharedForces& operator=(const SharedForces&) = delete;
+    ~SharedForces();
     void settle();
 
 private:
