@@ -192,7 +192,7 @@ y = "s"
 [entries."numbers"]
 latex = '''42,164 = 42164, 42,164.2 = 42164.23, x + \half a = a/2 + x'''
 [entries."rounded"]
-latex = '''42164.3 = 42,164.2'''
+latex = '''42164.4 = 42,164.2'''
 [entries."fields"]
 with = { W = "x^2 + y^2", w = "vector(x^2, x*y)" }
 latex = '''\nabla^2 W = 4, \pd{W}{x} = 2 x, \nabla \cdot w = 3 x, \nabla W = \begin{pmatrix} 2 x \\ 2 y \end{pmatrix}'''
