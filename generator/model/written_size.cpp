@@ -76,7 +76,7 @@ private:
 
 class SizeCheck {
 public:
-    SizeCheck(const Names& names, const std::vector<PrintedLetter>& letters, Diagnostics& diagnostics) : size_(names, letters), diagnostics_(diagnostics) {}
+    SizeCheck(const Names& names, const std::vector<PrintedLetter>& letters, double most, Diagnostics& diagnostics) : size_(names, letters), most_(most), diagnostics_(diagnostics) {}
 
     /// The first that is too large: what is made of it is, too.
     void check(const Site& site) {
@@ -86,13 +86,14 @@ public:
             is_told_ = true;
             diagnostics_.error(Id::too_large, site.expression->span, fmt::format("with all definitions written out, {} {} is {:.4g}; the limit is {:.0f}", counted, site.what, value, most));
         };
-        if (extent.size > budget::written_size) tell("the number of operations in", extent.size, budget::written_size);
+        if (extent.size > most_) tell("the number of operations in", extent.size, most_);
         else if (extent.depth > budget::written_depth) tell("the number of operations in each other in", extent.depth, budget::written_depth);
         else if (extent.degree > budget::exponent) tell("the degree of", extent.degree, budget::exponent);
     }
 
 private:
     WrittenSize size_;
+    double most_;
     Diagnostics& diagnostics_;
     bool is_told_ = false;
 };
@@ -102,13 +103,13 @@ private:
 void check_written_sizes(const Model& model, Diagnostics& diagnostics) {
     const Names names(model);
     const std::vector<PrintedLetter> none;
-    SizeCheck check(names, none, diagnostics);
+    SizeCheck check(names, none, budget::written_size, diagnostics);
     visit(model, [&](const Site& site) { check.check(site); });
     for (const PrintedEquation& printed : model.printed) check_written_sizes(printed, names, diagnostics);
 }
 
 void check_written_sizes(const PrintedEquation& printed, const Names& names, Diagnostics& diagnostics) {
-    SizeCheck check(names, printed.letters, diagnostics);
+    SizeCheck check(names, printed.letters, budget::printed_size, diagnostics);
     visit(printed, [&](const Site& site) { check.check(site); });
 }
 

@@ -16,6 +16,7 @@ constexpr std::array table{
     StageBudget{"reading", "decimal exponent of a number", budget::number_exponent, "error number-too-large"},
     StageBudget{"checks", "operations in each other, definitions written out", budget::written_depth, "error too-large"},
     StageBudget{"checks", "operations of an expression, definitions written out", budget::written_size, "error too-large"},
+    StageBudget{"checks", "operations of a printed equation, letters written out", budget::printed_size, "error too-large"},
     StageBudget{"checks", "degree of an expression, definitions written out", budget::exponent, "error too-large"},
     StageBudget{"numbers", "exponent of a power", budget::exponent, "error number-too-large"},
     StageBudget{"numbers", "bits of an exact number", budget::bits, "error number-too-large"},

@@ -20,6 +20,7 @@ inline constexpr int number_exponent = 400;
 // what definitions and outputs come to when one is written into the other
 inline constexpr double written_depth = 20'000;
 inline constexpr double written_size = 40'000;
+inline constexpr double printed_size = 400'000;      ///< of a printed equation, whose letters mostly have numbers
 // numbers
 inline constexpr int exponent = 1'000;              ///< also the degree of what powers and products of powers come to
 inline constexpr std::size_t bits = 100'000;        ///< of an exact number

@@ -3,10 +3,13 @@
 // program: lines, brackets and quotes are all that it knows of TOML.
 #pragma once
 
+#include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace golden {
@@ -64,6 +67,9 @@ public:
             if (item.section == "runs") remove_key(item.text, "scene");
             kept.push_back(std::move(item));
         }
+        // Parameters and inputs whose readers are all left out would not have been written.
+        const std::set<std::string> were_read = names_read(items_), are_read = names_read(kept);
+        std::erase_if(kept, [&](const Item& item) { return (item.section == "parameters" || item.section == "inputs") && were_read.contains(item.name) && !are_read.contains(item.name); });
         std::string text;
         std::string header;
         for (Item& item : kept) {
@@ -97,6 +103,43 @@ private:
     static bool is_list(const std::string& section) {
         static const std::set<std::string> lists{"sizes", "parameters", "definitions", "coordinates", "inputs", "states", "outputs", "nodes", "links", "effects", "scenes", "springs", "dampers", "forces", "torques", "kinetic", "potentials", "generalised_forces", "flows", "reservoirs", "volumes", "frictions", "stops", "contacts", "saturations", "modes", "constraints", "events"};
         return lists.contains(section);
+    }
+
+    /// Names in expressions: words between quotes, but not in descriptions.
+    static std::set<std::string> names_in(const Item& item) {
+        std::set<std::string> names;
+        std::size_t end = 0;
+        for (std::size_t begin; (begin = item.text.find('"', end)) != std::string::npos; end = end + 1) {
+            end = item.text.find('"', begin + 1);
+            if (end == std::string::npos) break;
+            const std::size_t key = item.text.find_last_not_of(" =", begin == 0 ? 0 : begin - 1);
+            if (key != std::string::npos && key >= 2 && item.text.compare(key - 2, 3, "doc") == 0) continue;
+            std::string name;
+            for (std::size_t i = begin + 1; i <= end; ++i) {
+                if (std::isalnum(static_cast<unsigned char>(item.text[i])) || item.text[i] == '_') name += item.text[i];
+                else names.insert(std::exchange(name, ""));
+            }
+        }
+        return names;
+    }
+
+    /// What the machine reads. Definitions read for those who read them; runs and printed equations are no part of the machine.
+    static std::set<std::string> names_read(const std::vector<Item>& items) {
+        std::set<std::string> read;
+        std::vector<std::string> pending;
+        const auto note = [&](const Item& item) {
+            for (const std::string& name : names_in(item))
+                if (read.insert(name).second) pending.push_back(name);
+        };
+        for (const Item& item : items)
+            if (item.section != "definitions" && item.section != "printed" && item.section != "runs" && item.section != "effects" && item.section != "scenes") note(item);
+        while (!pending.empty()) {
+            const std::string name = pending.back();
+            pending.pop_back();
+            for (const Item& item : items)
+                if (item.section == "definitions" && item.name == name) note(item);
+        }
+        return read;
     }
 
     static std::string word(const std::string& line) { return line.substr(0, line.find_first_of(" =")); }
