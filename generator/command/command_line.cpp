@@ -83,6 +83,7 @@ public:
         settings(evaluate);
         mode(evaluate);
         format(evaluate, "text or json", {"text", "json"});
+        evaluate->add_option("--time", options_.time, "the time, as 0.5 (in seconds) or 3ms; 0, if left out");
         evaluate->add_option("--digits", options_.digits, "significant digits of the results")->capture_default_str()->check(CLI::Range(1, 1000));
         CLI::App* simulate = model_verb("simulate", "generate, compile and run a simulation; write CSV and plots");
         settings(simulate);

@@ -24,6 +24,7 @@ struct Options {
     std::vector<std::string> inputs;
     std::string mode;                     ///< of a machine that switches; empty: the first
     int digits = 17;
+    std::string time;  ///< of evaluate; empty: 0
     std::string run;
     std::string until;
     double tolerance = 0;                 ///< 0: as the run says

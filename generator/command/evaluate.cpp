@@ -8,6 +8,8 @@
 #include "command/settings.hpp"
 #include "command/shared.hpp"
 #include "form/quantities.hpp"
+#include "model/parser.hpp"
+#include "model/written_values.hpp"
 #include "prove/constraint_validity.hpp"
 #include "prove/motion_at.hpp"
 #include "text/budgets.hpp"
@@ -36,6 +38,14 @@ private:
     int digits_;
 };
 
+/// What --time says, in seconds. Throws Failure (syntax, unknown-unit, unit-mismatch, not-allowed-here).
+ex time_of(const Options& options, const System& system) {
+    if (options.time.empty()) return 0;
+    const ExpressionPtr time = parse_expression(excerpt_of(std::make_shared<const Source>("--time", options.time)));
+    check_dependence(*time, nothing, "the time", system.names);
+    return system.translate(*in_si(time, Unit{Dimension::time(), 1, 0, 0, "s"}, "the time", system.names), {});
+}
+
 }  // namespace
 
 ExitCode evaluate_command(const Options& options, Streams streams) {
@@ -43,6 +53,7 @@ ExitCode evaluate_command(const Options& options, Streams streams) {
     const System& system = *in_chosen_mode(machine, options).system;
     refuse_fields(system, "evaluate");
     Values values(system.scene, system.translate);
+    values.set_time(time_of(options, system));
     apply_settings(values, parse_settings(options.parameters, "parameter"), on_parameters, system);
     apply_settings(values, parse_settings(options.states, "state"), on_states, system);
     apply_settings(values, parse_settings(options.inputs, "input"), on_inputs, system);
@@ -51,13 +62,16 @@ ExitCode evaluate_command(const Options& options, Streams streams) {
     check_inputs_given(is_given, system);
     meet_constraints(system, values);
     const Evaluation at(system, values, options.digits);
+    const std::string time = at.number("t", values.substitution().at(system.symbols.time()));
 
-    nlohmann::ordered_json json = json_result("evaluate", system.scene);
-    json["digits"] = options.digits;
-    if (system.scene.mode) json["mode"] = system.scene.modes[*system.scene.mode].name;
-    std::string text = title_of(system.scene) + "\n";
     // Up to 17 digits are numbers in JSON; more would be lost there and are texts.
     const auto json_number = [&](const std::string& number) { return options.digits <= 17 ? nlohmann::ordered_json(std::strtod(number.c_str(), nullptr)) : nlohmann::ordered_json(number); };
+    nlohmann::ordered_json json = json_result("evaluate", system.scene);
+    json["digits"] = options.digits;
+    json["t"] = json_number(time);
+    if (system.scene.mode) json["mode"] = system.scene.modes[*system.scene.mode].name;
+    std::string text = title_of(system.scene) + "\n";
+    if (!options.time.empty()) text += fmt::format("t = {} s\n", time);
     const auto group = [&](const char* key, const char* title, const std::vector<std::pair<std::string, ex>>& entries) {
         json[key] = nlohmann::ordered_json::object();
         if (!entries.empty()) text += fmt::format("{}\n", title);

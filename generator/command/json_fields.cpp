@@ -124,6 +124,7 @@ constexpr auto of_evaluate = std::to_array<JsonField>({
     {"sizes.<NAME>", "sizes of families"},
     {"mode", "of a machine that switches"},
     {"digits", "significant digits; above 17 all numbers are texts"},
+    {"t", "the time, s"},
     {"parameter.<NAME>", "in SI, as everything below"},
     {"state.<NAME>", ""},
     {"input.<NAME>", ""},

@@ -139,7 +139,7 @@ void Values::set(const Expression& variable, const Expression& value, unsigned a
     throw Failure(Diagnostic{Id::unknown_name, variable.span, fmt::format("'{}' is nothing in scene '{}' that can be set here", variable.written(), scene_.name)});
 }
 
-GiNaC::exmap Values::substitution(const ex& time) const {
+GiNaC::exmap Values::substitution() const {
     const Symbols& symbols = translate_.symbols();
     GiNaC::exmap parameters;
     for (const auto& [which, value] : values_)
@@ -151,7 +151,7 @@ GiNaC::exmap Values::substitution(const ex& time) const {
     }
     for (const auto& [which, value] : values_)
         if (which.first != SymbolKind::parameter) map[symbols.get(which.first, which.second)] = value.subs(map, GiNaC::subs_options::no_pattern);
-    map[symbols.time()] = time;
+    map[symbols.time()] = time_;
     return map;
 }
 

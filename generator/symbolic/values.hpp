@@ -32,8 +32,11 @@ public:
     std::vector<GiNaC::ex> state() const;
     std::vector<GiNaC::ex> inputs() const;
 
-    /// Every letter that has a value: parameters, definitions but for steps, states, inputs, and the time as given.
-    GiNaC::exmap substitution(const GiNaC::ex& time = 0) const;
+    /// The time of the values, in seconds; 0 if it is never set.
+    void set_time(const GiNaC::ex& time) { time_ = time; }
+
+    /// Every letter that has a value: parameters, definitions but for steps, states, inputs, and the time.
+    GiNaC::exmap substitution() const;
 
 private:
     static std::pair<SymbolKind, std::size_t> key(SymbolKind kind, std::size_t i) { return {kind, i}; }
@@ -43,6 +46,7 @@ private:
 
     const Scene& scene_;
     const Translator& translate_;
+    GiNaC::ex time_ = 0;
     std::map<std::pair<SymbolKind, std::size_t>, GiNaC::ex> values_;
     std::set<std::pair<SymbolKind, std::size_t>> written_;
 };
