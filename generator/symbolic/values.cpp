@@ -44,7 +44,7 @@ void check_magnitude(const std::string& name, const ex& value, const Span& place
 std::optional<cln::cl_R> of_bounded_length(const cln::cl_R& x) {
     if (cln::zerop(x)) return x;
     if (cln::instanceof(x, cln::cl_RA_ring)) return bit_length(cln::the<cln::cl_RA>(x)) > budget::bits ? std::nullopt : std::optional(x);
-    constexpr auto most = static_cast<long long>(budget::bits);
+    constexpr auto most = static_cast<long long>(100 * budget::bits);  // of a float only the exponent grows: proofs compare exp(10^6)
     const long long exponent = cln::float_exponent(cln::the<cln::cl_F>(x));
     return exponent > most ? std::nullopt : std::optional<cln::cl_R>(exponent < -most ? cln::cl_R(0) : x);
 }

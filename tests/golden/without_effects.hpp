@@ -67,18 +67,24 @@ public:
             if (item.section == "runs") remove_key(item.text, "scene");
             kept.push_back(std::move(item));
         }
-        // Parameters and inputs whose readers are all left out would not have been written.
-        const std::set<std::string> were_read = names_read(items_), are_read = names_read(kept);
-        std::erase_if(kept, [&](const Item& item) { return (item.section == "parameters" || item.section == "inputs") && were_read.contains(item.name) && !are_read.contains(item.name); });
+        // A volume or node of which the temperature was left out has none; the energy of such a volume is not balanced.
+        for (Item& item : kept) {
+            const std::string temperature = value(item.text, "temperature");
+            if (!gone.contains(temperature.substr(0, temperature.find('[')))) continue;
+            remove_key(item.text, "temperature");
+            remove_key(item.text, item.section == "volumes" ? "heat" : "capacity");
+        }
+        // What only those read that are left out would not have been written.
+        const std::set<std::string> were_read = names_read(items_, false), are_read = names_read(kept, true);
+        std::erase_if(kept, [&](const Item& item) {
+            const bool is_data = item.section == "parameters" || item.section == "inputs";
+            const bool is_unread = !are_read.contains(item.name) && (item.section == "definitions" || (is_data && were_read.contains(item.name)));
+            if (is_unread) gone.insert(item.name);
+            return is_unread;
+        });
         std::string text;
         std::string header;
         for (Item& item : kept) {
-            // A volume or node of which the temperature was left out has none; the energy of such a volume is not balanced.
-            const std::string temperature = value(item.text, "temperature");
-            if (gone.contains(temperature.substr(0, temperature.find('[')))) {
-                remove_key(item.text, "temperature");
-                remove_key(item.text, item.section == "volumes" ? "heat" : "capacity");
-            }
             // Runs speak of what only some scenes have. Of plots nothing is generated.
             if (item.section == "runs")
                 for (const char* key : {"inputs", "start", "parameters"})
@@ -105,7 +111,7 @@ private:
         return lists.contains(section);
     }
 
-    /// Names in expressions: words between quotes, but not in descriptions.
+    /// Names in expressions: words between quotes, but not in descriptions and units.
     static std::set<std::string> names_in(const Item& item) {
         std::set<std::string> names;
         std::size_t end = 0;
@@ -113,7 +119,8 @@ private:
             end = item.text.find('"', begin + 1);
             if (end == std::string::npos) break;
             const std::size_t key = item.text.find_last_not_of(" =", begin == 0 ? 0 : begin - 1);
-            if (key != std::string::npos && key >= 2 && item.text.compare(key - 2, 3, "doc") == 0) continue;
+            const auto is_of = [&](const std::string& word) { return key != std::string::npos && key + 1 >= word.size() && item.text.compare(key + 1 - word.size(), word.size(), word) == 0; };
+            if (is_of("doc") || is_of("unit")) continue;
             std::string name;
             for (std::size_t i = begin + 1; i <= end; ++i) {
                 if (std::isalnum(static_cast<unsigned char>(item.text[i])) || item.text[i] == '_') name += item.text[i];
@@ -123,8 +130,9 @@ private:
         return names;
     }
 
-    /// What the machine reads. Definitions read for those who read them; runs and printed equations are no part of the machine.
-    static std::set<std::string> names_read(const std::vector<Item>& items) {
+    /// What the machine reads. Definitions read for those who read them; printed equations are no part of the machine,
+    /// and runs ask for what they read where it is there.
+    static std::set<std::string> names_read(const std::vector<Item>& items, bool with_runs) {
         std::set<std::string> read;
         std::vector<std::string> pending;
         const auto note = [&](const Item& item) {
@@ -132,7 +140,7 @@ private:
                 if (read.insert(name).second) pending.push_back(name);
         };
         for (const Item& item : items)
-            if (item.section != "definitions" && item.section != "printed" && item.section != "runs" && item.section != "effects" && item.section != "scenes") note(item);
+            if (item.section != "definitions" && item.section != "printed" && (with_runs || item.section != "runs") && item.section != "effects" && item.section != "scenes") note(item);
         while (!pending.empty()) {
             const std::string name = pending.back();
             pending.pop_back();

@@ -43,9 +43,12 @@ TEST_CASE("the identity of each rule is proven for letters, also of two rules on
         FormMemory memory;
         const auto check = [&](const OtherForm& form) {
             CAPTURE(std::string(form.rule));
-            const Verdict verdict = prover.equal(raised(form.form, atoms), derived).verdict;
+            const auto found = prover.equal(raised(form.form, atoms), derived);
+            const Verdict verdict = found.verdict;
+            CAPTURE(found.reason);
             // What has a real exponent has a value above zero only.
             const bool is_power = std::string(form.rule) == "differences of real powers";
+            CAPTURE(static_cast<int>(verdict));
             CHECK((verdict == Verdict::proven || (is_power && verdict == Verdict::proven_under_assumption)));
             seen.insert(form.rule);
         };
