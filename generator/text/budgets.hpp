@@ -33,7 +33,7 @@ inline constexpr std::size_t coordinates = 128;
 inline constexpr std::size_t states = 1024;
 inline constexpr std::size_t polynomial_terms = 200'000;
 inline constexpr double polynomial_products = 2e7;  ///< of one multiplication
-inline constexpr double proof_work = 5e7;           ///< of a proof: products of terms, weighed by the length of their numbers
+inline constexpr double proof_work = 1e9;           ///< of a proof: products of terms, weighed by the length of their numbers
 inline constexpr double code_work = 3e7;            ///< of an expression that becomes code: products of terms
 inline constexpr std::size_t suggestion_parts = 600;
 // runs

@@ -76,9 +76,10 @@ void catalogue(const std::string& bytes) {
         const Catalogue read = read_catalogue(source_of("fuzz.toml", bytes), diagnostics);
         for (const CatalogueEntry& entry : read.entries)
             answered([&] {
-                const CatalogueEntry with = with_equations(read, entry, nullptr);
-                const Model letters = with_letters(read, with, nullptr);
-                (void)checked_entry(read, with, letters, diagnostics);
+                for (const CatalogueEntry& with : with_equations(read, entry, nullptr)) {
+                    const Model letters = with_letters(read, with, nullptr);
+                    (void)checked_entry(read, with, letters, diagnostics);
+                }
             });
     });
 }
