@@ -66,8 +66,9 @@ one() {
   awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) { sub(/ \[.*/, "", $i); name[i] = $i } next } { for (i = 1; i <= NF; i++) { v = $i < 0 ? -$i : $i; if (v > top[i]) top[i] = v } } END { for (i in name) print name[i], top[i] + 0 }' "$csv" >scales
   local rows row states inputs
   rows=$(($(wc -l <"$csv") - 1))
-  states=$(sed -n '/ state_quantities{/,/};/s/.*Quantity{"\([^"]*\)".*/\1/p' "$header")
-  inputs=$(sed -n '/ input_quantities{/,/};/s/.*Quantity{"\([^"]*\)".*/\1/p' "$header")
+  quantities() { awk -v table=" $1{" 'index($0, table) { inside = !index($0, "{}") ; next } /^};/ { inside = 0 } inside { sub(/.*Quantity{"/, ""); sub(/".*/, ""); print }' "$header"; }
+  states=$(quantities state_quantities)
+  inputs=$(quantities input_quantities)
   for form in "${forms[@]}"; do
     IFS=: read -r file scalar flag <<<"$form"
     # shellcheck disable=SC2086  # no flag or one
@@ -76,15 +77,17 @@ one() {
       # shellcheck disable=SC2016
       values() { awk -F, -v wanted="$1" -v row="$row" 'NR == 1 { for (i = 1; i <= NF; i++) { sub(/ \[.*/, "", $i); at[$i] = i } next } NR == row + 1 { print $(at[wanted]) }' "$csv"; }
       local t mode=0 x=() u=() state=() input=() name_of
+      # a CSV is in SI, numbers without a unit on the command line are not
+      unit_of() { head -1 "$csv" | tr ',' '\n' | awk -v wanted="$1" '{ unit = $2; sub(/ \[.*/, "") } $0 == wanted { gsub(/[][]/, "", unit); print unit == "1" ? "" : " " unit }'; }
       t=$(values t)
       head -1 "$csv" | grep -q ',mode$' && mode=$(values mode)
-      for name_of in $states; do x+=("$(values "$name_of")"); state+=("$name_of=${x[-1]}"); done
-      for name_of in $inputs; do u+=("$(values "$name_of")"); input+=("$name_of=${u[-1]}"); done
+      for name_of in $states; do x+=("$(values "$name_of")"); state+=("$name_of=${x[-1]}$(unit_of "$name_of")"); done
+      for name_of in $inputs; do u+=("$(values "$name_of")"); input+=("$name_of=${u[-1]}$(unit_of "$name_of")"); done
       "./points_$scalar" "$mode" "$t" "${x[@]}" "${u[@]}" >got || { echo "$file: no values"; return 1; }
       local arguments=(--time "$t" --digits 50 --format json --state "$(IFS=,; echo "${state[*]}")")
       [ ${#input[@]} -eq 0 ] || arguments+=(--input "$(IFS=,; echo "${input[*]}")")
       ! grep -q '^mode ' got || arguments+=(--mode "$(sed -n 's/^mode //p' got)")
-      ./evaluated "${arguments[@]}" >evaluated.json 2>evaluated.txt || { echo "evaluate fails: $(head -1 evaluated.txt)"; return 1; }
+      ./evaluated "${arguments[@]}" >evaluated.json 2>evaluated.txt || { echo "evaluate fails: $(grep -m1 error evaluated.txt)"; return 1; }
       awk -F'"' '/^  "state_derivative"/ { kind = "rate" } /^  "output"/ { kind = "output" } /^  }/ { kind = "" }
         kind && /^    / { print kind, ($2), ($4) }' evaluated.json >rates_and_outputs
       # the rates of a header stand in the order of its states; evaluate names them dot(...)
