@@ -124,7 +124,7 @@ FileResult check_catalogue(const SourcePtr& source, const Options& options, Stre
         result.part.problems.push_back({entry.name, verdict, reason});
         if (as_text) streams.out << fmt::format("  {:<{}} {}: {}\n", safe_line(entry.name), width, verdict, safe_line(reason)) << std::flush;
     };
-    check_entries(catalogue, !options.pages.empty(), {}, [&](const CatalogueEntry& entry, const EntryOutcome& outcome) {
+    check_entries(catalogue, !options.pages.empty(), [&](const CatalogueEntry& entry, const EntryOutcome& outcome) {
         for (const Diagnostic& d : outcome.errors) {
             result.json["errors"].push_back(as_json(entry.name, d));
             const auto is_same = [&](const Diagnostic& other) { return other.message == d.message && other.span.source == d.span.source && other.span.begin == d.span.begin; };

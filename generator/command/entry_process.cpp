@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command/catalogue_verdicts.hpp"
+#include "text/budgets.hpp"
 #include "text/guardian.hpp"
 
 namespace dalembert {
@@ -119,7 +120,7 @@ void set_processor_time(int seconds) {
 }
 
 /// One line for each entry from the given one on. Does not come back.
-[[noreturn]] void run_child(const Catalogue& catalogue, bool for_pages, const EntryLimits& limits, std::size_t first, int file) {
+[[noreturn]] void run_child(const Catalogue& catalogue, bool for_pages, std::size_t first, int file) {
     signal(SIGPROF, SIG_DFL);
     // What ends the program ends this process as well: it leads a group that the program's guardian knows.
     setpgid(0, 0);
@@ -127,7 +128,7 @@ void set_processor_time(int seconds) {
     sigemptyset(&none);
     pthread_sigmask(SIG_SETMASK, &none, nullptr);
     if (limits_memory()) {
-        const rlim_t bytes = limits.gigabytes << 30U;
+        const rlim_t bytes = budget::entry_bytes;
         const rlimit limit{bytes, bytes};
         setrlimit(RLIMIT_DATA, &limit);
     }
@@ -136,7 +137,7 @@ void set_processor_time(int seconds) {
     {
         CatalogueVerdicts verdicts(catalogue, for_pages);
         for (std::size_t i = first; i < catalogue.entries.size(); ++i) {
-            set_processor_time(limits.seconds);
+            set_processor_time(budget::entry_seconds);
             const std::string line = checked(verdicts, catalogue.entries[i]).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
             set_processor_time(0);
             write_all(file, line);
@@ -145,8 +146,8 @@ void set_processor_time(int seconds) {
     _exit(0);
 }
 
-std::string why_it_ended(int status, const EntryLimits& limits) {
-    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF) return fmt::format("it needs more than {} s of processor time", limits.seconds);
+std::string why_it_ended(int status) {
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF) return fmt::format("it needs more than {} s of processor time", budget::entry_seconds);
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) return "it was ended from outside, as for lack of memory";
     if (WIFSIGNALED(status)) return fmt::format("the program broke down at it (signal {}), which is a defect of the program", WTERMSIG(status));
     return "the program ended at it, which is a defect of the program";
@@ -162,7 +163,7 @@ EntryOutcome outcome_of(const Json& json, Sources& sources) {
 
 }  // namespace
 
-void check_entries(const Catalogue& catalogue, bool for_pages, const EntryLimits& limits, const std::function<void(const CatalogueEntry&, const EntryOutcome&)>& done) {
+void check_entries(const Catalogue& catalogue, bool for_pages, const std::function<void(const CatalogueEntry&, const EntryOutcome&)>& done) {
     Sources sources(catalogue.source);
     for (std::size_t next = 0; next < catalogue.entries.size();) {
         std::array<int, 2> pipe_ends{};
@@ -170,7 +171,7 @@ void check_entries(const Catalogue& catalogue, bool for_pages, const EntryLimits
         const pid_t child = has_pipe ? fork() : -1;
         if (child == 0) {
             close(pipe_ends[0]);
-            run_child(catalogue, for_pages, limits, next, pipe_ends[1]);
+            run_child(catalogue, for_pages, next, pipe_ends[1]);
         }
         if (child > 0) {
             setpgid(child, child);  // here as well: whichever comes first
@@ -193,7 +194,7 @@ void check_entries(const Catalogue& catalogue, bool for_pages, const EntryLimits
         Leftovers::all().remove_child(child);
         if (next < catalogue.entries.size()) {
             const CatalogueEntry& entry = catalogue.entries[next++];
-            done(entry, {{}, {}, why_it_ended(status, limits)});
+            done(entry, {{}, {}, why_it_ended(status)});
         }
     }
 }

@@ -16,12 +16,7 @@ struct EntryOutcome {
     std::string stopped = {};             ///< why its check came to no end
 };
 
-struct EntryLimits {
-    int seconds = 300;        ///< of processor time
-    std::size_t gigabytes = 4;
-};
-
-/// Calls done(entry, outcome) for all entries, in order.
-void check_entries(const Catalogue& catalogue, bool for_pages, const EntryLimits& limits, const std::function<void(const CatalogueEntry&, const EntryOutcome&)>& done);
+/// Calls done(entry, outcome) for all entries, in order. The budgets of each are budget::entry_seconds and budget::entry_bytes.
+void check_entries(const Catalogue& catalogue, bool for_pages, const std::function<void(const CatalogueEntry&, const EntryOutcome&)>& done);
 
 }  // namespace dalembert

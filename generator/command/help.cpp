@@ -70,7 +70,7 @@ std::string json_reference() {
 std::string limit_reference() {
     std::string text = "What each stage may spend at most. Beyond a count, the same input ends at the same place on every machine.\n";
     for (const StageBudget& row : budgets()) text += fmt::format("  {:<18} {:<50} {:>8g}  {}\n", row.stage, row.what, row.most, row.beyond);
-    return text + "Modes, cells and sizes of single elements have limits of their own, named where they are passed.\n";
+    return text + "Cells and sizes of single elements have limits of their own, named where they are passed.\n";
 }
 
 }  // namespace

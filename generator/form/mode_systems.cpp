@@ -9,6 +9,7 @@
 #include <set>
 
 #include "text/diagnostic.hpp"
+#include "text/budgets.hpp"
 
 namespace dalembert {
 
@@ -16,11 +17,9 @@ namespace {
 
 using Systems = std::vector<std::unique_ptr<System>>;
 
-constexpr std::size_t most_modes = 64;
-
 [[noreturn]] void too_many(const Scene& scene) {
     const ModeGroup& last = *scene.mode_groups.back();
-    throw Failure(Diagnostic{Id::too_large, last.span, fmt::format("scene '{}' has more than {} modes that can be, of {} combinations, and this version derives no more: each of '{}' goes with each of the other groups", scene.name, most_modes, scene.modes.size(), last.name)});
+    throw Failure(Diagnostic{Id::too_large, last.span, fmt::format("scene '{}' has more than {} modes that can be, of {} combinations, and this version derives no more: each of '{}' goes with each of the other groups", scene.name, budget::modes, scene.modes.size(), last.name)});
 }
 
 bool is_same_limit(const EventEquation& a, const EventEquation& b) { return a.name == b.name && a.doc == b.doc; }
@@ -74,7 +73,7 @@ std::vector<std::unique_ptr<System>> derive_modes(const Names& names, const Scen
     for (std::size_t mode = 0; mode < scene.modes.size(); ++mode) {
         try {
             modes.push_back(derive(names, in_mode(scene, mode)));
-            if (modes.size() > most_modes) too_many(scene);
+            if (modes.size() > budget::modes) too_many(scene);
         } catch (const Failure& failure) {
             if (failure.diagnostics().front().id != Id::doubly_determined) throw;
             if (!overdetermined) overdetermined = failure;

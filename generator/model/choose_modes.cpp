@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/choose_modes.hpp"
+#include "text/budgets.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +11,6 @@
 namespace dalembert {
 
 namespace {
-
-constexpr std::size_t most_combinations = 1024;
 
 bool leads_to(const std::vector<Condition>& next, const std::string& mode) {
     std::vector<std::pair<std::string, Span>> named;
@@ -119,8 +118,8 @@ void choose_modes(Scene& scene) {
                 longer.push_back({mode.name.empty() ? part.name : mode.name + "_and_" + part.name, mode.parts});
                 longer.back().parts.push_back(&part);
             }
-        if (longer.size() > most_combinations)
-            throw Failure(Diagnostic{Id::too_large, group->span, fmt::format("scene '{}' has {} combinations of modes or more, this version looks at {} at most: each of '{}' goes with each of the other groups", scene.name, longer.size(), most_combinations, group->name)});
+        if (longer.size() > budget::mode_combinations)
+            throw Failure(Diagnostic{Id::too_large, group->span, fmt::format("scene '{}' has {} combinations of modes or more, this version looks at {} at most: each of '{}' goes with each of the other groups", scene.name, longer.size(), budget::mode_combinations, group->name)});
         scene.modes = std::move(longer);
     }
     std::set<std::string> names;

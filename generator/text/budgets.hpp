@@ -36,6 +36,12 @@ inline constexpr double polynomial_products = 2e7;  ///< of one multiplication
 inline constexpr double proof_work = 1e9;           ///< of a proof: products of terms, weighed by the length of their numbers
 inline constexpr double code_work = 3e7;            ///< of an expression that becomes code: products of terms
 inline constexpr std::size_t suggestion_parts = 600;
+// modes
+inline constexpr std::size_t mode_combinations = 1'024;
+inline constexpr std::size_t modes = 64;            ///< of these, that can be
+// an entry of a catalogue, in a process of its own
+inline constexpr int entry_seconds = 300;           ///< of processor time
+inline constexpr std::size_t entry_bytes = 4'000'000'000;
 // runs
 inline constexpr double steps = 1e8;                ///< as in IntegrationOptions::max_steps
 inline constexpr int samples = 1'000'000;

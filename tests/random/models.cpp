@@ -162,7 +162,7 @@ void add_oil_chamber(Machine& m) {
         m.model.parameter("p_s", "8", "bar");
         m.model.parameter("p_t", "1", "bar");
         m.model.parameter("A_k", "2", "cm^2");
-        m.model.parameter("a_k", "0.5", "mm^2");
+        m.model.parameter("a_k", "20", "mm^2");
         m.model.parameter("p_w", "0.05", "bar");
         m.model.parameter("k_l", "1e-11", "m^3/(s*Pa)");
         m.model.parameter("x_d", "1", "m");

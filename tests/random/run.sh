@@ -87,7 +87,8 @@ one() {
       local arguments=(--time "$t" --digits 50 --format json --state "$(IFS=,; echo "${state[*]}")")
       [ ${#input[@]} -eq 0 ] || arguments+=(--input "$(IFS=,; echo "${input[*]}")")
       ! grep -q '^mode ' got || arguments+=(--mode "$(sed -n 's/^mode //p' got)")
-      ./evaluated "${arguments[@]}" >evaluated.json 2>evaluated.txt || { echo "evaluate fails: $(grep -m1 error evaluated.txt)"; return 1; }
+      # a run may leave declared ranges before it stops; there nothing is evaluated
+      ./evaluated "${arguments[@]}" >evaluated.json 2>evaluated.txt || { grep -q value-out-of-range evaluated.txt && continue; echo "evaluate fails: $(grep -m1 error evaluated.txt)"; return 1; }
       awk -F'"' '/^  "state_derivative"/ { kind = "rate" } /^  "output"/ { kind = "output" } /^  }/ { kind = "" }
         kind && /^    / { print kind, ($2), ($4) }' evaluated.json >rates_and_outputs
       # the rates of a header stand in the order of its states; evaluate names them dot(...)
