@@ -11,8 +11,8 @@ namespace dalembert {
 
 namespace {
 
-/// Where states and their derivatives are finite, their slopes are not: those of flows like a root, where they come to balance.
-std::string near_exact_roots(const Scene& scene) {
+/// Flows like a root, whose slopes are infinite where they come to balance, and the remedy; empty without any.
+std::string near_exact_roots(const Scene& scene, const char* before) {
     std::string flows;
     for (const auto& member : scene.flows) {
         const Flow& flow = *member.item;
@@ -20,7 +20,7 @@ std::string near_exact_roots(const Scene& scene) {
         if (is_root && !flow.width && !flow.switches) flows += fmt::format("{}'{}'", flows.empty() ? "" : ", ", member.name());
     }
     if (flows.empty()) return "";
-    return fmt::format("; every state and derivative is finite, but a flow like a root has an infinite slope where the pressures at its ends come to balance, here one of {}; with a `width` (a pressure) its law is smooth there", flows);
+    return fmt::format("; {}a flow like a root has an infinite slope where the pressures at its ends come to balance, here one of {}; with a `width` (a pressure) its law is smooth there", before, flows);
 }
 
 /// "dop853", "dop853 for 20 steps, rodas5p for 100 (stiff)"
@@ -84,11 +84,12 @@ ExitCode simulate_command(const Options& options, Streams streams) {
         }
         std::string why;
         if (!report.constraint.empty()) why = cause(report);
-        if (report.status == "not finite") why = report.culprit.empty() ? near_exact_roots(prepared.machine.system->scene) : fmt::format("; state '{}' or its derivative is not finite", report.culprit);
+        if (report.status == "not finite") why = report.culprit.empty() ? near_exact_roots(prepared.machine.system->scene, "every state and derivative is finite, but ") : fmt::format("; state '{}' or its derivative is not finite", report.culprit);
         if (report.status == "step too small")
             why = fmt::format("{}; try a larger --tolerance than {:g}, and look there for something that jumps or grows without bound", report.culprit.empty() ? "" : fmt::format(": the error of state '{}' stays too large however short a step is", report.culprit),
                               prepared.settings.tolerance);
-        if (report.status == "too many steps") why = "; try a larger --tolerance, a shorter --until, or an implicit --method";
+        if (report.status == "too many steps")
+            why = fmt::format("; try a larger --tolerance, a shorter --until, or an implicit --method{}", near_exact_roots(prepared.machine.system->scene, "or, if it nears a balance: "));
         streams.err << fmt::format("dalembert: the run stopped at t = {} s: {}{}\n", report.t, report.guard.empty() ? report.status : report.guard, why);
         return ExitCode::run_stopped;
     }

@@ -166,7 +166,7 @@ private:
         bool not_finite = false;
         h = stepper_->suggested(here(), h);
         while (true) {
-            if (outcome_.steps + outcome_.rejected >= options_.max_steps) return Status::too_many_steps;
+            if (outcome_.steps + outcome_.rejected >= options_.max_steps || is_hopeless()) return Status::too_many_steps;
             if (options_.max_step > Scalar(0) && h > options_.max_step) h = options_.max_step;
             bool clipped = h >= limit;
             c.length = clipped ? limit : h;
@@ -190,11 +190,24 @@ private:
         }
     }
 
+    /// Whether the rest of the run takes more than max_steps at the pace of the last 2 million, so that it ends in seconds and not in minutes.
+    bool is_hopeless() {
+        constexpr std::size_t looked_at = 2000000;
+        const std::size_t tries = outcome_.steps + outcome_.rejected;
+        if (tries - tries_at_mark_ < looked_at) return false;
+        const Scalar pace = (t_ - mark_) / Scalar(static_cast<double>(tries - tries_at_mark_));
+        mark_ = t_;
+        tries_at_mark_ = tries;
+        return pace * Scalar(static_cast<double>(options_.max_steps)) < to_ - t_;
+    }
+
     void observe_up_to_now(std::size_t& next) {
         for (; next <= options_.intervals && control_.output_time(next) <= t_; ++next) observe(control_.output_time(next));
     }
 
     std::size_t next_ = 1;  ///< the first output point behind the start
+    Scalar mark_ = t_;      ///< time of the last look at the pace
+    std::size_t tries_at_mark_ = 0;
 };
 
 }  // namespace detail

@@ -48,7 +48,7 @@ struct IntegrationOptions {
     std::vector<Scalar> kinks = {};
     std::size_t order = 0;            ///< of Method::taylor; 0: from the tolerance
     std::size_t intervals = 1;        ///< the observer sees the two ends and the points that divide the run into so many parts
-    std::size_t max_steps = 100000000;
+    std::size_t max_steps = 100000000;  ///< also ends a run whose pace over 2 million steps would need more for the rest
     std::size_t max_events = 100000;  ///< guards that change their sign, before the run is stopped as an event storm
 
     bool has_fixed_steps() const { return is_fixed || method == Method::rk4 || method == Method::euler || method == Method::symplectic; }

@@ -299,3 +299,15 @@ TEST_CASE("float and long double") {
     CHECK(integrate([](const Long& x, long double, Long& dxdt) { dxdt[0] = -x[0]; }, b, 0.0L, 1.0L, high, [](long double, const Long&) {}).status == Status::success);
     CHECK(std::abs(b[0] - std::exp(-1.0L)) < 1e-17L);
 }
+
+TEST_CASE("a run whose pace leads nowhere ends after 2 million steps, not after 100 million") {
+    // An explicit method on x' = -1e9 (x - 1): steps of some 3e-9 s, of a run of 1000 s.
+    using One = std::array<double, 1>;
+    IntegrationOptions<One> options;
+    options.method = Method::dopri5;
+    One x{1.5};
+    const auto outcome = integrate([](const One& y, double, One& dxdt) { dxdt[0] = -1e9 * (y[0] - 1); }, x, 0.0, 1000.0, options, [](double, const One&) {});
+    CHECK(outcome.status == Status::too_many_steps);
+    CHECK(outcome.steps + outcome.rejected <= 2000001);
+    CHECK(x[0] == doctest::Approx(1));
+}
