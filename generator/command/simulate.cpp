@@ -23,18 +23,32 @@ std::string near_exact_roots(const Scene& scene, const char* before) {
     return fmt::format("; {}a flow like a root has an infinite slope where the pressures at its ends come to balance, here one of {}; with a `width` (a pressure) its law is smooth there", before, flows);
 }
 
+/// Of a run that a constraint ended.
+std::string cause(const SimulationReport& report) {
+    if (report.status == "singular position") return fmt::format("; constraint '{}' depends on the others there, and no step leads over it", report.constraint);
+    return fmt::format("; '{}' cannot be held there", report.constraint);
+}
+
+/// What is to blame and what to try, as the end of a sentence.
+std::string why_it_stopped(const PreparedSimulation& prepared, const SimulationReport& report) {
+    if (!report.constraint.empty()) return cause(report);
+    const Scene& scene = prepared.machine.system->scene;
+    if (report.status == "not finite")
+        return report.culprit.empty() ? near_exact_roots(scene, "every state and derivative is finite, but ") : fmt::format("; state '{}' or its derivative is not finite", report.culprit);
+    if (report.status == "step too small")
+        return fmt::format("{}; try a larger --tolerance than {:g}, and look there for something that jumps or grows without bound",
+                           report.culprit.empty() ? "" : fmt::format(": the error of state '{}' stays too large however short a step is", report.culprit), prepared.settings.tolerance);
+    if (report.status == "too many steps")
+        return fmt::format("; try a larger --tolerance, a shorter --until, or an implicit --method{}", near_exact_roots(scene, "or, if it nears a balance: "));
+    return "";
+}
+
 /// "dop853", "dop853 for 20 steps, rodas5p for 100 (stiff)"
 std::string methods_text(const SimulationReport& report) {
     if (report.methods.size() == 1 && report.methods[0].first != "rodas5p") return report.methods[0].first;
     std::string text;
     for (const auto& [method, steps] : report.methods) text += fmt::format("{}{} for {}{}{}", text.empty() ? "" : ", ", method, steps, text.empty() ? " steps" : "", method == "rodas5p" ? " (stiff)" : "");
     return text;
-}
-
-/// Of a run that a constraint ended.
-std::string cause(const SimulationReport& report) {
-    if (report.status == "singular position") return fmt::format("; constraint '{}' depends on the others there, and no step leads over it", report.constraint);
-    return fmt::format("; '{}' cannot be held there", report.constraint);
 }
 
 }  // namespace
@@ -78,19 +92,11 @@ ExitCode simulate_command(const Options& options, Streams streams) {
         for (const auto& [path, content] : report.files) streams.out << path.string() << "\n";
     }
     if (!report.is_good()) {
-        if (report.lost && report.guard.empty() && report.culprit.empty() && report.constraint.empty()) {
-            streams.err << fmt::format("dalembert: the run stopped: {}\n", report.message);
-            return ExitCode::run_stopped;
-        }
-        std::string why;
-        if (!report.constraint.empty()) why = cause(report);
-        if (report.status == "not finite") why = report.culprit.empty() ? near_exact_roots(prepared.machine.system->scene, "every state and derivative is finite, but ") : fmt::format("; state '{}' or its derivative is not finite", report.culprit);
-        if (report.status == "step too small")
-            why = fmt::format("{}; try a larger --tolerance than {:g}, and look there for something that jumps or grows without bound", report.culprit.empty() ? "" : fmt::format(": the error of state '{}' stays too large however short a step is", report.culprit),
-                              prepared.settings.tolerance);
-        if (report.status == "too many steps")
-            why = fmt::format("; try a larger --tolerance, a shorter --until, or an implicit --method{}", near_exact_roots(prepared.machine.system->scene, "or, if it nears a balance: "));
-        streams.err << fmt::format("dalembert: the run stopped at t = {} s: {}{}\n", report.t, report.guard.empty() ? report.status : report.guard, why);
+        const std::string why = why_it_stopped(prepared, report);
+        if (report.lost && report.guard.empty() && report.culprit.empty() && report.constraint.empty())
+            streams.err << fmt::format("dalembert: the run stopped: {}{}\n", report.message, why);
+        else
+            streams.err << fmt::format("dalembert: the run stopped at t = {} s: {}{}\n", report.t, report.guard.empty() ? report.status : report.guard, why);
         return ExitCode::run_stopped;
     }
     if (!report.keeps_energy()) {
