@@ -13,12 +13,7 @@ namespace {
 
 /// Flows like a root, whose slopes are infinite where they come to balance, and the remedy; empty without any.
 std::string near_exact_roots(const Scene& scene, const char* before) {
-    std::string flows;
-    for (const auto& member : scene.flows) {
-        const Flow& flow = *member.item;
-        const bool is_root = flow.law == Flow::Law::hydraulic_orifice || flow.law == Flow::Law::pneumatic_orifice || (flow.law == Flow::Law::check_valve && flow.area);
-        if (is_root && !flow.width && !flow.switches) flows += fmt::format("{}'{}'", flows.empty() ? "" : ", ", member.name());
-    }
+    const std::string flows = exact_roots(scene);
     if (flows.empty()) return "";
     return fmt::format("; {}a flow like a root has an infinite slope where the pressures at its ends come to balance, here one of {}; with a `width` (a pressure) its law is smooth there", before, flows);
 }
@@ -86,6 +81,8 @@ ExitCode simulate_command(const Options& options, Streams streams) {
         if (!report.methods.empty()) streams.out << fmt::format("method: {}\n", methods_text(report));
         const char* energy = prepared.machine.system->has_balances() ? "T + |V| + |internal energy|" : "T + |V|";
         streams.out << fmt::format("energy error: max |E - E(0) - work| / max({}) = {}\n", energy, report.energy_error);
+        if (const std::string roots = exact_roots(prepared.machine.system->scene); report.is_good() && report.keeps_energy() && !roots.empty() && report.energy_error > 10 * prepared.settings.tolerance)
+            streams.out << fmt::format("note: near balance flows like a root, here {}, have fewer digits than the pressures, and so has the energy; a smaller --tolerance gives more, a `width` (a pressure) all\n", roots);
         if (report.euler_step) streams.out << fmt::format("explicit Euler at the start: stable up to steps of {:.6g} s\n", *report.euler_step);
         if (report.lost) streams.out << fmt::format("energy lost at events: {} J; mode at the end: {}\n", *report.lost, report.mode);
         if (report.ended) streams.out << report.message << "\n";

@@ -48,6 +48,16 @@ double energy_limit(const SimulationSettings& settings) {
 
 }  // namespace
 
+std::string exact_roots(const Scene& scene) {
+    std::string flows;
+    for (const auto& member : scene.flows) {
+        const Flow& flow = *member.item;
+        const bool is_root = flow.law == Flow::Law::hydraulic_orifice || flow.law == Flow::Law::pneumatic_orifice || (flow.law == Flow::Law::check_valve && flow.area);
+        if (is_root && !flow.width && !flow.switches) flows += fmt::format("{}'{}'", flows.empty() ? "" : ", ", member.name());
+    }
+    return flows;
+}
+
 std::string energy_warning(const PreparedSimulation& prepared, const SimulationReport& report) {
     const SimulationSettings& settings = prepared.settings;
     std::string cause;
@@ -55,6 +65,8 @@ std::string energy_warning(const PreparedSimulation& prepared, const SimulationR
     else if (settings.tolerance > 1e-7) cause = fmt::format("the tolerance of {:g} is likely to be too coarse: try --tolerance {:g}", settings.tolerance, settings.tolerance / 1000);
     else if (report.steps <= 2 * static_cast<std::size_t>(settings.intervals) && report.rejected * 10 < report.steps)
         cause = fmt::format("something shorter than the steps of some {:.2g} s, a pulse or a jump, was likely stepped over: try more --samples", report.t / static_cast<double>(std::max<std::size_t>(1, report.steps)));
+    else if (const std::string roots = exact_roots(prepared.machine.system->scene); !roots.empty())
+        cause = fmt::format("near balance flows like a root, here {}, have fewer digits than the pressures: try a smaller --tolerance, or a `width` (a pressure)", roots);
     else cause = "something jumps that the steps do not see, or digits cancel: try a smaller --tolerance, and declare the jump as an event, a mode or a function of time with `step`, `pulse` or `if`";
     return fmt::format("the energy error of {:.2g} is above the limit of {:g}, so that the results are not to be trusted; {}", report.energy_error, report.energy_limit, cause);
 }

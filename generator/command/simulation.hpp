@@ -87,6 +87,9 @@ private:
     std::size_t bytes_ = 0;
 };
 
+/// The flows like a root, whose slopes are infinite where they come to balance: "'a', 'b'", or empty.
+std::string exact_roots(const Scene& scene);
+
 /// What to think of a run that does not keep its energy: a sentence with the likely cause.
 std::string energy_warning(const PreparedSimulation& prepared, const SimulationReport& report);
 /// Compiles and runs it. Throws Failure.

@@ -99,7 +99,7 @@ public:
     void run() {
         for (const ex& equation : equations()) look_at(equation);
         for (const auto& [text, by] : found_) {
-            const bool is_known = std::any_of(system_.guards.begin(), system_.guards.end(), [&](const Guard& guard) { return (guard.value - by).expand().is_zero() || (guard.value + by).expand().is_zero(); });
+            const bool is_known = std::any_of(system_.guards.begin(), system_.guards.end(), [&by = by](const Guard& guard) { return (guard.value - by).expand().is_zero() || (guard.value + by).expand().is_zero(); });
             if (!is_known) system_.guards.push_back({text, fmt::format("kink or jump where {} is zero", text), false, by});
         }
     }

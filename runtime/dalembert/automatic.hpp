@@ -87,6 +87,7 @@ struct Choice {
     Kind kind = dopri5;
     bool is_smooth = true;  ///< in this part: dop853 has not had most of its steps rejected
     std::size_t patience = 2;  ///< how often in succession stability is to be what limits steps
+    Scalar implicit_pace = Scalar(0);  ///< s for each step of an explicit method in the same time, when Rodas5P ran last
     std::array<std::size_t, 3> steps{};
     SpectralRadius<Scalar, n> radius;
 };
@@ -116,7 +117,10 @@ public:
         }
         number_ = from.number;
         if (tried_ == window) reconsider(from);
+        if (tried_ == 0) window_begin_ = from.t;
+        if (stint_ == 0) stint_begin_ = from.t;
         ++tried_;
+        ++stint_;
         length_ = c.length;
         now_->take(from, c);
     }
@@ -134,6 +138,7 @@ private:
 
     void take_up(typename Memory::Kind kind) {
         memory_.kind = kind;
+        stint_ = 0;
         if (kind == Memory::dopri5) now_ = &stepper_.template emplace<Dopri5>(rhs_);
         if (kind == Memory::dop853) now_ = &stepper_.template emplace<Dop853>(rhs_);
         if constexpr (has_implicit)
@@ -184,7 +189,8 @@ private:
         const Scalar reach = longest_ * memory_.radius(derivatives_, size);
         if (memory_.kind != Memory::rodas5p) {
             often_ = reach > limit() ? often_ + 1 : 0;
-            if (often_ < memory_.patience) return;
+            const Scalar pace = (from.t - window_begin_) / Scalar(static_cast<double>(tried_));
+            if (often_ < memory_.patience && !(often_ > 1 && Scalar(8) * pace < memory_.implicit_pace)) return;
             take_up(Memory::rodas5p);
             often_ = 0;
         } else {
@@ -192,6 +198,7 @@ private:
             often_ = reach > Scalar(explicit_steps_for_one()) * limit() ? 0 : often_ + 1;
             if (often_ < 2) return;
             if (reach > limit()) memory_.patience = std::min<std::size_t>(4 * memory_.patience, 1000);
+            memory_.implicit_pace = (from.t - stint_begin_) / Scalar(static_cast<double>(stint_) * explicit_steps_for_one());
             take_up(explicit_kind());
             often_ = 0;
         }
@@ -212,6 +219,8 @@ private:
     std::size_t all_ = 0, good_ = 0;        ///< in the long one
     std::size_t often_ = 0;                 ///< windows in succession that speak for another method
     Scalar length_ = Scalar(0), longest_ = Scalar(0);  ///< s, of steps
+    std::size_t stint_ = 0;                            ///< steps tried since the present method was taken up
+    Scalar stint_begin_ = Scalar(0), window_begin_ = Scalar(0);  ///< s
 };
 
 /// Those with which a linear system can be solved.

@@ -33,13 +33,14 @@ protected:
         return result_.state == x_.size();
     }
 
-    /// Takes the first of the modes that accepts the state, or else the first one in which an event happens at once.
+    /// Takes the first of the modes that accepts the state, or else the first one in which an event happens at once, or where `is_late` has
+    /// happened an instant ago.
     template <class Modes>
-    bool choose(const Modes& modes, std::size_t& event) {
+    bool choose(const Modes& modes, std::size_t& event, bool is_late = false) {
         const Input u = inputs_(x_, t_);
         bool is_found = false;
         for (const Mode mode : modes) {
-            const Acceptance answer = acceptance(system_, mode, x_, u, t_, control_.tiny(t_));
+            const Acceptance answer = acceptance(system_, mode, x_, u, t_, control_.tiny(t_), is_late);
             if (!answer.is_possible || (is_found && answer.event != none)) continue;
             here_.mode = mode;
             event = answer.event;

@@ -104,10 +104,10 @@ struct Acceptance {
     std::size_t event = Outcome::none;
 };
 
-/// In `mode` at (t, x). What falls through zero within `instant`, in s, happens at once.
+/// In `mode` at (t, x). What falls through zero within `instant`, in s, happens at once; where `is_late`, so does what fell within the last two.
 template <class System>
 Acceptance acceptance(const System& system, typename System::Mode mode, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t,
-                      typename System::scalar_type instant) {
+                      typename System::scalar_type instant, bool is_late = false) {
     using Scalar = typename System::scalar_type;
     if constexpr (has_conditions<System>)
         if (!system.holds(mode, x, u, t)) return {};
@@ -117,7 +117,8 @@ Acceptance acceptance(const System& system, typename System::Mode mode, const ty
     Acceptance result{true, Outcome::none};
     for (std::size_t e = 0; e < g.size(); ++e) {
         if (!System::is_watched(mode, e)) continue;
-        if (!(g[e] >= Scalar(0))) return {};
+        const bool fell = is_late && g[e] < Scalar(0) && g[e] >= Scalar(2) * instant * rates[e];
+        if (!(g[e] >= Scalar(0)) && !fell) return {};
         const bool falls = g[e] == Scalar(0) ? !(rates[e] >= Scalar(0)) : g[e] + instant * rates[e] <= Scalar(0);
         if (falls && result.event == Outcome::none) result.event = e;
     }

@@ -101,6 +101,25 @@ public:
         c.finite = are_finite(c.y, c.dydt);
     }
 
+    /// The estimate of the error is that of the Jacobian at the start. Where that is much larger than at the end, as for a flow like a root
+    /// that leaves balance, every increment is small, and so is the estimate. There the rate at the end does not fit the step, by more
+    /// than the Jacobian at the end allows for.
+    void check(const Point<State>& from, Candidate<State>& c) override {
+        using std::abs;
+        prepare(c.y, c.end);
+        Increment diagonal{};
+        derivatives_.for_each_entry([&](std::size_t row, std::size_t column, const Scalar& value) {
+            if (row == column) diagonal[row] = value;
+        });
+        const Scalar rate = Scalar(1) / c.length;
+        for (std::size_t r = 0; r < n; ++r) {
+            Scalar slope = c.y[r] - from.x[r];
+            for (std::size_t j = 0; j < Table::stages; ++j) slope -= Scalar(Table::dense[0][j] + Table::dense[1][j] + Table::dense[2][j]) * u_[j][r];
+            const Scalar unfit = abs(c.dydt[r] - rate * slope) / (rate / Scalar(Table::gamma) + abs(diagonal[r]));
+            if (unfit > Scalar(20) * abs(c.error[r])) c.error[r] = unfit / Scalar(20);
+        }
+    }
+
     void between(const Point<State>& from, Candidate<State>& c, Scalar t, State& x) override {
         const Scalar s = (t - from.t) / c.length;
         interpolate(from, c, s, x);
@@ -108,16 +127,38 @@ public:
     }
 
 private:
-    /// Events repeat steps from one point: the Jacobian is computed there once.
-    bool factor(const Point<State>& from, Scalar length) {
-        if (!is_prepared_ || prepared_ != from.number) derivatives_.prepare(from.x, from.t);
+    /// Events repeat steps from one point, and the end of a step is the next start: the Jacobian is computed there once.
+    void prepare(const State& x, const Scalar& t) {
+        if (is_prepared_ && prepared_t_ == t && prepared_x_ == x) return;
+        derivatives_.prepare(x, t);
         is_prepared_ = true;
-        prepared_ = from.number;
+        prepared_t_ = t;
+        prepared_x_ = x;
+    }
+
+    bool factor(const Point<State>& from, Scalar length) {
+        prepare(from.x, from.t);
+        if (fill(length) && W_.factor()) return true;
+        // A flow like a root at balance has an infinite slope: one a little further on serves, with short steps, or in very short ones none.
+        State ahead = from.x;
+        for (std::size_t i = 0; i < ahead.size(); ++i) ahead[i] += length * from.dxdt[i];
+        prepare(ahead, from.t + length);
+        (void)fill(length);
+        return W_.factor();
+    }
+
+    /// W = 1/(length gamma) - J without entries that are not finite; false where there are such.
+    bool fill(const Scalar& length) {
+        using std::isfinite;
+        bool is_finite = true;
         W_.clear();
-        derivatives_.for_each_entry([this](std::size_t row, std::size_t column, const Scalar& value) { W_.add(row, column, -value); });
+        derivatives_.for_each_entry([&](std::size_t row, std::size_t column, const Scalar& value) {
+            if (isfinite(value)) W_.add(row, column, -value);
+            else is_finite = false;
+        });
         const Scalar diagonal = Scalar(1) / (length * Scalar(Table::gamma));
         for (std::size_t i = 0; i < n; ++i) W_.add(i, i, diagonal);
-        return W_.factor();
+        return is_finite;
     }
 
     template <std::size_t... i>
@@ -165,20 +206,26 @@ private:
         }
     }
 
-    /// Integrals over the step: Lobatto's rule with four points, order 6, on the dense output, whose error h^5 becomes h^6. They follow
-    /// the states, whose errors are those that are watched.
+    /// Integrals over the step: Lobatto's rule with four points, order 6, on the dense output, whose error h^5 becomes h^6. Their error is
+    /// told by the difference from Simpson's rule: a rate may need shorter steps than the states, as a flow like a root does near balance.
     void integrate_over(const Point<State>& from, Candidate<State>& c) {
         using std::sqrt;
         const Scalar half_distance = Scalar(1) / (Scalar(2) * sqrt(Scalar(5)));
         State x = from.x;
         State rate;
-        for (std::size_t k = 0; k < 2; ++k) {
-            const Scalar s = Scalar(1) / Scalar(2) + (k == 0 ? -half_distance : half_distance);
+        const auto rate_at = [&](const Scalar& s) {
             interpolate(from, c, s, x);
             rhs_(x, rate, from.t + s * c.length);
+        };
+        for (std::size_t k = 0; k < 2; ++k) {
+            rate_at(Scalar(1) / Scalar(2) + (k == 0 ? -half_distance : half_distance));
             std::copy(rate.begin() + n, rate.end(), rates_[k].begin());
         }
-        for (std::size_t i = n; i < n + integrals; ++i) c.y[i] = integral(from, c, Scalar(1), i);
+        rate_at(Scalar(1) / Scalar(2));
+        for (std::size_t i = n; i < n + integrals; ++i) {
+            c.y[i] = integral(from, c, Scalar(1), i);
+            c.error[i] = from.x[i] + c.length / Scalar(6) * (from.dxdt[i] + Scalar(4) * rate[i] + c.dydt[i]) - c.y[i];
+        }
     }
 
     /// Up to s: that of the cubic polynomial through the rates at Lobatto's points -1, -1/sqrt(5), 1/sqrt(5), 1 of z = 2 s - 1, whose
@@ -205,7 +252,8 @@ private:
     Increment dfdt_{};
     std::array<std::array<Scalar, integrals>, 2> rates_{};  ///< at the inner points of Lobatto's rule
     bool is_prepared_ = false;
-    std::size_t prepared_ = 0;
+    State prepared_x_{};
+    Scalar prepared_t_ = Scalar(0);
 };
 
 /// A matrix that is too large to be stored is refused.

@@ -52,7 +52,7 @@ struct SimulationResult {
 /// where constraints depend on each other one long step is made, or the run ends there with Status::singular_position. The guards of the system are located: see integrate. How the work is weighed against its
 /// tolerance, the last entry of options.scale, is up to the caller; a sensible size is that of the energy. Method::rodas5p takes the
 /// Jacobian of the system, and finds what `inputs` adds to it by calling it near the state and within the step; it integrates the work
-/// along the steps that the states allow, so that its scale does not matter.
+/// along its dense output, by a rule of order six beside one of order four, whose difference is weighed in the same way.
 template <class System, class Inputs, class Observer>
 SimulationResult simulate(const System& system, const Inputs& inputs, typename System::State& x, typename System::scalar_type from, typename System::scalar_type to,
                           const SimulationOptions<System>& options, Observer&& observe) {

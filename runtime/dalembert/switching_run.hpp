@@ -154,6 +154,8 @@ private:
             if (!is_found && !is_accumulation && is_finite()) is_found = choose(System::modes_beside(event, from), next);
         }
         if (!is_found && is_finite()) is_found = change_ahead(candidates, next);
+        // Two springs that meet a body at one position: between the two events stands a mode that only that position allows.
+        if (!is_found && is_finite()) is_found = change_behind(before, from, candidates, reset, next, true);
         if (!is_found) {
             x_ = before;
             return result_.state < x_.size() ? Status::not_finite : Status::no_mode;
@@ -167,8 +169,9 @@ private:
 
     /// The run is in front of the zero. Where an input jumps, or a guard leaves zero with a rate that is zero itself but grows, as with
     /// friction that is the same at rest, a mode only accepts what is behind: the motion goes on for an instant before the reset.
+    /// Where `is_late`, another event may have happened in that instant: it is the next.
     template <class Modes, class Reset>
-    bool change_behind(const State& before, Mode from, const Modes& candidates, const Reset& reset, std::size_t& event) {
+    bool change_behind(const State& before, Mode from, const Modes& candidates, const Reset& reset, std::size_t& event, bool is_late = false) {
         const Mode to = here_.mode;
         const State after = x_;
         const Scalar t = t_;
@@ -179,8 +182,8 @@ private:
         t_ += control_.tiny(t);
         for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = before[i] + (t_ - t) * dxdt[i];
         reset(x_, inputs_(x_, t_));
-        if (t_ > t && t_ <= to_ && is_finite() && choose(candidates, next) && next == none) {
-            event = none;
+        if (t_ > t && t_ <= to_ && is_finite() && choose(candidates, next, is_late) && (next == none || is_late)) {
+            event = next;
             return true;
         }
         result_.state = x_.size();
