@@ -115,7 +115,7 @@ void stop_on_failed_audit(const System& system, const Audit& audit) {
     if (const auto j = singular_coordinate(system)) {
         const Variable& q = system.symbols.all(SymbolKind::coordinate)[*j];
         throw Failure(Diagnostic{Id::singular_mass, q.declared->span,
-                                 fmt::format("the mass matrix is singular: the acceleration of '{}' is not determined by the others", q.name)});
+                                 fmt::format("the mass matrix is singular: the acceleration of '{}' is not determined by the others; give what moves with it mass or inertia{}", q.name, system.constraints.empty() ? "" : ", or constraints that determine it")});
     }
 }
 
@@ -134,6 +134,7 @@ namespace {
 /// Proves what was derived of a machine, in one of its modes if it has any.
 void prove(Machine& machine, const std::shared_ptr<const LoadedModel>& loaded, std::unique_ptr<System> system) {
     machine.loaded = loaded;
+    warn_of_stiff_junctions(*system);
     machine.system = std::move(system);
     check_fluid_values(*machine.system);
     check_heat_values(*machine.system);
@@ -143,9 +144,9 @@ void prove(Machine& machine, const std::shared_ptr<const LoadedModel>& loaded, s
     check_right_angles(*machine.system);
     Values defaults(machine.system->scene, machine.system->translate);  // which lie in their ranges
     check_switching_values(*machine.system, defaults);
-    check_body_values(*machine.system, defaults);
-    check_solid_values(*machine.system, defaults);
     meet_constraints(*machine.system, defaults);
+    check_body_values(*machine.system, defaults);  // with what constraints make of guesses
+    check_solid_values(*machine.system, defaults);
 }
 
 bool all_derivations_proven(const Machine& machine) {

@@ -63,7 +63,7 @@ std::string energy_warning(const PreparedSimulation& prepared, const SimulationR
     std::string cause;
     if (settings.step > 0) cause = fmt::format("steps of {:g} s are likely to be too long: try a shorter --step", settings.step);
     else if (settings.tolerance > 1e-7) cause = fmt::format("the tolerance of {:g} is likely to be too coarse: try --tolerance {:g}", settings.tolerance, settings.tolerance / 1000);
-    else if (report.steps <= 2 * static_cast<std::size_t>(settings.intervals) && report.rejected * 10 < report.steps)
+    else if (!steps_freely(*prepared.machine.system, settings.inputs) && report.steps <= 2 * static_cast<std::size_t>(settings.intervals) && report.rejected * 10 < report.steps)
         cause = fmt::format("something shorter than the steps of some {:.2g} s, a pulse or a jump, was likely stepped over: try more --samples", report.t / static_cast<double>(std::max<std::size_t>(1, report.steps)));
     else if (const std::string roots = exact_roots(prepared.machine.system->scene); !roots.empty())
         cause = fmt::format("near balance flows like a root, here {}, have fewer digits than the pressures: try a smaller --tolerance, or a `width` (a pressure)", roots);
@@ -96,9 +96,9 @@ PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const s
     Values values(system.scene, system.translate);
     preparation.set_values(values, system);
     check_switching_values(system, values);
+    meet_constraints(system, values);
     check_body_values(system, values);
     check_solid_values(system, values);
-    meet_constraints(system, values);
     SimulationSettings settings = preparation.make_settings(values, system);
     for (const Machine& other : machine.other_modes) {
         Values same(other.system->scene, other.system->translate);

@@ -141,6 +141,17 @@ std::string flags(const std::vector<bool>& values) {
 
 }  // namespace
 
+bool steps_freely(const System& system, const std::vector<ex>& inputs) {
+    if (!system.guards.empty() || !system.scene.modes.empty() || !system.heat.fields.empty()) return false;
+    const Motion& motion = system.motion;
+    std::vector<ex> acting = inputs;
+    acting.insert(acting.end(), motion.residual.begin(), motion.residual.end());
+    acting.insert(acting.end(), system.state_rates.begin(), system.state_rates.end());
+    for (const auto& [coordinate, acceleration] : motion.accelerations) acting.push_back(acceleration);
+    for (const ConstraintEquation& c : system.constraints) acting.push_back(c.whole_rate);
+    return std::none_of(acting.begin(), acting.end(), [&](const ex& e) { return e.has(system.symbols.time()); });
+}
+
 std::string simulation_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings) {
     std::string panels;
     for (const Plot& plot : settings.plots) {
@@ -174,6 +185,7 @@ std::string simulation_source(Code& code, const Header& header, const Values& va
                                                  {"DRAW", settings.draw ? "true" : "false"},
                                                  {"TITLE", cpp_string(fmt::format("{} ({})", title, scene.name))}};
     if (!scene.modes.empty()) return fill_template(embedded_file("switching.cpp.in"), values_of);
+    values_of["FREE_STEPS"] = steps_freely(code.system, settings.inputs) ? "    options.max_step = 0.0;  // nothing acts in between that steps could miss\n" : "";
     // Of heat the bound of explicit methods is what one asks for first (4.99).
     const bool has_heat = !code.system.heat.empty();
     values_of["EXTRA_INCLUDES"] = has_heat ? "#include \"dalembert/euler_step.hpp\"\n" : "";

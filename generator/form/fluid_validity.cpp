@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "form/start_values.hpp"
+#include <cmath>
+#include <set>
 
+#include "form/start_values.hpp"
 #include "text/diagnostic.hpp"
+#include "text/nearest.hpp"
 
 namespace dalembert {
 
@@ -96,8 +99,46 @@ private:
     StartValues value_;
 };
 
+/// dm/dp at the start, kg/Pa; nothing where the pressure does not follow what is stored.
+std::optional<double> compliance(const ControlVolume& volume, const System& system, const StartValues& value) {
+    const ex& state = system.symbols.get(SymbolKind::state, volume.state);
+    const auto mass = value(partial(volume.mass(), state)), pressure = value(partial(volume.fluid.pressure, state));
+    if (!mass || !pressure || pressure->is_zero()) return std::nullopt;
+    return std::fabs((*mass / *pressure).to_double());
+}
+
+/// Whether the flow goes like the root of a pressure difference down to zero.
+bool is_exact_root(const Flow& item) {
+    const bool is_orifice = item.law == Flow::Law::hydraulic_orifice || item.law == Flow::Law::pneumatic_orifice || (item.law == Flow::Law::check_valve && !item.conductance);
+    return is_orifice && !item.width && !item.switches;
+}
+
 }  // namespace
 
 void check_fluid_values(const System& system) { ValueCheck(system).run(); }
+
+void warn_of_stiff_junctions(System& system) {
+    constexpr double next_to_nothing = 1e-4;
+    const StartValues value(system);
+    for (const ControlVolume& volume : system.fluids.containers.volumes) {
+        const auto own = compliance(volume, system, value);
+        if (!own) continue;
+        std::set<const ControlVolume*> others;
+        std::vector<std::string> flows;
+        for (const FlowState& flow : system.fluids.flows) {
+            const ControlVolume* other = flow.from_volume == &volume ? flow.to_volume : flow.to_volume == &volume ? flow.from_volume : nullptr;
+            if (other == nullptr || !is_exact_root(*flow.member.item)) continue;
+            const auto stored = compliance(*other, system, value);
+            if (stored && *own > next_to_nothing * *stored) continue;
+            others.insert(other);
+            flows.push_back(flow.member.name());
+        }
+        if (others.size() < 2) continue;
+        system.warnings.push_back({Id::value_out_of_range, volume.member.item->span,
+                                   fmt::format("volume '{}' stores {:.2g} kg/Pa, next to nothing beside the volumes around it: where {} come to balance, their slopes are infinite together, and a run stops there. Give each of them a 'width', a pressure difference within which the root is smooth, such as \"1 Pa\"",
+                                               volume.member.name(), *own, quoted_list(flows)),
+                                   {}, Severity::warning});
+    }
+}
 
 }  // namespace dalembert

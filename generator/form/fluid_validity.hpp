@@ -10,4 +10,8 @@ namespace dalembert {
 /// pressures and temperatures at the start that are not positive, reservoirs and flows likewise.
 void check_fluid_values(const System& system);
 
+/// Warns of a volume that stores next to nothing beside the volumes that several exact roots of the pressure join it to: where they come to
+/// balance, the slopes of all these flows are infinite at once.
+void warn_of_stiff_junctions(System& system);
+
 }  // namespace dalembert
