@@ -48,7 +48,7 @@ void hold_positions(const System& system, std::vector<GiNaC::ex>& x, const Value
         if (!is_one && finds_positions) continue;  // with the equations of motion
         if (!is_one)
             throw Failure(Diagnostic{Id::not_allowed_here, constraint.item->span,
-                                     fmt::format("constraint '{}' holds a position that is made of several coordinates, or not linear in one; equilibria are found there only where positions are projected and nothing turns by a quaternion", constraint.item->name)});
+                                     fmt::format("constraint '{}' holds a position that is made of several coordinates, or not linear in one; equilibria are found there only where positions are projected and nothing turns by a quaternion", constraint.name)});
         const std::size_t in_x = system.symbols.place(SymbolKind::coordinate, held->first);
         x[in_x] = place.subs(at, GiNaC::subs_options::no_pattern).evalf();
         free_states[in_x] = false;

@@ -32,7 +32,7 @@ void refuse_other_machines(const System& system) {
         refuse(q[system.symbols.attitudes().front().coordinates[0]].declared->span, "an attitude is a quaternion, with more states than velocities; a modal form needs coordinates, such as angles");
     for (const ConstraintEquation& constraint : system.constraints)
         if (constraint.holds)
-            refuse(constraint.item->span, fmt::format("constraint '{}' holds, so that the coordinates are not free, as M*ddot(q) + D*dot(q) + C*q = B*u needs them; choose coordinates that keep to it, or take `dalembert equilibrium`, which has the eigenvalues of the motions that constraints allow", constraint.item->name));
+            refuse(constraint.item->span, fmt::format("constraint '{}' holds, so that the coordinates are not free, as M*ddot(q) + D*dot(q) + C*q = B*u needs them; choose coordinates that keep to it, or take `dalembert equilibrium`, which has the eigenvalues of the motions that constraints allow", constraint.name));
     for (std::size_t i = 0; i < q.size(); ++i)
         for (const Variable& z : system.symbols.all(SymbolKind::state))
             if (system.residual[i].has(z.symbol))

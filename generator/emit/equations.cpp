@@ -67,7 +67,7 @@ std::vector<std::pair<const char*, ex>> scalars(const System& s) {
 nlohmann::ordered_json constraints_as_json(const System& s, const Notation& write) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const ConstraintEquation& c : s.constraints)
-        if (c.holds) json.push_back({{"name", c.item->name}, {"position", c.position ? write(*c.position) : ""}, {"rate", write(c.whole_rate)}, {"force", write(c.force)}});
+        if (c.holds) json.push_back({{"name", c.name}, {"position", c.position ? write(*c.position) : ""}, {"rate", write(c.whole_rate)}, {"force", write(c.force)}});
     return json;
 }
 
@@ -78,7 +78,7 @@ std::string constrained(const System& s, const Notation& write) {
     for (const ConstraintEquation& c : s.constraints) {
         if (!c.holds) continue;
         const std::string force = c.is_redundant ? "follows from the others" : c.has_multiplier ? "unknown" : write(c.force);
-        text += fmt::format("  {}: {} = 0, force {}\n", c.item->name, write(c.position ? *c.position : c.whole_rate), force);
+        text += fmt::format("  {}: {} = 0, force {}\n", c.name, write(c.position ? *c.position : c.whole_rate), force);
     }
     return text;
 }

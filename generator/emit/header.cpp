@@ -193,8 +193,8 @@ private:
         v["MOVE_BACK_ARGUMENTS"] = moved.arguments;
         std::vector<std::string> positions, rates;
         for (const ConstraintEquation& c : system_.constraints) {
-            if (c.position) positions.push_back(fmt::format("{}: {} = 0", c.item->name, write_(*c.position)));
-            rates.push_back(fmt::format("{}: {} = 0", c.item->name, write_(c.whole_rate)));
+            if (c.position) positions.push_back(fmt::format("{}: {} = 0", c.name, write_(*c.position)));
+            rates.push_back(fmt::format("{}: {} = 0", c.name, write_(c.whole_rate)));
         }
         v["POSITION_EQUATIONS"] = comment_lines(positions);
         v["RATE_EQUATIONS"] = comment_lines(rates);

@@ -69,9 +69,9 @@ public:
         Units units(system_.names, diagnostics);
         for (const ConstraintEquation& c : system_.constraints) {
             const Constraint& item = *c.item;
-            indices += fmt::format("{}{} = {}", indices.empty() ? "" : ", ", item.name, indices.empty() ? 0 : std::count(indices.begin(), indices.end(), '='));
+            indices += fmt::format("{}{} = {}", indices.empty() ? "" : ", ", cpp_name(item.name, c.index, item.family.has_value()), indices.empty() ? 0 : std::count(indices.begin(), indices.end(), '='));
             const std::string unit = units.of(item.position ? *item.position : *item.rate, {}).dimension.in_base_units();
-            rows += fmt::format("    Constraint{{{}, {}, {}, {}}},\n", cpp_string(item.name), cpp_string(unit), cpp_string(item.doc), item.position != nullptr);
+            rows += fmt::format("    Constraint{{{}, {}, {}, {}}},\n", cpp_string(c.name), cpp_string(unit), cpp_string(item.doc), item.position != nullptr);
         }
         add_table("CONSTRAINT", indices, rows);
         values("CONSTRAINTS", std::to_string(system_.constraints.size()));

@@ -162,7 +162,7 @@ private:
 
     void projection() {
         std::vector<std::string> names;
-        for (const ConstraintEquation& c : system_.constraints) names.push_back(c.item->name);
+        for (const ConstraintEquation& c : system_.constraints) names.push_back(c.name);
         values("constraint_positions", "Constraints", Function::constraint_positions, "x, t", names);
         values("constraint_rates", "Constraints", Function::constraint_rates, "x, t", names);
         values("constraint_forces", "Constraints", Function::constraint_forces, "x, u, t", names);

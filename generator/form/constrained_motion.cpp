@@ -52,6 +52,7 @@ private:
         const Constraint* item = nullptr;
     };
 
+    Indices indices_of(std::size_t constraint) const { return Translator::indices_of(system_.scene.constraints[constraint]); }
     const ex& velocity(std::size_t j) const { return symbols_.get(SymbolKind::velocity, j); }
     const ex& acceleration(std::size_t j) const { return symbols_.get(SymbolKind::acceleration, j); }
 
@@ -157,7 +158,7 @@ private:
             const Row other = row_of(j);
             const auto factor = multiple_of(row, other);
             if (!factor || !ex(row.drift - *factor * other.drift).expand().is_zero() || slides(before) * sign_of_factor(*factor) != -slides(system_.constraints[i])) continue;
-            throw Failure(Diagnostic{Id::doubly_determined, row.item->span, fmt::format("frictions '{}' and '{}' do not slide in opposite directions", before.item->name, row.item->name), {{before.item->span, "on the same rate"}}});
+            throw Failure(Diagnostic{Id::doubly_determined, row.item->span, fmt::format("frictions '{}' and '{}' do not slide in opposite directions", before.name, system_.constraints[row.constraint].name), {{before.item->span, "on the same rate"}}});
         }
     }
 
@@ -179,8 +180,8 @@ private:
             if (why_not_shared(system_, repetitions(system_, std::move(repeated)))) continue;
             std::vector<Note> notes;
             for (std::size_t other = 0; other < row.made_of.size(); ++other)
-                if (other != i && !row.made_of[other].is_zero()) notes.push_back({system_.constraints[other].item->span, fmt::format("'{}' holds it", system_.constraints[other].item->name)});
-            throw Failure(Diagnostic{Id::doubly_determined, c.item->span, fmt::format("friction '{}' does not slide{}: its rate is held at zero", c.item->name, in_which_mode(system_.scene)), std::move(notes)});
+                if (other != i && !row.made_of[other].is_zero()) notes.push_back({system_.constraints[other].item->span, fmt::format("'{}' holds it", system_.constraints[other].name)});
+            throw Failure(Diagnostic{Id::doubly_determined, c.item->span, fmt::format("friction '{}' does not slide{}: its rate is held at zero", c.name, in_which_mode(system_.scene)), std::move(notes)});
         }
     }
 
@@ -200,7 +201,7 @@ private:
             for (const std::size_t other : order)
                 if (other != constraint && !system_.constraints[other].is_redundant) notes.push_back({system_.constraints[other].item->span, "it holds, too"});
             system_.warnings.push_back({Id::doubly_determined, c.item->span,
-                                        fmt::format("constraint '{}'{} follows from the others wherever they hold: the motion is determined without it, but what each of them bears is not. Its force is given as zero, and the others bear everything", c.item->name, in_which_mode(system_.scene)),
+                                        fmt::format("constraint '{}'{} follows from the others wherever they hold: the motion is determined without it, but what each of them bears is not. Its force is given as zero, and the others bear everything", c.name, in_which_mode(system_.scene)),
                                         std::move(notes), Severity::warning});
         }
     }
@@ -208,13 +209,13 @@ private:
     /// Whether anything is left of a rate.
     void check_rate(const Row& row) const {
         if (!is_zero(row)) return;
-        if (rows_.empty() && kept_.empty()) throw Failure(Diagnostic{Id::undetermined, row.item->span, fmt::format("constraint '{}' holds a rate that no velocity changes", row.item->name)});
+        if (rows_.empty() && kept_.empty()) throw Failure(Diagnostic{Id::undetermined, row.item->span, fmt::format("constraint '{}' holds a rate that no velocity changes", system_.constraints[row.constraint].name)});
         std::vector<Note> notes;
         for (const auto* others : {&rows_, &kept_})
             for (const Row& other : *others)
-                if (other.item != row.item) notes.push_back({other.item->span, fmt::format("'{}' holds, too", other.item->name)});
+                if (other.constraint != row.constraint) notes.push_back({other.item->span, fmt::format("'{}' holds, too", system_.constraints[other.constraint].name)});
         throw Failure(Diagnostic{Id::doubly_determined, row.item->span,
-                                 fmt::format("constraint '{}'{} follows from others, so that what each of them bears is not determined", row.item->name, in_which_mode(system_.scene)), std::move(notes)});
+                                 fmt::format("constraint '{}'{} follows from others, so that what each of them bears is not determined", system_.constraints[row.constraint].name, in_which_mode(system_.scene)), std::move(notes)});
     }
 
     bool has_sign(const ex& factor) const { return factor.info(GiNaC::info_flags::positive) || ex(-factor).info(GiNaC::info_flags::positive); }
@@ -225,12 +226,12 @@ private:
         if (row.item->multiplier) return false;
         if (row.item->eliminates) {
             const Reference& wanted = *row.item->eliminates;
-            row.pivot = system_.translate.coordinate(wanted.name, wanted.index.get(), wanted.span, {});
+            row.pivot = system_.translate.coordinate(wanted.name, wanted.index.get(), wanted.span, indices_of(row.constraint));
             const ex& factor = row.factors[row.pivot];
             if (!factor.is_zero() && is_of_parameters(factor, symbols_)) return true;
             throw Failure(Diagnostic{Id::undetermined, wanted.span,
-                                     factor.is_zero() ? fmt::format("constraint '{}'{} does not give '{}': its rate does not contain that velocity{}", row.item->name, in_which_mode(system_.scene), symbols_.all(SymbolKind::velocity)[row.pivot].name, rows_.empty() ? "" : " any more, when other constraints are put in")
-                                                      : fmt::format("constraint '{}'{} does not give '{}' everywhere: its factor in the rate moves, and may become zero; leave out 'eliminates'", row.item->name, in_which_mode(system_.scene), symbols_.all(SymbolKind::velocity)[row.pivot].name),
+                                     factor.is_zero() ? fmt::format("constraint '{}'{} does not give '{}': its rate does not contain that velocity{}", system_.constraints[row.constraint].name, in_which_mode(system_.scene), symbols_.all(SymbolKind::velocity)[row.pivot].name, rows_.empty() ? "" : " any more, when other constraints are put in")
+                                                      : fmt::format("constraint '{}'{} does not give '{}' everywhere: its factor in the rate moves, and may become zero; leave out 'eliminates'", system_.constraints[row.constraint].name, in_which_mode(system_.scene), symbols_.all(SymbolKind::velocity)[row.pivot].name),
                                      {{row.item->span, "the constraint"}}});
         }
         for (const int demand : {2, 1, 0})
@@ -368,16 +369,18 @@ std::optional<std::pair<std::size_t, ex>> coordinate_at_zero(const ex& position,
 void constrain(System& system) {
     for (const auto& member : system.scene.constraints) {
         const Constraint& item = *member.item;
-        ConstraintEquation c{&item, system.scene.holds(item.when), false, false, {}, std::nullopt, 0, 0};
-        if (item.position) c.position = system.translate(item.position, {});
-        c.whole_rate = item.rate ? system.translate(item.rate, {}) : system.symbols.time_derivative(*c.position);
-        c.rate = affine_rate(c.whole_rate, system.symbols, item.span, fmt::format("the rate of constraint '{}'", item.name));
-        if (item.elsewhere && !c.holds) c.force = system.translate(item.elsewhere, {});
+        const Indices indices = Translator::indices_of(member);
+        ConstraintEquation c{&item, system.scene.holds(item.when), false, false, {}, std::nullopt, 0, 0, member.name(), member.index};
+        if (item.position) c.position = system.translate(*item.position, indices);
+        c.whole_rate = item.rate ? system.translate(*item.rate, indices) : system.symbols.time_derivative(*c.position);
+        c.rate = affine_rate(c.whole_rate, system.symbols, item.span, fmt::format("the rate of constraint '{}'", c.name));
+        if (item.elsewhere && !c.holds) c.force = system.translate(*item.elsewhere, indices);
         if (c.holds && c.position)
             if (auto at_zero = coordinate_at_zero(*c.position, system.symbols)) system.motion.positions.push_back(std::move(*at_zero));
         system.constraints.push_back(std::move(c));
     }
     Elimination(system).run();
+    weigh_constraints(system);
 }
 
 }  // namespace dalembert

@@ -21,7 +21,7 @@ void refuse_bound(const System& system, const BodyMotion& body, const Curvilinea
             if (!constraint.holds || partial(constraint.whole_rate, system.symbols.get(SymbolKind::velocity, j)).is_zero()) continue;
             throw Failure(Diagnostic{Id::not_allowed_here, e.span,
                                      fmt::format("'{}' needs lines along which body '{}' can move, but constraint '{}' binds '{}'; give its position by coordinates that are free", e.written(),
-                                                 body.member.name(), constraint.item->name, system.symbols.all(SymbolKind::coordinate)[j].name),
+                                                 body.member.name(), constraint.name, system.symbols.all(SymbolKind::coordinate)[j].name),
                                      {{constraint.item->span, "the constraint is defined here"}}});
         }
 }

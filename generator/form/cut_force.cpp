@@ -67,17 +67,18 @@ Remainder remainder(const System& system, const BodyMotion& body) {
 
 }  // namespace
 
-ex cut_force(const System& system, const Cut& cut) {
+ex cut_force(const System& system, const Cut& cut, int index) {
     SpaceVector force{0, 0, 0}, moment{0, 0, 0};
-    const SpaceVector point = cut.about ? system.translate(*cut.about, {}) : SpaceVector{0, 0, 0};
+    const Indices indices = Translator::indices_of(Member<Cut>{&cut, index});
+    const SpaceVector point = cut.about ? system.translate(*cut.about, indices) : SpaceVector{0, 0, 0};
     for (const Reference& reference : cut.bodies) {
-        const BodyMotion* body = find_motion(system.bodies, reference, system.scene, {});
+        const BodyMotion* body = find_motion(system.bodies, reference, system.scene, indices);
         if (body == nullptr) throw Failure(Diagnostic{Id::needs_absent, reference.span, fmt::format("scene '{}' has no body '{}'", system.scene.name, std::string(reference.span.text()))});
         const Remainder one = remainder(system, *body);
         force = force + one.force;
         moment = moment + one.moment + cross(body->position - point, one.force);
     }
-    return system.with_rates(dot(system.translate(cut.direction, {}), cut.about ? moment : force));
+    return system.with_rates(dot(system.translate(cut.direction, indices), cut.about ? moment : force));
 }
 
 }  // namespace dalembert

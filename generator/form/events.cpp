@@ -25,8 +25,8 @@ public:
         event.guard = item.rises ? ex(-guard) : guard;
         event.rate = guard_rate(system_, event.guard);
         if (item.meets) {
-            meet(event.reset, item.meets->name, item.restitution ? system_.translate(item.restitution, {}) : ex(0));
-            if (!item.rest.empty()) meet(event.rest, item.meets->name, 0);
+            meet(event.reset, *item.meets, item.restitution ? system_.translate(item.restitution, {}) : ex(0));
+            if (!item.rest.empty()) meet(event.rest, *item.meets, 0);
         }
         values(event.reset, item.reset);
         values(event.rest, item.rest_reset);
@@ -71,9 +71,10 @@ private:
     }
 
     /// The velocities after an impact on a constraint, and the position exactly on it.
-    void meet(Reset& reset, const std::string& name, const ex& restitution) const {
-        const auto constraint = std::find_if(system_.constraints.begin(), system_.constraints.end(), [&](const ConstraintEquation& c) { return c.item->name == name; });
-        if (constraint == system_.constraints.end()) throw Failure(Diagnostic{Id::needs_absent, system_.scene.model->name_span, fmt::format("scene '{}' has no constraint '{}'", system_.scene.name, name)});
+    void meet(Reset& reset, const Reference& met, const ex& restitution) const {
+        const int index = met.index ? index_value(*met.index, system_.scene, {}) : 0;
+        const auto constraint = std::find_if(system_.constraints.begin(), system_.constraints.end(), [&](const ConstraintEquation& c) { return c.item->name == met.name && c.index == index; });
+        if (constraint == system_.constraints.end()) throw Failure(Diagnostic{Id::needs_absent, met.span, fmt::format("scene '{}' has no constraint '{}'", system_.scene.name, met.index ? fmt::format("{}[{}]", met.name, index) : met.name)});
         // Else the position is as near to zero as roundings allow.
         if (constraint->position)
             if (const auto at_zero = coordinate_at_zero(*constraint->position, symbols_)) set(reset, symbols_.place(SymbolKind::coordinate, at_zero->first), at_zero->second);

@@ -72,7 +72,7 @@ Linearity linear_system(const System& system) {
     if (n == 0) return {{}, "there are no coordinates"};
     if (symbols.positions() != n) return {{}, "an attitude has no coordinates of its own"};
     for (const ConstraintEquation& constraint : system.constraints)
-        if (constraint.holds) return {{}, fmt::format("constraint '{}' holds", constraint.item->name)};
+        if (constraint.holds) return {{}, fmt::format("constraint '{}' holds", constraint.name)};
     for (std::size_t i = 0; i < n; ++i)
         for (const Variable& z : symbols.all(SymbolKind::state))
             if (left_over(system, i).has(z.symbol)) return {{}, fmt::format("the force on '{}' depends on the state '{}'", q[i].name, z.name)};

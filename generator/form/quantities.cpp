@@ -211,13 +211,15 @@ ex quantity(const System& system, const Expression& e, const Indices& indices, c
         throw Failure(Diagnostic{left_out ? Id::needs_absent : Id::index_out_of_range, child(0).span, fmt::format("scene '{}' has no damper '{}'", system.scene.name, child(0).written())});
     }
     if (e.name == "constraint_force") {
+        const int index = system.translate.member_index(child(0), *system.names.find_constraint(child(0).name), indices);
         for (const ConstraintEquation& constraint : system.constraints)
-            if (constraint.item->name == child(0).name) return constraint.force;
+            if (constraint.item->name == child(0).name && constraint.index == index) return constraint.force;
         throw Failure(Diagnostic{Id::needs_absent, child(0).span, fmt::format("scene '{}' has no constraint '{}'", system.scene.name, child(0).written())});
     }
     if (e.name == "cut_force") {
         const Cut& cut = *system.names.find_cut(child(0).name);
-        if (system.scene.holds(cut.when)) return cut_force(system, cut);
+        const int index = system.translate.member_index(child(0), cut, indices);
+        if (system.scene.holds(cut.when)) return cut_force(system, cut, index);
         throw Failure(Diagnostic{Id::needs_absent, child(0).span, fmt::format("scene '{}' has no cut '{}'", system.scene.name, cut.name)});
     }
     if (e.name == "angular_velocity") return component(own_angular_velocity(body(system, child(0), indices)), system, child(1), indices);

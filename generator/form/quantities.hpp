@@ -12,7 +12,7 @@ GiNaC::ex quantity(const System& system, const Expression& e, const Indices& ind
 
 /// What everything but gravity and the forces and torques on them exerts on the bodies of a cut; contains accelerations. Throws Failure
 /// (needs-absent, index-out-of-range).
-GiNaC::ex cut_force(const System& system, const Cut& cut);
+GiNaC::ex cut_force(const System& system, const Cut& cut, int index);
 
 /// scale_factor, velocity_along, acceleration_along, christoffel and christoffel_first of a body and coordinates, by their places in q. That
 /// lines are at right angles is left to proofs. Throws Failure (not-allowed-here).

@@ -34,7 +34,7 @@ std::vector<std::size_t> last_first(const System& system) {
 Diagnostic repeated(const System& system, const Repetition& r, std::string why, Severity severity) {
     std::vector<Note> notes;
     for (std::size_t i = 0; i < r.made_of.size(); ++i)
-        if (i != r.last && !r.made_of[i].is_zero()) notes.push_back({system.constraints[i].item->span, fmt::format("'{}' holds, too", system.constraints[i].item->name)});
+        if (i != r.last && !r.made_of[i].is_zero()) notes.push_back({system.constraints[i].item->span, fmt::format("'{}' holds, too", system.constraints[i].name)});
     return {Id::doubly_determined, system.constraints[r.last].item->span, std::move(why), std::move(notes), severity};
 }
 
@@ -69,13 +69,13 @@ std::vector<Repetition> repetitions(const System& system, std::vector<std::vecto
 std::optional<Diagnostic> why_not_shared(const System& system, const std::vector<Repetition>& repetitions) {
     const std::string mode = system.scene.modes[*system.scene.mode].name;
     for (const Repetition& r : repetitions) {
-        const std::string& last = system.constraints[r.last].item->name;
+        const std::string& last = system.constraints[r.last].name;
         ex position = 0;
         for (std::size_t i = 0; i < r.made_of.size(); ++i) {
             const ex& factor = r.made_of[i];
             if (factor.is_zero()) continue;
             if (!is_of_parameters(factor, system.symbols) || sign_of_factor(factor) == 0)
-                return repeated(system, r, fmt::format("constraint '{}' repeats '{}' with a factor whose sign is not known, so that mode '{}' is left out; give ranges to the parameters of both", last, system.constraints[i].item->name, mode), Severity::warning);
+                return repeated(system, r, fmt::format("constraint '{}' repeats '{}' with a factor whose sign is not known, so that mode '{}' is left out; give ranges to the parameters of both", last, system.constraints[i].name, mode), Severity::warning);
             if (system.constraints[i].position) position += factor * *system.constraints[i].position;
         }
         if (rank(system.constraints[r.last]) == 0 && !position.expand().is_zero() && !position.normal().is_zero())
@@ -104,7 +104,7 @@ SharedForces::SharedForces(System& system) : system_(system) {
             solved -= r.made_of[i] * system.constraints[r.last].force;  // which is the share itself
         }
         if (!is_shared) continue;
-        letters_.emplace_back(i, GiNaC::symbol("force_" + c.item->name));
+        letters_.emplace_back(i, GiNaC::symbol("force_" + c.name));
         solved_[letters_.back().second] = solved.expand();
     }
     for (const auto& [constraint, letter] : letters_) system.constraints[constraint].force = letter;
@@ -228,7 +228,7 @@ void SharedForces::tell() const {
         std::reverse(order.begin(), order.end());
         for (const std::size_t i : order) {
             if (i == r.last || r.made_of[i].is_zero()) continue;
-            names.push_back(fmt::format("'{}'", system_.constraints[i].item->name));
+            names.push_back(fmt::format("'{}'", system_.constraints[i].name));
             notes.push_back({system_.constraints[i].item->span, "it holds, too"});
         }
         const Constraint& last = *system_.constraints[r.last].item;

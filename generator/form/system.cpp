@@ -183,19 +183,6 @@ void chain(System& system) {
     for (std::size_t j = 0; system.chain && j < n; ++j) system.chain->rest.push_back(system.supplied[j] + system.elastic[j] + system.dissipative[j] + system.fluids.force[j]);
 }
 
-/// A coordinate whose row of M is zero moves without resistance, so its acceleration is not determined.
-void check_mass_rows(const System& system) {
-    const auto n = static_cast<unsigned>(system.symbols.degrees());
-    for (unsigned j = 0; j < n; ++j) {
-        bool any = false;
-        for (unsigned l = 0; l < n; ++l) any = any || !system.mass(j, l).expand().is_zero();
-        if (any) continue;
-        const Variable& q = system.symbols.all(SymbolKind::coordinate)[j];
-        throw Failure(Diagnostic{Id::singular_mass, q.declared->span,
-                                 fmt::format("no body moves or turns with coordinate '{}', so nothing determines its acceleration", q.name)});
-    }
-}
-
 }  // namespace
 
 System::System(const Names& all_names, Scene chosen)
@@ -261,7 +248,6 @@ std::unique_ptr<System> derive(const Names& names, Scene scene) {
     definitions(*system);
     stores(*system);
     inertia(*system);
-    check_mass_rows(*system);
     forces(*system);
     equations(*system);
     chain(*system);

@@ -53,6 +53,8 @@ struct ConstraintEquation {
     GiNaC::ex force;                     ///< along the rate, on the machine; may contain accelerations, or be a multiplier
     /// The rate, written out.
     GiNaC::ex whole_rate;
+    std::string name;                    ///< "loop", or "loop[2]" of a family
+    int index = 0;                       ///< of a family
 };
 
 /// Constraints whose rates repeat each other in a mode: sum of made_of[i]*rate[i] = 0. What each of them bears is known but for
@@ -74,6 +76,15 @@ struct Motion {
     std::vector<std::pair<std::size_t, AffineRate>> velocities;         ///< of the other coordinates, by those of the free ones
     std::vector<std::pair<std::size_t, GiNaC::ex>> accelerations;       ///< of the other coordinates
     std::vector<std::pair<std::size_t, GiNaC::ex>> positions;           ///< coordinates that lie on a constraint, by the others
+    /// Where a coordinate moves nothing that has inertia, M is singular although the whole matrix is not. Then M + weight*J'J is factorised,
+    /// with the constraints J that such coordinates are in: the accelerations that constraints allow are the same. 0 where M will do.
+    GiNaC::numeric weight = 0;
+};
+
+/// What is solved in place of matrix, force and residual: the same accelerations and multipliers follow.
+struct SolvedMotion {
+    GiNaC::matrix matrix;
+    std::vector<GiNaC::ex> force, residual;
 };
 
 /// A load with what its unknowns are in equilibrium.
@@ -178,6 +189,9 @@ struct System {
     /// Whether runs have to be brought back to constraints: to those with a multiplier, and to eliminated ones whose rate has factors that
     /// move. What others say integration keeps exactly.
     bool needs_projection() const;
+    /// With the weight of the constraints of coordinates without inertia; and M with it, of all coordinates, the metric of projections.
+    SolvedMotion solved_motion() const;
+    GiNaC::matrix metric() const;
     /// The letters of what is solved for, and where each stands in a list of all accelerations, with the multipliers behind them.
     std::vector<GiNaC::ex> unknowns() const;
     std::vector<std::size_t> unknown_places() const;

@@ -22,8 +22,9 @@ public:
         const std::size_t n = system_.symbols.degrees();
         for (unsigned i = 0; i < n; ++i)
             for (unsigned j = 0; j <= i; ++j) l.mass.push_back(one(system_.mass(i, j)));
-        l.force = all(system_.motion.force);
-        constrained(l);
+        const SolvedMotion solved = system_.solved_motion();
+        l.force = all(solved.force);
+        constrained(l, solved.matrix);
         l.has_long_chain = has_long_chain(l);
         projected(l);
         switching(l);
@@ -73,13 +74,13 @@ private:
         return (n > most_compared && !should_unroll(n, is_zero)) || terms > most_terms_a_row * n;
     }
 
-    void constrained(LoweredSystem& l) {
+    void constrained(LoweredSystem& l, const GiNaC::matrix& solved) {
         const Motion& motion = system_.motion;
         const std::size_t n = system_.symbols.degrees();
         for (unsigned i = 0; i < motion.unknowns(); ++i)
             for (unsigned j = 0; j <= i; ++j) {
-                const bool is_in_mass = motion.accelerations.empty() && i < n;
-                l.solve_mass.push_back(is_in_mass ? l.mass[lower_index(std::max(motion.free[i], motion.free[j]), std::min(motion.free[i], motion.free[j]))] : one(motion.matrix(i, j)));
+                const bool is_in_mass = motion.accelerations.empty() && motion.weight.is_zero() && i < n;
+                l.solve_mass.push_back(is_in_mass ? l.mass[lower_index(std::max(motion.free[i], motion.free[j]), std::min(motion.free[i], motion.free[j]))] : one(solved(i, j)));
             }
         for (const auto& [coordinate, acceleration] : motion.accelerations) {
             l.held.push_back(one(acceleration));
@@ -102,8 +103,14 @@ private:
         p.rate = all(constraint_rates(system_));
         p.force = all(constraint_forces(system_));
         p.jacobian = all(constraint_jacobian(system_));
-        p.bordered = l.mass;
         const std::size_t n = system_.symbols.degrees();
+        p.bordered = l.mass;
+        if (!system_.motion.weight.is_zero()) {
+            const GiNaC::matrix metric = system_.metric();
+            p.bordered.clear();
+            for (unsigned i = 0; i < n; ++i)
+                for (unsigned j = 0; j <= i; ++j) p.bordered.push_back(one(metric(i, j)));
+        }
         for (std::size_t i = 0; i < system_.constraints.size(); ++i) {
             if (!system_.constraints[i].holds) continue;
             for (std::size_t j = 0; j < n; ++j) p.bordered.push_back(Polynomial(p.jacobian[i * n + j]) *= Rational(-1));
@@ -262,7 +269,7 @@ std::vector<ex> motion_rates(const System& system) {
     GiNaC::exmap held;
     for (std::size_t i = 0; i < jerks.size(); ++i) held[system.symbols.get(SymbolKind::jerk, system.motion.accelerations[i].first)] = jerks[i];
     std::vector<ex> result;
-    for (const ex& residual : system.motion.residual) {
+    for (const ex& residual : system.solved_motion().residual) {
         const ex rate = system.with_rates(system.symbols.time_derivative(residual));
         result.push_back(-rate.subs(held, GiNaC::subs_options::no_pattern).subs(at_rest, GiNaC::subs_options::no_pattern));
     }

@@ -114,14 +114,15 @@ private:
         if (solved_for(f).empty()) return;
         Raiser raise(f.program, code_.atoms, cached_);
         if (f.chain) return chain_motion(function, raise);
-        const std::vector<ex> derived_mass = lower_triangle(system_.motion.matrix);
+        const SolvedMotion derived = system_.solved_motion();
+        const std::vector<ex> derived_mass = lower_triangle(derived.matrix);
         const FunctionCode& m = code_.solve.is_constant ? code_[Function::update] : f;
         Raiser raise_mass(m.program, code_.atoms, cached_);
         for (std::size_t i = 0; i < derived_mass.size(); ++i) compare(function, raise_mass(m.mass[i]), derived_mass[i]);
-        for (std::size_t j = 0; j < code_.solve.n; ++j) compare(function, raise(f.force[j]), system_.motion.force[j]);
+        for (std::size_t j = 0; j < code_.solve.n; ++j) compare(function, raise(f.force[j]), derived.force[j]);
         if (system_.motion.accelerations.empty()) return;
         const GiNaC::exmap known = solutions(f, raise);
-        for (const auto& [j, derived] : system_.motion.accelerations) compare(function, raise(solved_for(f)[j]), derived.subs(known, GiNaC::subs_options::no_pattern));
+        for (const auto& [j, acceleration] : system_.motion.accelerations) compare(function, raise(solved_for(f)[j]), acceleration.subs(known, GiNaC::subs_options::no_pattern));
     }
 
     /// The equations of the links mean M and Q - bias; what solves them was proven to.
@@ -234,7 +235,7 @@ private:
         for (std::size_t i = 0; i < system_.constraints.size(); ++i)
             if (system_.constraints[i].holds) holding.push_back(i);
         const std::size_t n = system_.symbols.degrees(), constraints = holding.size();
-        const std::vector<ex> mass = lower_triangle(system_.mass), jacobian = constraint_jacobian(system_);
+        const std::vector<ex> mass = lower_triangle(system_.metric()), jacobian = constraint_jacobian(system_);
         std::vector<bool> is_zero;
         for (std::size_t i = 0; i < n + constraints; ++i)
             for (std::size_t j = 0; j <= i; ++j) {

@@ -311,7 +311,7 @@ private:
             else if (bodies) body(child);
             else coordinate(child);
         }
-        return allow(e, dependence(spec), spec.is_place ? "a place of a body" : "a derived quantity");
+        return allow(e, dependence(spec), spec.is_place ? "a place of a body" : spec.is_velocity ? "a velocity of a body" : "a derived quantity");
     }
 
     /// A quantity of a solid, a load or of what may stick.
@@ -389,13 +389,15 @@ private:
     }
 
     void constraint(const Expression& e) {
-        if (e.kind != Kind::name || names_.find_constraint(e.name) == nullptr) error(Id::unknown_name, e.span, fmt::format("'{}' is not a constraint", e.written()));
-        else if (!e.children.empty()) error(Id::not_indexed, e.span, fmt::format("constraint '{}' has no index", e.name));
+        const Constraint* item = e.kind == Kind::name ? names_.find_constraint(e.name) : nullptr;
+        if (item == nullptr) error(Id::unknown_name, e.span, fmt::format("'{}' is not a constraint", e.written()));
+        else index(e, *item);
     }
 
     void cut(const Expression& e) {
-        if (e.kind != Kind::name || names_.find_cut(e.name) == nullptr) error(Id::unknown_name, e.span, fmt::format("'{}' is not a cut", e.written()));
-        else if (!e.children.empty()) error(Id::not_indexed, e.span, fmt::format("cut '{}' has no index", e.name));
+        const Cut* item = e.kind == Kind::name ? names_.find_cut(e.name) : nullptr;
+        if (item == nullptr) error(Id::unknown_name, e.span, fmt::format("'{}' is not a cut", e.written()));
+        else index(e, *item);
     }
 
     void body(const Expression& e) {

@@ -61,12 +61,13 @@ private:
         if (!event.ends && event.next.empty() && event.reset.empty() && !event.meets)
             wrong(event.span, fmt::format("event '{}' neither leads to a mode nor resets anything nor ends the run, so that it would happen again at once", event.name));
         if (event.meets) {
-            if (names_.find_constraint(event.meets->name) == nullptr) {
+            const Constraint* met = names_.find_constraint(event.meets->name);
+            if (met == nullptr) {
                 std::vector<std::string> known;
                 for (const Constraint& constraint : model_.constraints) known.push_back(constraint.name);
                 diagnostics_.error(Id::unknown_name, event.meets->span, fmt::format("there is no constraint '{}'{}", event.meets->name, did_you_mean(event.meets->name, known)));
-            } else if (event.meets->index) {
-                diagnostics_.error(Id::not_indexed, event.meets->span, fmt::format("constraint '{}' has no index", event.meets->name));
+            } else if (met->family.has_value() != (event.meets->index != nullptr)) {
+                diagnostics_.error(met->family ? Id::index_missing : Id::not_indexed, event.meets->span, fmt::format("constraint '{}' is {} family", met->name, met->family ? "a" : "not a"), {{met->span, "it is defined here"}});
             }
         }
         for (const auto* next : {&event.next, &event.rest})

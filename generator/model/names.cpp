@@ -173,6 +173,7 @@ std::vector<std::string> Names::all() const {
 unsigned dependence(const QuantitySpec& quantity) {
     if (quantity.is_property) return on_properties;
     if (quantity.is_place) return on_places;
+    if (quantity.is_velocity) return on_places | on_velocities;
     if (quantity.subscript == Subscript::solid || quantity.subscript == Subscript::solid_and_axis || quantity.subscript == Subscript::solid_and_axes) return on_parameters;
     return quantity.subscript == Subscript::optional_damper ? on_losses : on_quantities;
 }

@@ -127,7 +127,7 @@ constexpr std::array cut_keys{
     KeySpec{"bodies", T::parts, true, "those that are cut free together"},
     KeySpec{"direction", T::vector, true, "of length 1, in the axes of the ground: the force that everything else exerts on the bodies is put out along it"},
     KeySpec{"about", T::vector, false, "a point: then the moment about the axis through it in the direction is put out"},
-    doc_key, when_key,
+    doc_key, for_key, when_key,
 };
 constexpr std::array solid_keys{
     KeySpec{"shape", T::choice, false, "\"box\", \"cylinder\", \"cone\", \"sphere\", \"hemisphere\" or \"point\"; instead of `of`. The origin of its axes lies in the middle of a box, cylinder or sphere, and in the middle of the base of a cone or hemisphere; what is round is so about z, and stands towards +z"},
@@ -368,7 +368,7 @@ constexpr std::array constraint_keys{
     KeySpec{"position", T::expression, false, "instead: the position that is held at zero, and its rate with it"},
     KeySpec{"eliminates", T::coordinate, false, "the coordinate whose velocity follows from the rate; its factor there must not move. If left out: the last one that can, else the force is an unknown of its own"},
     KeySpec{"multiplier", T::boolean, false, "true: no velocity is eliminated; the force is an unknown of its own also where one could be"},
-    doc_key, when_key,
+    doc_key, for_key, when_key,
 };
 constexpr std::array event_keys{
     KeySpec{"guard", T::expression, true, "happens where this goes through zero; may use ddot(q) and constraint_force[NAME]"},

@@ -89,7 +89,7 @@ void visit(const Parameter& item, const SiteVisitor& visitor) {
 }
 
 void visit(const Definition& item, const SiteVisitor& visitor) {
-    Visit(item, "definition", visitor)(item.value, on_state_and_inputs, "value");
+    Visit(item, "definition", visitor)(item.value, on_state_and_inputs | on_places, "value");
 }
 
 void visit(const Coordinate& item, const SiteVisitor& visitor) {
@@ -104,7 +104,7 @@ void visit(const Input& item, const SiteVisitor& visitor) { Visit(item, "input",
 void visit(const State& item, const SiteVisitor& visitor) {
     const Visit each(item, "state", visitor);
     each(item.start, constant_only, "start");
-    each(item.derivative, on_state_and_inputs, "derivative");
+    each(item.derivative, on_state_and_inputs | on_places, "derivative");
     each(item.range);
 }
 
@@ -193,8 +193,8 @@ void visit(const Damper& item, const SiteVisitor& visitor) {
     const Visit each(item, "damper", visitor);
     each(item.rate, on_motion | on_places, "rate");
     each(item.on);
-    each(item.coefficient, on_state_and_inputs, "coefficient");
-    each(item.force, on_state_and_inputs, "force law");
+    each(item.coefficient, on_state_and_inputs | on_places, "coefficient");
+    each(item.force, on_state_and_inputs | on_places, "force law");
 }
 
 void visit(const Force& item, const SiteVisitor& visitor) {
@@ -216,7 +216,7 @@ void visit(const Torque& item, const SiteVisitor& visitor) {
 void visit(const Jet& item, const SiteVisitor& visitor) {
     const Visit each(item, "jet", visitor);
     each(item.from);
-    each(item.mass_flow, on_state_and_inputs, "mass flow");
+    each(item.mass_flow, on_state_and_inputs | on_places, "mass flow");
     each(std::optional(item.velocity), on_state_and_inputs | on_places, "velocity");
 }
 
@@ -226,13 +226,13 @@ void visit(const KineticTerm& item, const SiteVisitor& visitor) {
 
 void visit(const PotentialTerm& item, const SiteVisitor& visitor) {
     const Visit each(item, "potential", visitor);
-    each(item.energy, on_motion, "energy");
+    each(item.energy, on_motion | on_places, "energy");
     for (const CoordinateEntry& entry : item.forces) each(entry, on_parameters | on_coordinates, "forces");
     for (const CoordinateEntry& entry : item.reference) each(entry, constant_only, "reference");
 }
 
 void visit(const GeneralisedForce& item, const SiteVisitor& visitor) {
-    Visit(item, "generalised force", visitor)(item.coordinate, on_state_and_inputs, "force");
+    Visit(item, "generalised force", visitor)(item.coordinate, on_state_and_inputs | on_places, "force");
 }
 
 void visit(const Medium& item, const SiteVisitor& visitor) {
@@ -372,12 +372,13 @@ void visit(const Constraint& item, const SiteVisitor& visitor) {
     each(item.rate, on_motion | on_places, "rate");
     each(item.position, on_configuration | on_places, "position");
     each(item.eliminates);
-    each(item.elsewhere, on_state_and_inputs, "force");
+    each(item.elsewhere, on_state_and_inputs | on_places, "force");
 }
 
 void visit(const Event& item, const SiteVisitor& visitor) {
     const Visit each(item, "event", visitor);
     each(item.guard, on_anything & ~on_outputs, "guard");
+    each(item.meets);
     each(item.restitution, constant_only, "restitution");
     each(item.reset);
     each(item.rest_reset);
@@ -385,37 +386,37 @@ void visit(const Event& item, const SiteVisitor& visitor) {
 
 void visit(const Friction& item, const SiteVisitor& visitor) {
     const Visit each(item, "friction", visitor);
-    each(item.rate, on_motion, "rate");
-    each(item.normal_force, on_state_and_inputs, "normal force");
-    each(item.coefficient, on_state_and_inputs, "coefficient");
-    each(item.static_coefficient, on_state_and_inputs, "static coefficient");
+    each(item.rate, on_motion | on_places, "rate");
+    each(item.normal_force, on_state_and_inputs | on_places, "normal force");
+    each(item.coefficient, on_state_and_inputs | on_places, "coefficient");
+    each(item.static_coefficient, on_state_and_inputs | on_places, "static coefficient");
 }
 
 void visit(const Stop& item, const SiteVisitor& visitor) {
     const Visit each(item, "stop", visitor);
-    each(item.gap, on_configuration, "gap");
+    each(item.gap, on_configuration | on_places, "gap");
     each(item.restitution, constant_only, "restitution");
 }
 
 void visit(const Contact& item, const SiteVisitor& visitor) {
     const Visit each(item, "contact", visitor);
-    each(item.elongation, on_configuration, "elongation");
+    each(item.elongation, on_configuration | on_places, "elongation");
     each(item.stiffness, constant_only, "stiffness");
-    each(item.damping, on_state_and_inputs, "damping");
+    each(item.damping, on_state_and_inputs | on_places, "damping");
     each(item.play, constant_only, "play");
 }
 
 void visit(const Saturation& item, const SiteVisitor& visitor) {
     const Visit each(item, "saturation", visitor);
-    each(item.value, on_state_and_inputs, "value");
-    each(item.low, on_state_and_inputs, "lower limit");
-    each(item.high, on_state_and_inputs, "upper limit");
+    each(item.value, on_state_and_inputs | on_places, "value");
+    each(item.low, on_state_and_inputs | on_places, "lower limit");
+    each(item.high, on_state_and_inputs | on_places, "upper limit");
 }
 
 void visit(const Profile& item, const SiteVisitor& visitor) {
     const Visit each(item, "profile", visitor);
     for (const Phase& phase : item.phases) {
-        each(phase.value, on_state_and_inputs, "values");
+        each(phase.value, on_state_and_inputs | on_places, "values");
         each(phase.until, on_state_and_inputs, "times");
         each(phase.reset);
     }

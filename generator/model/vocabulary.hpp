@@ -82,6 +82,7 @@ struct QuantitySpec {
     const char* doc;
     bool is_property = false;  ///< known from the state: usable wherever states are
     bool is_place = false;     ///< known when the bodies are: usable in forces and constraints
+    bool is_velocity = false;  ///< of a body: as well, where velocities are
 
     /// Of a medium at a pressure and a temperature, rather than of a volume or reservoir.
     bool is_of_medium(std::size_t entries) const { return (subscript == Subscript::medium || subscript == Subscript::fluid_or_medium) && entries == 3; }

@@ -134,7 +134,7 @@ std::vector<AuditEntry> compare_virtual_work(const System& system, Prover& prove
     std::vector<AuditEntry> entries;
     for (const std::size_t constraint : motion.multipliers) {
         const ConstraintEquation& c = system.constraints[constraint];
-        AuditEntry entry{fmt::format("no virtual work, {}", c.item->name), {Verdict::proven}};
+        AuditEntry entry{fmt::format("no virtual work, {}", c.name), {Verdict::proven}};
         const auto compare = [&](const ex& a, const ex& b) {
             Comparison one = prover.equal(a, b);
             if (is_worse(one.verdict, entry.result.verdict)) entry.result = std::move(one);
@@ -206,6 +206,7 @@ std::optional<std::size_t> singular_coordinate(const System& system) {
     constexpr int tries = 3;
     const std::size_t n = system.symbols.degrees();
     RandomPoints points(system);
+    const GiNaC::matrix metric = system.metric();
     std::optional<std::size_t> culprit;
     for (int attempt = 0; attempt < tries; ++attempt) {
         const Point point = points.next();
@@ -213,7 +214,7 @@ std::optional<std::size_t> singular_coordinate(const System& system) {
         bool valid = true;
         for (std::size_t j = 0; j < n; ++j)
             for (std::size_t l = 0; l < n; ++l) {
-                const auto value = value_at(system.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)), system.symbols, point, 60);
+                const auto value = value_at(metric(static_cast<unsigned>(j), static_cast<unsigned>(l)), system.symbols, point, 60);
                 valid = valid && value.has_value();
                 if (value) m[j][l] = *value;
             }

@@ -80,13 +80,18 @@ void check_body_values(const System& system, const Values& values) {
     const GiNaC::exmap at = values.substitution();
     for (const BodyMotion& body : system.bodies)
         if (body.has_tensor()) check_tensor(body, system, at);
+    std::vector<Member<Cut>> cuts;
     for (const Cut& cut : system.scene.model->cuts) {
-        if (!system.scene.holds(cut.when)) continue;
-        const SpaceVector direction = system.translate(cut.direction, {});
+        const auto [from, to] = cut.family ? bounds(*cut.family, system.scene) : std::pair(0, 0);
+        for (int index = from; index <= to && system.scene.holds(cut.when); ++index) cuts.push_back({&cut, index});
+    }
+    for (const Member<Cut>& member : cuts) {
+        const Cut& cut = *member.item;
+        const SpaceVector direction = system.translate(cut.direction, Translator::indices_of(member));
         const auto square = value_at(system.symbols.without_definitions(dot(direction, direction)), at, 20);
         const double length = square ? std::sqrt(cln::double_approx(*square)) : 1;
         if (std::fabs(length - 1) > 1e-6)
-            throw Failure(Diagnostic{Id::value_out_of_range, cut.direction[0]->span, fmt::format("the direction of cut '{}' has the length {:.6g} at the start; a direction has the length 1", cut.name, length)});
+            throw Failure(Diagnostic{Id::value_out_of_range, cut.direction[0]->span, fmt::format("the direction of cut '{}' has the length {:.6g} at the start; a direction has the length 1", member.name(), length)});
     }
     for (const Symbols::AttitudeSymbols& attitude : system.symbols.attitudes()) {
         cln::cl_R square = 0;

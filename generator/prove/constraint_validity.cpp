@@ -37,7 +37,7 @@ private:
         const ConstraintEquation& c = system_.constraints[is_position ? start.broken.front() : start.broken_rates.front()];
         const GiNaC::ex& held = is_position ? *c.position : c.whole_rate;
         throw Failure(Diagnostic{Id::value_out_of_range, c.item->span,
-                                 fmt::format("the start values do not meet constraint '{}': its {} is {:.6g} there, not zero. Leave out a {} that the constraint can determine, or correct it", c.item->name,
+                                 fmt::format("the start values do not meet constraint '{}': its {} is {:.6g} there, not zero. Leave out a {} that the constraint can determine, or correct it", c.name,
                                              is_position ? "position" : "rate", cln::double_approx(points_.value(held, start.values)), is_position ? "start" : "start_rate"),
                                  written(held, is_position)});
     }
@@ -47,10 +47,10 @@ private:
         const double left = cln::double_approx(points_.value(near.broken.empty() ? c.whole_rate : *c.position, near.values));
         std::vector<Note> notes;
         for (const ConstraintEquation& other : system_.constraints)
-            if (other.holds && other.item != c.item) notes.push_back({other.item->span, fmt::format("'{}' holds, too", other.item->name)});
+            if (other.holds && &other != &c) notes.push_back({other.item->span, fmt::format("'{}' holds, too", other.name)});
         throw Failure(Diagnostic{Id::doubly_determined, c.item->span,
-                                 notes.empty() ? fmt::format("constraint '{}' cannot be met: near the start its {} comes no closer to zero than {:.6g}", c.item->name, what, left)
-                                               : fmt::format("constraint '{}' contradicts the others: where they come closest to being met together, its {} is {:.6g}", c.item->name, what, left),
+                                 notes.empty() ? fmt::format("constraint '{}' cannot be met: near the start its {} comes no closer to zero than {:.6g}", c.name, what, left)
+                                               : fmt::format("constraint '{}' contradicts the others: where they come closest to being met together, its {} is {:.6g}", c.name, what, left),
                                  std::move(notes)});
     }
 

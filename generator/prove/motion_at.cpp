@@ -14,6 +14,7 @@ MotionAt::MotionAt(const System& system, const Values& values, int digits) : sys
     const Symbols& symbols = system.symbols;
     add_steps(point_, symbols, digits + 20);
     const Motion& motion = system.motion;
+    const SolvedMotion solved = system.solved_motion();
     const std::vector<ex> unknowns = system.unknowns();
     const std::size_t n = unknowns.size(), free = motion.free.size();
     std::vector<std::vector<cln::cl_R>> m(n, std::vector<cln::cl_R>(n + 1));
@@ -23,8 +24,8 @@ MotionAt::MotionAt(const System& system, const Values& values, int digits) : sys
         return *v;
     };
     for (std::size_t j = 0; j < n; ++j) {
-        for (std::size_t l = 0; l < n; ++l) m[j][l] = entry(motion.matrix(static_cast<unsigned>(j), static_cast<unsigned>(l)));
-        m[j][n] = entry(motion.force[j]);
+        for (std::size_t l = 0; l < n; ++l) m[j][l] = entry(solved.matrix(static_cast<unsigned>(j), static_cast<unsigned>(l)));
+        m[j][n] = entry(solved.force[j]);
     }
     // A constraint of which nothing is left when those before it are taken out follows from them, and bears nothing.
     const cln::cl_RA nothing = cln::expt(cln::cl_RA(10), -digits / 2);

@@ -95,10 +95,11 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
     }
     find_attitudes(scene);
     for (const auto& member : scene.constraints) {
-        const std::string name = fmt::format("constraint_force[{}]", member.item->name);
-        add(SymbolKind::multiplier, name, false, {"constraint_force_" + member.item->name});
-        if (!scene.modes.empty()) add(SymbolKind::multiplier_rate, "dot(" + name + ")", false, {"constraint_force_" + member.item->name});
-        add(SymbolKind::residual, fmt::format("residual[{}]", member.item->name), false, {"residual_" + member.item->name});
+        const std::string name = fmt::format("constraint_force[{}]", member.name());
+        const bool is_member = member.item->family.has_value();
+        add(SymbolKind::multiplier, name, false, {"constraint_force_" + member.item->name, member.index, is_member});
+        if (!scene.modes.empty()) add(SymbolKind::multiplier_rate, "dot(" + name + ")", false, {"constraint_force_" + member.item->name, member.index, is_member});
+        add(SymbolKind::residual, fmt::format("residual[{}]", member.name()), false, {"residual_" + member.item->name, member.index, is_member});
     }
 }
 

@@ -60,6 +60,8 @@ public:
     GiNaC::ex operator()(const Expression& e, const Indices& indices, const Letters& letters = {}) const;
     GiNaC::ex operator()(const ExpressionPtr& e, const Indices& indices) const { return (*this)(*e, indices); }
     SpaceVector operator()(const VectorExpression& vector, const Indices& indices) const;
+    /// The index in a name of a member, 0 for what is no family. Throws Failure (index-out-of-range).
+    int member_index(const Expression& e, const Item& item, const Indices& indices) const;
 
     /// The position of a coordinate in q. Throws Failure (index-out-of-range).
     std::size_t coordinate(const std::string& name, const Expression* index, const Span& span, const Indices& indices) const;
@@ -91,7 +93,6 @@ private:
     std::optional<GiNaC::ex> calculus(const Expression& e, const Indices& indices, const Letters& letters) const;
     GiNaC::ex sum(const Expression& e, const Indices& indices, const Letters& letters) const;
     GiNaC::ex power(const Expression& e, const GiNaC::ex& base, const GiNaC::ex& exponent) const;
-    int member_index(const Expression& e, const Item& item, const Indices& indices) const;
 
     const Scene& scene_;
     const Names& names_;
