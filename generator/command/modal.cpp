@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <optional>
 #include <ostream>
 
 #include "command/json_output.hpp"
@@ -14,6 +15,7 @@
 #include "command/simulation.hpp"
 #include "emit/runner.hpp"
 #include "form/linear_system.hpp"
+#include "text/nearest.hpp"
 
 namespace dalembert {
 
@@ -22,7 +24,7 @@ namespace {
 using Complex = std::complex<double>;
 using MatrixRows = std::vector<std::vector<double>>;
 
-/// Modal forms are of machines whose coordinates are free and whose forces know no further states.
+/// Modal forms are of machines with coordinates, whose forces know no further states.
 void refuse_other_machines(const System& system) {
     const Scene& scene = system.scene;
     const auto refuse = [&](const Span& place, std::string why) { throw Failure(Diagnostic{Id::not_allowed_here, place, std::move(why)}); };
@@ -30,9 +32,6 @@ void refuse_other_machines(const System& system) {
     if (q.empty()) refuse(scene.model->name_span, fmt::format("scene '{}' has no coordinates, so that it has no mass matrix and no modal form", scene.name));
     if (system.symbols.positions() != q.size())
         refuse(q[system.symbols.attitudes().front().coordinates[0]].declared->span, "an attitude is a quaternion, with more states than velocities; a modal form needs coordinates, such as angles");
-    for (const ConstraintEquation& constraint : system.constraints)
-        if (constraint.holds)
-            refuse(constraint.item->span, fmt::format("constraint '{}' holds, so that the coordinates are not free, as M*ddot(q) + D*dot(q) + C*q = B*u needs them; choose coordinates that keep to it, or take `dalembert equilibrium`, which has the eigenvalues of the motions that constraints allow", constraint.name));
     for (std::size_t i = 0; i < q.size(); ++i)
         for (const Variable& z : system.symbols.all(SymbolKind::state))
             if (system.residual[i].has(z.symbol))
@@ -101,7 +100,14 @@ std::string matrix_text(const char* name, const MatrixRows& rows, const std::str
     return text;
 }
 
-std::string modes_text(const std::vector<PrintedMode>& modes, const System& system) {
+/// Names of coordinates, and behind them those of their velocities.
+std::vector<std::string> with_velocities(const std::vector<std::string>& coordinates) {
+    std::vector<std::string> names = coordinates;
+    for (const std::string& name : coordinates) names.push_back("dot(" + name + ")");
+    return names;
+}
+
+std::string modes_text(const std::vector<PrintedMode>& modes, const std::vector<std::string>& coordinates) {
     std::string text = fmt::format("modes{:26} {:>12} {:>12}   alpha\n", "", "rad/s", "damping");
     for (std::size_t k = 0; k < modes.size(); ++k) {
         const PrintedMode& mode = modes[k];
@@ -113,12 +119,12 @@ std::string modes_text(const std::vector<PrintedMode>& modes, const System& syst
                             mode.size > 1 ? fmt::format("coupled, block {}", mode.block) : written(mode.alpha, std::abs(mode.alpha)));
     }
     text += "eigenvectors [psi_a; lambda*psi_a], of length 1\n  ";
-    std::vector<const Variable*> states = system.symbols.state_variables();
+    const std::vector<std::string> states = with_velocities(coordinates);
     text += fmt::format("{:<12}", "");
     for (std::size_t k = 0; k < modes.size(); ++k) text += fmt::format(" {:>22}", k + 1);
     text += "\n";
-    for (std::size_t i = 0; i < 2 * system.symbols.degrees(); ++i) {
-        text += fmt::format("  {:<12}", states[i]->name);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        text += fmt::format("  {:<12}", states[i]);
         for (const PrintedMode& mode : modes) text += fmt::format(" {:>22}", written(mode.vector[i], 1));
         text += "\n";
     }
@@ -133,6 +139,45 @@ std::string modes_text(const std::vector<PrintedMode>& modes, const System& syst
     }
     return text;
 }
+
+/// How constraints leave motions free.
+struct Reduction {
+    bool is_closed;
+    std::vector<std::string> coordinates, apart, free_states;
+    std::vector<Complex> of_apart;
+    MatrixRows N;
+
+    Reduction(const std::map<std::string, std::string>& result, const System& system) : is_closed(result.at("is_closed") == "1"), N(matrix(result.at("N"))) {
+        const std::vector<const Variable*> states = system.symbols.state_variables();
+        const auto names = [&](const char* key) {
+            std::vector<std::string> list;
+            for (const double place : number_list(result.at(key), ',')) list.push_back(states[static_cast<std::size_t>(place)]->name);
+            return list;
+        };
+        coordinates = names("coordinates");
+        apart = names("apart");
+        free_states = names("free");
+        for (const auto& row : matrix(result.at("of_apart"))) of_apart.emplace_back(row[0], row[1]);
+    }
+
+    std::string text() const {
+        if (!is_closed) return fmt::format("no modal form: forces depend on a coordinate of {} whose speed follows from other coordinates, so that equations of second order do not have it; `dalembert equilibrium` with --moving has the eigenvalues\n", quoted_list(apart));
+        if (coordinates.empty()) return "no modal form: constraints hold every motion\n";
+        std::string text = fmt::format("independent coordinates: {}; M, D, C, B and modes are theirs, and the others follow from them\n", quoted_list(coordinates));
+        if (apart.empty()) return text;
+        text += "free besides, with the eigenvalues";
+        for (const Complex& value : of_apart) text += " " + written(value, std::abs(value));
+        return text + fmt::format(" 1/s: {}\n", quoted_list(apart));
+    }
+
+    void write(nlohmann::ordered_json& json) const {
+        json["coordinates"] = coordinates;
+        json["apart"] = apart;
+        json["eigenvalues_apart"] = as_json(of_apart);
+        json["free_states"] = free_states;
+        json["N"] = N;
+    }
+};
 
 }  // namespace
 
@@ -149,6 +194,8 @@ ExitCode modal_command(const Options& options, Streams streams) {
     const Linearity linearity = linear_system(system);
     const ScratchFolder scratch;
     const auto result = run_with_header(scratch, header, modal_source(*chosen.code, header, values, values.state(), inputs), {}, "-O0");  // compiling takes longer than running
+    const bool is_held = result.contains("is_closed");
+    const auto reduction = is_held ? std::optional<Reduction>(Reduction(result, system)) : std::nullopt;
     const bool found = result.at("status") == "success";
     const std::size_t n = system.symbols.degrees();
     const auto rates = number_list(result.at("rates"), ',');
@@ -160,10 +207,16 @@ ExitCode modal_command(const Options& options, Streams streams) {
     json["status"] = result.at("status");
     json["linear"] = linearity.system.has_value();
     json["reason"] = linearity.reason;
-    json["coordinates"] = nlohmann::ordered_json::array();
-    for (const Variable& q : system.symbols.all(SymbolKind::coordinate)) json["coordinates"].push_back(q.name);
+    std::vector<std::string> coordinates;
+    for (const Variable& q : system.symbols.all(SymbolKind::coordinate)) coordinates.push_back(q.name);
+    json["coordinates"] = coordinates;
+    if (reduction) {
+        reduction->write(json);
+        coordinates = reduction->coordinates;
+    }
     std::string text = title_of(system.scene) + ": ";
     text += linearity.system ? "linear, M*ddot(q) + D*dot(q) + C*q = B*u\n"
+            : reduction      ? fmt::format("motions that constraints allow, linearised at the start, where the largest acceleration is {:.5g}\n", largest)
                              : fmt::format("not linear, since {}; linearised at the start, where the largest acceleration is {:.5g}\n", linearity.reason, largest);
     const auto list = [&](const char* key, const std::vector<const Variable*>& variables, const std::vector<GiNaC::ex>& numbers_of) {
         json[key] = nlohmann::ordered_json::object();
@@ -178,6 +231,7 @@ ExitCode modal_command(const Options& options, Streams streams) {
     list("state", system.symbols.state_variables(), values.state());
     list("input", input_variables, inputs);
     json["largest_acceleration"] = largest;
+    if (reduction) text += reduction->text();
     for (const char* name : {"M", "D", "C", "B"}) {
         const MatrixRows rows = matrix(result.at(name));
         json[name] = rows;
@@ -185,7 +239,7 @@ ExitCode modal_command(const Options& options, Streams streams) {
         if (kind != result.end()) json["definiteness"][name] = kind->second;
         if (!rows.empty()) text += matrix_text(name, rows, kind == result.end() ? "" : kind->second);
     }
-    if (!found) text += fmt::format("no modal form: {}\n", result.at("status"));
+    if (!found && (!reduction || (reduction->is_closed && !reduction->coordinates.empty()))) text += fmt::format("no modal form: {}\n", result.at("status"));
     json["modes"] = nlohmann::ordered_json::array();
     if (found) {
         const auto modes = modes_of(result);
@@ -196,7 +250,7 @@ ExitCode modal_command(const Options& options, Streams streams) {
             if (frequency > 0) json["modes"].back()["damping_ratio"] = -mode.eigenvalue.real() / frequency + 0.0;
             if (mode.size == 1) json["modes"].back()["alpha"] = as_json(mode.alpha);
         }
-        text += modes_text(modes, system);
+        text += modes_text(modes, coordinates);
     }
     streams.out << (options.format == "json" ? printed(json) : text);
     return found ? ExitCode::good : ExitCode::run_stopped;

@@ -83,6 +83,7 @@ std::pair<Values, std::vector<ex>> start_of_run(const System& system, const Opti
     Values values(system.scene, system.translate);
     preparation.set_values(values, system);
     check_body_values(system, values);
+    meet_constraints_in_mode(system, values);
     return {values, preparation.inputs_at_start(values, system)};
 }
 

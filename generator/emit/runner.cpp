@@ -11,6 +11,7 @@
 #include "emit/cpp_bodies.hpp"
 #include "emit/helpers.hpp"
 #include "emit/safe_text.hpp"
+#include "balance/steps.hpp"
 #include "emit/template.hpp"
 #include "form/state_places.hpp"
 #include "graph/lower.hpp"
@@ -275,15 +276,51 @@ std::string system_type(const Code& code, const Header& header) {
     return scene.mode ? fmt::format("dalembert::OneMode<{0}::System<double>, {0}::Mode::{1}>", header.name_space, scene.modes[*scene.mode].name) : header.name_space + "::System<double>";
 }
 
+/// `rows` at the state `at`: G dx = 0 of the constraints that hold. The header knows them where it projects; else integration keeps the constraints
+/// exactly, and the rows are numbers at `values`. Where these would change with the state, and may not, there are none.
+std::string constraint_rows(const System& system, const Values& values, const std::string& at, bool may_change) {
+    const Symbols& symbols = system.symbols;
+    const bool any = std::any_of(system.constraints.begin(), system.constraints.end(), [](const ConstraintEquation& c) { return c.holds; });
+    if (any && system.needs_projection()) return fmt::format("    const auto rows = dalembert::constraint_rows(system, {}, 0.0);\n", at);
+    const std::size_t n = symbols.degrees();
+    std::string entries;
+    std::size_t row = 0;
+    const auto set = [&](const char* matrix, std::size_t column, const ex& entry) {
+        const auto number = value_at(symbols.without_definitions(entry), values.substitution(), 40);
+        if (number && !cln::zerop(*number)) entries += fmt::format("    rows.{}({}, {}) = {};\n", matrix, row, column, double_literal(cln::double_approx(*number)));
+    };
+    bool changes = false;
+    for (const ConstraintEquation& c : system.constraints) {
+        if (!c.holds || !symbols.attitudes().empty()) continue;
+        for (std::size_t j = 0; j < n; ++j) {
+            const ex by_q = symbols.along(c.whole_rate, j);
+            changes = changes || !is_of_parameters(by_q, symbols);
+            if (c.position) set("of_positions", j, c.rate.jacobian[j]);
+            set("of_rates", j, by_q);
+            set("of_rates", n + j, c.rate.jacobian[j]);
+        }
+        ++row;
+    }
+    if (row == 0 || (changes && !may_change)) return "    const dalembert::ConstraintRows<double> rows;\n";
+    return fmt::format("    dalembert::ConstraintRows<double> rows{{dalembert::Matrix<double>::Zero({0}, {1}), dalembert::Matrix<double>::Zero({0}, {2})}};\n", row, n, symbols.state_variables().size()) + entries;
+}
+
 }  // namespace
 
 std::string modal_source(const Code& code, const Header& header, const Values& values, const std::vector<ex>& x, const std::vector<ex>& inputs) {
+    const System& system = code.system;
+    const bool is_held = std::any_of(system.constraints.begin(), system.constraints.end(), [](const ConstraintEquation& c) { return c.holds; });
     return fill_template(embedded_file("modal.cpp.in"), {{"NAMESPACE", header.name_space},
                                                          {"SYSTEM", system_type(code, header)},
                                                          {"HEADER", header.file_name},
-                                                         {"PARAMETERS", parameter_statements(code.system.symbols, values)},
+                                                         {"PARAMETERS", parameter_statements(system.symbols, values)},
                                                          {"START", joined(x)},
-                                                         {"INPUTS", joined(inputs)}});
+                                                         {"INPUTS", joined(inputs)},
+                                                         {"INCLUDES", is_held ? "#include \"dalembert/reduced_motions.hpp\"\n" : ""},
+                                                         {"REDUCTION", is_held ? constraint_rows(system, values, "x", true) + "    const auto reduced = dalembert::reduced_motions(system, x, u, 0.0, rows);\n    print_reduction(reduced);\n"
+                                                                                 "    const dalembert::LinearSystem& linear = reduced.system;\n"
+                                                                               : "    const auto linear = dalembert::linear_system(system, x, u, 0.0);\n"},
+                                                         {"PRINT_REDUCTION", is_held ? std::string(embedded_file("reduction.cpp.in")) : ""}});
 }
 
 std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<GiNaC::ex>& x, const std::vector<bool>& free_states, const std::vector<bool>& free_inputs, const std::vector<bool>& moving) {
@@ -295,7 +332,8 @@ std::string equilibrium_source(const Code& code, const Header& header, const Val
                                                                {"INPUTS", joined(values.inputs())},
                                                                {"FREE_STATES", flags(free_states)},
                                                                {"FREE_INPUTS", flags(free_inputs)},
-                                                               {"MOVING", flags(moving)}});
+                                                               {"MOVING", flags(moving)},
+                                                               {"ROWS", constraint_rows(code.system, values, "found.x", false)}});
 }
 
 }  // namespace dalembert

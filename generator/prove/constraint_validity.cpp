@@ -73,9 +73,13 @@ private:
 
 }  // namespace
 
-void meet_constraints(const System& system, Values& values) {
+void meet_constraints_in_mode(const System& system, Values& values) {
     const bool any = std::any_of(system.constraints.begin(), system.constraints.end(), [](const ConstraintEquation& c) { return c.holds; });
-    if (any && system.scene.modes.empty()) ConstraintCheck(system, values).run();
+    if (any) ConstraintCheck(system, values).run();
+}
+
+void meet_constraints(const System& system, Values& values) {
+    if (system.scene.modes.empty()) meet_constraints_in_mode(system, values);
 }
 
 }  // namespace dalembert

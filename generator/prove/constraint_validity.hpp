@@ -11,5 +11,7 @@ namespace dalembert {
 /// Throws Failure (doubly-determined: constraints that cannot be met together near the start; value-out-of-range: start values that do not
 /// meet them).
 void meet_constraints(const System& system, Values& values);
+/// The same, also of one mode of a machine that switches.
+void meet_constraints_in_mode(const System& system, Values& values);
 
 }  // namespace dalembert

@@ -24,6 +24,12 @@ struct Linearisation {
     std::vector<std::size_t> ignorable;  ///< of these, those that no rate depends on
 };
 
+/// G dx = 0 for small changes dx of a state, where constraints hold: by their positions, for coordinates alone, and by their rates.
+template <class Scalar>
+struct ConstraintRows {
+    Matrix<Scalar> of_positions, of_rates;
+};
+
 /// Motions near a state that constraints allow: small changes dx = N dy, where y are the states that are free.
 template <class Scalar>
 struct FreeMotions {
@@ -33,14 +39,37 @@ struct FreeMotions {
 
 namespace detail {
 
-/// The columns of G in which dx are given by the others, where G dx = 0: the other way round than the solution of least changes, so that states keep their names.
+/// Columns of G whose dx are given by those of the others, where G dx = 0: the other way round than the solution of least changes, so that states keep
+/// their names. Columns of the first classes are taken first, where that leaves nothing nearly singular; of a class those with the largest entries.
 template <class Scalar>
-std::vector<bool> dependent_columns(const Matrix<Scalar>& G) {
-    Eigen::FullPivLU<Matrix<Scalar>> lu;
-    lu.setThreshold(Scalar(1e-10));
-    lu.compute(G);
+std::vector<bool> dependent_columns(Matrix<Scalar> G, const std::vector<int>& classes) {
+    using Index = Eigen::Index;
+    using std::abs;
     std::vector<bool> result(static_cast<std::size_t>(G.cols()), false);
-    for (Eigen::Index k = 0; k < lu.rank(); ++k) result[static_cast<std::size_t>(lu.permutationQ().indices()[k])] = true;
+    if (G.size() == 0) return result;
+    const Scalar size = G.cwiseAbs().maxCoeff();
+    Index rank = 0;
+    const auto take = [&](int most_class, const Scalar& least) {
+        while (rank < G.rows()) {
+            Scalar largest = least;
+            Index row = -1, column = -1;
+            for (Index j = 0; j < G.cols(); ++j)
+                for (Index i = rank; i < G.rows(); ++i)
+                    if (!result[static_cast<std::size_t>(j)] && classes[static_cast<std::size_t>(j)] <= most_class && abs(G(i, j)) > largest) {
+                        largest = abs(G(i, j));
+                        row = i;
+                        column = j;
+                    }
+            if (row < 0) return;
+            G.row(row).swap(G.row(rank));
+            for (Index i = rank + 1; i < G.rows(); ++i) G.row(i) -= G(i, column) / G(rank, column) * G.row(rank);
+            result[static_cast<std::size_t>(column)] = true;
+            ++rank;
+        }
+    };
+    const int last = *std::max_element(classes.begin(), classes.end());
+    for (int c = 0; c < last; ++c) take(c, Scalar(1e-3) * size);
+    take(last, Scalar(1e-10) * size);
     return result;
 }
 
@@ -74,60 +103,84 @@ void take_eigenvalues(const Matrix<Scalar>& A, const std::vector<bool>& is_ignor
 
 }  // namespace detail
 
-/// The changes of a state that neither positions nor rates of constraints see. Not of machines with quaternions.
+/// The rows of a generated system; none where it has no functions of constraints, or turns by quaternions.
 template <class System>
-auto free_motions(const System& system, const typename System::State& x, typename System::scalar_type t) {
+auto constraint_rows(const System& system, const typename System::State& x, typename System::scalar_type t) {
     using Scalar = typename System::scalar_type;
-    using Index = Eigen::Index;
-    const Matrix<Scalar> J = constraint_position_jacobian(system, x, t), W = constraint_rate_jacobian(system, x, t);
-    const Index n = J.cols();
-    const Matrix<Scalar> of_velocities = W.middleCols(n, n);
-    const std::vector<bool> q_follows = detail::dependent_columns<Scalar>(J), v_follows = detail::dependent_columns<Scalar>(of_velocities);
-    FreeMotions<Scalar> result;
-    for (std::size_t k = 0; k < x.size(); ++k) {
-        const auto j = static_cast<std::size_t>(n);
-        if (k < j ? !q_follows[k] : k < 2 * j ? !v_follows[k - j] : true) result.states.push_back(k);
+    if constexpr (detail::holds_positions<System>()) {
+        return ConstraintRows<Scalar>{constraint_position_jacobian(system, x, t), constraint_rate_jacobian(system, x, t)};
+    } else {
+        (void)system, (void)x, (void)t;
+        return ConstraintRows<Scalar>{};
     }
-    result.N = Matrix<Scalar>::Zero(static_cast<Index>(x.size()), static_cast<Index>(result.states.size()));
+}
+
+/// The changes of a state that neither positions nor rates of constraints see. Velocities of coordinates that are `wanted` stay free if they can;
+/// those of coordinates that follow from others follow, too.
+template <class Scalar>
+FreeMotions<Scalar> free_motions(const ConstraintRows<Scalar>& rows, std::size_t states, const std::vector<bool>& wanted = {}) {
+    using Index = Eigen::Index;
+    const Index n = rows.of_positions.cols();
+    const auto first = static_cast<std::size_t>(n);
+    FreeMotions<Scalar> result;
+    if (rows.of_rates.rows() == 0) {
+        for (std::size_t k = 0; k < states; ++k) result.states.push_back(k);
+        result.N = Matrix<Scalar>::Identity(static_cast<Index>(states), static_cast<Index>(states));
+        return result;
+    }
+    const Matrix<Scalar> of_velocities = rows.of_rates.middleCols(n, n);
+    const std::vector<bool> q_follows = detail::dependent_columns<Scalar>(rows.of_positions, std::vector<int>(first, 0));
+    std::vector<int> classes;
+    for (std::size_t k = 0; k < first; ++k) classes.push_back(q_follows[k] ? 0 : !wanted.empty() && wanted[k] ? 2 : 1);
+    const std::vector<bool> v_follows = detail::dependent_columns<Scalar>(of_velocities, classes);
+    for (std::size_t k = 0; k < states; ++k)
+        if (k < first ? !q_follows[k] : k < 2 * first ? !v_follows[k - first] : true) result.states.push_back(k);
+    result.N = Matrix<Scalar>::Zero(static_cast<Index>(states), static_cast<Index>(result.states.size()));
     for (std::size_t c = 0; c < result.states.size(); ++c) result.N(static_cast<Index>(result.states[c]), static_cast<Index>(c)) = Scalar(1);
-    const auto fill = [&](Index first, const std::vector<bool>& follows, const Matrix<Scalar>& G, const Matrix<Scalar>& right) {
+    const auto fill = [&](Index place, const std::vector<bool>& follows, const Matrix<Scalar>& G, const Matrix<Scalar>& right) {
         const Matrix<Scalar> part = detail::followers<Scalar>(G, follows, right);
         Index row = 0;
         for (std::size_t k = 0; k < follows.size(); ++k)
-            if (follows[k]) result.N.row(first + static_cast<Index>(k)) = part.row(row++);
+            if (follows[k]) result.N.row(place + static_cast<Index>(k)) = part.row(row++);
     };
-    fill(0, q_follows, J, J * result.N.topRows(n));
-    fill(n, v_follows, of_velocities, W * result.N);
+    fill(0, q_follows, rows.of_positions, rows.of_positions * result.N.topRows(n));
+    fill(n, v_follows, of_velocities, rows.of_rates * result.N);
     return result;
+}
+template <class System>
+auto free_motions(const System& system, const typename System::State& x, typename System::scalar_type t) {
+    return free_motions(constraint_rows(system, x, t), x.size());
 }
 
 /// Where constraints hold, eigenvalues are those of the motions that they allow, at rest or not.
 template <class System>
-auto linearise(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
+auto linearise(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t, const ConstraintRows<typename System::scalar_type>& rows) {
     using Scalar = typename System::scalar_type;
     using Index = Eigen::Index;
     Linearisation<Scalar> result{jacobian_x(system, x, u, t), jacobian_u(system, x, u, t), output_jacobian_x(system, x, u, t), output_jacobian_u(system, x, u, t), {}, {}, {}};
     if (!result.A.allFinite()) return result;
+    const FreeMotions<Scalar> motions = free_motions(rows, x.size());
+    result.free = motions.states;
     Matrix<Scalar> A = result.A;
-    for (std::size_t k = 0; k < x.size(); ++k) result.free.push_back(k);
-    std::vector<bool> is_ignorable(x.size(), false);
-    if constexpr (detail::holds_positions<System>()) {
-        const FreeMotions<Scalar> motions = free_motions(system, x, t);
-        result.free = motions.states;
+    std::vector<bool> is_ignorable(result.free.size(), false);
+    if (result.free.size() < x.size()) {
         const Matrix<Scalar> all = result.A * motions.N;
         A.resize(all.cols(), all.cols());
         for (Index i = 0; i < A.rows(); ++i) A.row(i) = all.row(static_cast<Index>(result.free[static_cast<std::size_t>(i)]));
-        is_ignorable.assign(result.free.size(), false);
         const Scalar rounding = Scalar(1e-12) * A.template lpNorm<Eigen::Infinity>();
         for (Index k = 0; k < A.cols(); ++k) {
             const std::size_t state = result.free[static_cast<std::size_t>(k)];
-            if (state >= System::velocity_place || !(A.col(k).template lpNorm<Eigen::Infinity>() <= rounding)) continue;
+            if (state >= static_cast<std::size_t>(rows.of_positions.cols()) || !(A.col(k).template lpNorm<Eigen::Infinity>() <= rounding)) continue;
             is_ignorable[static_cast<std::size_t>(k)] = true;
             result.ignorable.push_back(state);
         }
     }
     detail::take_eigenvalues<Scalar>(A, is_ignorable, result.eigenvalues);
     return result;
+}
+template <class System>
+auto linearise(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
+    return linearise(system, x, u, t, constraint_rows(system, x, t));
 }
 
 }  // namespace v1

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace dalembert {
 inline namespace v1 {
@@ -57,7 +58,8 @@ auto constraint_position_jacobian(const System& system, const typename System::S
 }
 
 /// The rates that constraints hold at zero, and their derivatives by the states: by velocities as the header knows them, by coordinates by differences
-/// of the sixth order. Not of machines with quaternions.
+/// of the sixth order. A coordinate in metres may be that of a watch or of a ship, so that the steps get shorter until the result changes no less.
+/// Not of machines with quaternions.
 template <class System>
 Vector<typename System::scalar_type> constraint_rates(const System& system, const typename System::State& x, typename System::scalar_type t) {
     typename System::Constraints w{};
@@ -72,15 +74,28 @@ auto constraint_rate_jacobian(const System& system, const typename System::State
     const std::size_t m = System::constraint_table().size(), n = A.size() / m;
     Matrix<Scalar> result = Matrix<Scalar>::Zero(static_cast<Eigen::Index>(m), static_cast<Eigen::Index>(x.size()));
     result.middleCols(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n)) = detail::expanded<detail::Dense>(A, m, n);
-    const Scalar h = Scalar(1) / Scalar(128);
     for (std::size_t j = 0; j < n; ++j) {
-        const auto difference = [&](int steps) {
-            typename System::State ahead = x, behind = x;
-            ahead[j] += Scalar(steps) * h;
-            behind[j] -= Scalar(steps) * h;
-            return Vector<Scalar>(constraint_rates(system, ahead, t) - constraint_rates(system, behind, t));
+        const auto slope = [&](Scalar h) {
+            const auto difference = [&](int steps) {
+                typename System::State ahead = x, behind = x;
+                ahead[j] += Scalar(steps) * h;
+                behind[j] -= Scalar(steps) * h;
+                return Vector<Scalar>(constraint_rates(system, ahead, t) - constraint_rates(system, behind, t));
+            };
+            return Vector<Scalar>((Scalar(45) * difference(1) - Scalar(9) * difference(2) + difference(3)) / (Scalar(60) * h));
         };
-        result.col(static_cast<Eigen::Index>(j)) = (Scalar(45) * difference(1) - Scalar(9) * difference(2) + difference(3)) / (Scalar(60) * h);
+        Scalar h = Scalar(1) / Scalar(16);
+        Vector<Scalar> best = slope(h), before = best;
+        for (Scalar least = std::numeric_limits<Scalar>::infinity(); h > std::numeric_limits<Scalar>::epsilon(); h /= Scalar(8)) {
+            const Vector<Scalar> now = slope(h / Scalar(8));
+            const Scalar change = (now - before).template lpNorm<Eigen::Infinity>();
+            if (now.allFinite() && before.allFinite() && change < least) {
+                least = change;
+                best = now;
+            }
+            before = now;
+        }
+        result.col(static_cast<Eigen::Index>(j)) = best;
     }
     return result;
 }

@@ -254,9 +254,62 @@ inline void append_blocks(const ModalFrame& frame, InvariantSubspace part, doubl
     for (Eigen::Index i = 2 * pairs; i < k; ++i) result.push_back(single_mode(frame, part.is_real, is_orthogonal, eigenvalues[0], part.X.col(i), part.Y.row(i).tail(n).transpose()));
 }
 
+/// Coordinates in groups that neither M nor D nor C couples.
+inline std::vector<std::vector<Eigen::Index>> uncoupled_groups(const LinearSystem& system) {
+    std::vector<std::vector<Eigen::Index>> groups;
+    for (Eigen::Index i = 0; i < system.M.rows(); ++i) {
+        std::vector<Eigen::Index> joined{i};
+        const auto couples = [&](const Eigen::MatrixXd& A, Eigen::Index j) { return A(i, j) != 0 || A(j, i) != 0; };
+        for (auto group = groups.begin(); group != groups.end();) {
+            const bool is_coupled = std::any_of(group->begin(), group->end(), [&](Eigen::Index j) { return couples(system.M, j) || couples(system.D, j) || couples(system.C, j); });
+            if (is_coupled) joined.insert(joined.end(), group->begin(), group->end());
+            group = is_coupled ? groups.erase(group) : group + 1;
+        }
+        std::sort(joined.begin(), joined.end());
+        groups.push_back(joined);
+    }
+    return groups;
+}
+
+inline ModalStatus append_modes(const LinearSystem& system, std::vector<Modes>& blocks) {
+    const Eigen::LLT<Eigen::MatrixXd> cholesky((system.M + system.M.transpose()) / 2);
+    if (definiteness(system.M) != Definiteness::positive_definite || cholesky.info() != Eigen::Success) return ModalStatus::mass_not_positive_definite;
+    const ModalFrame frame(system, cholesky.matrixL());
+    if (!frame.matrix().allFinite()) return ModalStatus::not_finite;
+    Splitting splitting;
+    if (!splitting.split(frame.matrix())) return ModalStatus::not_converged;
+    for (const auto& part : splitting.parts) append_blocks(frame, part, splitting.rounding, blocks);
+    return ModalStatus::success;
+}
+
+/// A block of a group, seen from all coordinates.
+inline void embed(Modes& block, const std::vector<Eigen::Index>& group, Eigen::Index n) {
+    const Eigen::Index k = block.vectors.cols(), g = static_cast<Eigen::Index>(group.size());
+    Eigen::MatrixXcd vectors = Eigen::MatrixXcd::Zero(2 * n, k), left = Eigen::MatrixXcd::Zero(n, k), inverse = Eigen::MatrixXcd::Zero(k, 2 * n);
+    for (Eigen::Index i = 0; i < g; ++i) {
+        const Eigen::Index at = group[static_cast<std::size_t>(i)];
+        vectors.row(at) = block.vectors.row(i);
+        vectors.row(n + at) = block.vectors.row(g + i);
+        left.row(at) = block.left.row(i);
+        inverse.col(at) = block.inverse.col(i);
+        inverse.col(n + at) = block.inverse.col(g + i);
+    }
+    block.vectors = vectors;
+    block.left = left;
+    block.inverse = inverse;
+}
+
+inline Eigen::MatrixXd part_of(const Eigen::MatrixXd& A, const std::vector<Eigen::Index>& rows, const std::vector<Eigen::Index>& columns) {
+    Eigen::MatrixXd result(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns.size()));
+    for (Eigen::Index i = 0; i < result.rows(); ++i)
+        for (Eigen::Index j = 0; j < result.cols(); ++j) result(i, j) = A(rows[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]);
+    return result;
+}
+
 }  // namespace detail
 
-/// The modal form. Eigenvalues closer than 20 n eps of the largest count as equal.
+/// The modal form. Eigenvalues closer than 20 n eps of the largest count as equal. Coordinates that nothing couples have modes of their own, whatever
+/// the others do.
 inline Modes modes(const LinearSystem& system) {
     Modes result;
     const auto fail = [&](ModalStatus status) {
@@ -270,14 +323,18 @@ inline Modes modes(const LinearSystem& system) {
     if (system.B.rows() != n) return fail(ModalStatus::wrong_shape);
     for (const Eigen::MatrixXd* A : {&system.M, &system.D, &system.C, &system.B})
         if (!A->allFinite()) return fail(ModalStatus::not_finite);
-    const Eigen::LLT<Eigen::MatrixXd> cholesky((system.M + system.M.transpose()) / 2);
-    if (definiteness(system.M) != Definiteness::positive_definite || cholesky.info() != Eigen::Success) return fail(ModalStatus::mass_not_positive_definite);
-    const detail::ModalFrame frame(system, cholesky.matrixL());
-    if (!frame.matrix().allFinite()) return fail(ModalStatus::not_finite);
-    detail::Splitting splitting;
-    if (!splitting.split(frame.matrix())) return fail(ModalStatus::not_converged);
     std::vector<Modes> blocks;
-    for (const auto& part : splitting.parts) detail::append_blocks(frame, part, splitting.rounding, blocks);
+    std::vector<Eigen::Index> inputs;
+    for (Eigen::Index i = 0; i < system.B.cols(); ++i) inputs.push_back(i);
+    for (const std::vector<Eigen::Index>& group : detail::uncoupled_groups(system)) {
+        std::vector<Modes> own;
+        const ModalStatus status = detail::append_modes({detail::part_of(system.M, group, group), detail::part_of(system.D, group, group), detail::part_of(system.C, group, group), detail::part_of(system.B, group, inputs)}, own);
+        if (status != ModalStatus::success) return fail(status);
+        for (Modes& block : own) {
+            detail::embed(block, group, n);
+            blocks.push_back(std::move(block));
+        }
+    }
     std::stable_sort(blocks.begin(), blocks.end(), [](const Modes& a, const Modes& b) { return std::abs(a.eigenvalues[0]) < std::abs(b.eigenvalues[0]); });
 
     Eigen::Index K = 0, at = 0;
@@ -304,34 +361,47 @@ inline Modes modes(const LinearSystem& system) {
     return result.vectors.allFinite() && result.inverse.allFinite() ? result : fail(ModalStatus::not_finite);
 }
 
-/// M, D, C and B of a generated system at a point: M as it is, the others from the Jacobian of the accelerations. Of what is not linear this is
-/// the linearisation there. Entries that are only rounding are zero, and pairs that differ by it are equal.
-template <class System>
-LinearSystem linear_system(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
-    constexpr Eigen::Index n = static_cast<Eigen::Index>(System::degrees);
-    typename System::MassMatrix packed;
-    system.mass_matrix(x, t, packed);
-    LinearSystem result;
-    result.M = Eigen::MatrixXd::Zero(n, n);
-    for (Eigen::Index j = 0; j < n; ++j)
-        for (Eigen::Index i = 0; i < n; ++i) result.M(i, j) = static_cast<double>(packed[static_cast<std::size_t>(j * n + i)]);
-    const double rounding = 16 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
+namespace detail {
+
+/// -M by_q, -M by_v and M by_u of accelerations. Entries below the rounding of what they are made of are zero, and pairs that differ by it are equal.
+inline LinearSystem from_accelerations(const Eigen::MatrixXd& M, const Eigen::MatrixXd& by_q, const Eigen::MatrixXd& by_v, const Eigen::MatrixXd& by_u, double rounding) {
+    const Eigen::Index n = M.rows();
     const auto of = [&](const Eigen::MatrixXd& accelerations, double sign) {
-        Eigen::MatrixXd A = sign * detail::multiply_real(result.M, accelerations);
-        const Eigen::MatrixXd sizes = rounding * detail::multiply_real(result.M.cwiseAbs(), accelerations.cwiseAbs());
+        Eigen::MatrixXd A = sign * multiply_real(M, accelerations);
+        const Eigen::MatrixXd sizes = rounding * multiply_real(M.cwiseAbs(), accelerations.cwiseAbs());
         for (Eigen::Index j = 0; j < A.cols(); ++j)
             for (Eigen::Index i = 0; i < n; ++i)
                 if (std::abs(A(i, j)) <= sizes(i, j)) A(i, j) = 0;
-        for (Eigen::Index j = 0; A.cols() == n && j < n; ++j)
+        return A;
+    };
+    const auto paired = [&](const Eigen::MatrixXd& accelerations) {
+        Eigen::MatrixXd A = of(accelerations, -1);
+        const Eigen::MatrixXd sizes = rounding * multiply_real(M.cwiseAbs(), accelerations.cwiseAbs());
+        for (Eigen::Index j = 0; j < n; ++j)
             for (Eigen::Index i = j + 1; i < n; ++i)
                 if (std::abs(A(i, j) - A(j, i)) <= sizes(i, j) + sizes(j, i)) A(j, i) = A(i, j) = (A(i, j) + A(j, i)) / 2;
         return A;
     };
+    return {M, paired(by_v), paired(by_q), of(by_u, 1)};
+}
+
+template <class System>
+Eigen::MatrixXd whole_mass_matrix(const System& system, const typename System::State& x, typename System::scalar_type t) {
+    typename System::MassMatrix packed;
+    system.mass_matrix(x, t, packed);
+    return expanded<Dense>(packed, System::degrees, System::degrees).template cast<double>();
+}
+
+}  // namespace detail
+
+/// M, D, C and B of a generated system at a point: M as it is, the others from the Jacobian of the accelerations. Of what is not linear this is
+/// the linearisation there. Not of systems with constraints: see reduced_motions.hpp.
+template <class System>
+LinearSystem linear_system(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
+    constexpr Eigen::Index n = static_cast<Eigen::Index>(System::degrees);
     const Eigen::MatrixXd by_x = jacobian_x(system, x, u, t).template cast<double>(), by_u = jacobian_u(system, x, u, t).template cast<double>();
-    result.C = of(by_x.block(n, 0, n, n), -1);
-    result.D = of(by_x.block(n, n, n, n), -1);
-    result.B = of(by_u.middleRows(n, n), 1);
-    return result;
+    return detail::from_accelerations(detail::whole_mass_matrix(system, x, t), by_x.block(n, 0, n, n), by_x.block(n, n, n, n), by_u.middleRows(n, n),
+                                      16 * static_cast<double>(n) * std::numeric_limits<double>::epsilon());
 }
 
 }  // namespace v1

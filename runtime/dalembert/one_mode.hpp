@@ -33,6 +33,8 @@ public:
     template <class Values>
     void constraint_positions(const State& x, Scalar t, Values& f) const noexcept { System::constraint_positions(mode, x, t, f); }
     template <class Values>
+    void constraint_rates(const State& x, Scalar t, Values& w) const noexcept { System::constraint_rates(mode, x, t, w); }
+    template <class Values>
     void constraint_jacobian(const State& x, Scalar t, Values& A) const noexcept { System::constraint_jacobian(mode, x, t, A); }
     Scalar kinetic_energy(const State& x, Scalar t) const noexcept { return System::kinetic_energy(mode, x, t); }
     Scalar potential_energy(const State& x, Scalar t) const noexcept { return System::potential_energy(mode, x, t); }

@@ -5,3 +5,6 @@ dalembert 0 equilibrium "$model"
 prints "an isolated equilibrium"
 prints "free to be chosen where constraints hold: 'phi' and 'dot\(phi\)'"
 near "angular frequency" "$(number '^ +-?0 \+')" 3.74357 1e-5
+dalembert 0 modal "$model"
+prints "independent coordinates: 'phi';"
+near "angular frequency by modal" "$(number '1   \+-')" 3.74357 1e-4

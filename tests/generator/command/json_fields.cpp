@@ -92,7 +92,7 @@ TEST_CASE("the JSON fields are the documented ones") {
         {"evaluate", {{systems + "cart_pendulum.toml"}, {systems + "friction_limits.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}, {sliding, "--mode", "floor_sticks"}}},
         {"simulate", {{sliding, "--until", "1", "--no-plot", "-o", folder}, {systems + "n_pendulum.toml", "--size", "N=2", "--until", "0.01", "--method", "dop853", "--no-plot", "-o", folder}, {SOURCE_DIR "/systems/heat/voltage_regulator.toml", "--until", "1", "--no-plot", "-o", folder}}},
         {"equilibrium", {{model}, {sliding, "--mode", "floor_sticks"}}},
-        {"modal", {{systems + "drive_train.toml"}, {model}, {sliding, "--mode", "floor_slides_forwards"}}},
+        {"modal", {{systems + "drive_train.toml"}, {systems + "chaplygin_sleigh.toml"}, {model}, {sliding, "--mode", "floor_slides_forwards"}}},
         {"optimise", {{waves, "--maximise", "y", "--over", "w=1:15"}, {model, "--until", "1", "--minimise", "y", "--over", "c=1:2", "--state", "q[1]=1"}}},
         {"cost", {{waves, "--methods", "rk4,dopri5", "--arithmetics", "double", "--limit", "2", "--no-plot", "-o", folder}, {waves, "--budget", "1 ms step, 1 s", "--methods", "rk4", "--arithmetics", "double", "--limit", "2"}}},
         {"accuracy", {{model, "--points", "20"}, {waves, "--points", "20"}}},
