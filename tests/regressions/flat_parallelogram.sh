@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Runs that came near the flat position lost 2 % of the energy there without a word, or stopped.
+# tier: full
 for tolerance in 1e-8 1e-9 1e-12; do
   dalembert 0 simulate "$model" --tolerance $tolerance --no-plot -o out
   prints_not "singular|stopped"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A start at rest was no equilibrium: accelerations that are zero but for rounding were scaled up.
+# tier: full
 limit=600
 dalembert 0 equilibrium "$model"
 prints "an isolated equilibrium"

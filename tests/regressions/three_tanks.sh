@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The run ended without the cause, after a long time; it has to name the flows and the remedy, which has to work.
+# tier: full
 dalembert 0 check "$model"
 prints "warning.*'junction' stores.*'pipe1', 'pipe2' and 'pipe3'.*width"
 dalembert 4 simulate "$model" --no-plot

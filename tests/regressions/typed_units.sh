@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Numbers in [runs] and on the command line counted in SI: T_out = 5 in degC was 5 K, p_s = 150 in bar was 150 Pa.
+# tier: full
 dalembert 0 simulate "$model" --run reference --no-plot -o si
 near "T in K" "$(last si/typed_units_full.csv T)" 283.668191617571635 1e-6
 near "push in N" "$(last si/typed_units_full.csv push)" 1500 1e-9
