@@ -285,6 +285,7 @@ public:
         x[1] = -Scalar(1) / Scalar(10);
         x[2] = Scalar(1) / Scalar(5);
         x[3] = Scalar(20);
+        meet_constraints(x);
         return x;
     }
 
@@ -1125,6 +1126,42 @@ public:
         step[0] = -e3 * e24 - e9 * e23 - e17 * e22;
         step[1] = e24;
         step[2] = -inverse_10 * e23;
+    }
+
+    /// Start values that the model leaves out or guesses become those that the constraints ask for, by the least changes; what it writes stays.
+    void meet_constraints(State& x) const noexcept {
+        constexpr std::size_t n = degrees_of_freedom, m = constraint_count;
+        constexpr std::array<bool, 2 * n> is_found{false, true, true, false, true, true};
+        // A step of Newton's method. Constraints that follow from others make G singular: a little more on its diagonal costs a few steps.
+        const auto step = [&](bool of_rates) {
+            Constraints r{};
+            ConstraintJacobian A{};
+            if (of_rates) constraint_rates(x, Scalar(0), r);
+            else constraint_positions(x, Scalar(0), r);
+            constraint_jacobian(x, Scalar(0), A);
+            std::array<Scalar, m * m> G{};
+            for (std::size_t j = 0; j < n; ++j) {
+                for (std::size_t i = 0; i < m; ++i)
+                    if (!is_found[of_rates ? n + j : j] || (!of_rates && !constraint_list[i].has_position)) A[m * j + i] = Scalar(0);
+                for (std::size_t i = 0; i < m; ++i)
+                    for (std::size_t k = 0; k < m; ++k) G[m * i + k] += A[m * j + i] * A[m * j + k];
+            }
+            for (std::size_t i = 0; i < m; ++i) G[m * i + i] += G[m * i + i] / Scalar(1000000) + Scalar(1) / Scalar(1000000000000000);
+            for (std::size_t k = 0; k < m; ++k)
+                for (std::size_t i = k + 1; i < m; ++i) {
+                    const Scalar factor = G[m * i + k] / G[m * k + k];
+                    for (std::size_t l = k; l < m; ++l) G[m * i + l] -= factor * G[m * k + l];
+                    r[i] -= factor * r[k];
+                }
+            for (std::size_t k = m; k-- > 0;) {
+                for (std::size_t l = k + 1; l < m; ++l) r[k] -= G[m * k + l] * r[l];
+                r[k] /= G[m * k + k];
+            }
+            for (std::size_t j = 0; j < n; ++j)
+                for (std::size_t i = 0; i < m; ++i) x[(of_rates ? velocity_place : 0) + j] -= A[m * j + i] * r[i];
+        };
+        for (int k = 0; k < 40; ++k) step(false);
+        for (int k = 0; k < 8; ++k) step(true);
     }
 
 private:

@@ -224,6 +224,7 @@ public:
         const Scalar sin_1 = sin(Scalar(1));
         x[0] = p_.l * sin_1;
         x[2] = -p_.l;
+        meet_constraints(x);
         return x;
     }
 
@@ -702,6 +703,42 @@ public:
         step[0] = -e3 * e10;
         step[1] = -e5 * e10;
         step[2] = -e7 * e10;
+    }
+
+    /// Start values that the model leaves out or guesses become those that the constraints ask for, by the least changes; what it writes stays.
+    void meet_constraints(State& x) const noexcept {
+        constexpr std::size_t n = degrees_of_freedom, m = constraint_count;
+        constexpr std::array<bool, 2 * n> is_found{false, false, true, true, true, true};
+        // A step of Newton's method. Constraints that follow from others make G singular: a little more on its diagonal costs a few steps.
+        const auto step = [&](bool of_rates) {
+            Constraints r{};
+            ConstraintJacobian A{};
+            if (of_rates) constraint_rates(x, Scalar(0), r);
+            else constraint_positions(x, Scalar(0), r);
+            constraint_jacobian(x, Scalar(0), A);
+            std::array<Scalar, m * m> G{};
+            for (std::size_t j = 0; j < n; ++j) {
+                for (std::size_t i = 0; i < m; ++i)
+                    if (!is_found[of_rates ? n + j : j] || (!of_rates && !constraint_list[i].has_position)) A[m * j + i] = Scalar(0);
+                for (std::size_t i = 0; i < m; ++i)
+                    for (std::size_t k = 0; k < m; ++k) G[m * i + k] += A[m * j + i] * A[m * j + k];
+            }
+            for (std::size_t i = 0; i < m; ++i) G[m * i + i] += G[m * i + i] / Scalar(1000000) + Scalar(1) / Scalar(1000000000000000);
+            for (std::size_t k = 0; k < m; ++k)
+                for (std::size_t i = k + 1; i < m; ++i) {
+                    const Scalar factor = G[m * i + k] / G[m * k + k];
+                    for (std::size_t l = k; l < m; ++l) G[m * i + l] -= factor * G[m * k + l];
+                    r[i] -= factor * r[k];
+                }
+            for (std::size_t k = m; k-- > 0;) {
+                for (std::size_t l = k + 1; l < m; ++l) r[k] -= G[m * k + l] * r[l];
+                r[k] /= G[m * k + k];
+            }
+            for (std::size_t j = 0; j < n; ++j)
+                for (std::size_t i = 0; i < m; ++i) x[(of_rates ? velocity_place : 0) + j] -= A[m * j + i] * r[i];
+        };
+        for (int k = 0; k < 40; ++k) step(false);
+        for (int k = 0; k < 8; ++k) step(true);
     }
 
 private:

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ostream>
 
 #include "command/json_output.hpp"
@@ -73,6 +74,19 @@ std::vector<bool> moving_coordinates(const Options& options, const std::vector<c
     return moving;
 }
 
+/// The state that changes fastest, where nothing came to rest: ", of 'dot(y)' at 3 m/s".
+std::string restless_state(const std::vector<const Variable*>& states, const std::vector<bool>& moving, const std::vector<double>& x, const std::vector<double>& rates, double residual) {
+    std::size_t worst = states.size();
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        if (moving[i]) continue;
+        if (!std::isfinite(rates[i])) return fmt::format("; the rate of '{}' has no value, where it is {:.6g} {}", states[i]->name, x[i], states[i]->unit);
+        if (worst == states.size() || std::abs(rates[i]) > std::abs(rates[worst])) worst = i;
+    }
+    if (worst == states.size() || !(std::abs(rates[worst]) >= 0.99 * residual)) return ", by which a constraint is not met";
+    const std::string unit = states[worst]->unit == "1" ? "" : " " + states[worst]->unit;
+    return fmt::format(": '{}' changes by {:.6g}{} a second, where it is {:.6g}{}", states[worst]->name, rates[worst], unit, x[worst], unit);
+}
+
 /// Names of states by the places that the program printed.
 std::vector<std::string> names_at(const std::string& places, const std::vector<const Variable*>& states) {
     std::vector<std::string> names;
@@ -96,6 +110,9 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     std::vector<bool> is_given;
     for (const Variable& input : system.symbols.all(SymbolKind::input)) is_given.push_back(values.is_written(SymbolKind::input, input.position) || std::find(options.free.begin(), options.free.end(), input.base) != options.free.end() || std::find(options.free.begin(), options.free.end(), input.name) != options.free.end());
     check_inputs_given(is_given, system);
+    Diagnostics doubts;
+    warn_of_unlikely_start(values, system, doubts);
+    for (const Diagnostic& doubt : doubts.all()) streams.err << render(doubt);
 
     const FunctionCode& by_time = (*chosen.code)[Function::jacobian_t];
     const auto moves = [&](const CodeMatrix& matrix) { return std::any_of(matrix.entries.begin(), matrix.entries.end(), [&](NodeId id) { return !by_time.is_zero(id); }); };
@@ -140,8 +157,8 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     if (system.scene.mode) json["mode"] = system.scene.modes[*system.scene.mode].name;
     std::string text = title_of(system.scene) + ": ";
     if (!found)
-        text += fmt::format("no equilibrium found ({}{}), largest |dx/dt| left {}\n  try another start with --state, keep a state with --hold, let an input change with --free, or see by simulate where it goes\n", result.at("status"),
-                            result.at("status") == "not finite" ? ": dx/dt or its Jacobian has no value" : "", result.at("residual"));
+        text += fmt::format("no equilibrium found ({}{}), largest |dx/dt| left {}{}\n  try another start with --state, keep a state with --hold, let an input change with --free, or see by simulate where it goes\n", result.at("status"),
+                            result.at("status") == "not finite" ? ": dx/dt or its Jacobian has no value" : "", result.at("residual"), restless_state(states, moving, x, number_list(result.at("rates"), ','), std::stod(result.at("residual"))));
     else if (result.at("kind") == "family") text += fmt::format("one of a family of equilibria of dimension {}\n", result.at("dimension"));
     else text += options.moving.empty() ? "an isolated equilibrium\n" : "a steady motion\n";
     const auto list = [&](const char* key, const std::vector<const Variable*>& variables, const std::vector<double>& numbers_of) {

@@ -20,6 +20,7 @@
 #include "emit/safe_text.hpp"
 #include "emit/template.hpp"
 #include "graph/raise.hpp"
+#include "prove/constraint_validity.hpp"
 
 namespace dalembert {
 
@@ -91,7 +92,7 @@ private:
             if (!one.statements.empty()) update += updates.size() == 1 ? one.statements : "        {\n" + shifted(one.statements) + "        }\n";
         values("UPDATE", update);
         values("COUNT_UPDATE", count_text(Function::update));
-        values("START_STATE", bodies_.front().start_state().statements);
+        values("START_STATE", bodies_.front().start_state().statements + (starts_to_find(system_).empty() ? "" : "        meet_constraints(x);\n"));
         body(Function::rhs, [](CppBodies& b) { return b.rhs(); });
         body(Function::rhs_and_jacobian, [](CppBodies& b) { return b.rhs_and_jacobian(); });
         body(Function::jacobian_u, [](CppBodies& b) { return b.jacobian(Function::jacobian_u, By::input); });
@@ -191,6 +192,9 @@ private:
         const CppBody moved = bodies_.front().move_back();
         v["MOVE_BACK"] = moved.statements;
         v["MOVE_BACK_ARGUMENTS"] = moved.arguments;
+        std::vector<std::string> is_found;
+        for (const bool found : starts_to_find(system_)) is_found.emplace_back(found ? "true" : "false");
+        v["MEET_CONSTRAINTS"] = is_found.empty() ? "" : fill_template(embedded_file("meet_constraints.hpp.in"), {{"IS_FOUND", fmt::format("{}", fmt::join(is_found, ", "))}});
         std::vector<std::string> positions, rates;
         for (const ConstraintEquation& c : system_.constraints) {
             if (c.position) positions.push_back(fmt::format("{}: {} = 0", c.name, write_(*c.position)));

@@ -8,6 +8,7 @@
 #include "emit/cpp_names.hpp"
 #include "emit/shared_members.hpp"
 #include "emit/template.hpp"
+#include "prove/constraint_validity.hpp"
 
 namespace dalembert {
 
@@ -69,7 +70,7 @@ private:
     }
 
     void start_state() {
-        if (!mode_.empty() && &code_ != modes_.front()) return;
+        if ((!mode_.empty() && &code_ != modes_.front()) || !starts_to_find(system_).empty()) return;  // what is found has no closed form
         const FunctionCode& f = code_[Function::start_state];
         std::vector<MeasuredResult> results;
         for (std::size_t i = 0; i < f.results.size(); ++i) results.push_back({states_[i], node(Function::start_state, f.results[i])});

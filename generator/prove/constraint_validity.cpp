@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "form/on_constraints.hpp"
 
 namespace dalembert {
@@ -80,6 +82,21 @@ void meet_constraints_in_mode(const System& system, Values& values) {
 
 void meet_constraints(const System& system, Values& values) {
     if (system.scene.modes.empty()) meet_constraints_in_mode(system, values);
+}
+
+std::vector<bool> starts_to_find(const System& system) {
+    const Symbols& symbols = system.symbols;
+    if (!system.scene.modes.empty() || !system.needs_projection() || !symbols.attitudes().empty()) return {};
+    const Values values(system.scene, system.translate);
+    const std::size_t n = symbols.degrees();
+    std::vector<bool> result(2 * n, false);
+    for (const ConstraintEquation& c : system.constraints)
+        for (std::size_t j = 0; c.holds && j < n; ++j) {
+            if (c.rate.jacobian[j].is_zero()) continue;
+            if (c.position && !values.is_written(SymbolKind::coordinate, j)) result[j] = true;
+            if (!values.is_written(SymbolKind::velocity, j)) result[n + j] = true;
+        }
+    return std::find(result.begin(), result.end(), true) == result.end() ? std::vector<bool>{} : result;
 }
 
 }  // namespace dalembert

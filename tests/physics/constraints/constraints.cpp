@@ -93,6 +93,28 @@ TEST_CASE("a spherical pendulum in x, y, z is the one in angles, with and withou
     for (const double value : stopped.x) CHECK(std::isfinite(value));
 }
 
+TEST_CASE("start_state() meets the constraints, with other parameters too, and is start_values by default") {
+    const auto check = [](const auto& system, const auto& values, bool is_default) {
+        using System = std::decay_t<decltype(system)>;
+        const auto x = system.start_state();
+        for (std::size_t i = 0; is_default && i < x.size(); ++i) CHECK(x[i] == doctest::Approx(values[i]).epsilon(1e-13));
+        typename System::Constraints f{}, w{};
+        system.constraint_positions(x, 0, f);
+        system.constraint_rates(x, 0, w);
+        for (std::size_t i = 0; i < f.size(); ++i) {
+            CHECK(std::abs(f[i]) < 1e-13);
+            CHECK(std::abs(w[i]) < 1e-13);
+        }
+    };
+    check(four_bar::full::System<double>(), four_bar::full::start_values, true);
+    check(slider_crank::full::System<double>(), slider_crank::full::start_values, true);
+    check(double_pendulum_xy::full::System<double>(), double_pendulum_xy::full::start_values, true);
+    four_bar::full::Parameters<double> shorter;
+    shorter.a = 0.15, shorter.d = 0.45;
+    check(four_bar::full::System<double>(shorter), four_bar::full::start_values, false);
+    CHECK(four_bar::full::System<double>(shorter).start_state()[0] == 1);  // what the model writes stays
+}
+
 TEST_CASE("a double pendulum in the coordinates of its masses is the one in angles, and stays on its rods for 1e5 steps") {
     using Angles = n_pendulum_N2::full::System<double>;
     using Masses = double_pendulum_xy::full::System<double>;
