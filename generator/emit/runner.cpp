@@ -143,7 +143,7 @@ std::string flags(const std::vector<bool>& values) {
 }  // namespace
 
 bool steps_freely(const System& system, const std::vector<ex>& inputs) {
-    if (!system.guards.empty() || !system.scene.modes.empty() || !system.heat.fields.empty()) return false;
+    if (!system.guards.empty() || !system.scene.modes.empty() || !system.heat.fields.empty() || !system.motion.multipliers.empty()) return false;
     const Motion& motion = system.motion;
     std::vector<ex> acting = inputs;
     acting.insert(acting.end(), motion.residual.begin(), motion.residual.end());

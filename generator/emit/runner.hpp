@@ -22,10 +22,11 @@ struct SimulationSettings {
     bool declared_plots = true;
 };
 
-/// The source of a simulation. Parameters and start are those of `values`.
-/// Whether nothing depends on the time and no guard is watched, so that nothing comes and goes within a step that the control of its error would not see.
+/// Whether nothing depends on the time, no guard is watched and no singular position looked for, so that nothing comes and goes within a step
+/// that the control of its error would not see.
 bool steps_freely(const System& system, const std::vector<GiNaC::ex>& inputs);
 
+/// The source of a simulation. Parameters and start are those of `values`.
 std::string simulation_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings);
 
 /// The source of a program that makes a run again and again. Its arguments are those of `repeated_arguments`; it prints what is recorded under
