@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Modal forms of machines with constraints were refused, and eigenvalues of coordinates on a gear came with zeros that no motion has.
+# tier: full
 limit=600
 dalembert 0 modal "$model" --scene skate
 prints "^independent coordinates: 'x' and 'theta'"
