@@ -73,7 +73,9 @@ void model(const std::string& bytes) {
 void catalogue(const std::string& bytes) {
     answered([&] {
         Diagnostics diagnostics;
-        const Catalogue read = read_catalogue(source_of("fuzz.toml", bytes), diagnostics);
+        const SourcePtr source = source_of("fuzz.toml", bytes);
+        if (!is_catalogue(source)) return;
+        const Catalogue read = read_catalogue(source, diagnostics);
         for (const CatalogueEntry& entry : read.entries)
             answered([&] {
                 for (const CatalogueEntry& with : with_equations(read, entry, nullptr)) {
