@@ -77,7 +77,7 @@ std::string constrained(const System& s, const Notation& write) {
     std::string text = "\nconstraints, and their force along the rate\n";
     for (const ConstraintEquation& c : s.constraints) {
         if (!c.holds) continue;
-        const std::string force = c.is_redundant ? "follows from the others" : c.has_multiplier ? "unknown" : write(c.force);
+        const std::string force = c.is_redundant ? (c.has_multiplier ? "unknown, or zero: follows from the others" : "zero: follows from the others") : c.has_multiplier ? "unknown" : write(c.force);
         text += fmt::format("  {}: {} = 0, force {}\n", c.name, write(c.position ? *c.position : c.whole_rate), force);
     }
     return text;

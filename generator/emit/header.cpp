@@ -201,11 +201,29 @@ private:
             rates.push_back(fmt::format("{}: {} = 0", c.name, write_(c.whole_rate)));
         }
         v["POSITION_EQUATIONS"] = comment_lines(positions);
+        v["CONSTRAINT_CHOICE"] = constraint_choice();
         v["RATE_EQUATIONS"] = comment_lines(rates);
         values("CONSTRAINT_TABLES", fill_template(embedded_file("constraint_tables.hpp.in"), pick(v, {"CONSTRAINTS", "CONSTRAINT_INDICES", "CONSTRAINT_TABLE"})));
         values("CONSTRAINT_TYPES", std::string(embedded_file("constraint_types.hpp.in")));
         for (const char* name : {"CONSTRAINT_INDICES", "CONSTRAINT_TABLE"}) v.erase(name);
         values("CONSTRAINT_FUNCTIONS", fill_template(embedded_file("constraint_functions.hpp.in"), v));
+    }
+
+    /// Which constraints are solved for, see note [choice]; nothing where all are.
+    std::string constraint_choice() const {
+        const Solve& s = code_.solve;
+        if (s.left_out == 0) return {};
+        const std::vector<std::size_t>& multipliers = system_.motion.multipliers;
+        std::vector<bool> can_be_left_out, at_start;
+        for (std::size_t i = 0; i < system_.constraints.size(); ++i) {
+            can_be_left_out.push_back(std::find(multipliers.begin(), multipliers.end(), i) != multipliers.end());
+            at_start.push_back(system_.constraints[i].holds && !system_.constraints[i].is_redundant);
+        }
+        std::string assignments;
+        for (std::size_t i = 0; i < multipliers.size(); ++i)
+            assignments += fmt::format("        c_.{} = chosen[{}] ? Scalar(1) : Scalar(0);\n", cached_name(symbols_, shared_.cached(code_).at(s.first_chosen + static_cast<std::uint32_t>(i))), multipliers[i]);
+        return fill_template(embedded_file("constraint_choice.hpp.in"), {{"RANK", std::to_string(system_.constraints.size() - s.left_out)}, {"CAN_BE_LEFT_OUT", fmt::format("{}", fmt::join(can_be_left_out, ", "))},
+                                                                       {"SOLVED_FOR_AT_START", fmt::format("{}", fmt::join(at_start, ", "))}, {"SOLVE_FOR", assignments}});
     }
 
     static std::map<std::string, std::string> pick(const std::map<std::string, std::string>& all, std::initializer_list<const char*> names) {
@@ -309,7 +327,7 @@ private:
             for (const auto& [index, number] : shared_.cached(*code)) {
                 const bool is_factor = code->solve.is_constant && code->solve.unrolled && index >= code->solve.first_cached &&
                                        index < code->solve.first_cached + code->solve.is_zero.size();
-                members.emplace(number, fmt::format("        Scalar {};  ///< {}\n", cached_name(symbols_, number), is_factor ? "of the factorisation of M" : shortened(write(meaning(index)))));
+                members.emplace(number, fmt::format("        Scalar {};  ///< {}\n", cached_name(symbols_, number), is_factor ? "of the factorisation of M" : is_choice(*code, index) ? "whether a constraint is solved for" : shortened(write(meaning(index)))));
             }
         }
         if (definitions.empty() && members.empty() && !has_mass) return {};
@@ -320,6 +338,8 @@ private:
         if (has_mass) text += fmt::format("        std::array<Scalar, {}> mass_factors;  ///< factors of M\n", code_.solve.is_zero.size());
         return text + "    };\n    Cached c_{};\n";
     }
+
+    static bool is_choice(const Code& code, std::uint32_t index) { return code.solve.left_out > 0 && index >= code.solve.first_chosen && index < code.solve.first_chosen + code.solve.multipliers; }
 
     static std::string shortened(const std::string& text) { return text.size() <= 100 ? text : text.substr(0, text.rfind(' ', 96)) + " ..."; }
 

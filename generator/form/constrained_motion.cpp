@@ -194,16 +194,20 @@ private:
         if (order.size() < 2) return;
         const Values defaults(system_.scene, system_.translate);
         for (const std::size_t constraint : ConstraintPoints(system_, order, defaults).redundant()) {
-            if (std::erase_if(kept_, [&](const Row& row) { return row.constraint == constraint; }) == 0) continue;
+            if (std::none_of(kept_.begin(), kept_.end(), [&](const Row& row) { return row.constraint == constraint; })) continue;
             ConstraintEquation& c = system_.constraints[constraint];
             c.is_redundant = true;
             std::vector<Note> notes;
             for (const std::size_t other : order)
                 if (other != constraint && !system_.constraints[other].is_redundant) notes.push_back({system_.constraints[other].item->span, "it holds, too"});
             system_.warnings.push_back({Id::doubly_determined, c.item->span,
-                                        fmt::format("constraint '{}'{} follows from the others wherever they hold: the motion is determined without it, but what each of them bears is not. Its force is given as zero, and the others bear everything", c.name, in_which_mode(system_.scene)),
+                                        fmt::format("constraint '{}'{} follows from the others wherever they hold: the motion is determined without it, but what each of them bears is not. {}", c.name, in_which_mode(system_.scene),
+                                                    system_.scene.mode ? "Its force is given as zero, and the others bear everything" : "As many bear everything as are independent, chosen where the machine is; the forces of the others are given as zero"),
                                         std::move(notes), Severity::warning});
         }
+        const auto is_redundant = [&](const Row& row) { return system_.constraints[row.constraint].is_redundant; };
+        if (system_.scene.mode) std::erase_if(kept_, is_redundant);
+        else std::stable_partition(kept_.begin(), kept_.end(), [&](const Row& row) { return !is_redundant(row); });
     }
 
     /// Whether anything is left of a rate.
@@ -332,7 +336,7 @@ private:
     void forces() {
         for (std::size_t i = 0; i < system_.constraints.size(); ++i) {
             ConstraintEquation& constraint = system_.constraints[i];
-            if (!constraint.holds || constraint.is_redundant) continue;
+            if (!constraint.holds || (constraint.is_redundant && system_.scene.mode)) continue;
             constraint.has_multiplier = std::any_of(kept_.begin(), kept_.end(), [&](const Row& row) { return row.constraint == i; });
             if (constraint.has_multiplier) {
                 constraint.force = symbols_.get(SymbolKind::multiplier, i);
@@ -364,6 +368,11 @@ std::optional<std::pair<std::size_t, ex>> coordinate_at_zero(const ex& position,
         return std::pair(j, ex((-position.subs(GiNaC::ex(q) == 0, GiNaC::subs_options::no_pattern) / factor).expand()));
     }
     return std::nullopt;
+}
+
+std::size_t left_out_at_start(const System& system) {
+    const auto& m = system.motion.multipliers;
+    return static_cast<std::size_t>(std::count_if(m.begin(), m.end(), [&](std::size_t constraint) { return system.constraints[constraint].is_redundant; }));
 }
 
 void constrain(System& system) {

@@ -13,6 +13,8 @@ namespace {
 constexpr int digits = 40;
 constexpr int most_steps = 60;
 constexpr int met_digits = digits - 5;  ///< where Newton's steps end
+/// Where constraints depend on each other Newton's steps only halve the distance, whose square is what is left: so many digits tell that they do.
+constexpr int dependent_digits = 14;
 
 /// Beside which something counts as zero.
 cl_R tenth_to(int exponent) { return cln::recip(cl_R(cln::expt_pos(cln::cl_I(10), exponent))); }
@@ -29,8 +31,8 @@ struct Orthogonal {
     std::vector<cl_R> right, squares;
     std::vector<bool> is_dependent;
 
-    Orthogonal(std::vector<std::vector<cl_R>> factors, std::vector<cl_R> rest) {
-        const cl_R nothing = tenth_to(digits / 2);
+    Orthogonal(std::vector<std::vector<cl_R>> factors, std::vector<cl_R> rest, int zero_digits = digits / 2) {
+        const cl_R nothing = tenth_to(zero_digits);
         for (std::size_t i = 0; i < factors.size(); ++i) {
             std::vector<cl_R> row = factors[i];
             const cl_R before = product(row, row);
@@ -179,7 +181,7 @@ ConstrainedPoint ConstraintPoints::find(GiNaC::exmap point, const std::vector<bo
         if (!is_met(c.whole_rate, point)) result.broken_rates.push_back(i);
     }
     if (const auto r = rows(point, true)) {
-        const Orthogonal orthogonal(r->factors, r->rest);
+        const Orthogonal orthogonal(r->factors, r->rest, dependent_digits);
         for (std::size_t i = 0; i < order_.size(); ++i)
             if (orthogonal.is_dependent[i]) result.dependent.push_back(order_[i]);
     }

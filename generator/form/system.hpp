@@ -47,7 +47,7 @@ struct ConstraintEquation {
     const Constraint* item;
     bool holds;
     bool has_multiplier;                 ///< its force is an unknown; else a velocity follows from it
-    bool is_redundant;                   ///< it follows from others wherever they hold: nothing is solved for, and no force counted
+    bool is_redundant;                   ///< it follows from others wherever they hold. Left out in a mode; else one of the last multipliers
     AffineRate rate;                     ///< zero where it holds
     std::optional<GiNaC::ex> position;   ///< zero with it
     GiNaC::ex force;                     ///< along the rate, on the machine; may contain accelerations, or be a multiplier

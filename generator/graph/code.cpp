@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "form/constrained_motion.hpp"
 #include "graph/chain_code.hpp"
 #include "graph/lowered_system.hpp"
 #include "graph/reset_code.hpp"
@@ -78,7 +79,9 @@ private:
         Solve& s = code_->solve;
         s.n = n_;
         s.multipliers = multipliers_;
-        s.is_constant = true;
+        s.left_out = left_out_at_start(system_);
+        if (s.left_out > 0) s.first_chosen = code_->cache.reserve(multipliers_);
+        s.is_constant = s.left_out == 0;
         for (const Polynomial& p : lowered_.solve_mass) {
             s.is_zero.push_back(p.is_zero());
             s.is_constant = s.is_constant && !code_->atoms.is_dynamic(p);
@@ -94,7 +97,7 @@ private:
     /// Factors of M in a function: computed there, or taken from the cache.
     std::vector<NodeId> factors(Program& program, const std::vector<NodeId>& mass) {
         const Solve& s = code_->solve;
-        if (!s.is_constant) return factorise(program, n_, multipliers_, mass, [&](NodeId pivot) { return reciprocal(program, pivot); });
+        if (!s.is_constant) return factorise(program, n_, multipliers_, mass, [&](NodeId pivot) { return reciprocal(program, pivot); }, chosen(program, s));
         // What the factors are is decided in update(); zero factors are known from the pattern there as here.
         std::vector<NodeId> result;
         Program pattern;
@@ -374,7 +377,7 @@ private:
         builder.prepare(p.bordered);
         for (std::size_t i = 0; i < p.bordered.size(); ++i) f.mass.push_back(builder.root(i));
         const std::size_t constraints = p.holding.size(), size = degrees_ + constraints;
-        f.factors = factorise(f.program, size, constraints, f.mass);
+        f.factors = factorise(f.program, size, constraints, f.mass, nullptr, chosen_of_held(f.program, *code_, p.holding));
         f.force.assign(degrees_, f.program.constant(0));
         for (const std::size_t i : p.holding) f.force.push_back(f.program.negated(f.program.symbol(letter(SymbolKind::residual, i))));
         f.solved_for = solve(f.program, size, f.factors, f.force);
@@ -404,6 +407,7 @@ private:
         builder.prepare(roots.polynomials());
         for (const std::size_t i : code_->definition_order) f.results.push_back(builder.root(definitions + i));
         for (std::size_t i = 0; i < code_->cache.values().size(); ++i) f.results.push_back(builder.root(cached + i));
+        for (std::size_t i = 0; s.left_out > 0 && i < multipliers_; ++i) f.results[code_->definition_order.size() + s.first_chosen + i] = f.program.constant(i + s.left_out < multipliers_ ? 1 : 0);
         f.by_loops = !s.unrolled && s.is_constant;
         if (!s.is_constant) return;
         for (std::size_t i = 0; i < lowered_.solve_mass.size(); ++i) f.mass.push_back(builder.root(mass + i));
@@ -422,6 +426,24 @@ private:
 };
 
 }  // namespace
+
+std::vector<NodeId> chosen(Program& program, const Solve& solve) {
+    std::vector<NodeId> result;
+    for (std::size_t i = 0; solve.left_out > 0 && i < solve.multipliers; ++i) result.push_back(program.cached(solve.first_chosen + static_cast<std::uint32_t>(i)));
+    return result;
+}
+
+std::vector<NodeId> chosen_of_held(Program& program, const Code& code, const std::vector<std::size_t>& held) {
+    std::vector<NodeId> result;
+    if (code.solve.left_out == 0) return result;
+    const std::vector<std::size_t>& multipliers = code.system.motion.multipliers;
+    const std::vector<NodeId> of_multipliers = chosen(program, code.solve);
+    for (const std::size_t constraint : held) {
+        const auto place = std::find(multipliers.begin(), multipliers.end(), constraint);
+        result.push_back(place == multipliers.end() ? program.constant(1) : of_multipliers[static_cast<std::size_t>(place - multipliers.begin())]);
+    }
+    return result;
+}
 
 const char* name_of(Function function) {
     static constexpr std::array<const char*, function_count> names{

@@ -131,6 +131,11 @@ struct Code {
     OperationCount count(Function f) const;
 };
 
+/// Factors of note [choice] for the multipliers that are solved for, and for all constraints that hold: those that are eliminated are never
+/// left out. None where nothing is chosen.
+std::vector<NodeId> chosen(Program& program, const Solve& solve);
+std::vector<NodeId> chosen_of_held(Program& program, const Code& code, const std::vector<std::size_t>& held);
+
 /// All functions of a system as code.
 std::unique_ptr<Code> make_code(const System& system, const CodeWish& wish = {});
 

@@ -147,13 +147,14 @@ const std::optional<ExactCode::Equations>& ExactCode::equations(Function functio
     const std::vector<MaybeExact> lower = nodes(function, function == Function::mass_matrix ? code_[function].results : code_[function].mass);
     std::size_t n = 0;
     while (lower_index(n, 0) < lower.size()) ++n;
+    const std::vector<bool> is_left_out = left_out(function, n);
     Equations e{std::vector<std::vector<ExactNumber>>(n, std::vector<ExactNumber>(n)), {}};
     std::vector<std::vector<cln::cl_R>> a(n, std::vector<cln::cl_R>(n, 0));
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j <= i; ++j) {
             if (!lower[lower_index(i, j)]) return known->second;
             e.matrix[i][j] = e.matrix[j][i] = *lower[lower_index(i, j)];
-            a[i][j] = a[j][i] = e.matrix[i][j].value;
+            a[i][j] = a[j][i] = is_left_out[i] || is_left_out[j] ? cln::cl_R(i == j ? 1 : 0) : e.matrix[i][j].value;
         }
     e.inverse.assign(n, std::vector<cln::cl_R>(n, 0));
     for (std::size_t i = 0; i < n; ++i) e.inverse[i][i] = 1;
@@ -178,8 +179,26 @@ const std::optional<ExactCode::Equations>& ExactCode::equations(Function functio
             }
         }
     }
+    for (std::size_t i = 0; i < n; ++i)
+        if (is_left_out[i]) e.inverse[i][i] = 0;
     known->second = std::move(e);
     return known->second;
+}
+
+/// Rows of constraints that are left out, see note [choice].
+std::vector<bool> ExactCode::left_out(Function function, std::size_t n) const {
+    std::vector<bool> result(n, false);
+    const Solve& s = code_.solve;
+    if (s.left_out == 0 || function == Function::mass_matrix) return result;
+    std::vector<std::size_t> rows;  // constraints, the last rows
+    if (function == Function::correction) {
+        for (std::size_t i = 0; i < code_.system.constraints.size(); ++i)
+            if (code_.system.constraints[i].holds) rows.push_back(i);
+    } else {
+        rows = code_.system.motion.multipliers;
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) result[n - rows.size() + i] = code_.system.constraints[rows[i]].is_redundant;
+    return result;
 }
 
 std::vector<double> ExactCode::rounding(Function function, std::optional<std::size_t> column, const std::function<double(double)>& ulp, const std::function<double(const ExactNumber&)>& uncertainty) {

@@ -61,6 +61,7 @@ private:
         std::vector<std::vector<cln::cl_R>> inverse;
     };
     const std::optional<Equations>& equations(Function function);
+    std::vector<bool> left_out(Function function, std::size_t n) const;
 
     const Code& code_;
     ExactArithmetic arithmetic_;

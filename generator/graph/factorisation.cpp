@@ -36,7 +36,7 @@ bool should_unroll(std::size_t n, const std::vector<bool>& is_zero) {
     return entries <= most_entries_per_row * n && n <= 32;
 }
 
-std::vector<NodeId> factorise(Program& program, std::size_t n, std::size_t multipliers, const std::vector<NodeId>& mass, const Reciprocal& reciprocal) {
+std::vector<NodeId> factorise(Program& program, std::size_t n, std::size_t multipliers, const std::vector<NodeId>& mass, const Reciprocal& reciprocal, const std::vector<NodeId>& chosen) {
     std::vector<NodeId> factors(mass.size(), program.constant(0));
     std::vector<NodeId> v(n, program.constant(0));  // L_ij*D_j of the current row
     for (std::size_t i = 0; i < n; ++i) {
@@ -53,8 +53,12 @@ std::vector<NodeId> factorise(Program& program, std::size_t n, std::size_t multi
             products.emplace_back(v[j], factors[lower_index(i, j)]);
         }
         const NodeId pivot = minus_products(program, mass[lower_index(i, i)], products);
-        if (i + multipliers < n) factors[lower_index(i, i)] = reciprocal ? reciprocal(pivot) : program.reciprocal(pivot);
-        else factors[lower_index(i, i)] = program.function(Op::independent_inverse, {pivot, i + multipliers == n ? pivot : alone});
+        if (i + multipliers < n) {
+            factors[lower_index(i, i)] = reciprocal ? reciprocal(pivot) : program.reciprocal(pivot);
+            continue;
+        }
+        const NodeId left = chosen.empty() ? pivot : program.product({chosen[i + multipliers - n], pivot});
+        if (!program.is_constant(left, 0)) factors[lower_index(i, i)] = program.function(Op::independent_inverse, {left, i + multipliers == n ? pivot : alone});
     }
     return factors;
 }

@@ -7,6 +7,10 @@
 // it have been taken out. Where next to nothing is left, because the constraint follows from those before it or its rate vanishes, 1/D is
 // set to zero, and that drops the constraint: its force is zero, and the others see nothing of it. Where its equation agrees with the
 // others, the motion is determined all the same, and is found.
+//
+// note [choice]: Of constraints that follow from each other wherever they hold only as many are solved for as are independent. No choice of
+// them is good everywhere, so all have their row, and a factor of one or zero at D: zero leaves the constraint out, as above. The factors are
+// cached values that a run sets.
 #pragma once
 
 #include <functional>
@@ -22,6 +26,8 @@ struct Solve {
     bool is_constant = false;           ///< M depends on parameters alone: factored when they are set
     std::vector<bool> is_zero;          ///< lower triangle of M, row by row: zero for every motion
     std::uint32_t first_cached = 0;     ///< unrolled and constant: cached values of reciprocal pivots and L, row by row
+    std::size_t left_out = 0;           ///< multipliers, the last ones, that are left out at the start: note [choice]
+    std::uint32_t first_chosen = 0;     ///< where some are: cached values of the factors, one a multiplier
 };
 
 inline std::size_t lower_index(std::size_t row, std::size_t column) { return row * (row + 1) / 2 + column; }
@@ -33,8 +39,8 @@ bool should_unroll(std::size_t n, const std::vector<bool>& is_zero);
 using Reciprocal = std::function<NodeId(NodeId)>;
 
 /// Reciprocal pivots 1/D and the unit lower triangle L. L[lower_index(i,i)] is the reciprocal pivot of row i; of the last `multipliers` rows
-/// it is zero where the constraint is dropped, see note [multipliers].
-std::vector<NodeId> factorise(Program& program, std::size_t n, std::size_t multipliers, const std::vector<NodeId>& mass, const Reciprocal& reciprocal = nullptr);
+/// it is zero where the constraint is dropped, see note [multipliers]. `chosen`: factors of note [choice], one a multiplier; none where all are solved for.
+std::vector<NodeId> factorise(Program& program, std::size_t n, std::size_t multipliers, const std::vector<NodeId>& mass, const Reciprocal& reciprocal = nullptr, const std::vector<NodeId>& chosen = {});
 
 /// D L' x where M x = b, the first half of the solve.
 std::vector<NodeId> solve_lower(Program& program, std::size_t n, const std::vector<NodeId>& factors, std::vector<NodeId> b);

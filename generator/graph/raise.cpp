@@ -136,7 +136,11 @@ CachedMeaning cached_meaning(const Code& code) {
     const FunctionCode& update = code[Function::update];
     auto raiser = std::make_shared<Raiser>(update.program, code.atoms, [](std::uint32_t) -> ex { throw std::logic_error("cached values of cached values"); });
     const std::size_t first = code.definition_order.size();
-    return [&update, raiser, first](std::uint32_t index) { return (*raiser)(update.results[first + index]); };
+    const Solve& s = code.solve;
+    return [&update, &s, raiser, first](std::uint32_t index) {
+        const bool is_choice = s.left_out > 0 && index >= s.first_chosen && index < s.first_chosen + s.multipliers;
+        return is_choice ? ex(1) : (*raiser)(update.results[first + index]);  // of constraints that are solved for
+    };
 }
 
 }  // namespace dalembert

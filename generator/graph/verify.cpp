@@ -246,7 +246,7 @@ private:
         for (std::size_t i = 0; i < n + constraints; ++i) compare(Function::correction, raise(f.force[i]), i < n ? ex(0) : ex(-system_.symbols.get(SymbolKind::residual, holding[i - n])));
         solve_is_right("emitted solve of constraints: M*x = b", n + constraints, constraints, is_zero);
         Program program = f.program;
-        const bool is_that_one = factorise(program, n + constraints, constraints, f.mass) == f.factors && solve(program, n + constraints, f.factors, f.force) == f.solved_for;
+        const bool is_that_one = factorise(program, n + constraints, constraints, f.mass, nullptr, chosen_of_held(program, code_, holding)) == f.factors && solve(program, n + constraints, f.factors, f.force) == f.solved_for;
         if (!is_that_one) entry("emitted solve of constraints: M*x = b").result = {Verdict::wrong};
     }
 
@@ -384,6 +384,7 @@ private:
 
     void solve_is_right(const std::string& name, std::size_t n, std::size_t multipliers, const std::vector<bool>& is_zero) {
         Comparison result = solve_gives_solution(n, multipliers, is_zero, code_.atoms);
+        if (code_.solve.left_out > 0 && !leaves_out_any(n, multipliers, is_zero)) result = {Verdict::wrong};
         AuditEntry& e = entry(name);
         if (is_worse(result.verdict, e.result.verdict)) e.result = std::move(result);
     }
@@ -425,7 +426,7 @@ private:
                 require(is_reciprocal || prover_.proven_equal(raise(emitted) * raise(pivot), 1));
                 return emitted;
             };
-            require(factorise(program, s.n, s.multipliers, f.mass, reciprocal) == f.factors);
+            require(factorise(program, s.n, s.multipliers, f.mass, reciprocal, chosen(program, s)) == f.factors);
         }
         const std::vector<std::size_t> places = system_.unknown_places();
         const auto solved = [&](const auto& of) {

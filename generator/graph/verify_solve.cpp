@@ -72,4 +72,25 @@ Comparison solve_gives_solution(std::size_t n, std::size_t constraints, const st
     return worst;
 }
 
+bool leaves_out_any(std::size_t n, std::size_t constraints, const std::vector<bool>& is_zero) {
+    for (std::size_t out = n - constraints; out < n; ++out) {
+        Program program;
+        std::vector<NodeId> mass, right, mass_without, right_without, chosen(constraints, program.constant(1));
+        chosen[out + constraints - n] = program.constant(0);
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; j <= i; ++j) {
+                mass.push_back(is_zero[lower_index(i, j)] ? program.constant(0) : program.cached(static_cast<std::uint32_t>(lower_index(i, j))));
+                if (i != out && j != out) mass_without.push_back(mass.back());
+            }
+            right.push_back(program.cached(static_cast<std::uint32_t>(is_zero.size() + i)));
+            if (i != out) right_without.push_back(right.back());
+        }
+        std::vector<NodeId> x = solve(program, n, factorise(program, n, constraints, mass, nullptr, chosen), right);
+        if (!program.is_constant(x[out], 0)) return false;
+        x.erase(x.begin() + static_cast<std::ptrdiff_t>(out));
+        if (x != solve(program, n - 1, factorise(program, n - 1, constraints - 1, mass_without), right_without)) return false;
+    }
+    return true;
+}
+
 }  // namespace dalembert

@@ -11,4 +11,8 @@ namespace dalembert {
 /// constraints) that has a factorisation L*D*L' and the zeros is_zero (lower triangle). not_checkable says why.
 Comparison solve_gives_solution(std::size_t n, std::size_t constraints, const std::vector<bool>& is_zero, const Atoms& atoms);
 
+/// Whether these operations with any one constraint left out, by a zero of note [choice], are those for the matrix without its row and column.
+/// As that holds for every n, it holds for any of them that are left out.
+bool leaves_out_any(std::size_t n, std::size_t constraints, const std::vector<bool>& is_zero);
+
 }  // namespace dalembert

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "form/constrained_motion.hpp"
 #include "text/budgets.hpp"
 #include "text/diagnostic.hpp"
 
@@ -34,7 +35,7 @@ MotionAt::MotionAt(const System& system, const Values& values, int digits) : sys
     for (std::size_t k = 0; k < n; ++k) {
         if (k == free)
             for (std::size_t j = k; j < n; ++j) sizes[j] = cln::abs(m[j][j]);
-        dropped[k] = k >= free && cln::abs(m[k][k]) <= nothing * sizes[k];
+        dropped[k] = k + left_out_at_start(system) >= n || (k >= free && cln::abs(m[k][k]) <= nothing * sizes[k]);
         if (dropped[k]) continue;
         if (cln::zerop(m[k][k]))
             throw Failure(Diagnostic{Id::singular_mass, symbols.all(SymbolKind::coordinate)[motion.free[k]].declared->span,

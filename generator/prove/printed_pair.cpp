@@ -15,7 +15,7 @@ constexpr std::size_t most_determinant = 5;
 
 }  // namespace
 
-PairCheck::PairCheck(const System& system, GiNaC::exmap at) : system_(system), prover_(system), at_(std::move(at)), held_(system.held_motion()), unknowns_(system.unknowns()), n_(unknowns_.size()) { find_manifold(); }
+PairCheck::PairCheck(const System& system, GiNaC::exmap at) : system_(system), prover_(system), at_(std::move(at)), held_(system.held_motion()), unknowns_(system.unknowns()), n_(unknowns_.size() - left_out_at_start(system)) { find_manifold(); }
 
 PrintedResult PairCheck::run(const ex& left_side, const ex& right_side) {
     const ex left = prepared(left_side);
@@ -72,6 +72,10 @@ void PairCheck::find_manifold() {
     const Symbols& symbols = system_.symbols;
     for (const std::size_t constraint : system_.motion.multipliers) {
         const ConstraintEquation& c = system_.constraints[constraint];
+        if (c.is_redundant) {
+            held_[symbols.get(SymbolKind::multiplier, constraint)] = 0;
+            continue;
+        }
         const ex rate = c.whole_rate.subs(held_, GiNaC::subs_options::no_pattern).subs(velocities_, GiNaC::subs_options::no_pattern);
         for (std::size_t j = symbols.degrees(); j-- > 0;) {
             const ex& velocity = symbols.get(SymbolKind::velocity, j);

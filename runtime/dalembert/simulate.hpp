@@ -54,9 +54,11 @@ struct SimulationResult {
 /// Jacobian of the system, and finds what `inputs` adds to it by calling it near the state and within the step; it integrates the work
 /// along its dense output, by a rule of order six beside one of order four, whose difference is weighed in the same way.
 template <class System, class Inputs, class Observer>
-SimulationResult simulate(const System& system, const Inputs& inputs, typename System::State& x, typename System::scalar_type from, typename System::scalar_type to,
+SimulationResult simulate(const System& given, const Inputs& inputs, typename System::State& x, typename System::scalar_type from, typename System::scalar_type to,
                           const SimulationOptions<System>& options, Observer&& observe) {
     static_assert(System::api == supported_api, "the header was generated for another version of the runtime");
+    detail::SystemOfRun<System> own{given};
+    const System& system = own.system;
     using Scalar = typename System::scalar_type;
     constexpr std::size_t n = std::tuple_size<typename System::State>::value;
     using Extended = std::array<Scalar, n + 1>;
@@ -84,7 +86,12 @@ SimulationResult simulate(const System& system, const Inputs& inputs, typename S
                 return broken;
             };
             if constexpr (detail::can_be_singular<System>) {
-                const auto measure = [&](const Extended& extended, Scalar t, bool learns) { return measure_of(system, plain(extended), t, learns); };
+                const auto measure = [&](const Extended& extended, Scalar t, bool learns) {
+                    const auto independence = measure_of(system, plain(extended), t, learns);
+                    if constexpr (detail::chooses_constraints<System>)
+                        if (independence.is_chosen_anew) own.system.solve_for(measure_of.chosen());
+                    return independence;
+                };
                 return detail::ProjectedRhs{plain_rhs, back, measure};
             } else {
                 return detail::ProjectedRhs{plain_rhs, back};

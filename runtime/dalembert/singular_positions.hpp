@@ -5,6 +5,11 @@
 // of constraints lose the share 1/d of their digits, and velocities that are brought back to the constraints 1/d^2. So no step may end there.
 // A run watches how independent the constraints are, sees the position come, and makes one long step of Gauss's collocation over it. Its stages
 // lie some way off, are brought back to the constraints, and are solved for together, so that errors across the constraints do not spread.
+//
+// note [choice]: Of constraints that follow from each other wherever they hold a header solves for as many as are independent. Any choice of
+// them has singular positions of its own, where the machine has none. So at the beginning of a step a run compares it with the best pivots
+// that elimination finds there, and chooses anew where what the chosen rows span has become small beside those. Within a step the choice
+// stays: on the constraints the motion is the same with each, and off them, by the error of a stage, it stays smooth.
 #pragma once
 
 #include <array>
@@ -26,10 +31,27 @@ struct Independence {
     Scalar value = Scalar(1);
     std::size_t constraint = static_cast<std::size_t>(-1);  ///< that depends most on the others
     std::size_t rank = 0;
+    bool is_chosen_anew = false;  ///< other constraints are to be solved for from now on
+};
+
+/// Whether a system solves for some of its constraints, as a run chooses them: note [choice].
+template <class System, class = void>
+inline constexpr bool chooses_constraints = false;
+template <class System>
+inline constexpr bool chooses_constraints<System, std::void_t<decltype(System::constraint_rank)>> = true;
+
+/// The system of a run: the given one, or a copy where the run chooses what it solves for.
+template <class System, bool = chooses_constraints<System>>
+struct SystemOfRun {
+    const System& system;
+};
+template <class System>
+struct SystemOfRun<System, true> {
+    System system;
 };
 
 /// Measures the independence: the smallest pivot of A D^-1 A', where D is the diagonal of M, each row beside its largest size so far. Constraints that follow
-/// from others everywhere do not count.
+/// from others everywhere do not count. Chooses those that are solved for, where a system leaves that to the run.
 template <class System>
 class IndependenceOf {
     using Scalar = typename System::scalar_type;
@@ -41,7 +63,8 @@ public:
     Independence<Scalar> operator()(const System& system, const typename System::State& x, Scalar t, bool learns, Mode... mode) {
         using std::max;
         using std::sqrt;
-        if (learns) see_used(system, x, t, mode...);
+        if constexpr (!chooses_constraints<System>)
+            if (learns) see_used(system, x, t, mode...);
         const std::vector<Scalar> rows = weighted_rows(system, x, t, mode...);
         std::vector<Scalar> gram(m * m);
         for (std::size_t i = 0; i < m; ++i)
@@ -55,8 +78,11 @@ public:
         if (learns) sizes_ = sizes;
         for (std::size_t i = 0; i < m; ++i)
             for (std::size_t k = 0; k < m; ++k) gram[i * m + k] = sizes[i] > Scalar(0) && sizes[k] > Scalar(0) ? Scalar(gram[i * m + k] / sqrt(sizes[i] * sizes[k])) : Scalar(0);
-        return smallest_pivot(gram, learns);
+        return smallest_pivot(std::move(gram), learns);
     }
+
+    /// Those that are solved for.
+    const std::array<bool, m>& chosen() const { return chosen_; }
 
 private:
     /// Constraints that follow from others were left out of the equations: their residuals correct nothing. One that is dependent at the start alone does later.
@@ -94,22 +120,31 @@ private:
         return rows;
     }
 
-    /// By elimination with the largest pivot first; of as many as there have ever been.
-    Independence<Scalar> smallest_pivot(std::vector<Scalar>& g, bool learns) {
-        using std::sqrt;
-        std::array<bool, m> is_done{};
-        std::array<Scalar, m> pivots{};
+    struct Pivots {
+        std::array<Scalar, m> values{};
         std::array<std::size_t, m> order{};
         std::size_t rank = 0;
+        /// Of the first ones: the square of what these rows span.
+        Scalar product(std::size_t count) const {
+            Scalar result(1);
+            for (std::size_t i = 0; i < count; ++i) result *= values[i];
+            return result;
+        }
+    };
+
+    /// Elimination with the largest pivot first, of those rows that come first.
+    static Pivots eliminate(std::vector<Scalar> g, const std::array<bool, m>& comes_first) {
+        Pivots result;
+        std::array<bool, m> is_done{};
         for (std::size_t step = 0; step < m; ++step) {
             std::size_t p = m;
             for (std::size_t i = 0; i < m; ++i)
-                if (!is_done[i] && (p == m || g[i * m + i] > g[p * m + p])) p = i;
+                if (!is_done[i] && (p == m || (comes_first[i] == comes_first[p] ? g[i * m + i] > g[p * m + p] : comes_first[i]))) p = i;
             const Scalar pivot = g[p * m + p];
             is_done[p] = true;
-            order[step] = p;
-            pivots[step] = pivot > Scalar(0) ? pivot : Scalar(0);
-            if (pivot > Scalar(1e-10)) ++rank;
+            result.order[step] = p;
+            result.values[step] = pivot > Scalar(0) ? pivot : Scalar(0);
+            if (pivot > Scalar(1e-10)) ++result.rank;
             if (!(pivot > Scalar(0))) continue;
             for (std::size_t i = 0; i < m; ++i) {
                 if (is_done[i]) continue;
@@ -118,17 +153,56 @@ private:
                     if (!is_done[k]) g[i * m + k] -= factor * g[p * m + k];
             }
         }
-        if (learns && rank > rank_) rank_ = rank;
+        return result;
+    }
+
+    /// By elimination of as many as there have ever been, or as the system solves for.
+    Independence<Scalar> smallest_pivot(std::vector<Scalar> g, bool learns) {
+        using std::sqrt;
         Independence<Scalar> result;
+        const Pivots best = eliminate(g, held_);
+        if constexpr (chooses_constraints<System>) {
+            rank_ = System::constraint_rank;
+            if (learns) result.is_chosen_anew = choose(best, eliminate(std::move(g), chosen_));
+        } else if (learns && best.rank > rank_) {
+            rank_ = best.rank;
+        }
         result.rank = rank_;
         if (rank_ == 0) return result;
-        result.value = sqrt(pivots[rank_ - 1]);
-        result.constraint = order[rank_ - 1];
+        result.value = sqrt(best.values[rank_ - 1]);
+        result.constraint = best.order[rank_ - 1];
+        return result;
+    }
+
+    /// Whether the choice changes: what the chosen rows span has fallen to half of the best.
+    bool choose(const Pivots& best, const Pivots& now) {
+        if (!(now.product(rank_) < best.product(rank_) / Scalar(4))) return false;
+        chosen_.fill(false);
+        for (std::size_t i = 0; i < rank_; ++i) chosen_[best.order[i]] = true;
+        return true;
+    }
+
+    static constexpr std::array<bool, m> at_start() {
+        if constexpr (chooses_constraints<System>) return System::solved_for_at_start;
+        else return {};
+    }
+    /// Those that are never left out.
+    static constexpr std::array<bool, m> held() {
+        std::array<bool, m> result{};
+        if constexpr (chooses_constraints<System>)
+            for (std::size_t i = 0; i < m; ++i) result[i] = !System::can_be_left_out[i];
+        return result;
+    }
+    static constexpr std::array<bool, m> all() {
+        std::array<bool, m> result{};
+        for (std::size_t i = 0; i < m; ++i) result[i] = true;
         return result;
     }
 
     std::array<Scalar, m> sizes_{};
-    std::array<bool, m> is_used_{};
+    std::array<bool, m> is_used_ = chooses_constraints<System> ? all() : std::array<bool, m>{};
+    std::array<bool, m> chosen_ = at_start();
+    std::array<bool, m> held_ = held();
     int looks_ = 0;
     std::size_t rank_ = 0;
 };

@@ -128,6 +128,10 @@ private:
     /// The time to a singular position that the last two points promise, if it is within reach of the next step or close; else zero.
     Scalar distance(const Scalar& h) {
         const Independence<Scalar> before = std::exchange(now_, independence(x_, t_, true));
+        if (now_.is_chosen_anew) {
+            this->move(t_, State(x_));  // steppers keep nothing that they know of here
+            this->evaluate(x_, t_, dxdt_);
+        }
         const Scalar since = t_ - std::exchange(measured_, t_);
         if (now_.rank != before.rank || !(since > Scalar(0)) || !(now_.value < before.value)) return Scalar(0);
         const Scalar reach = now_.value / (before.value - now_.value) * since;

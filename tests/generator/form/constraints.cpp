@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Constraints with multipliers as they are derived: against equations by hand, against elimination, and where they follow from each other.
+#include "form/constrained_motion.hpp"
 #include "form/on_constraints.hpp"
 #include "generator/audits.hpp"
 #include "generator/machine.hpp"
@@ -68,17 +69,23 @@ TEST_CASE("elimination and multiplier agree: a rope over a pulley") {
     }
 }
 
-TEST_CASE("a constraint that follows from others wherever they hold is left out, and told") {
-    const Machine machine = machine_from(point + "[constraints.rod]\nposition = \"sqrt(x^2 + y^2) - l\"\n[constraints.again]\nposition = \"(x^2 + y^2)/l - l\"\n");
+TEST_CASE("a constraint that follows from others wherever they hold is told, and left out at the start") {
+    Machine machine = machine_from(point + "[constraints.rod]\nposition = \"sqrt(x^2 + y^2) - l\"\n[constraints.again]\nposition = \"(x^2 + y^2)/l - l\"\n");
     const System& s = *machine.system;
-    CHECK(s.motion.multipliers == std::vector<std::size_t>{0});
+    CHECK(s.motion.multipliers == std::vector<std::size_t>{0, 1});
     CHECK(s.constraints[1].is_redundant);
+    CHECK(left_out_at_start(s) == 1);
     REQUIRE(s.warnings.size() == 1);
     CHECK(s.warnings[0].message.find("'again' follows from the others") != std::string::npos);
     // Off the manifold the two are as dependent as on it; two rods of which one would have to stretch are not.
     const Machine two = machine_from(point + "[constraints.rod]\nposition = \"sqrt(x^2 + y^2) - l\"\n[constraints.slot]\nrate = \"x*dot(x) - y*dot(y)\"\n");
     CHECK(two.system->warnings.empty());
     CHECK(two.system->motion.multipliers.size() == 2);
+    CHECK(left_out_at_start(*two.system) == 0);
+    const std::string text = generate(machine).text;
+    for (const AuditEntry& entry : machine.emitted) CHECK(entry.result.verdict == Verdict::proven);
+    CHECK(text.find("constraint_rank = 1;") != std::string::npos);
+    CHECK(text.find("solved_for_at_start{true, false};") != std::string::npos);
 }
 
 TEST_CASE("proofs see wrong forces of constraints") {
