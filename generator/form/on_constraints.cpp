@@ -31,11 +31,13 @@ struct Orthogonal {
     std::vector<cl_R> right, squares;
     std::vector<bool> is_dependent;
 
-    Orthogonal(std::vector<std::vector<cl_R>> factors, std::vector<cl_R> rest, int zero_digits = digits / 2) {
+    Orthogonal(std::vector<std::vector<cl_R>> factors, std::vector<cl_R> rest) : Orthogonal(factors, std::move(rest), digits / 2, factors) {}
+    /// A row counts as zero beside its own size, and that of the same row elsewhere.
+    Orthogonal(std::vector<std::vector<cl_R>> factors, std::vector<cl_R> rest, int zero_digits, const std::vector<std::vector<cl_R>>& elsewhere) {
         const cl_R nothing = tenth_to(zero_digits);
         for (std::size_t i = 0; i < factors.size(); ++i) {
             std::vector<cl_R> row = factors[i];
-            const cl_R before = product(row, row);
+            const cl_R before = cln::max(product(row, row), product(elsewhere[i], elsewhere[i]));
             cl_R value = rest[i];
             for (int twice = 0; twice < 2; ++twice)
                 for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -181,7 +183,8 @@ ConstrainedPoint ConstraintPoints::find(GiNaC::exmap point, const std::vector<bo
         if (!is_met(c.whole_rate, point)) result.broken_rates.push_back(i);
     }
     if (const auto r = rows(point, true)) {
-        const Orthogonal orthogonal(r->factors, r->rest, dependent_digits);
+        const auto at_start = rows(start_, true);
+        const Orthogonal orthogonal(r->factors, r->rest, dependent_digits, at_start ? at_start->factors : r->factors);
         for (std::size_t i = 0; i < order_.size(); ++i)
             if (orthogonal.is_dependent[i]) result.dependent.push_back(order_[i]);
     }
@@ -200,10 +203,9 @@ ConstrainedPoint ConstraintPoints::near_start(bool keeps_written) const {
 }
 
 std::vector<std::size_t> ConstraintPoints::redundant() const {
-    constexpr int points = 4;
+    constexpr int points = 6;
     const std::vector<bool> all(system_.symbols.degrees(), true);
-    std::vector<std::size_t> result = order_;
-    int found = 0;
+    std::vector<std::vector<std::size_t>> dependent;
     std::uint64_t seed = 88172645463325252ULL;
     for (int i = 0; i < points; ++i) {
         GiNaC::exmap near = start_;
@@ -215,10 +217,15 @@ std::vector<std::size_t> ConstraintPoints::redundant() const {
         }
         const ConstrainedPoint point = find(std::move(near), all, all);
         if (!point.broken.empty()) continue;
-        ++found;
-        std::erase_if(result, [&](std::size_t c) { return std::find(point.dependent.begin(), point.dependent.end(), c) == point.dependent.end(); });
+        dependent.push_back(point.dependent);
     }
-    return found >= 2 ? result : std::vector<std::size_t>();
+    // Singular positions, where more depend on each other than elsewhere, tell nothing.
+    std::size_t least = order_.size();
+    for (const auto& here : dependent) least = std::min(least, here.size());
+    std::erase_if(dependent, [&](const auto& here) { return here.size() > least; });
+    std::vector<std::size_t> result = order_;
+    for (const auto& here : dependent) std::erase_if(result, [&](std::size_t c) { return std::find(here.begin(), here.end(), c) == here.end(); });
+    return dependent.size() >= 2 ? result : std::vector<std::size_t>();
 }
 
 }  // namespace dalembert
