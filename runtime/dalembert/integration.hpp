@@ -96,13 +96,16 @@ private:
             for (std::size_t k = 0; k < count; ++k) {
                 if (outcome_.steps == options_.max_steps) return end(Status::too_many_steps);
                 Scalar way = to_;
-                is_crossed = this->look_ahead(h, control_.next_kink(t_).before, way, outputs_inside(i)) == Ahead::crossed;
+                const Ahead ahead = this->look_ahead(h, control_.next_kink(t_).before, way, outputs_inside(i));
+                if (ahead == Ahead::stuck) return stop(Status::singular_position);
+                is_crossed = ahead == Ahead::crossed;
                 if (is_crossed) break;
                 Try c;
                 c.length = h;
                 c.end = k + 1 == count ? target : begin + h * Scalar(static_cast<double>(k + 1));
                 try_step(c);
-                if (!c.finite) return end_not_finite(h);
+                if (!c.finite) return this->named(end_not_finite(h));
+                if (ahead == Ahead::nearer && this->ends_on(c)) return stop(Status::singular_position);
                 accept(c);
                 if (is_cut()) break;
             }

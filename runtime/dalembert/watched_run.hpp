@@ -85,13 +85,20 @@ protected:
         }
     }
 
+    /// Whether a fixed step ends so near to one that velocities would lose half of their digits.
+    bool ends_on(const Try& c) const {
+        using std::sqrt;
+        if constexpr (is_watched) return independence(c.y, c.end, false).value <= sqrt(noise() / Scalar(1e-6));
+        else return (void)c, false;
+    }
+
     /// A step that cannot be made next to a singular position ends the run because of that.
-    Outcome stop(Status status) {
-        const Outcome usual = Run::stop(status);
+    Outcome stop(Status status) { return named(Run::stop(status)); }
+    Outcome named(const Outcome& usual) {
         if constexpr (is_watched) {
             if (usual.status != Status::step_too_small && usual.status != Status::not_finite && usual.status != Status::singular_position) return usual;
             const Independence<Scalar> here = independence(x_, t_, false);
-            if (!(here.value <= Scalar(1) / Scalar(20))) return usual;
+            if (usual.status != Status::singular_position && !(here.value <= Scalar(1) / Scalar(20))) return usual;
             outcome_.constraint = here.constraint;
             return this->end(Status::singular_position);
         }
