@@ -159,6 +159,17 @@ MaybeExact ExactArithmetic::function(Op op, const std::vector<const MaybeExact*>
                 const auto result = value(op, {x.value, (*arguments[1])->value});
                 return with_slope(result, [](const cln::cl_R& y) { return -approximate(cln::square(y)); });
             }
+            case Op::power: {
+                // Differences would take the power, which is slow, twice more for each argument.
+                const ExactNumber& exponent = **arguments[1];
+                if (!cln::plusp(x.value)) return by_differences([&](const Values& values) { return value(op, values); }, arguments);
+                const auto result = value(op, {x.value, exponent.value});
+                if (!result) return std::nullopt;
+                ExactNumber number{*result, {}};
+                if (!x.slopes.empty()) number.add_slopes(x, approximate(exponent.value * *result / x.value));
+                if (!exponent.slopes.empty()) number.add_slopes(exponent, approximate(cln::realpart(cln::log(x.value)) * *result));
+                return number;
+            }
             default: return by_differences([&](const Values& values) { return value(op, values); }, arguments);
         }
     } catch (const std::exception&) {  // a pole

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <unordered_set>
+
+#include <fmt/format.h>
 
 #include "graph/raise.hpp"
 
@@ -19,6 +23,42 @@ constexpr double least_gain = 2;       ///< of one step,
 constexpr double least_whole_gain = 6; ///< and of all together: what gains less is not seen in compiled code, where terms come in another order
 constexpr double vanishing = 1e-100;   ///< what is smaller in any units has fewer digits, and a condition that overflows
 
+/// Sums that are left as they are, of the machine that was measured last: its modes have most of them in common. The text stands for all that a
+/// measurement depends on.
+struct LeftAsTheyAre {
+    std::string machine;
+    std::unordered_set<std::string> sums;
+};
+
+LeftAsTheyAre& left_as_they_are(const std::string& machine) {
+    static thread_local LeftAsTheyAre memory;
+    if (memory.machine != machine) memory = {machine, {}};
+    return memory;
+}
+
+/// Every scalar that a point has a value of.
+std::vector<const Variable*> scalars(const Symbols& symbols) {
+    std::vector<const Variable*> variables;
+    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state, SymbolKind::acceleration, SymbolKind::state_rate,
+                                  SymbolKind::multiplier, SymbolKind::multiplier_rate, SymbolKind::residual})
+        for (const Variable& variable : symbols.all(kind)) variables.push_back(&variable);
+    return variables;
+}
+
+/// Names, ranges by the first points in them, definitions, and the guards that say where the model holds.
+std::string text_of_machine(const System& system, const Atoms& atoms, const std::vector<Polynomial>& definitions, const std::vector<Polynomial>& guards) {
+    const std::vector<const Variable*> variables = scalars(system.symbols);
+    std::string text;
+    for (const Variable* variable : variables) text += variable->name + " ";
+    EdgePoints points(system, variables, double_arithmetic(), 1);
+    for (int i = 0; i < 16; ++i)
+        for (const double value : points.next().values) text += fmt::format("{:a} ", value);
+    for (const Polynomial& p : definitions) text += atoms.key(p) + ";";
+    for (std::size_t i = 0; i < system.guards.size(); ++i)
+        if (system.guards[i].ends) text += atoms.key(guards[i]) + ";";
+    return text;
+}
+
 }  // namespace
 
 Rewriter::Rewriter(const System& system, Atoms& atoms, const std::vector<Polynomial>& definitions, const std::vector<Polynomial>& guards)
@@ -26,10 +66,7 @@ Rewriter::Rewriter(const System& system, Atoms& atoms, const std::vector<Polynom
 
 /// Points at which the model holds, with the definitions there, which are inputs of what is made of them.
 void Rewriter::draw(const std::vector<Polynomial>& guards) {
-    std::vector<const Variable*> variables;
-    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state, SymbolKind::acceleration, SymbolKind::state_rate,
-                                  SymbolKind::multiplier, SymbolKind::multiplier_rate, SymbolKind::residual})
-        for (const Variable& variable : system_.symbols.all(kind)) variables.push_back(&variable);
+    const std::vector<const Variable*> variables = scalars(system_.symbols);
     EdgePoints edges(system_, variables, double_arithmetic(), 1);
     const std::vector<Variable>& definitions = system_.symbols.all(SymbolKind::definition);
     const std::size_t count = variables.size() + definitions.size();
@@ -142,12 +179,21 @@ void Rewriter::note(const Rewriting& one) {
 Polynomial Rewriter::operator()(const Polynomial& p, const char* where) {
     const auto [known, is_new] = known_.try_emplace(p, p);
     if (!is_new) return known->second;
+    const bool is_slope = std::string_view(where) == "Jacobians";
+    if (machine_.empty()) machine_ = text_of_machine(system_, atoms_, definitions_, guards_);
+    LeftAsTheyAre& memory = left_as_they_are(machine_);
+    const std::string key = (is_slope ? "slope " : "") + atoms_.key(p);
+    if (memory.sums.contains(key)) return p;
     // Entries of Jacobians that are zero are seen to be so by few who differentiate: quotients of what a parameter is a factor of.
-    if (std::string_view(where) == "Jacobians" && seems_zero(p) && prover_.proven_equal(raised(p, atoms_), 0)) {
+    if (is_slope && seems_zero(p) && prover_.proven_equal(raised(p, atoms_), 0)) {
         note({"a sum that is zero", where, 1, largest_error(p, p), 0});
         return known_.at(p) = Polynomial();
     }
-    if (other_forms(p, atoms_, forms_).empty()) return p;
+    const auto left = [&] {
+        memory.sums.insert(key);
+        return p;
+    };
+    if (other_forms(p, atoms_, forms_).empty()) return left();
     Polynomial best = p;
     // A form that has a value where p is 0/0 is what p should be.
     Polynomial reference = p;
@@ -173,7 +219,7 @@ Polynomial Rewriter::operator()(const Polynomial& p, const char* where) {
         now = least;
     }
     const bool has_more_values = now.without_value < before.without_value && now.error <= std::max(before.error, good_enough);
-    if (noted.empty() || !(has_more_values || now.error * least_whole_gain <= before.error)) return p;
+    if (noted.empty() || !(has_more_values || now.error * least_whole_gain <= before.error)) return left();
     for (const Rewriting& one : noted) note(one);
     return known_.at(p) = best;
 }

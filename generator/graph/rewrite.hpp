@@ -56,6 +56,7 @@ private:
     FormMemory forms_;
     Prover prover_;
     std::vector<Rewriting> log_;
+    std::string machine_;  ///< a text of all that measurements depend on
 };
 
 }  // namespace dalembert

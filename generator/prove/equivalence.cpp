@@ -5,6 +5,8 @@
 
 #include "prove/branches.hpp"
 #include "prove/normal_form.hpp"
+#include "symbolic/functions.hpp"
+#include "symbolic/switches.hpp"
 
 namespace dalembert {
 
@@ -29,6 +31,76 @@ bool has_nested_roots(const ex& e) {
             if (is_square_root(*inner) || (GiNaC::is_a<GiNaC::power>(*inner) && inner->op(1).info(GiNaC::info_flags::negint) && GiNaC::is_a<GiNaC::add>(inner->op(0)))) return true;
     }
     return false;
+}
+
+/// Roots and functions with kinks as letters, each one by itself: what is equal whatever they are is equal. Derivations mostly agree in that
+/// way, as where a flow stands in two balances, and the form of what stands in a root may be long. Of x and -x only one has letters, and
+/// max(a, b) = b + max(a - b, 0), min(a, b) = a - max(a - b, 0), |x| = 2*max(x, 0) - x.
+class AsLetters : public GiNaC::map_function {
+public:
+    ex operator()(const ex& e) override {
+        if (is_ex_the_function(e, whole) || is_ex_the_function(e, unlocated)) return (*this)(e.op(0));
+        if (is_ex_the_function(e, maximum)) return (*this)(e.op(1)) + above_zero(argument(e.op(0) - e.op(1)));
+        if (is_ex_the_function(e, minimum)) return (*this)(e.op(0)) - above_zero(argument(e.op(0) - e.op(1)));
+        if (is_ex_the_function(e, magnitude)) return 2 * above_zero(argument(e.op(0))) - (*this)(e.op(0));
+        if (is_ex_the_function(e, unit_step)) {
+            const ex x = argument(e.op(0));
+            return is_first(x) ? letter(unit_step(x)) : 1 - letter(unit_step((-x).expand()));
+        }
+        if (is_ex_the_function(e, signed_root)) {
+            const ex x = argument(e.op(0));
+            return is_first(x) ? letter(signed_root(x)) : -letter(signed_root((-x).expand()));
+        }
+        if (is_ex_the_function(e, sign_of)) {
+            const ex x = argument(e.op(0));
+            return is_first(x) ? letter(sign_of(x)) : -letter(sign_of((-x).expand()));
+        }
+        const bool is_power = GiNaC::is_a<GiNaC::power>(e);
+        if (is_power && is_exponential(e.op(0))) return GiNaC::exp((argument(e.op(0).op(0)) * argument(e.op(1))).expand());
+        if (is_power && !e.op(1).info(GiNaC::info_flags::integer)) return letter(GiNaC::pow(argument(e.op(0)), argument(e.op(1))));
+        if (switch_of(e)) return letter(e.map(*this));
+        return e.map(*this);
+    }
+    bool has_any() const { return !letters_.empty(); }
+    /// With all that letters stand for, which may have letters itself.
+    ex written_out(ex e) const {
+        for (auto last = meaning_.rbegin(); last != meaning_.rend(); ++last) e = e.subs(last->first == last->second, GiNaC::subs_options::no_pattern);
+        return e;
+    }
+
+private:
+    ex argument(const ex& e) { return (*this)(e).expand(GiNaC::expand_options::expand_function_args); }
+    static bool is_first(const ex& x) { return x.compare((-x).expand()) <= 0; }
+    static bool is_exponential(const ex& e) { return GiNaC::is_a<GiNaC::function>(e) && GiNaC::ex_to<GiNaC::function>(e).get_name() == "exp"; }
+    ex above_zero(const ex& x) {
+        const ex negative = (-x).expand();
+        return is_first(x) ? letter(maximum(x, 0)) : x + letter(maximum(negative, 0));
+    }
+    ex letter(const ex& e) {
+        if (GiNaC::is_a<GiNaC::numeric>(e)) return e;
+        const auto [known, is_new] = letters_.emplace(e, 0);
+        if (is_new) {
+            known->second = GiNaC::realsymbol(fmt::format("letter {}", letters_.size()));
+            meaning_.emplace_back(known->second, e);
+        }
+        return known->second;
+    }
+    std::map<ex, ex, GiNaC::ex_is_less> letters_;
+    std::vector<std::pair<ex, ex>> meaning_;  ///< in the order in which they were met
+};
+
+bool is_equal_in_letters(const ex& difference, ZeroAtPoints& seems_zero) {
+    AsLetters as_letters;
+    const ex written = as_letters(difference);
+    if (!as_letters.has_any()) return false;
+    try {
+        NormalForm form;
+        if (!form.is_zero(written)) return false;
+        const auto& claimed = form.must_not_vanish();
+        return std::all_of(claimed.begin(), claimed.end(), [&](const ex& e) { return !seems_zero(as_letters.written_out(e)); });
+    } catch (const NoNormalForm&) {
+        return false;
+    }
 }
 
 /// The signs of two sides and of their difference at a point.
@@ -62,6 +134,7 @@ bool Prover::proven_equal(const ex& a, const ex& b) { return proven_equal(a, b, 
 bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>& positive, bool joins_roots) {
     const ex difference = a - b;
     if (difference.is_zero()) return true;
+    if (is_equal_in_letters(difference, seems_zero_)) return true;
     // First with functions of heat as letters. Steps of derivations are many: what is written out stays small at first.
     struct Attempt {
         std::optional<Depth> depth;
