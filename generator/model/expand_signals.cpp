@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "model/element.hpp"
 #include "model/expand_switching.hpp"
 
@@ -8,6 +10,8 @@ namespace {
 
 void expand(Model& model, const Saturation& saturation) {
     if (!saturation.value || !saturation.low || !saturation.high) return;
+    const auto is_its_value = [&](const Definition& d) { return d.is_made && d.name == saturation.name; };
+    if (std::any_of(model.definitions.begin(), model.definitions.end(), is_its_value)) return;  // by edges
     Element made(model, saturation);
     made.modes({"within", "below", "above"});
     Definition limited = made.make<Definition>(saturation.name, saturation.when);

@@ -183,6 +183,7 @@ public:
         collection("modes", model_.modes);
         collection("constraints", model_.constraints);
         collection("events", model_.events);
+        expand_as_edges(model_, diagnostics_);
         expand_contacts(model_);
         expand_signals(model_);
         expand_balances(model_);

@@ -37,8 +37,8 @@ inline constexpr double proof_work = 1e9;           ///< of a proof: products of
 inline constexpr double code_work = 3e7;            ///< of an expression that becomes code: products of terms
 inline constexpr std::size_t suggestion_parts = 600;
 // modes
-inline constexpr std::size_t mode_combinations = 1'024;
-inline constexpr std::size_t modes = 64;            ///< of these, that can be
+inline constexpr std::size_t mode_combinations = 4'096;
+inline constexpr std::size_t modes = 256;           ///< of these, that can be
 // an entry of a catalogue, in a process of its own
 inline constexpr int entry_seconds = 300;           ///< of processor time
 inline constexpr std::size_t entry_bytes = 4'000'000'000;
