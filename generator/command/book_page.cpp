@@ -32,6 +32,12 @@ std::string example(const PrintedRow& row) {
     return fmt::format("<p>{} left side is {}, the right side {}.</p>\n", text.empty() ? "The" : "With " + text + " the", html_text(c.left), html_text(c.right));
 }
 
+/// The mended LaTeX with the slip marked.
+std::string marked(const Suggestion& s) {
+    if (s.printed.empty()) return {};
+    return fmt::format("<p><code>{}<mark>{}</mark>{}</code></p>\n", html_text(s.printed.substr(0, s.begin)), html_text(s.printed.substr(s.begin, s.end - s.begin)), html_text(s.printed.substr(s.end)));
+}
+
 std::string entry(const PrintedRow& row) {
     const Verdict verdict = row.verdict();
     std::string text = fmt::format("<section class=\"entry {}\">\n<h3>{} <span class=\"verdict\">{}</span></h3>\n", style_of(verdict), html_text(row.id), to_string(verdict));
@@ -42,7 +48,7 @@ std::string entry(const PrintedRow& row) {
     text += "<div class=\"columns\">\n" + columns + "</div>\n";
     if (verdict != Verdict::proven) text += paragraph(row.doc);
     if (!row.reason.empty() && verdict != Verdict::proven) text += paragraph((verdict == Verdict::proven_under_assumption ? "Assuming " : "Reason: ") + row.reason);
-    if (row.suggestion) text += paragraph("Likely slip: " + row.suggestion->words);
+    if (row.suggestion) text += paragraph("Likely slip: " + row.suggestion->words) + marked(*row.suggestion);
     return text + example(row) + "</section>\n";
 }
 

@@ -108,7 +108,12 @@ std::vector<PrintedRow> CatalogueVerdicts::check(const CatalogueEntry& entry) {
     PrintedVerdicts verdicts(writes_derived_);
     if (!entry.unreadable.empty()) throw Failure(entry.unreadable);
     if (!entry.not_checkable.empty()) verdicts.add_unchecked(entry, entry.not_checkable);
-    each(entry, [&](const System& system, const PrintedEquation& checked) { verdicts.add(system, checked); });
+    const Model* const model = entry.model.empty() || !entry.latex ? nullptr : &loaded(entry)->model;
+    each(entry, [&](const System& system, const PrintedEquation& checked) {
+        std::optional<LatexText> text;
+        if (entry.latex) text.emplace(catalogue_, entry, model, checked);
+        verdicts.add(system, checked, text ? &*text : nullptr);
+    });
     return verdicts.rows();
 }
 

@@ -158,10 +158,12 @@ bool fits_one_denominator(const ex& sum) {
 }  // namespace
 
 std::string difference_text(const System& system, const ex& difference, bool has_cases) {
+    constexpr double most_expanded = 20'000;
+    const Notation write(system.symbols, Style::text);
+    if (terms_when_expanded(without_whole(difference)) > most_expanded) return write(difference);
     const ex sum = without_whole(difference).expand();
     const std::string pieces = has_cases ? Pieces(system, sum).text() : "";
     if (!pieces.empty()) return pieces;
-    const Notation write(system.symbols, Style::text);
     std::string shortest = write(sum);
     if (GiNaC::is_a<GiNaC::add>(sum) && fits_one_denominator(sum)) {
         const ex parts = sum.numer_denom();

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -27,7 +28,7 @@ Json as_json(const PrintedRow& row) {
     if (row.expected) json["expected"] = static_cast<int>(*row.expected);
     if (row.found) json["found"] = static_cast<int>(*row.found);
     if (row.counterexample) json["counterexample"] = {{"values", row.counterexample->values}, {"left", row.counterexample->left}, {"right", row.counterexample->right}};
-    if (row.suggestion) json["suggestion"] = {{"words", row.suggestion->words}, {"equation", row.suggestion->equation}, {"printed", row.suggestion->printed}};
+    if (row.suggestion) json["suggestion"] = {{"words", row.suggestion->words}, {"equation", row.suggestion->equation}, {"printed", row.suggestion->printed}, {"begin", row.suggestion->begin}, {"end", row.suggestion->end}};
     return json;
 }
 
@@ -45,7 +46,7 @@ PrintedRow row_of(const Json& json) {
         const Json& c = json["counterexample"];
         row.counterexample = CounterExample{c["values"].get<std::vector<std::pair<std::string, std::string>>>(), c["left"], c["right"]};
     }
-    if (json.contains("suggestion")) row.suggestion = Suggestion{json["suggestion"]["words"], json["suggestion"]["equation"], json["suggestion"]["printed"]};
+    if (json.contains("suggestion")) row.suggestion = Suggestion{json["suggestion"]["words"], json["suggestion"]["equation"], json["suggestion"]["printed"], json["suggestion"]["begin"], json["suggestion"]["end"]};
     return row;
 }
 
@@ -82,6 +83,10 @@ Diagnostic diagnostic_of(const Json& json, Sources& sources) {
     return d;
 }
 
+/// Less than its budget where a stage may take less.
+double entry_seconds() { return std::min<double>(budget::entry_seconds, stage_limits().seconds); }
+double entry_bytes() { return std::min<double>(budget::entry_bytes, stage_limits().bytes); }
+
 /// In this process.
 Json checked(CatalogueVerdicts& verdicts, const CatalogueEntry& entry) {
     Json json{{"rows", Json::array()}, {"errors", Json::array()}, {"stopped", ""}};
@@ -90,7 +95,7 @@ Json checked(CatalogueVerdicts& verdicts, const CatalogueEntry& entry) {
     } catch (const Failure& failure) {
         for (const Diagnostic& d : failure.diagnostics()) json["errors"].push_back(as_json(d));
     } catch (const std::bad_alloc&) {
-        json["stopped"] = "it needs more memory than it may have";
+        json["stopped"] = fmt::format("it needs more than {:.3g} GB of memory, which it may have", entry_bytes() / 1e9);
     } catch (const std::exception& error) {
         json["stopped"] = fmt::format("the program stopped at it, which is a defect of the program: {}", error.what());
     }
@@ -114,8 +119,9 @@ constexpr bool limits_memory() {
 #endif
 }
 
-void set_processor_time(int seconds) {
-    const itimerval timer{{0, 0}, {seconds, 0}};
+void set_processor_time(double seconds) {
+    const auto whole = static_cast<time_t>(seconds);
+    const itimerval timer{{0, 0}, {whole, static_cast<suseconds_t>((seconds - static_cast<double>(whole)) * 1e6)}};
     setitimer(ITIMER_PROF, &timer, nullptr);
 }
 
@@ -128,7 +134,7 @@ void set_processor_time(int seconds) {
     sigemptyset(&none);
     pthread_sigmask(SIG_SETMASK, &none, nullptr);
     if (limits_memory()) {
-        const rlim_t bytes = budget::entry_bytes;
+        const auto bytes = static_cast<rlim_t>(entry_bytes());
         const rlimit limit{bytes, bytes};
         setrlimit(RLIMIT_DATA, &limit);
     }
@@ -137,7 +143,7 @@ void set_processor_time(int seconds) {
     {
         CatalogueVerdicts verdicts(catalogue, for_pages);
         for (std::size_t i = first; i < catalogue.entries.size(); ++i) {
-            set_processor_time(budget::entry_seconds);
+            set_processor_time(entry_seconds());
             const std::string line = checked(verdicts, catalogue.entries[i]).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
             set_processor_time(0);
             write_all(file, line);
@@ -147,7 +153,7 @@ void set_processor_time(int seconds) {
 }
 
 std::string why_it_ended(int status) {
-    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF) return fmt::format("it needs more than {} s of processor time", budget::entry_seconds);
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF) return fmt::format("it needs more than {:g} s of processor time", entry_seconds());
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) return "it was ended from outside, as for lack of memory";
     if (WIFSIGNALED(status)) return fmt::format("the program broke down at it (signal {}), which is a defect of the program", WTERMSIG(status));
     return "the program ended at it, which is a defect of the program";

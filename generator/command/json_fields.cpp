@@ -108,6 +108,8 @@ constexpr auto of_check = std::to_array<JsonField>({
     {"printed[].difference", "printed minus derived"},
     {"printed[].suggestion", "of what is wrong: the equation that a single slip was made of, where there is one; proven"},
     {"printed[].slip", "what is different there, in words"},
+    {"printed[].suggestion_printed", "of an entry in LaTeX: the suggestion in the letters of the text"},
+    {"printed[].slip_printed", "what is different in it"},
     {"printed[].counterexample", "null, or numbers for which both sides differ"},
     {"printed[].counterexample.values.<NAME>", "of parameters, states and inputs"},
     {"printed[].counterexample.left", "value of the left side"},

@@ -14,6 +14,16 @@ namespace {
 
 std::string reason_of(const PrintedRow& row) { return row.found ? row.reason : "no scene that was checked contains it"; }
 
+/// The mended equation with carets below what is different.
+std::string suggestion_text(const Suggestion& suggestion) {
+    const std::string_view shown = suggestion.shown();
+    const std::string line = safe_line(suggestion.shown());
+    const std::string text = fmt::format("      perhaps:    {}\n      so that:    {}\n", safe_line(suggestion.words), line);
+    if (line != shown) return text;
+    const std::size_t before = character_count(shown.substr(0, suggestion.begin)), changed = character_count(shown.substr(suggestion.begin, suggestion.end - suggestion.begin));
+    return text + std::string(18 + before, ' ') + std::string(std::max<std::size_t>(1, changed), '^') + "\n";
+}
+
 }  // namespace
 
 void VerdictCounts::add(Verdict verdict) {
@@ -56,7 +66,7 @@ std::string report_text(const PrintedRow& row, std::size_t width) {
     if (is_notable && !row.equation.empty()) text += fmt::format("      printed:    {}\n", safe_line(row.equation));
     if (is_notable && !reason.empty()) text += fmt::format("      {} {}\n", verdict == Verdict::proven_under_assumption ? "assuming:  " : "reason:    ", safe_line(reason));
     if (!row.difference.empty()) text += fmt::format("      difference: {}\n", row.difference);
-    if (row.suggestion) text += fmt::format("      perhaps:    {}, so that {}\n", safe_line(row.suggestion->words), safe_line(row.suggestion->equation));
+    if (row.suggestion) text += suggestion_text(*row.suggestion);
     if (row.counterexample) {
         const CounterExample& c = *row.counterexample;
         std::vector<std::string> values;
@@ -76,6 +86,7 @@ nlohmann::ordered_json report_json(const PrintedRow& row, const std::string& sou
                                 {"equation", row.equation}, {"reason", reason_of(row)},
                                 {"assumptions", assumptions}, {"difference", row.difference},
                                 {"suggestion", row.suggestion ? row.suggestion->equation : ""}, {"slip", row.suggestion ? row.suggestion->words : ""},
+                                {"suggestion_printed", row.suggestion ? row.suggestion->printed : ""}, {"slip_printed", row.suggestion && !row.suggestion->printed.empty() ? row.suggestion->printed.substr(row.suggestion->begin, row.suggestion->end - row.suggestion->begin) : ""},
                                 {"counterexample", nullptr}};
     if (row.counterexample) {
         const CounterExample& c = *row.counterexample;

@@ -45,7 +45,7 @@ void PrintedVerdicts::add(const System& system) {
     for (const PrintedEquation& entry : system.scene.model->printed) add(system, entry);
 }
 
-void PrintedVerdicts::add(const System& system, const PrintedEquation& entry) {
+void PrintedVerdicts::add(const System& system, const PrintedEquation& entry, const LatexText* text) {
     const Notation write(system.symbols, Style::text);
     const auto [from, to] = entry.family ? bounds(*entry.family, system.scene) : std::pair(0, 0);
     for (int k = from; k <= to; ++k) {
@@ -70,7 +70,7 @@ void PrintedVerdicts::add(const System& system, const PrintedEquation& entry) {
             break;
         }
         const bool is_wrong = verdict == Verdict::wrong || verdict == Verdict::dimensionally_wrong;
-        row.suggestion = is_wrong ? suggest(system, member) : std::nullopt;
+        row.suggestion = is_wrong ? suggest(system, member, text) : std::nullopt;
     }
 }
 

@@ -33,8 +33,8 @@ public:
 
     /// Checks what the scene of a system contains of its model's printed equations.
     void add(const System& system);
-    /// Checks one entry in a system.
-    void add(const System& system, const PrintedEquation& entry);
+    /// Checks one entry in a system. `text` says how one in LaTeX is printed.
+    void add(const System& system, const PrintedEquation& entry, const LatexText* text = nullptr);
     /// An entry of which there is nothing to check.
     void add_unchecked(const PrintedEquation& entry, const std::string& reason);
     const std::vector<PrintedRow>& rows() const { return rows_; }

@@ -28,6 +28,16 @@ double number(const ex& value, const Span& place) {
     return cln::double_approx(*result);
 }
 
+/// Where what is given makes an expression divide by zero, that has a place.
+template <class Work>
+auto at_place(const Span& place, Work work) {
+    try {
+        return work();
+    } catch (const GiNaC::pole_error&) {
+        throw Failure(Diagnostic{Id::division_by_zero, place, fmt::format("'{}' divides by zero, or by a period of zero, with the parameters of this run", place.text())});
+    }
+}
+
 /// A run may speak of what only some scenes have.
 bool is_in_scene(const Expression& variable, const System& system) {
     const Expression& named = variable.kind == Expression::Kind::call && !variable.children.empty() ? *variable.children[0] : variable;
@@ -133,7 +143,7 @@ void RunPreparation::set_values(Values& values, const System& system) const {
 
 SimulationSettings RunPreparation::make_settings(const Values& values, const System& system) const {
     const GiNaC::exmap at_start = values.substitution();
-    const auto seconds = [&](const ExpressionPtr& e) { return number(system.translate(*e, {}).subs(at_start), e->span); };
+    const auto seconds = [&](const ExpressionPtr& e) { return at_place(e->span, [&] { return number(system.translate(*e, {}).subs(at_start), e->span); }); };
     SimulationSettings settings;
     settings.draw = !options_.no_plot;
     settings.declared_csv = options_.units == "declared";
@@ -174,14 +184,20 @@ SimulationSettings RunPreparation::make_settings(const Values& values, const Sys
     settings.kinks = input_kinks(system, settings.inputs, values, settings.until);
     if (run_ != nullptr && (run_->scene.empty() || run_->scene == system.scene.base))
         for (const RunEntry& entry : run_->exact)
-            settings.exact.emplace_back(entry.variable->written(), system.symbols.without_definitions(system.translate(*entry.value, {})).subs(without_time(at_start, system), GiNaC::subs_options::no_pattern));
+            settings.exact.emplace_back(entry.variable->written(), at_place(entry.value->span, [&]() -> ex { return system.symbols.without_definitions(system.translate(*entry.value, {})).subs(without_time(at_start, system), GiNaC::subs_options::no_pattern); }));
     settings.plots = resolved_plots(settings.plots, system);
     return settings;
 }
 
 std::vector<ex> RunPreparation::inputs_at_start(const Values& values, const System& system) const {
     std::vector<ex> result;
-    for (const ex& input : inputs(values, system)) result.push_back(GiNaC::numeric(number(system.symbols.without_definitions(input).subs(values.substitution(), GiNaC::subs_options::no_pattern), {})));
+    for (const ex& input : inputs(values, system)) {
+        try {
+            result.push_back(GiNaC::numeric(number(system.symbols.without_definitions(input).subs(values.substitution(), GiNaC::subs_options::no_pattern), {})));
+        } catch (const GiNaC::pole_error&) {
+            throw Failure(Diagnostic{Id::division_by_zero, {}, fmt::format("input '{}' divides by zero at the start", system.symbols.all(SymbolKind::input)[result.size()].name)});
+        }
+    }
     return result;
 }
 
@@ -192,7 +208,11 @@ std::vector<ex> RunPreparation::inputs(const Values& values, const System& syste
     const auto check_range = [&](const Expression& variable, const Expression& value) {
         if ((dependence(value, system.names) & ~on_parameters) == 0) Values(values).set(variable, value, on_inputs);
     };
-    const auto set = [&](const Expression& variable, const ex& value) {
+    GiNaC::exmap parameters;
+    for (std::size_t i = 0; i < system.symbols.count(SymbolKind::parameter); ++i) parameters[system.symbols.get(SymbolKind::parameter, i)] = values.parameter(i);
+    const auto set = [&](const Expression& variable, const Expression& written) {
+        const ex value = system.translate(written, {});
+        at_place(written.span, [&] { return system.symbols.without_definitions(value).subs(parameters, GiNaC::subs_options::no_pattern); });
         bool found = false;
         for (const Variable& input : system.symbols.all(SymbolKind::input)) {
             if (variable.kind != Expression::Kind::name || input.base != variable.name) continue;
@@ -204,10 +224,10 @@ std::vector<ex> RunPreparation::inputs(const Values& values, const System& syste
     };
     if (run_ != nullptr)
         for (const RunEntry& entry : run_->inputs)
-            if (is_in_scene(*entry.variable, system) && set(*entry.variable, system.translate(*entry.value, {}))) check_range(*entry.variable, *entry.value);
+            if (is_in_scene(*entry.variable, system) && set(*entry.variable, *entry.value)) check_range(*entry.variable, *entry.value);
     for (const Setting& setting : parse_settings(options_.inputs, "input")) {
         const ExpressionPtr value = value_of(setting, on_motion | on_states, system.names);
-        if (!set(*setting.variable, system.translate(*value, {})))
+        if (!set(*setting.variable, *value))
             throw Failure(Diagnostic{Id::unknown_name, setting.variable->span, fmt::format("scene '{}' has no input '{}'", system.scene.name, setting.variable->written())});
         check_range(*setting.variable, *value);
     }

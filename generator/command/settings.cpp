@@ -123,6 +123,8 @@ private:
             return value ? std::optional(cln::double_approx(*value)) : std::nullopt;
         } catch (const Failure&) {  // of a family, or of what the scene leaves out
             return std::nullopt;
+        } catch (const GiNaC::pole_error&) {  // told where the value is needed
+            return std::nullopt;
         }
     }
 

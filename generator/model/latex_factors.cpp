@@ -97,6 +97,16 @@ ExpressionPtr LatexParser::postfix(ExpressionPtr base, std::size_t first) {
 
 ExpressionPtr LatexParser::superscript(ExpressionPtr base, std::size_t first) {
     next();
+    const auto is_font = [](const LatexToken& t) { return t.is("\\mathsf") || t.is("\\mathbf") || t.is("\\mathtt"); };  // of ^\mathsf{T}
+    const std::size_t font = token().is("{") ? at_ + 1 : at_;
+    if (is_font(at(font))) {
+        const std::size_t letter = font + (at(font + 1).is("{") ? 2 : 1), end = behind_argument(font + 1);
+        const bool ends_there = font == at_ || at(end).is("}");
+        if (at(letter).is_letter("T") && end == letter + (letter == font + 2 ? 2 : 1) && ends_there) {
+            at_ = font == at_ ? end : end + 1;
+            return call("transpose", first, {std::move(base)});
+        }
+    }
     const LatexToken& script = token();
     const bool is_braced = script.is("{");
     const LatexToken& inside = is_braced ? token(1) : script;

@@ -47,7 +47,7 @@ ExpressionPtr LatexParser::function_argument(const std::string& name) {
     if (t.side != Side::right && (t.is("(") || t.is("[") || t.is("\\{") || (t.side == Side::left && !t.is("|") && !t.is("\\|") && !t.is(".")))) return bracket();
     if (t.is("{") && !starts_letter(at_)) return group();
     if (t.is("|") || t.is("\\|")) return magnitude();
-    if (t.is("-") || is_function(t)) expected(fmt::format("a bracket around the argument of '{}'", name));
+    if (t.is("-") || (is_function(t) && !t.is("\\sqrt"))) expected(fmt::format("a bracket around the argument of '{}'", name));
     const std::size_t first = at_;
     ExpressionPtr argument;
     bool is_only_number = true;

@@ -32,14 +32,27 @@ ExpressionPtr LatexParser::integral() {
     Integral here;
     Integral* const outer = integral_;
     integral_ = &here;
+    const std::size_t begin = at_;
     const bool is_differential_first = at_differential();
-    ExpressionPtr inside = expression();
+    ExpressionPtr inside;
+    if (is_differential_first) {  // \int dx\, f, where the product behind it is meant
+        ExpressionPtr variable = differential_variable();
+        if (starts_factor() && !at_differential()) {
+            integral_ = outer;
+            inside = term();
+            if (is("+") || is("-")) wrong(place(token()), fmt::format("it is not clear whether what stands behind '{}' is integrated; the differential stands behind what is", shown(token())));
+            here.variable = std::move(variable);
+        } else {
+            at_ = begin;
+        }
+    }
+    if (!inside) inside = expression();
     if (!here.variable) {
         if (!at_differential()) wrong(sign, "the integral has no differential such as 'dx'");
         here.variable = differential_variable();
     }
     integral_ = outer;
-    if (is_differential_first && starts_factor()) wrong(place(token()), fmt::format("it is not clear whether '{}' is integrated; the differential stands behind what is", shown(token())));
+    if (is_differential_first && at_differential()) wrong(place(token()), fmt::format("it is not clear whether '{}' is integrated; the differential stands behind what is", shown(token())));
     if (here.variable->kind == Kind::name) integrated_ = here.variable->name;
     std::vector<ExpressionPtr> parts{std::move(inside), here.variable};
     for (ExpressionPtr* limit : {&lower, &upper})

@@ -66,7 +66,7 @@ void LatexParser::drop_empty_groups() {
 
 /// \vec{\nabla} is \nabla.
 void LatexParser::drop_marks_of_nabla() {
-    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+    for (std::size_t i = tokens_.size(); i-- > 0;) {  // the innermost mark first
         if (!at(i).is("\\vec") && !at(i).is("\\mathbf") && !at(i).is("\\underline") && !at(i).is("\\bar")) continue;
         const auto here = tokens_.begin() + static_cast<std::ptrdiff_t>(i);
         if (at(i + 1).is("\\nabla")) tokens_.erase(here);

@@ -164,7 +164,7 @@ bool LatexParser::read_marked(Read& read) {
 LatexParser::Tokens LatexParser::script_tokens() {
     const bool braced = is("{");
     const std::size_t open = at_;
-    const std::size_t end = braced ? closing_brace(at_) : at_ + 1;
+    const std::size_t end = braced ? closing_brace(at_) : is_fancy(token()) ? behind_argument(at_ + 1) : at_ + 1;  // ^\mathsf{T}
     if (end >= tokens_.size() || (!braced && is_end())) expected(braced ? "'}'" : "an index or exponent");
     Tokens script;
     for (std::size_t i = at_ + (braced ? 1 : 0); i < end; ++i) {

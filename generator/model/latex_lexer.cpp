@@ -229,6 +229,7 @@ private:
         if (name == "\\qty" && at(i_) == '{') return add(Kind::command, name, begin, i_);
         if (without_meaning.contains(name)) return;
         if (with_idle_argument.contains(name)) return idle_argument(name, begin);
+        if (name == "\\intertext" || name == "\\shortintertext") return words_between(name, begin);
         if (sizes.contains(name)) return bracket(name, begin);
         if (name == "\\begin" || name == "\\end") return environment(name, begin);
         if (upright_commands.contains(name)) return upright(name, begin);
@@ -248,6 +249,13 @@ private:
             while (is_latin(at(k))) ++k;
             if (digits > i_ + 1 && k == digits + 2 && at(k) == ']') i_ = k + 1;
         }
+        add(Kind::sign, "\\\\", begin, i_);
+    }
+
+    /// A line of words between equations. What it says by a relation may be a condition of what follows.
+    void words_between(const std::string& name, std::size_t begin) {
+        idle_argument(name, begin);
+        if (text_.substr(begin, i_ - begin).find_first_of("<>=") != std::string::npos) wrong(begin, i_, "what stands in this text is not read; end the block before it");
         add(Kind::sign, "\\\\", begin, i_);
     }
 
@@ -273,6 +281,8 @@ private:
             if (const auto known = one_spelling.find(text); known != one_spelling.end()) text = known->second;
         } else {
             text = std::string(1, text_[i_++]);
+            if (text == "<" && size == "\\left") text = "\\langle";
+            if (text == ">" && size == "\\right") text = "\\rangle";
         }
         static const Words brackets{"(", ")", "[", "]", "\\{", "\\}", "|", "\\|", ".", "/"};
         if (text == "\\langle" || text == "\\rangle") return add(Kind::command, text, begin, i_);

@@ -17,7 +17,9 @@ using Kind = Expression::Kind;
 struct Change {
     SlipKind kind;
     std::string words;
-    ExpressionPtr tree;
+    ExpressionPtr tree;     ///< the whole with the change
+    ExpressionPtr printed;  ///< the part that is changed
+    ExpressionPtr mended;
 };
 
 ExpressionPtr rebuilt(const Expression& e, std::vector<ExpressionPtr> children) {
@@ -44,21 +46,30 @@ bool is_condition(const Expression& e, std::size_t i) { return e.kind == Kind::c
 std::string stem(const std::string& name) { return name.substr(0, name.find('_')); }
 
 /// The name of a function that another is mixed up with.
-constexpr std::pair<const char*, const char*> mixed_up[]{{"sin", "cos"}, {"sinh", "cosh"}, {"sin", "sinh"}, {"cos", "cosh"}, {"tan", "tanh"}, {"asin", "acos"}, {"tan", "atan"}, {"exp", "expm1"}, {"log", "log1p"}, {"min", "max"}};
+using Names = std::pair<const char*, const char*>;
+constexpr Names mixed_up[]{{"sin", "cos"}, {"sinh", "cosh"}, {"sin", "sinh"}, {"cos", "cosh"}, {"tan", "tanh"}, {"asin", "acos"}, {"tan", "atan"}, {"exp", "expm1"}, {"log", "log1p"}, {"min", "max"}};
+constexpr Names rarely_mixed_up[]{{"tanh", "cosh"}, {"tanh", "sinh"}, {"tan", "sin"}, {"tan", "cos"}};
+
+/// A letter of the text may stand for an expression. Dots of a letter belong to the text.
+bool stands_for_letter(const Expression& e) {
+    if (!e.span || (e.kind == Kind::call && (e.name == "dot" || e.name == "ddot"))) return false;
+    return std::any_of(e.children.begin(), e.children.end(), [&](const ExpressionPtr& child) { return child->span.source == e.span.source && child->span.begin == e.span.begin && child->span.end == e.span.end; });
+}
 
 class Slips {
 public:
-    explicit Slips(const std::vector<KnownLetter>& letters) : letters_(letters) {}
+    Slips(const std::vector<KnownLetter>& letters, const SlipOptions& options) : letters_(letters), options_(options) {}
 
     /// Every change of a tree. `is_term` says that it stands alone or in a sum, so that it may have a sign and a factor of its own.
     std::vector<Change> of(const ExpressionPtr& e, bool is_term) {
         std::vector<Change> found;
-        const auto add = [&](SlipKind kind, std::string words, ExpressionPtr tree) { found.push_back({kind, std::move(words), std::move(tree)}); };
+        const auto add = [&](SlipKind kind, std::string words, const ExpressionPtr& tree) { found.push_back({kind, std::move(words), tree, e, tree}); };
         if (is_term) term(e, add);
+        if (stands_for_letter(*e)) return found;
         switch (e->kind) {
             case Kind::number: number(*e, add); return found;
             case Kind::name: name(e, add); return found;
-            case Kind::negate: add(SlipKind::sign, fmt::format("the sign of '{}'", in_model_language(*e->children[0])), e->children[0]); break;
+            case Kind::negate: add(SlipKind::sign, fmt::format("the sign of '{}'", spelled(*e->children[0])), e->children[0]); break;
             case Kind::add:
             case Kind::subtract: sum(*e, add); break;
             case Kind::multiply:
@@ -67,6 +78,7 @@ public:
             case Kind::call: function(e, add); break;
             case Kind::sum: break;
         }
+        if (options_.is_wide && !is_term && is_sum(*e)) square(e, add);
         for (std::size_t i = 0; i < e->children.size(); ++i) {
             if (e->kind == Kind::sum && i < 2) continue;
             if (e->kind == Kind::call && (e->name == "diff" || e->name == "integral" || e->name == "limit" || e->name == "at" || e->name == "quantity") && i == 1) continue;
@@ -74,7 +86,7 @@ public:
             if (is_condition(*e, i)) continue;
             for (Change& change : of(e->children[i], (is_sum(*e) || has_entries(*e)) && !is_sum(*e->children[i]))) {
                 std::vector<ExpressionPtr> children = e->children;
-                children[i] = std::move(change.tree);
+                children[i] = change.tree;
                 change.tree = rebuilt(*e, std::move(children));
                 found.push_back(std::move(change));
             }
@@ -83,14 +95,27 @@ public:
     }
 
 private:
+    std::string spelled(const Expression& e) const { return options_.spelled ? options_.spelled(e) : in_model_language(e); }
+
+    template <class Add>
+    void square(const ExpressionPtr& e, Add add) {
+        add(SlipKind::exponent, fmt::format("'{}' is to be squared", spelled(*e)), node(Kind::power, e->span, {e, make_number(2, e->span)}));
+    }
+
     template <class Add>
     void term(const ExpressionPtr& e, Add add) {
         if (e->kind == Kind::number && is_zero(e->value)) return;
-        const std::string text = in_model_language(*e);
+        const std::string text = spelled(*e);
         if (e->kind != Kind::negate) add(SlipKind::sign, fmt::format("the sign of '{}'", text), node(Kind::negate, e->span, {e}));
         for (const int factor : {2, 3, 4}) {
             add(SlipKind::factor, fmt::format("'{}' lacks a factor {}", text, factor), node(Kind::multiply, e->span, {make_number(factor, e->span), e}));
             add(SlipKind::factor, fmt::format("'{}' is {} times too large", text, factor), node(Kind::divide, e->span, {e, make_number(factor, e->span)}));
+        }
+        if (!options_.is_wide) return;
+        for (const KnownLetter& letter : letters_) {
+            const ExpressionPtr factor = make_name(letter.name, e->span);
+            add(SlipKind::letter, fmt::format("'{}' lacks the factor '{}'", text, spelled(*factor)), node(Kind::multiply, e->span, {factor, e}));
+            add(SlipKind::letter, fmt::format("'{}' has the factor '{}' too much", text, spelled(*factor)), node(Kind::divide, e->span, {e, factor}));
         }
     }
 
@@ -98,10 +123,10 @@ private:
     void number(const Expression& e, Add add) {
         const auto other = [&](const Rational& value) { return make_number(value, e.span); };
         if (is_zero(e.value)) return;
-        add(SlipKind::factor, fmt::format("{} instead of {}", in_model_language(*other(e.value + 1)), in_model_language(e)), other(e.value + 1));
-        if (e.value != 1) add(SlipKind::factor, fmt::format("{} instead of {}", in_model_language(*other(e.value - 1)), in_model_language(e)), other(e.value - 1));
-        add(SlipKind::factor, fmt::format("{} instead of {}", in_model_language(*other(e.value * 2)), in_model_language(e)), other(e.value * 2));
-        add(SlipKind::factor, fmt::format("{} instead of {}", in_model_language(*other(e.value / 2)), in_model_language(e)), other(e.value / 2));
+        add(SlipKind::factor, fmt::format("{} instead of {}", spelled(*other(e.value + 1)), spelled(e)), other(e.value + 1));
+        if (e.value != 1) add(SlipKind::factor, fmt::format("{} instead of {}", spelled(*other(e.value - 1)), spelled(e)), other(e.value - 1));
+        add(SlipKind::factor, fmt::format("{} instead of {}", spelled(*other(e.value * 2)), spelled(e)), other(e.value * 2));
+        add(SlipKind::factor, fmt::format("{} instead of {}", spelled(*other(e.value / 2)), spelled(e)), other(e.value / 2));
     }
 
     template <class Add>
@@ -115,12 +140,12 @@ private:
             if (!has_unit && stem(letter.name) != stem(e->name)) continue;
             auto other = std::make_shared<Expression>(*e);
             other->name = letter.name;
-            add(SlipKind::index, fmt::format("'{}' instead of '{}'", letter.name, in_model_language(*e)), other);
+            add(SlipKind::index, fmt::format("'{}' instead of '{}'", spelled(*other), spelled(*e)), other);
         }
         indices(*e, 0, add);
         if (own == letters_.end()) return;
-        add(SlipKind::exponent, fmt::format("'{}' is to be squared", in_model_language(*e)), node(Kind::power, e->span, {e, make_number(2, e->span)}));
-        add(SlipKind::dot, fmt::format("a dot is missing on '{}'", in_model_language(*e)), call("dot", e));
+        square(e, add);
+        add(SlipKind::dot, fmt::format("a dot is missing on '{}'", spelled(*e)), call("dot", e));
     }
 
     /// position[bob, 1]: another axis.
@@ -138,7 +163,7 @@ private:
                 std::vector<ExpressionPtr> children = e.children;
                 children[i] = make_number(e.children[i]->value + step, e.span);
                 const ExpressionPtr other = rebuilt(e, std::move(children));
-                add(SlipKind::index, fmt::format("'{}' instead of '{}'", in_model_language(*other), in_model_language(e)), other);
+                add(SlipKind::index, fmt::format("'{}' instead of '{}'", spelled(*other), spelled(e)), other);
             }
         }
     }
@@ -147,27 +172,28 @@ private:
     void sum(const Expression& e, Add add) {
         const bool plus = e.kind == Kind::add;
         const ExpressionPtr &a = e.children[0], &b = e.children[1];
-        add(SlipKind::sign, fmt::format("'{}' instead of '{}' before '{}'", plus ? '-' : '+', plus ? '+' : '-', in_model_language(*b)), node(plus ? Kind::subtract : Kind::add, e.span, {a, b}));
-        add(SlipKind::term, fmt::format("without '{}'", in_model_language(*b)), a);
-        add(SlipKind::term, fmt::format("without '{}'", in_model_language(*a)), plus ? b : node(Kind::negate, e.span, {b}));
+        add(SlipKind::sign, fmt::format("'{}' instead of '{}' before '{}'", plus ? '-' : '+', plus ? '+' : '-', spelled(*b)), node(plus ? Kind::subtract : Kind::add, e.span, {a, b}));
+        add(SlipKind::term, fmt::format("without '{}'", spelled(*b)), a);
+        add(SlipKind::term, fmt::format("without '{}'", spelled(*a)), plus ? b : node(Kind::negate, e.span, {b}));
         // a*b + c for a*(b + c), a/c + b for (a + b)/c, and the like.
         const auto sums = [&](const ExpressionPtr& x, const ExpressionPtr& y) { return node(e.kind, e.span, {x, y}); };
-        const auto bracket = [&](ExpressionPtr tree) { add(SlipKind::bracket, fmt::format("a bracket around '{}'", in_model_language(e)), std::move(tree)); };
+        const auto bracket = [&](ExpressionPtr tree) { add(SlipKind::bracket, fmt::format("a bracket around '{}'", spelled(e)), std::move(tree)); };
         if (a->kind == Kind::multiply) bracket(rebuilt(*a, {a->children[0], sums(a->children[1], b)}));
         if (b->kind == Kind::multiply) bracket(rebuilt(*b, {sums(a, b->children[0]), b->children[1]}));
         if (b->kind == Kind::divide) bracket(rebuilt(*b, {sums(a, b->children[0]), b->children[1]}));
         if (a->kind == Kind::divide) bracket(rebuilt(*a, {a->children[0], sums(a->children[1], b)}));
         if (a->kind == Kind::call && a->children.size() == 1) bracket(rebuilt(*a, {sums(a->children[0], b)}));
-        if (is_sum(*b)) add(SlipKind::bracket, fmt::format("no bracket around '{}'", in_model_language(*b)), rebuilt(*b, {sums(a, b->children[0]), b->children[1]}));
+        if (is_sum(*b)) add(SlipKind::bracket, fmt::format("no bracket around '{}'", spelled(*b)), rebuilt(*b, {sums(a, b->children[0]), b->children[1]}));
     }
 
     template <class Add>
     void product(const Expression& e, Add add) {
         const ExpressionPtr &a = e.children[0], &b = e.children[1];
         const bool times = e.kind == Kind::multiply;
-        if (times) add(SlipKind::exponent, fmt::format("'{}' belongs below", in_model_language(*b)), node(Kind::divide, e.span, {a, b}));
-        else add(SlipKind::exponent, fmt::format("'{}' belongs above", in_model_language(*b)), node(Kind::multiply, e.span, {a, b}));
-        if (!times) add(SlipKind::exponent, fmt::format("'{}' is upside down", in_model_language(e)), node(Kind::divide, e.span, {b, a}));
+        if (times) add(SlipKind::exponent, fmt::format("'{}' belongs below", spelled(*b)), node(Kind::divide, e.span, {a, b}));
+        else add(SlipKind::exponent, fmt::format("'{}' belongs above", spelled(*b)), node(Kind::multiply, e.span, {a, b}));
+        if (times && options_.is_wide && a->kind != Kind::multiply && a->kind != Kind::divide) add(SlipKind::exponent, fmt::format("'{}' belongs below", spelled(*a)), node(Kind::divide, e.span, {b, a}));
+        if (!times) add(SlipKind::exponent, fmt::format("'{}' is upside down", spelled(e)), node(Kind::divide, e.span, {b, a}));
         const auto opened = [&](const Expression& inner, const ExpressionPtr& first, const ExpressionPtr& second) {
             add(SlipKind::bracket, fmt::format("no bracket around '{}'", in_model_language(inner)), node(inner.kind, e.span, {first, second}));
         };
@@ -179,65 +205,72 @@ private:
     template <class Add>
     void power(const ExpressionPtr& e, Add add) {
         const ExpressionPtr &base = e->children[0], &exponent = e->children[1];
-        const auto other = [&](const Rational& value) { add(SlipKind::exponent, fmt::format("'{}' to the power {}", in_model_language(*base), in_model_language(*make_number(value, e->span))), value == 1 ? base : rebuilt(*e, {base, make_number(value, e->span)})); };
+        const auto other = [&](const Rational& value) { add(SlipKind::exponent, fmt::format("'{}' to the power {}", spelled(*base), spelled(*make_number(value, e->span))), value == 1 ? base : rebuilt(*e, {base, make_number(value, e->span)})); };
         if (exponent->kind == Kind::number) {
             other(exponent->value + 1);
             if (exponent->value != 1) other(exponent->value - 1);
             other(-exponent->value);
         } else {
-            add(SlipKind::exponent, fmt::format("the sign of the exponent of '{}'", in_model_language(*base)), rebuilt(*e, {base, node(Kind::negate, e->span, {exponent})}));
+            add(SlipKind::exponent, fmt::format("the sign of the exponent of '{}'", spelled(*base)), rebuilt(*e, {base, node(Kind::negate, e->span, {exponent})}));
         }
-        if (base->kind == Kind::multiply || base->kind == Kind::divide) add(SlipKind::bracket, fmt::format("no bracket around '{}'", in_model_language(*base)), rebuilt(*base, {base->children[0], rebuilt(*e, {base->children[1], exponent})}));
+        if (base->kind == Kind::multiply || base->kind == Kind::divide) add(SlipKind::bracket, fmt::format("no bracket around '{}'", spelled(*base)), rebuilt(*base, {base->children[0], rebuilt(*e, {base->children[1], exponent})}));
     }
 
     template <class Add>
     void function(const ExpressionPtr& e, Add add) {
         if (e->children.empty()) return;
         const ExpressionPtr& x = e->children[0];
-        for (const auto& [one, another] : mixed_up)
-            for (const auto& [from, to] : {std::pair(one, another), std::pair(another, one)}) {
+        const auto mixed_up_with = [&](const Names& names) {
+            for (const auto& [from, to] : {names, Names(names.second, names.first)}) {
                 if (e->name != from) continue;
                 auto other = std::make_shared<Expression>(*e);
                 other->name = to;
-                add(SlipKind::function, fmt::format("{} instead of {} in '{}'", to, from, in_model_language(*e)), other);
+                add(SlipKind::function, fmt::format("{} instead of {} in '{}'", to, from, spelled(*e)), other);
             }
+        };
+        std::for_each(std::begin(mixed_up), std::end(mixed_up), mixed_up_with);
+        if (options_.is_wide) std::for_each(std::begin(rarely_mixed_up), std::end(rarely_mixed_up), mixed_up_with);
+        if (options_.is_wide && (e->name == "dot" || e->name == "ddot" || e->name == "integral")) square(e, add);
         if (e->name == "dot") {
-            add(SlipKind::dot, fmt::format("'{}' without its dot", in_model_language(*x)), x);
-            add(SlipKind::dot, fmt::format("a second dot is missing on '{}'", in_model_language(*x)), call("ddot", x));
+            add(SlipKind::dot, fmt::format("'{}' without its dot", spelled(*x)), x);
+            add(SlipKind::dot, fmt::format("a second dot is missing on '{}'", spelled(*x)), call("ddot", x));
         }
-        if (e->name == "ddot") add(SlipKind::dot, fmt::format("one dot on '{}'", in_model_language(*x)), call("dot", x));
+        if (e->name == "ddot") add(SlipKind::dot, fmt::format("one dot on '{}'", spelled(*x)), call("dot", x));
         if (e->name == "cases" && e->children.size() > 2) {
             std::vector<ExpressionPtr> children = e->children;
             std::swap(children[0], children[2]);
-            add(SlipKind::sign, fmt::format("'{}' and '{}' change places", in_model_language(*x), in_model_language(*e->children[2])), rebuilt(*e, std::move(children)));
+            add(SlipKind::sign, fmt::format("'{}' and '{}' change places", spelled(*x), spelled(*e->children[2])), rebuilt(*e, std::move(children)));
         }
         if (e->name == "less" || e->name == "greater" || e->name == "less_equal" || e->name == "greater_equal") {
             auto other = std::make_shared<Expression>(*e);
             other->name = e->name.starts_with("less") ? "greater" : "less";
-            add(SlipKind::sign, fmt::format("'{}' instead of '{}' between '{}' and '{}'", e->name.starts_with("less") ? '>' : '<', e->name.starts_with("less") ? '<' : '>', in_model_language(*x), in_model_language(*e->children[1])), other);
+            add(SlipKind::sign, fmt::format("'{}' instead of '{}' between '{}' and '{}'", e->name.starts_with("less") ? '>' : '<', e->name.starts_with("less") ? '<' : '>', spelled(*x), spelled(*e->children[1])), other);
         }
-        if (e->name == "sqrt") add(SlipKind::exponent, fmt::format("no root of '{}'", in_model_language(*x)), x);
+        if (e->name == "sqrt") add(SlipKind::exponent, fmt::format("no root of '{}'", spelled(*x)), x);
         const FunctionSpec* known = find_function(e->name);
         if (known == nullptr || e->children.size() != 1) return;
-        add(SlipKind::exponent, fmt::format("'{}' is to be squared", in_model_language(*e)), node(Kind::power, e->span, {e, make_number(2, e->span)}));
-        if (is_sum(*x)) add(SlipKind::bracket, fmt::format("'{}' does not belong into {}", in_model_language(*x->children[1]), e->name), rebuilt(*x, {rebuilt(*e, {x->children[0]}), x->children[1]}));
+        square(e, add);
+        if (is_sum(*x)) add(SlipKind::bracket, fmt::format("'{}' does not belong into {}", spelled(*x->children[1]), e->name), rebuilt(*x, {rebuilt(*e, {x->children[0]}), x->children[1]}));
     }
 
     const std::vector<KnownLetter>& letters_;
+    const SlipOptions& options_;
 };
 
 }  // namespace
 
-std::vector<Slip> slips_of(const Equation& equation, const std::vector<KnownLetter>& letters) {
-    Slips slips(letters);
+std::vector<Slip> slips_of(const Equation& equation, const std::vector<KnownLetter>& letters, const SlipOptions& options) {
+    Slips slips(letters, options);
     std::vector<Slip> result;
     for (std::size_t i = 0; i < equation.sides.size(); ++i)
         for (Change& change : slips.of(equation.sides[i], !is_sum(*equation.sides[i]))) {
             Equation other = equation;
             other.sides[i] = std::move(change.tree);
-            result.push_back({change.kind, i, std::move(change.words), std::move(other)});
+            result.push_back({change.kind, i, std::move(change.words), std::move(other), std::move(change.printed), std::move(change.mended)});
         }
-    std::stable_sort(result.begin(), result.end(), [](const Slip& a, const Slip& b) { return a.kind < b.kind; });
+    // Of a letter that is said to be something the slip is seldom.
+    const auto rank = [&](const Slip& slip) { return std::pair(slip.kind, options.is_wide && equation.sides[slip.side]->kind == Kind::name); };
+    std::stable_sort(result.begin(), result.end(), [&](const Slip& a, const Slip& b) { return rank(a) < rank(b); });
     return result;
 }
 

@@ -31,12 +31,15 @@ bool NormalForm::is_zero(const ex& given) {
     const ShortAngles angles = assumed_positive_.empty() ? with_short_angles(given) : ShortAngles{given, {}};
     const ex& e = angles.expression;
     work_ = 0;
+    logarithm_factors_.clear();
     for (int attempt = 0; attempt < most_restarts; ++attempt) {
         forget();
         try {
             if (!functions_are_letters_) roots_first(e);
             if (joins_roots_) simple_roots_first(e);
             const bool result = without_inverses(convert(e)).is_zero();
+            // Positive is what a logarithm is taken of, here and not before a restart alone.
+            if (!std::includes(logarithms_of_.begin(), logarithms_of_.end(), divided_by_.begin(), divided_by_.end())) throw NoNormalForm("logarithms that went");
             std::set<ex, GiNaC::ex_is_less> claimed;
             for (const ex& claim : must_not_vanish_) claimed.insert(claim.subs(angles.meaning, GiNaC::subs_options::no_pattern));
             must_not_vanish_ = std::move(claimed);
@@ -59,6 +62,8 @@ void NormalForm::forget() {
     inverse_order_.clear();
     atoms_.clear();
     logarithms_.clear();
+    logarithms_of_.clear();
+    divided_by_.clear();
     known_functions_.clear();
     symbols_.clear();
     positive_.clear();
@@ -169,6 +174,17 @@ Polynomial NormalForm::function(const ex& e) {
         return Polynomial(1) - multiply(more, exponential(-x));
     }
     if (name == "log") return logarithm(convert(e.op(0)));
+    if (name == "asin" || name == "atan" || name == "acos") {  // odd ones, but for the quarter turn that acos is from asin
+        const Polynomial x = convert(e.op(0));
+        const std::string odd = name == "atan" ? "atan" : "asin";
+        const bool is_turned = !x.is_zero() && is_negative(leading(x));
+        Polynomial result = atom_of(odd, {is_turned ? -x : x});
+        if (is_turned != (name == "acos")) result *= Rational(-1);
+        if (name != "acos") return result;
+        Polynomial quarter = convert(GiNaC::Pi);
+        quarter *= Rational(1) / 2;
+        return result += quarter;
+    }
     if (name == "log_one_plus") {
         Polynomial x = convert(e.op(0));
         x += Polynomial(1);
@@ -232,9 +248,59 @@ Polynomial NormalForm::atom(const std::string& name, const ex& e) {
     } else {
         for (const ex& argument : e) arguments.push_back(convert(argument));
     }
-    const auto [found, is_new] = atoms_.emplace(std::pair(key, arguments), 0);
-    if (is_new) found->second = new_letter(key == "pi");
+    return atom_of(key, arguments);
+}
+
+Polynomial NormalForm::atom_of(const std::string& name, const std::vector<Polynomial>& arguments) {
+    const auto [found, is_new] = atoms_.emplace(std::pair(name, arguments), 0);
+    if (is_new) found->second = new_letter(name == "pi");
     return Polynomial::letter(found->second);
+}
+
+/// Sine and cosine of a part of pi, where GiNaC knows one of them, or of the double angle.
+std::optional<std::pair<Polynomial, Polynomial>> NormalForm::of_part_of_pi(const Rational& part) {
+    const auto known = [](const ex& e) {
+        return std::none_of(e.preorder_begin(), e.preorder_end(), [](const ex& inner) { return GiNaC::is_a<GiNaC::function>(inner); });
+    };
+    const auto square_root = [&](const Polynomial& square, bool is_positive) {
+        Polynomial result = root(square, 2);
+        return is_positive ? result : -result;
+    };
+    const ex angle = numeric(part) * GiNaC::Pi, sine = GiNaC::sin(angle), cosine = GiNaC::cos(angle);
+    const Rational turns = part / 2, fraction = turns - cln::floor1(turns);  // of a whole turn
+    const bool is_above = fraction < Rational(1) / 2, is_right = fraction < Rational(1) / 4 || fraction > Rational(3) / 4;
+    if (known(sine) && known(cosine)) return std::pair(convert(sine), convert(cosine));
+    if (known(cosine)) {
+        const Polynomial c = convert(cosine);
+        return std::pair(square_root(Polynomial(1) - multiply(c, c), is_above), c);
+    }
+    if (known(sine)) {
+        const Polynomial s = convert(sine);
+        return std::pair(s, square_root(Polynomial(1) - multiply(s, s), is_right));
+    }
+    if (cln::denominator(part) > 200 || cln::oddp(cln::denominator(part))) return std::nullopt;
+    const auto doubled = of_part_of_pi(part * 2);
+    if (!doubled) return std::nullopt;
+    Polynomial sine_square = Polynomial(1) - doubled->second, cosine_square = Polynomial(1);
+    cosine_square += doubled->second;
+    sine_square *= Rational(1) / 2;
+    cosine_square *= Rational(1) / 2;
+    return std::pair(square_root(sine_square, is_above), square_root(cosine_square, is_right));
+}
+
+/// Sine and cosine of an arc function.
+std::optional<std::pair<Polynomial, Polynomial>> NormalForm::of_arc(const Monomial& monomial) {
+    if (monomial.size() != 1 || monomial[0].exponent != 1 || angle_denominators_.at(monomial) != 1) return std::nullopt;
+    for (const auto& [key, letter] : std::map(atoms_)) {
+        if (letter != monomial[0].letter || (key.first != "atan" && key.first != "asin")) continue;
+        const Polynomial& x = key.second[0];
+        Polynomial square = multiply(x, x);
+        if (key.first == "asin") return std::pair(x, root(Polynomial(1) - square, 2));
+        square += Polynomial(1);
+        const Polynomial cosine = inverse(root(square, 2));
+        return std::pair(multiply(x, cosine), cosine);
+    }
+    return std::nullopt;
 }
 
 /// The whole multiple of atom/denominator that factor*atom is.
@@ -260,8 +326,18 @@ std::pair<Polynomial, Polynomial> NormalForm::sine_and_cosine(const Polynomial& 
         c = multiply(c, cosine) - multiply(s, sine);
         s = std::move(new_s);
     };
+    const auto pi = atoms_.find(std::pair(std::string("pi"), std::vector<Polynomial>()));
     for (const auto& [monomial, factor] : argument.terms()) {
+        if (pi != atoms_.end() && monomial == Monomial{{pi->second, 1}})
+            if (const auto known = of_part_of_pi(factor)) {
+                turn(known->first, known->second);
+                continue;
+            }
         const int n = multiple(factor, monomial, angle_denominators_);
+        if (const auto arc = of_arc(monomial)) {
+            for (int i = 0; i < std::abs(n); ++i) turn(n > 0 ? arc->first : -arc->first, arc->second);
+            continue;
+        }
         auto found = angles_.find(monomial);
         if (found == angles_.end()) {
             // Of part of an angle the sine is positive where that of the whole is; a cosine likewise.
@@ -281,7 +357,8 @@ std::pair<Polynomial, Polynomial> NormalForm::sine_and_cosine(const Polynomial& 
     return {s, c};
 }
 
-Polynomial NormalForm::exponential(const Polynomial& argument) {
+Polynomial NormalForm::exponential(const Polynomial& given) {
+    const Polynomial argument = in_partial_fractions(given);
     Monomial product;
     Polynomial powers(1);
     for (const auto& [monomial, factor] : argument.terms()) {
@@ -302,6 +379,33 @@ Polynomial NormalForm::exponential(const Polynomial& argument) {
     Polynomial result;
     result.add(product, 1);
     return multiply(result, powers);
+}
+
+/// x/(x + c) as 1 - c/(x + c), so that exponents that are equal look so. Where the denominator has a letter once and alone.
+Polynomial NormalForm::in_partial_fractions(Polynomial p) const {
+    constexpr int most_steps = 100;
+    for (int step = 0; step < most_steps; ++step) {
+        bool any = false;
+        for (const auto& [reciprocal, denominator] : inverse_order_) {
+            const Monomial& first = denominator.terms().begin()->first.empty() ? std::next(denominator.terms().begin())->first : denominator.terms().begin()->first;
+            if (first.size() != 1 || first[0].exponent != 1) continue;
+            const Letter letter = first[0].letter;
+            const bool is_alone = std::none_of(denominator.terms().begin(), denominator.terms().end(), [&](const auto& term) { return term.first != first && exponent_of(term.first, letter) != 0; });
+            if (!is_alone) continue;
+            const auto found = std::find_if(p.terms().begin(), p.terms().end(), [&](const auto& term) { return exponent_of(term.first, letter) > 0 && exponent_of(term.first, reciprocal) > 0; });
+            if (found == p.terms().end()) continue;
+            any = true;
+            const auto [monomial, coefficient] = *found;
+            const Rational scale = coefficient / denominator.terms().at(first);
+            const Monomial rest = monomial * Monomial{{letter, -1}};
+            p.add(monomial, -coefficient);
+            p.add(rest * Monomial{{reciprocal, -1}}, scale);
+            for (const auto& [other, factor] : denominator.terms())
+                if (other != first) p.add(rest * other, -scale * factor);
+        }
+        if (!any) break;
+    }
+    return p;
 }
 
 /// S with S^2 = 1, the same letter for x and, with the other sign, for -x. At x = 0 nothing is claimed.

@@ -69,6 +69,11 @@ private:
     Polynomial logarithm_of_letter(Letter letter);
     Polynomial logarithm_of_number(const Rational& value);
     Polynomial logarithm_atom(const Polynomial& argument);
+    Polynomial divide_by_known_logarithms(Polynomial& argument);
+    Polynomial in_partial_fractions(Polynomial p) const;
+    std::optional<std::pair<Polynomial, Polynomial>> of_part_of_pi(const Rational& part);
+    std::optional<std::pair<Polynomial, Polynomial>> of_arc(const Monomial& monomial);
+    void divide_by_known_squares(Polynomial& p, Polynomial& factor);
     Polynomial sign_of(const Polynomial& argument);
     Polynomial outflow_factor(const Rational& d, const Rational& k);
     std::optional<Polynomial> heat_function(const std::string& name, const GiNaC::ex& e);
@@ -82,6 +87,7 @@ private:
     Polynomial clear_by_squares(Polynomial& p, bool with_factor);
     Polynomial take_radicands(Polynomial& p);
     Polynomial atom(const std::string& name, const GiNaC::ex& e);
+    Polynomial atom_of(const std::string& name, const std::vector<Polynomial>& arguments);
 
     Polynomial multiply(const Polynomial& a, const Polynomial& b);
     Polynomial integer_power(const Polynomial& base, int exponent);
@@ -107,6 +113,7 @@ private:
     /// These survive a restart. Letters are numbered in the order in which they are met, which is the same after one.
     std::map<Monomial, int> angle_denominators_;
     std::map<Monomial, int> exponential_denominators_;
+    std::vector<Polynomial> logarithm_factors_;    ///< arguments of logarithms, what divides others before these
 
     std::vector<bool> positive_;                   ///< by letter
     std::map<Letter, Relation> relations_;
@@ -119,6 +126,7 @@ private:
     std::vector<std::pair<Letter, Polynomial>> inverse_order_;
     std::map<std::pair<std::string, std::vector<Polynomial>>, Letter> atoms_;
     std::map<Letter, Polynomial> logarithms_;      ///< letters that stand for log(polynomial)
+    std::set<Polynomial> logarithms_of_, divided_by_;  ///< arguments that occurred; those that others were divided by
     std::map<GiNaC::ex, Polynomial, GiNaC::ex_is_less> known_functions_;
 };
 

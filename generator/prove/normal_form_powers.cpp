@@ -52,7 +52,37 @@ Polynomial NormalForm::logarithm(const Polynomial& argument) {
     // A reciprocal alone is as positive as its denominator.
     for (const auto& [letter, denominator] : inverse_order_)
         if (rest == Polynomial::letter(letter)) return result - logarithm(denominator);
-    return result += logarithm_atom(rest);
+    const Polynomial undivided = rest;
+    result += divide_by_known_logarithms(rest);
+    if (rest == Polynomial(1)) return result;
+    return result += rest == undivided ? logarithm_atom(rest) : logarithm(rest);
+}
+
+/// Each argument of a logarithm is positive where the whole is defined, and so is what one leaves of another: log(a^2 - b^2) beside log(a - b).
+/// What divides an argument that came before it is known from the beginning after a restart.
+Polynomial NormalForm::divide_by_known_logarithms(Polynomial& argument) {
+    Polynomial result;
+    if (argument.is_monomial()) return result;
+    logarithms_of_.insert(argument);
+    const Polynomial whole = argument;
+    for (const Polynomial& known : logarithm_factors_) {
+        if (known == whole) continue;
+        for (auto quotient = exact_quotient(argument, known); quotient && !(argument == known); quotient = exact_quotient(argument, known)) {
+            divided_by_.insert(known);
+            argument = *quotient;
+            result += logarithm_atom(known);
+        }
+        if (argument == known && !(known == whole)) {
+            divided_by_.insert(known);
+            argument = Polynomial(1);
+            return result += logarithm_atom(known);
+        }
+    }
+    if (std::find(logarithm_factors_.begin(), logarithm_factors_.end(), whole) != logarithm_factors_.end()) return result;
+    const bool divides = std::any_of(logarithm_factors_.begin(), logarithm_factors_.end(), [&](const Polynomial& known) { return exact_quotient(known, whole).has_value(); });
+    logarithm_factors_.insert(divides ? logarithm_factors_.begin() : logarithm_factors_.end(), whole);
+    if (divides) throw Restart();
+    return result;
 }
 
 Polynomial NormalForm::logarithm_of_letter(Letter letter) {

@@ -45,7 +45,19 @@ Polynomial NormalForm::clear_by_squares(Polynomial& p, bool with_factor) {
             if (with_factor) factor = multiply(factor, integer_power(multiply(Polynomial::letter(letter), sign_of(denominator)), half));
         }
     }
+    if (with_factor) divide_by_known_squares(p, factor);
     return factor;
+}
+
+/// What was multiplied by too often: the squares of denominators come out again.
+void NormalForm::divide_by_known_squares(Polynomial& p, Polynomial& factor) {
+    for (std::size_t i = 0; i < inverse_order_.size(); ++i) {
+        const Polynomial denominator = inverse_order_[i].second, square = multiply(denominator, denominator);
+        for (auto quotient = exact_quotient(p, square); quotient; quotient = exact_quotient(p, square)) {
+            p = *quotient;
+            factor = multiply(factor, multiply(denominator, sign_of(denominator)));
+        }
+    }
 }
 
 /// Takes out what is known to be positive because it stands under a root; returns its root.

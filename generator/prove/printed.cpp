@@ -8,6 +8,7 @@
 #include "model/verdict.hpp"
 #include "prove/printed_pair.hpp"
 #include "prove/right_angles.hpp"
+#include "symbolic/quotient.hpp"
 
 namespace dalembert {
 
@@ -117,6 +118,25 @@ public:
         return true;
     }
 
+    /// Both sides vanish; or one of them, without any motion, where the other one is a printed zero.
+    bool is_trivial(const Equation& equation) {
+        const auto is_zero_printed = [](const Expression& e) { return e.kind == Expression::Kind::number && is_zero(e.value); };
+        for (std::size_t i = 0; i + 1 < equation.sides.size(); ++i) {
+            const Expression &left = *equation.sides[i], &right = *equation.sides[i + 1];
+            if (is_zero_printed(left) != is_zero_printed(right)) {
+                constexpr double most_expanded = 20'000;
+                const ex side = translate(is_zero_printed(left) ? right : left);
+                if (terms_when_expanded(side) <= most_expanded && side.expand().is_zero()) return true;
+            } else if (vanishes(left)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// At all points that are tried.
+    bool vanishes(const Expression& side) { return pairs().may_hold(translate(side), 0); }
+
 private:
     ex translate(const Expression& e) const { return system_.translate(e, indices_, letters_); }
     std::optional<PrintedNumber> number(const Equation& equation, std::size_t side) const { return number_in(printed_, *equation.sides[side]); }
@@ -223,6 +243,15 @@ PrintedCheck check_printed(const System& system, const Member<PrintedEquation>& 
         }));
     for (std::size_t i = 0; i < checked.equations.size(); ++i) name_entry(result.equations[i].comparison, checked.equations[i].entry);
     return result;
+}
+
+bool is_trivial(const System& system, const Member<PrintedEquation>& entry) {
+    const Indices indices = Translator::indices_of(entry);
+    const PrintedEquation checked = with_solution_inserted(*entry.item);
+    EntryCheck check(system, checked, indices);
+    if (entry.item->solved.empty()) return std::any_of(checked.equations.begin(), checked.equations.end(), [&](const Equation& equation) { return check.is_trivial(equation); });
+    // What solves an equation makes it 0 = 0 for all letters; but a solution that is zero is none that would be printed.
+    return std::any_of(entry.item->equations.begin(), entry.item->equations.end(), [&](const Equation& equation) { return check.vanishes(*equation.sides[1]); });
 }
 
 bool may_hold(const System& system, const Member<PrintedEquation>& entry) {

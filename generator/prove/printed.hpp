@@ -36,4 +36,7 @@ PrintedCheck check_printed(const System& system, const Member<PrintedEquation>& 
 /// Whether an entry holds at a few random points, units and all: quick, and true of all that is right.
 bool may_hold(const System& system, const Member<PrintedEquation>& entry);
 
+/// Whether an entry that holds says no more than 0 = 0.
+bool is_trivial(const System& system, const Member<PrintedEquation>& entry);
+
 }  // namespace dalembert

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/quotient.hpp"
 
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -39,6 +40,20 @@ struct AsLetters : GiNaC::map_function {
 };
 
 }  // namespace
+
+double terms_when_expanded(const ex& e) {
+    if (GiNaC::is_a<GiNaC::add>(e)) {
+        double terms = 0;
+        for (const ex& term : e) terms += terms_when_expanded(term);
+        return terms;
+    }
+    double terms = 1;
+    if (GiNaC::is_a<GiNaC::mul>(e))
+        for (const ex& factor : e) terms *= terms_when_expanded(factor);
+    else if (GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::posint))
+        terms = std::pow(terms_when_expanded(e.op(0)), GiNaC::ex_to<numeric>(e.op(1)).to_double());
+    return terms;
+}
 
 ex quotient(const ex& above, const ex& below) {
     if (above.is_zero()) return 0;

@@ -10,4 +10,7 @@ namespace dalembert {
 /// are written out, in whole numbers without a common divisor: but for a sign of both they are the same on every run.
 GiNaC::ex quotient(const GiNaC::ex& above, const GiNaC::ex& below);
 
+/// How many terms a sum or product has at most when it is expanded.
+double terms_when_expanded(const GiNaC::ex& e);
+
 }  // namespace dalembert

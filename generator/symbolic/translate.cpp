@@ -245,6 +245,7 @@ ex Translator::function(const Expression& e, const std::vector<ex>& arguments) c
         if (e.name == "min") return minimum(x, arguments[1]);
         if (e.name == "max") return maximum(x, arguments[1]);
     } catch (const GiNaC::pole_error&) {
+        if (e.name == "mod") fail(Id::division_by_zero, e, fmt::format("the period '{}' of '{}' is zero, and has to be positive", e.children[1]->written(), e.written()));
         fail(Id::division_by_zero, e, fmt::format("'{}' does not exist", e.written()));
     }
     throw std::logic_error("a function of the vocabulary without a translation: " + e.name);

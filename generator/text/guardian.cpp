@@ -147,6 +147,12 @@ void set_stage_budget(double seconds, double bytes) {
     if (bytes > 0) now.bytes = bytes;
 }
 
+StageLimits stage_limits() {
+    Stage& now = stage();
+    const std::lock_guard lock(now.mutex);
+    return {now.seconds, now.bytes};
+}
+
 Leftovers& Leftovers::all() {
     static Leftovers& one = *new Leftovers;  // never gone: the program may end while others still use it
     return one;

@@ -20,6 +20,11 @@ void enter_stage(const std::string& stage);
 
 /// Other budgets of a stage than the usual: seconds of processor time, and bytes; 0 for as before.
 void set_stage_budget(double seconds, double bytes);
+struct StageLimits {
+    double seconds, bytes;
+};
+/// What a stage may take now.
+StageLimits stage_limits();
 
 /// What must be gone when the program ends early. What is held while files are written, or something is made and added to the list,
 /// keeps the program from ending in between.

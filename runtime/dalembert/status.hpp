@@ -69,7 +69,8 @@ std::string message(const Outcome& outcome, const Table& names, const Guards& gu
     text += " at t = " + std::to_string(outcome.t) + " s";
     if (outcome.status == Status::not_finite && outcome.state < names.size())
         text += ": state '" + std::string(names[outcome.state].name) + "' or its derivative is not finite";
-    if (outcome.status == Status::step_too_small) text += ": the tolerance cannot be met" + (outcome.state < names.size() ? ", least by state '" + std::string(names[outcome.state].name) + "'" : std::string());
+    if (outcome.status == Status::step_too_small)
+        text += ": the tolerance cannot be met" + (outcome.state < names.size() ? ", least by state '" + std::string(names[outcome.state].name) + "'" : std::string()) + "; try a larger one, and look there for something that jumps or grows without bound";
     if (outcome.status == Status::constraint_broken) text += ": constraint number " + std::to_string(outcome.constraint) + " is not met, and cannot be by a small step";
     if (outcome.status == Status::singular_position) text += ": constraint number " + std::to_string(outcome.constraint) + " depends on the others there";
     if (outcome.guard >= guards.size()) return text;

@@ -12,9 +12,9 @@ using namespace dalembert;
 
 namespace {
 
-std::set<std::string> slips(const std::string& equation, const std::vector<KnownLetter>& letters = {}) {
+std::set<std::string> slips(const std::string& equation, const std::vector<KnownLetter>& letters = {}, bool is_wide = false) {
     std::set<std::string> found;
-    for (const Slip& slip : slips_of(parse_equation(excerpt_of(std::make_shared<const Source>("test", equation))), letters)) found.insert(in_model_language(slip.equation));
+    for (const Slip& slip : slips_of(parse_equation(excerpt_of(std::make_shared<const Source>("test", equation))), letters, {is_wide, {}})) found.insert(in_model_language(slip.equation));
     return found;
 }
 
@@ -49,4 +49,15 @@ TEST_CASE("letters are taken for others of their stem or unit") {
 
 TEST_CASE("a slip is never the equation itself") {
     for (const char* equation : {"y = a*x - b", "y = (a + b)/c^2", "y = sin(x)*(a - b)^3", "y = -a"}) CHECK_FALSE(slips(equation).contains(equation));
+}
+
+TEST_CASE("slips that are many are asked for") {
+    const std::vector<KnownLetter> letters{{"m", "kg"}, {"g", "m/s^2"}, {"l", "m"}};
+    const auto found = slips("y = m*g", letters, true);
+    CHECK(found.contains("y = l*(m*g)"));
+    CHECK(found.contains("y = g/m"));
+    CHECK_FALSE(slips("y = m*g", letters).contains("y = l*(m*g)"));
+    CHECK(slips("y = m*(a - b)", letters, true).contains("y = m*(a - b)^2"));
+    CHECK(slips("y = m*dot(x)", letters, true).contains("y = m*dot(x)^2"));
+    CHECK(slips("y = cosh(x)", {}, true).contains("y = tanh(x)"));
 }

@@ -55,6 +55,25 @@ TEST_CASE("identities are proven") {
         sqrt(pow(p * sin(x) * cos(y), 2) + pow(p * sin(x) * sin(y), 2)) - p * magnitude(sin(x)),
         sqrt(pow(x * y - z, 2)) - magnitude(z - x * y),
         norm(pow(x, 2) + pow(y, 2)) * inverse_norm(pow(x, 2) + pow(y, 2)) - 1,
+        // powers with letters in their exponents
+        pow(p * q, x) - pow(p, x) * pow(q, x),
+        pow(p, x) * pow(p, y) - pow(p, x + y),
+        pow(p * p - q * q, x) - pow(p - q, x) * pow(p + q, x),
+        pow(p * p + 2 * p * q + q * q, x) - pow(p + q, 2 * x),
+        pow(2 / (p + 1), p / (p - 1)) - pow(2 / (p + 1), 1 + 1 / (p - 1)),
+        // half angles and parts of pi
+        tan(x / 2) - sin(x) / (1 + cos(x)),
+        pow(sin(x / 2), 2) - (1 - cos(x)) / 2,
+        tan(x / 2 + Pi / 4) - (1 + sin(x)) / cos(x),
+        pow(sin(Pi / 8), 2) - (1 - sqrt(ex(2)) / 2) / 2,
+        sin(Pi / 5) - sqrt(10 - 2 * sqrt(ex(5))) / 4,
+        cos(7 * Pi / 8) + sqrt(2 + sqrt(ex(2))) / 2,
+        // arc functions
+        cos(2 * atan(x)) - (1 - x * x) / (1 + x * x),
+        sin(2 * asin(x)) - 2 * x * sqrt(1 - x * x),
+        atan(-x) + atan(x),
+        asin(x) + acos(x) - Pi / 2,
+        acos(-x) - Pi + acos(x),
     };
     for (const ex& e : identities) {
         CAPTURE(e);
