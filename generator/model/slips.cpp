@@ -46,9 +46,9 @@ bool is_condition(const Expression& e, std::size_t i) { return e.kind == Kind::c
 std::string stem(const std::string& name) { return name.substr(0, name.find('_')); }
 
 /// The name of a function that another is mixed up with.
-using Names = std::pair<const char*, const char*>;
-constexpr Names mixed_up[]{{"sin", "cos"}, {"sinh", "cosh"}, {"sin", "sinh"}, {"cos", "cosh"}, {"tan", "tanh"}, {"asin", "acos"}, {"tan", "atan"}, {"exp", "expm1"}, {"log", "log1p"}, {"min", "max"}};
-constexpr Names rarely_mixed_up[]{{"tanh", "cosh"}, {"tanh", "sinh"}, {"tan", "sin"}, {"tan", "cos"}};
+using NamePair = std::pair<const char*, const char*>;
+constexpr NamePair mixed_up[]{{"sin", "cos"}, {"sinh", "cosh"}, {"sin", "sinh"}, {"cos", "cosh"}, {"tan", "tanh"}, {"asin", "acos"}, {"tan", "atan"}, {"exp", "expm1"}, {"log", "log1p"}, {"min", "max"}};
+constexpr NamePair rarely_mixed_up[]{{"tanh", "cosh"}, {"tanh", "sinh"}, {"tan", "sin"}, {"tan", "cos"}};
 
 /// A letter of the text may stand for an expression. Dots of a letter belong to the text.
 bool stands_for_letter(const Expression& e) {
@@ -220,8 +220,8 @@ private:
     void function(const ExpressionPtr& e, Add add) {
         if (e->children.empty()) return;
         const ExpressionPtr& x = e->children[0];
-        const auto mixed_up_with = [&](const Names& names) {
-            for (const auto& [from, to] : {names, Names(names.second, names.first)}) {
+        const auto mixed_up_with = [&](const NamePair& names) {
+            for (const auto& [from, to] : {names, NamePair(names.second, names.first)}) {
                 if (e->name != from) continue;
                 auto other = std::make_shared<Expression>(*e);
                 other->name = to;
