@@ -147,13 +147,13 @@ private:
         return W_.factor();
     }
 
-    /// W = 1/(length gamma) - J without entries that are not finite; false where there are such.
+    /// W = 1/(length gamma) - J without infinite entries; false where there are such.
     bool fill(const Scalar& length) {
-        using std::isfinite;
+        using std::isinf;
         bool is_finite = true;
         W_.clear();
         derivatives_.for_each_entry([&](std::size_t row, std::size_t column, const Scalar& value) {
-            if (isfinite(value)) W_.add(row, column, -value);
+            if (!isinf(value)) W_.add(row, column, -value);
             else is_finite = false;
         });
         const Scalar diagonal = Scalar(1) / (length * Scalar(Table::gamma));

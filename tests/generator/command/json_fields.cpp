@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -100,7 +101,11 @@ TEST_CASE("the JSON fields are the documented ones") {
         {"scenes", {{systems + "cart_pendulum.toml"}}},
     };
     CHECK(calls.size() == json_schemas().size());
+    // Those that compile take minutes together.
+    const bool is_full = std::getenv("DALEMBERT_FULL") != nullptr;
+    const std::set<std::string> long_ones{"effects", "equilibrium", "modal", "optimise", "cost", "accuracy", "survey"};
     for (const JsonSchema& schema : json_schemas()) {
+        if (!is_full && long_ones.contains(schema.verb)) continue;
         CAPTURE(schema.verb);
         std::set<std::string> documented;
         for (const JsonField& field : common_json_fields()) documented.insert(field.path);
