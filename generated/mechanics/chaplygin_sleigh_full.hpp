@@ -774,6 +774,7 @@ public:
     }
 
     /// Start values that the model leaves out or guesses become those that the constraints ask for, by the least changes; what it writes stays.
+    /// Where no start meets them, as with lengths that do not close, neither does this one: constraint_positions and constraint_rates tell.
     void meet_constraints(State& x) const noexcept {
         constexpr std::size_t n = degrees_of_freedom, m = constraint_count;
         constexpr std::array<bool, 2 * n> is_found{false, false, false, false, true, false};

@@ -252,7 +252,7 @@ private:
         add(Kind::sign, "\\\\", begin, i_);
     }
 
-    /// A line of words between equations. What it says by a relation may be a condition of what follows.
+    /// A line of words between equations. One with a relation is refused: it may be a condition of what follows.
     void words_between(const std::string& name, std::size_t begin) {
         idle_argument(name, begin);
         if (text_.substr(begin, i_ - begin).find_first_of("<>=") != std::string::npos) wrong(begin, i_, "what stands in this text is not read; end the block before it");

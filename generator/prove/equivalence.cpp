@@ -34,8 +34,8 @@ bool has_nested_roots(const ex& e) {
     return false;
 }
 
-/// Roots and functions with kinks as letters, each one by itself: what is equal whatever they are is equal. Derivations mostly agree in that
-/// way, as where a flow stands in two balances, and the form of what stands in a root may be long. Of x and -x only one has letters, and
+/// Roots and functions with kinks become letters. What is equal whatever the letters are is equal, and the form of what stands in a root,
+/// which may be long, is not needed: two balances that a flow stands in have the same letter. Of x and -x only one has letters, and
 /// max(a, b) = b + max(a - b, 0), min(a, b) = a - max(a - b, 0), |x| = 2*max(x, 0) - x.
 class AsLetters : public GiNaC::map_function {
 public:
