@@ -1245,7 +1245,7 @@ public:
     }
 
     /// Start values that the model leaves out or guesses become those that the constraints ask for, by the least changes; what it writes stays.
-    /// Where no start meets them, as with lengths that do not close, neither does this one: constraint_positions and constraint_rates tell.
+    /// Where no start meets them, as with lengths that do not close, those are no numbers.
     void meet_constraints(State& x) const noexcept {
         constexpr std::size_t n = degrees_of_freedom, m = constraint_count;
         constexpr std::array<bool, 2 * n> is_found{false, false, false, false, false, true, true, false, false, false};
@@ -1279,6 +1279,25 @@ public:
         };
         for (int k = 0; k < 40; ++k) step(false);
         for (int k = 0; k < 8; ++k) step(true);
+        // The root has no value where a constraint is not met to five digits.
+        using std::sqrt;
+        Scalar square(1);
+        for (std::size_t i = 0; i < x.size(); ++i) square += x[i] * x[i];
+        Constraints of_positions{}, of_rates{};
+        ConstraintJacobian A{};
+        constraint_positions(x, Scalar(0), of_positions);
+        constraint_rates(x, Scalar(0), of_rates);
+        constraint_jacobian(x, Scalar(0), A);
+        for (std::size_t i = 0; i < m; ++i) {
+            Scalar size(0);
+            for (std::size_t j = 0; j < n; ++j) size += A[m * j + i] * A[m * j + i];
+            const Scalar allowed = square * size / Scalar(10000000000) + Scalar(1) / Scalar(1000000000000000);
+            const Scalar nothing = Scalar(0) * (sqrt(Scalar(allowed - of_positions[i] * of_positions[i])) + sqrt(Scalar(allowed - of_rates[i] * of_rates[i])));
+            for (std::size_t j = 0; j < n; ++j) {
+                if (is_found[j]) x[j] += nothing;
+                if (is_found[n + j]) x[velocity_place + j] += nothing;
+            }
+        }
     }
 
 private:

@@ -113,6 +113,8 @@ TEST_CASE("start_state() meets the constraints, with other parameters too, and i
     shorter.a = 0.15, shorter.d = 0.45;
     check(four_bar::full::System<double>(shorter), four_bar::full::start_values, false);
     CHECK(four_bar::full::System<double>(shorter).start_state()[0] == 1);  // what the model writes stays
+    shorter.b /= 100;  // the loop does not close
+    CHECK(std::isnan(four_bar::full::System<double>(shorter).start_state()[1]));
 }
 
 TEST_CASE("a double pendulum in the coordinates of its masses is the one in angles, and stays on its rods for 1e5 steps") {
