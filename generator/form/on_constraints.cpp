@@ -77,12 +77,12 @@ ConstraintPoints::ConstraintPoints(const System& system, std::vector<std::size_t
 cl_R ConstraintPoints::value(const ex& e, const GiNaC::exmap& point) const { return value_at(e, point, digits).value_or(0); }
 
 /// Zero but for a billionth of the terms that it is made of, all of which may be zero, or as far as Newton's steps go.
-bool ConstraintPoints::is_met(const ex& e, const GiNaC::exmap& point) const {
+bool ConstraintPoints::is_met(const ex& e, const FloatPoint& at) const {
     const ex sum = system_.symbols.without_definitions(e).expand();
     cl_R whole = 0, size = 0;
     const bool is_sum = GiNaC::is_exactly_a<GiNaC::add>(sum);
     for (std::size_t i = 0; i < (is_sum ? sum.nops() : 1); ++i) {
-        const auto term = value_at(is_sum ? sum.op(i) : sum, point, digits);
+        const auto term = at.value(is_sum ? sum.op(i) : sum);
         if (!term) return false;
         whole = whole + *term;
         size = size + cln::abs(*term);
@@ -90,20 +90,30 @@ bool ConstraintPoints::is_met(const ex& e, const GiNaC::exmap& point) const {
     return cln::abs(whole) <= size * tenth_to(9) + tenth_to(met_digits);
 }
 
+/// The slopes of a row that are not zero; of positions they are derived once.
+const ConstraintPoints::Slopes& ConstraintPoints::slopes(std::size_t constraint, bool of_rates) const {
+    const auto [entry, is_new] = slopes_.try_emplace({constraint, of_rates});
+    if (!is_new) return entry->second;
+    const ConstraintEquation& c = system_.constraints[constraint];
+    for (std::size_t j = 0; j < system_.symbols.degrees(); ++j)
+        if (const ex slope = of_rates ? c.rate.jacobian[j] : system_.symbols.along(*c.position, j); !slope.is_zero()) entry->second.emplace_back(j, slope);
+    return entry->second;
+}
+
 /// Positions and their derivatives by the coordinates, or rates and theirs by the velocities.
 std::optional<ConstraintPoints::Rows> ConstraintPoints::rows(const GiNaC::exmap& point, bool of_rates) const {
     Rows result;
-    const std::size_t n = system_.symbols.degrees();
+    const FloatPoint at(point, digits);
     for (const std::size_t i : order_) {
         const ConstraintEquation& c = system_.constraints[i];
         if (!of_rates && !c.position) continue;
-        Row row;
-        for (std::size_t j = 0; j < n; ++j) {
-            const auto slope = value_at(of_rates ? c.rate.jacobian[j] : system_.symbols.along(*c.position, j), point, digits);
+        Row row(system_.symbols.degrees(), 0);
+        for (const auto& [j, e] : slopes(i, of_rates)) {
+            const auto slope = at.value(e);
             if (!slope) return std::nullopt;
-            row.push_back(*slope);
+            row[j] = *slope;
         }
-        const auto rest = value_at(of_rates ? c.whole_rate : *c.position, point, digits);
+        const auto rest = at.value(of_rates ? c.whole_rate : *c.position);
         if (!rest) return std::nullopt;
         result.factors.push_back(std::move(row));
         result.rest.push_back(*rest);
@@ -177,10 +187,11 @@ ConstrainedPoint ConstraintPoints::find(GiNaC::exmap point, const std::vector<bo
     meet_positions(point, free_positions);
     meet_rates(point, free_velocities);
     ConstrainedPoint result;
+    const FloatPoint at(point, digits);
     for (const std::size_t i : order_) {
         const ConstraintEquation& c = system_.constraints[i];
-        if (c.position && !is_met(*c.position, point)) result.broken.push_back(i);
-        if (!is_met(c.whole_rate, point)) result.broken_rates.push_back(i);
+        if (c.position && !is_met(*c.position, at)) result.broken.push_back(i);
+        if (!is_met(c.whole_rate, at)) result.broken_rates.push_back(i);
     }
     if (const auto r = rows(point, true)) {
         const auto at_start = rows(start_, true);

@@ -29,6 +29,7 @@ public:
 
 private:
     using Row = std::vector<cln::cl_R>;
+    using Slopes = std::vector<std::pair<std::size_t, GiNaC::ex>>;  ///< with their columns
     struct Rows {
         std::vector<Row> factors;
         std::vector<cln::cl_R> rest;
@@ -38,12 +39,14 @@ private:
     void meet_rates(GiNaC::exmap& point, const std::vector<bool>& is_free) const;
     std::optional<Rows> rows(const GiNaC::exmap& point, bool of_rates) const;
     void displace(GiNaC::exmap& point, std::size_t coordinate, const cln::cl_R& step) const;
-    bool is_met(const GiNaC::ex& e, const GiNaC::exmap& point) const;
+    bool is_met(const GiNaC::ex& e, const FloatPoint& at) const;
+    const Slopes& slopes(std::size_t constraint, bool of_rates) const;
 
     const System& system_;
     std::vector<std::size_t> order_;
     const Values& values_;
     GiNaC::exmap start_;
+    mutable std::map<std::pair<std::size_t, bool>, Slopes> slopes_;
 };
 
 }  // namespace dalembert

@@ -386,7 +386,9 @@ Polynomial NormalForm::in_partial_fractions(Polynomial p) const {
     constexpr int most_steps = 100;
     for (int step = 0; step < most_steps; ++step) {
         bool any = false;
-        for (const auto& [reciprocal, denominator] : inverse_order_) {
+        for (const auto& inverse : inverse_order_) {
+            const Letter reciprocal = inverse.first;
+            const Polynomial& denominator = inverse.second;
             const Monomial& first = denominator.terms().begin()->first.empty() ? std::next(denominator.terms().begin())->first : denominator.terms().begin()->first;
             if (first.size() != 1 || first[0].exponent != 1) continue;
             const Letter letter = first[0].letter;

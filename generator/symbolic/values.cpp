@@ -155,12 +155,20 @@ GiNaC::exmap Values::substitution() const {
     return map;
 }
 
-std::optional<cln::cl_R> value_at(const ex& e, const GiNaC::exmap& constants, int digits) {
-    GiNaC::Digits = digits + guard_digits;
+FloatPoint::FloatPoint(const GiNaC::exmap& constants, int digits) : digits_(digits) {
+    GiNaC::Digits = digits_ + guard_digits;
     try {
-        GiNaC::exmap floats;
-        for (const auto& [letter, value] : constants) floats[letter] = value.evalf();
-        const ex value = e.subs(floats, GiNaC::subs_options::no_pattern).evalf();
+        for (const auto& [letter, value] : constants) floats_[letter] = value.evalf();
+    } catch (const std::exception&) {
+        has_value_ = false;
+    }
+}
+
+std::optional<cln::cl_R> FloatPoint::value(const ex& e) const {
+    if (!has_value_) return std::nullopt;
+    GiNaC::Digits = digits_ + guard_digits;
+    try {
+        const ex value = e.subs(floats_, GiNaC::subs_options::no_pattern).evalf();
         if (!GiNaC::is_exactly_a<numeric>(value)) return std::nullopt;
         const numeric& number = ex_to<numeric>(value);
         if (!number.is_real()) return std::nullopt;
@@ -169,6 +177,8 @@ std::optional<cln::cl_R> value_at(const ex& e, const GiNaC::exmap& constants, in
         return std::nullopt;
     }
 }
+
+std::optional<cln::cl_R> value_at(const ex& e, const GiNaC::exmap& constants, int digits) { return FloatPoint(constants, digits).value(e); }
 
 void add_steps(GiNaC::exmap& point, const Symbols& symbols, int digits) {
     if (symbols.count(SymbolKind::definition) == symbols.model_definitions()) return;

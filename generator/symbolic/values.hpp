@@ -54,6 +54,19 @@ private:
 /// What values_at and the like compute with beyond the digits that are asked for.
 inline constexpr int guard_digits = 20;
 
+/// Numbers for letters, as floats of so many digits: what is the same for many expressions is made once.
+class FloatPoint {
+public:
+    FloatPoint(const GiNaC::exmap& constants, int digits);
+    /// Nothing where it does not exist or is not real.
+    std::optional<cln::cl_R> value(const GiNaC::ex& e) const;
+
+private:
+    GiNaC::exmap floats_;
+    int digits_;
+    bool has_value_ = true;
+};
+
 /// The value computed with so many digits, with numbers for every letter; nothing where it does not exist or is not real.
 std::optional<cln::cl_R> value_at(const GiNaC::ex& e, const GiNaC::exmap& constants, int digits);
 
