@@ -155,9 +155,14 @@ ExpressionPtr LatexParser::applied(ExpressionPtr function, const LatexLetter& le
     const std::size_t bracket = at_;
     const std::size_t close = closing_bracket(bracket);
     if (close + 1 >= tokens_.size() || token().space == Space::quad) return function;
-    if (letter.base == "\\pi" && letter.index.empty()) return function;
+    if (letter.base == "\\pi" && letter.index.empty()) return brackets_at(bracket, close).is_list ? value_of(std::move(function), first) : function;
     const LatexToken open = token();
     const std::string name = excerpt_.text.substr(at(first).begin, at(bracket - 1).end - at(first).begin);
+    if (is_placeholder(bracket, close)) {  // u(\cdot) is u
+        at_ = close + 1;
+        return function;
+    }
+    if (starts_named_value()) return named_value(std::move(function), first);
     const auto* arguments = arguments_of(letter);
     if (arguments == nullptr && !(brackets_at(bracket, close).is_plain && !brackets_at(bracket, close).has_index))
         if (const auto* elsewhere = called_with(letter); elsewhere != nullptr && is_value_of(*elsewhere, bracket, close)) arguments = elsewhere;
@@ -184,7 +189,7 @@ ExpressionPtr LatexParser::applied(ExpressionPtr function, const LatexLetter& le
         found.dummies.clear();
         found.spelled = found.printed;
     }
-    const bool is_number = close == bracket + 2 && at(bracket + 1).kind == LatexToken::Kind::number;
+    const bool is_number = (close == bracket + 2 && at(bracket + 1).kind == LatexToken::Kind::number) || behind_zero_vector(bracket + 1) == close;
     const auto unclear = [&](const std::string& why) {
         at_ = close + 1;
         wrong(from(bracket), fmt::format("{}; say what '{}' is a function of, as in functions = ['{}{}']{}", why, name, name, found.is_list ? excerpt_.text.substr(open.begin, at(close).end - open.begin) : "(x)", is_function || is_number || found.is_list ? "" : fmt::format(", or write '{} \\cdot' for a product", name)));
@@ -198,15 +203,15 @@ ExpressionPtr LatexParser::applied(ExpressionPtr function, const LatexLetter& le
     const bool is_of_time = known != nullptr && known->of.contains("t");
     const bool is_single = found.is_plain && found.names.size() == 1;
     if (is_single && (found.is_instant || (is_of_time && found.dummies.empty() && !known->of.contains(found.names.front())))) return at_time();
+    if (is_single && at(close + 1).is("^") && at(close - 1).is("'") && !is_function && called_with(letter) == nullptr) return function;  // g (y')^2
+    if (is_single && at(bracket).space == Space::thin && !is_function && known == nullptr) return value_of(std::move(function), first);  // v\,(u) may be a product
     const bool may_be_indexed = !is_single || (is_function && known != nullptr && known->has_expression);
     if (found.is_plain && (found.dummies.empty() || !found.has_place) && (!found.has_index || may_be_indexed)) return of_letters(function, letter, found, {first, bracket, close}, unclear);
     if (is_function || is_number) {
         if (is_of_time && !found.is_list) return at_time();
         if (is_function) unclear(fmt::format("it is not clear what '{}' is a function of", name));
     }
-    if (found.is_list) unclear("a list in brackets stands behind a letter");
-    if (is_number) unclear("a number in brackets stands behind a letter");
-    if (found.is_plain) unclear("a single letter with an index stands in brackets behind a letter");
+    if (found.is_list || is_number || found.is_plain || starts_plain_value(bracket, close, &letter)) return value_of(std::move(function), first);
     if (known != nullptr && (known->has_expression || known->moves) && is_called(letter)) unclear(fmt::format("'{}' stands before a letter in brackets elsewhere, so that this may be no product", name));
     return function;
 }
@@ -230,7 +235,10 @@ ExpressionPtr LatexParser::of_letters(ExpressionPtr function, const LatexLetter&
     for (const auto& [meant, dummy] : found.dummies) function = value_at(function, meant, dummy, place.first);
     if (known != nullptr && known->has_expression) return function;
     const auto [before, is_new] = applied_.emplace(letter.canonical(), found.spelled);
-    if (!is_new && before->second != found.spelled && found.dummies.empty()) unclear(fmt::format("'{}' stands before '({})' here and before '({})' elsewhere", name, found.spelled, before->second));
+    if (!is_new && before->second != found.spelled && found.dummies.empty()) {  // at least one of them is a value of it
+        at_ = place.bracket;
+        return value_of(std::move(function), place.first);
+    }
     return function;
 }
 

@@ -17,6 +17,7 @@ bool LatexParser::at_differential() {
     const LatexToken& t = token();
     if (!is_small_sign(t) || token(1).space >= Space::thin) return false;
     if (integral_ == nullptr && has_differential_ && token(1).is("(") && notation_.find("d") == nullptr) return true;
+    if (integral_ != nullptr && token(1).is("^")) return starts_letter(behind_argument(at_ + 2));  // d^3 x
     if (!starts_letter(at_ + 1)) return false;
     if (t.is("\\differential")) return true;
     if (token(1).is_letter("d") && token(1).space == Space::none && starts_letter(at_ + 2)) return false;
@@ -25,16 +26,23 @@ bool LatexParser::at_differential() {
 
 ExpressionPtr LatexParser::differential_variable() {
     next();
+    ExpressionPtr dimension;
+    if (integral_ != nullptr && take("^")) {
+        const Inside brackets(*this);
+        dimension = braced("the dimension");
+    }
     const std::size_t first = at_;
     const auto read = try_letter();
     if (!read || read->power_at != 0) expected("a letter behind 'd'");
-    return translate(read->letter, first);
+    ExpressionPtr variable = translate(read->letter, first);
+    return dimension ? node(Kind::power, first, {std::move(variable), std::move(dimension)}) : variable;
 }
 
 /// dx, and \partial x in \partial f/\partial x.
 ExpressionPtr LatexParser::differential() {
     const std::size_t first = at_;
     const bool is_partial = is("\\partial");
+    if (is_partial && token(1).is("_")) return partial_by_index();
     if (!is_partial && token(1).is("(")) {
         next();
         return call("differential", first, {bracket()});
@@ -43,7 +51,10 @@ ExpressionPtr LatexParser::differential() {
         const LatexToken sign = next();
         wrong(place(sign), fmt::format("a letter is expected behind '{}'", shown(sign)));
     }
+    const auto read = letter_at(at_ + 1);
+    const std::size_t begin = at_ + 1;
     ExpressionPtr variable = differential_variable();
+    if (!is_partial && is("(") && read) variable = applied(std::move(variable), read->first.letter, begin);  // dU(r)
     const bool is_quotient = is("/") || (first > 0 && at(first - 1).is("/"));
     has_differential_ = has_differential_ || !is_partial;
     if (is_partial && !is_quotient) wrong(from(first), "'\\partial' stands alone; '\\frac{\\partial ...}{\\partial ...}' is expected");
@@ -95,6 +106,7 @@ ExpressionPtr LatexParser::derivative() {
             expected("the letter that is differentiated by");
         }
         ExpressionPtr variable = differential_variable();
+        if (is("(") && brackets_at(at_, closing_bracket(at_)).is_plain) at_ = std::min(closing_bracket(at_) + 1, tokens_.size() - 1);  // \partial q(t)
         skip_empty_order();
         const int times = is("^") ? order() : 1;
         for (int i = 0; i < times; ++i) variables.push_back(variable);
@@ -137,8 +149,20 @@ ExpressionPtr LatexParser::operand(const char* what) {
 }
 
 ExpressionPtr LatexParser::fraction() {
-    if (is_derivative()) return derivative();
     const std::size_t first = at_;
+    if (is_derivative()) {
+        ExpressionPtr rate = derivative();
+        if (!is("(") || token().space >= Space::thin) return rate;
+        const std::size_t close = closing_bracket(at_);
+        const bool is_number = close == at_ + 2 && at(at_ + 1).kind == LatexToken::Kind::number;
+        const Brackets found = brackets_at(at_, close);
+        return close + 1 < tokens_.size() && (is_number || found.is_list || found.is_plain) ? value_of(std::move(rate), first) : rate;  // \frac{\partial u}{\partial y}(x, 0)
+    }
+    if (auto rate = material_rate()) return *rate;
+    if (token(1).is("{") && token(2).is("\\delta") && token(3).is("}") && token(4).is("{") && token(5).is("\\delta") && !token(6).is("}")) {
+        at_ = behind_argument(at_ + 4);
+        wrong(from(first), "a derivative by a function is not read");
+    }
     next();
     ++fractions_;
     ExpressionPtr above = is("{") && !token(1).is("}") ? group() : braced("the numerator");

@@ -82,7 +82,7 @@ private:
 }
 
 ExpressionPtr relation_between(Relation relation, const ExpressionPtr& a, const ExpressionPtr& b) {
-    const char* name = relation == Relation::less ? "less" : relation == Relation::less_equal ? "less_equal" : relation == Relation::greater ? "greater" : relation == Relation::greater_equal ? "greater_equal" : "not_equal";
+    const char* name = relation == Relation::less ? "less" : relation == Relation::less_equal ? "less_equal" : relation == Relation::greater ? "greater" : relation == Relation::greater_equal ? "greater_equal" : relation == Relation::not_equal ? "not_equal" : "unknown";
     return std::make_shared<Expression>(Expression{Expression::Kind::call, a->span, 0, name, {a, b}});
 }
 

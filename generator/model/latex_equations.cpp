@@ -37,6 +37,10 @@ const char* sign_of(Relation relation) {
         case Relation::similar: return "\\sim";
         case Relation::much_less: return "\\ll";
         case Relation::much_greater: return "\\gg";
+        case Relation::precedes: return "\\prec";
+        case Relation::precedes_equal: return "\\preceq";
+        case Relation::succeeds: return "\\succ";
+        case Relation::succeeds_equal: return "\\succeq";
     }
     return "";
 }
@@ -53,6 +57,10 @@ std::optional<Relation> LatexParser::relation_of(const LatexToken& t) {
     if (t.is("\\sim")) return Relation::similar;
     if (t.is("\\ll")) return Relation::much_less;
     if (t.is("\\gg")) return Relation::much_greater;
+    if (t.is("\\prec")) return Relation::precedes;
+    if (t.is("\\preceq")) return Relation::precedes_equal;
+    if (t.is("\\succ")) return Relation::succeeds;
+    if (t.is("\\succeq")) return Relation::succeeds_equal;
     return std::nullopt;
 }
 
@@ -100,9 +108,11 @@ bool LatexParser::skip_range(LatexEquation* equation) {
     }
     if (read && is("=")) {
         bool has_dots = false;
+        int depth = 0;
         for (std::size_t i = at_; i < tokens_.size(); ++i) {
             const LatexToken& t = at(i);
-            const bool belongs = t.kind == LatexToken::Kind::number || t.kind == LatexToken::Kind::letter || t.is("=") || t.is(",") || t.is("\\dots") || t.is("(") || t.is(")") || t.is("+") || t.is("-");
+            depth += t.is("(") ? 1 : t.is(")") ? -1 : 0;
+            const bool belongs = depth >= 0 && (t.kind == LatexToken::Kind::number || t.kind == LatexToken::Kind::letter || t.is("=") || t.is(",") || t.is("\\dots") || t.is("(") || t.is(")") || t.is("+") || t.is("-"));
             if (!belongs || t.space == Space::quad) {
                 if (has_dots) {
                     at_ = i;
@@ -115,6 +125,17 @@ bool LatexParser::skip_range(LatexEquation* equation) {
     }
     at_ = first;
     return false;
+}
+
+/// "(x > 0)" and "(i = 1, \\dots, n)" behind an equation.
+bool LatexParser::skip_condition_in_brackets(LatexEquation& equation) {
+    if (!is("(") || !starts_condition_group()) return false;
+    const LatexToken open = next();
+    const Inside brackets(*this);
+    if (!skip_range(&equation)) equation.conditions.push_back(condition());
+    if (!closes(open, token())) expected("the end of the bracket around conditions");
+    next();
+    return true;
 }
 
 LatexEquation LatexParser::chain() {
@@ -133,6 +154,7 @@ LatexEquation LatexParser::chain() {
             first = at_;
             continue;
         }
+        if ((is(",") || is_point()) && relation_of(token(1))) next();  // a line ends in a comma before the chain goes on
         const auto sign = relation();
         if (!sign) break;
         const LatexToken relation_sign = next();
@@ -149,12 +171,15 @@ std::vector<LatexEquation> LatexParser::equations() {
     const auto last = [&] { return all.empty() ? nullptr : &all.back(); };
     while (!is_end()) {
         const Word word = word_of(token());
-        if (is_between() || word == Word::separator || word == Word::comment || word == Word::otherwise) {
+        const bool is_name = word == Word::comment && is_phrase(token()) && relation_of(token(1));  // \text{equatorial radius} = ...
+        if (!is_name && (is_between() || word == Word::separator || word == Word::comment || word == Word::otherwise)) {
             if (word == Word::comment && token().text.find_first_of("<>=$") != std::string::npos) wrong(place(token()), "what stands in this text is not read; write a condition behind '\\text{for }'");
             next();
+            if (word == Word::comment) take(":");
             continue;
         }
-        if (word == Word::condition) {
+        if (!all.empty() && skip_condition_in_brackets(all.back())) {
+        } else if (word == Word::condition) {
             if (all.empty()) expected("an equation before the condition");
             next();
             if (!skip_range(last())) all.back().conditions.push_back(condition());
@@ -172,7 +197,7 @@ std::vector<LatexEquation> LatexParser::equations() {
             }
         }
         const Word behind = word_of(token());
-        const bool is_done = is_end() || is_between() || token().space == Space::quad || is("\\forall") || behind == Word::separator || behind == Word::condition || behind == Word::comment || behind == Word::otherwise;
+        const bool is_done = is_end() || is_between() || token().space == Space::quad || is("\\forall") || (is("(") && starts_condition_group()) || behind == Word::separator || behind == Word::condition || behind == Word::comment || behind == Word::otherwise;
         if (!is_done) expected("an operator, '=' or the end of the equation");
     }
     if (all.empty()) wrong(excerpt_.whole(), "there is no equation");
@@ -187,7 +212,7 @@ std::string LatexParser::whole_letter() {
 
 /// The letter that a notation names here.
 std::string LatexParser::named_letter() {
-    auto read = starts_letter(at_) ? try_letter() : std::nullopt;
+    auto read = starts_letter(at_) || is_phrase(token()) ? try_letter() : std::nullopt;
     if (!read) expected("a letter");
     if (is("^") && read->letter.label.empty()) {  // a notation may call anything a label
         next();

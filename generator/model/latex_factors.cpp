@@ -41,7 +41,7 @@ ExpressionPtr LatexParser::primary() {
                 next();
                 return make_name("constant", from(first));
             }
-            if (word != Word::name) expected("a number, a letter or a bracket");
+            if (word != Word::name && !is_phrase(t)) expected("a number, a letter or a bracket");
             return letter_factor();
         }
         case LatexToken::Kind::letter: return letter_factor();
@@ -55,6 +55,10 @@ ExpressionPtr LatexParser::primary() {
             if (t.text == "\\cancel") return cancelled();
             if (t.text == "\\langle") return average();
             if (t.text == "\\differential" || t.text == "\\partial") return differential();
+            if (t.text == "\\dots") return dots();
+            if (t.text == "\\binom") return binomial();
+            if (t.text == "\\inframe") return in_frame();
+            if (t.text == "\\arg" && (token(1).is("\\min") || token(1).is("\\max"))) return function();
             if (t.text == "\\underbrace" || t.text == "\\overbrace") return under_brace();
             if (t.text == "\\infty") {
                 const std::size_t first = at_;
@@ -68,6 +72,7 @@ ExpressionPtr LatexParser::primary() {
             if (t.side == Side::right) break;
             if (t.text == "{") return group();
             if (t.text == "|" || t.text == "\\|") return magnitude();
+            if (t.text == "<") return pairing();
             if (t.side == Side::left || t.text == "(" || t.text == "[" || t.text == "\\{") return bracket();
             break;
         default: break;
@@ -170,7 +175,8 @@ ExpressionPtr LatexParser::bracket() {
         if (!closes(open, token())) expected(open.side == Side::left ? "'\\right' with a bracket" : fmt::format("'{}'", open.text == "(" ? ")" : open.text == "[" ? "]" : "\\}"));
         next();
     }
-    if (parts.size() > 1) return call("row", first, std::move(parts));
+    if (parts.size() == 2 && open.text == "[" && !is("^") && parts[0]->kind != Kind::number && parts[1]->kind != Kind::number) return call("pair", first, std::move(parts));
+    if (parts.size() > 1) return call(open.text == "\\{" ? "set" : "row", first, std::move(parts));
     if (open.text == "[" && (is("_") || is("^")) && at(behind_argument(at_ + 1)).is(is("_") ? "^" : "_")) return between(std::move(parts[0]), first);
     Expression whole = *parts[0];
     whole.span = from(first);
@@ -204,6 +210,7 @@ ExpressionPtr LatexParser::magnitude() {
         const Inside brackets(*this);
         ++magnitudes_;
         inside = expression();
+        if (open.text == "|" && (is("\\rangle") || (is(",") && stands_before_rangle(at_)))) return ket(first, std::move(inside));
     }
     const bool is_closed = token().is(open.text) && (open.side == Side::left) == (token().side == Side::right);
     if (!is_closed) expected(fmt::format("'{}{}'", open.side == Side::left ? "\\right" : "", open.text));
@@ -293,16 +300,6 @@ ExpressionPtr LatexParser::cancelled() {
         wrong(excerpt_.span(at(first).begin, at(std::max(behind, first + 1) - 1).end), "it is not clear whether what is crossed out is zero; leave it out, or write it without '\\cancel'");
     next();
     return braced("what is crossed out");
-}
-
-/// \langle e \rangle
-ExpressionPtr LatexParser::average() {
-    const std::size_t first = at_;
-    next();
-    const Inside brackets(*this);
-    ExpressionPtr inside = expression();
-    expect("\\rangle");
-    return call("average", first, {std::move(inside)});
 }
 
 /// What is written at the brace is a remark.

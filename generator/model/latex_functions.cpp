@@ -13,7 +13,7 @@ const std::map<std::string, std::string, std::less<>> function_names{{"sin", "si
     {"sinh", "sinh"}, {"cosh", "cosh"}, {"tanh", "tanh"}, {"exp", "exp"}, {"ln", "log"}, {"log", "log"}, {"lg", "lg"}, {"cot", "1/tan"}, {"coth", "1/tanh"}, {"sec", "1/cos"}, {"csc", "1/sin"}, {"sign", "sign"},
     {"sgn", "sign"}, {"signum", "sign"}, {"det", "determinant"}, {"tr", "trace"}, {"trace", "trace"}, {"diag", "diag"}, {"grad", "gradient"}, {"div", "divergence"}, {"rot", "curl"}, {"curl", "curl"},
     {"min", "min"}, {"max", "max"}, {"abs", "abs"}, {"sqrt", "sqrt"}, {"atan2", "atan2"}, {"arctan2", "atan2"}, {"artanh", "artanh"}, {"arsinh", "arsinh"}, {"arcosh", "arcosh"},
-    {"atanh", "artanh"}, {"asinh", "arsinh"}, {"acosh", "arcosh"}, {"arctanh", "artanh"}, {"arcsinh", "arsinh"}, {"arccosh", "arcosh"}};
+    {"atanh", "artanh"}, {"asinh", "arsinh"}, {"acosh", "arcosh"}, {"argmin", "argmin"}, {"argmax", "argmax"}, {"arg min", "argmin"}, {"arg max", "argmax"}, {"arg\\,min", "argmin"}, {"arg\\,max", "argmax"}, {"arctanh", "artanh"}, {"arcsinh", "arsinh"}, {"arccosh", "arcosh"}};
 
 /// What \sin^{-1} may mean.
 const std::map<std::string, std::string, std::less<>> inverse_names{{"sin", "\\arcsin"}, {"cos", "\\arccos"}, {"tan", "\\arctan"}, {"sinh", "\\operatorname{arsinh}"}, {"cosh", "\\operatorname{arcosh}"}, {"tanh", "\\operatorname{artanh}"}};
@@ -92,8 +92,10 @@ ExpressionPtr LatexParser::extremum(const std::string& name, std::size_t first) 
 ExpressionPtr LatexParser::function() {
     const Depth depth(*this);
     const std::size_t first = at_;
-    const std::string printed = bare(next());
+    const std::string arg = take("\\arg") ? "arg" : "";
+    const std::string printed = arg + bare(next());
     std::string name = function_names.find(printed)->second;
+    if (name.starts_with("arg") || ((name == "min" || name == "max" || name == "inf" || name == "sup") && is("_"))) return extremum_over(name, first);
     if (name == "min" || name == "max") return extremum(name, first);
     if (name == "atan2") {
         const LatexToken open = token();

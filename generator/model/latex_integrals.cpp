@@ -13,6 +13,7 @@ ExpressionPtr LatexParser::integral() {
     const Span sign = place(next());
     ExpressionPtr lower;
     ExpressionPtr upper;
+    std::vector<ExpressionPtr> named;  // y of \int_{y=0}
     while (is("_") || is("^")) {
         const bool is_lower = next().text == "_";
         const Inside brackets(*this);
@@ -25,23 +26,40 @@ ExpressionPtr LatexParser::integral() {
             if (in_braces) expect("}");
             lower = call("border", begin, {std::move(region)});
         } else {
-            (is_lower ? lower : upper) = braced(is_lower ? "the lower limit" : "the upper limit");
+            const std::size_t behind = behind_argument(at_);
+            const bool is_named = is("{") && starts_letter(at_ + 1) && letter_at(at_ + 1) && at(letter_at(at_ + 1)->second).is("=");
+            if (is_named) {
+                next();
+                named.push_back(translate(try_letter()->letter, begin + 1));
+                next();
+            }
+            (is_lower ? lower : upper) = is_named ? expression() : braced(is_lower ? "the lower limit" : "the upper limit");
+            if (is_named && (!is("}") || at_ + 1 != behind)) expected("'}'");
+            if (is_named) next();
         }
     }
     if (upper && !lower) wrong(sign, "the integral has an upper limit, but no lower one");
+    if (lower && !upper && !has_differential_ahead()) {
+        if (!starts_factor()) expected("what is integrated");
+        ExpressionPtr inside = term();
+        return call("integral_over", first, {std::move(inside), std::move(lower)});
+    }
     Integral here;
     Integral* const outer = integral_;
     integral_ = &here;
     const std::size_t begin = at_;
     const bool is_differential_first = at_differential();
     ExpressionPtr inside;
+    std::vector<ExpressionPtr> more, first_ones;  // \int_R f dx dy, \int_R dx dy f
     if (is_differential_first) {  // \int dx\, f, where the product behind it is meant
         ExpressionPtr variable = differential_variable();
+        while (outer == nullptr && !upper && at_differential()) first_ones.push_back(differential_variable());
         if (starts_factor() && !at_differential()) {
             integral_ = outer;
             inside = term();
             if (is("+") || is("-")) wrong(place(token()), fmt::format("it is not clear whether what stands behind '{}' is integrated; the differential stands behind what is", shown(token())));
             here.variable = std::move(variable);
+            more = std::move(first_ones);
         } else {
             at_ = begin;
         }
@@ -51,7 +69,20 @@ ExpressionPtr LatexParser::integral() {
         if (!at_differential()) wrong(sign, "the integral has no differential such as 'dx'");
         here.variable = differential_variable();
     }
+    if (outer == nullptr && more.empty() && at_differential()) {
+        if (upper) wrong(from(first), "there are more differentials than integrals; write an integral with its limits for each");
+        while (at_differential()) more.push_back(differential_variable());
+    }
     integral_ = outer;
+    for (const ExpressionPtr& name : named)
+        if (name->kind != Kind::name || here.variable->kind != Kind::name || name->name != here.variable->name) wrong(name->span, fmt::format("the limit is one of '{}', but the integral runs over '{}'", name->span.text(), here.variable->span.text()));
+    if (!more.empty() || (here.variable->kind == Kind::power && !upper)) {
+        std::vector<ExpressionPtr> parts{std::move(inside)};
+        if (lower) parts.push_back(std::move(lower));
+        parts.push_back(std::move(here.variable));
+        parts.insert(parts.end(), more.begin(), more.end());
+        return call("integral_over", first, std::move(parts));
+    }
     if (is_differential_first && at_differential()) wrong(place(token()), fmt::format("it is not clear whether '{}' is integrated; the differential stands behind what is", shown(token())));
     if (here.variable->kind == Kind::name) integrated_ = here.variable->name;
     std::vector<ExpressionPtr> parts{std::move(inside), here.variable};
@@ -164,7 +195,8 @@ bool LatexParser::is_evaluation_bar() const { return magnitudes_ == 0 && is("|")
 
 /// Behind a bar or a bracket: the point, x=a, or what a partial derivative holds constant.
 ExpressionPtr LatexParser::evaluated(ExpressionPtr e, std::size_t first) {
-    take("|");
+    const bool is_bar = take("|") || at(at_ - 1).is("|");  // \left. e \right|_0
+    const auto is_place = [](const ExpressionPtr& item, const ExpressionPtr& x) { return item->kind == Kind::name && x->kind == Kind::name && item->name.starts_with(x->name + "_"); };  // x_0 of x
     const ExpressionPtr inside = e;
     ExpressionPtr variable;
     if (!is("_")) expected("'_' with the point, as in '|_{x=0}',");
@@ -179,7 +211,7 @@ ExpressionPtr LatexParser::evaluated(ExpressionPtr e, std::size_t first) {
                 variable = item;
                 const ExpressionPtr value = expression();
                 e = call("at", first, {e, item, value});
-            } else if (e->kind == Kind::call && e->name == "partial" && (item->kind == Kind::name || (item->kind == Kind::call && item->name == "dot"))) {
+            } else if (e->kind == Kind::call && (e->name == "partial" || (e->name == "derivative" && !is_bar)) && !is_place(item, e->children[1]) && (item->kind == Kind::name || (item->kind == Kind::call && item->name == "dot"))) {
                 auto held = std::make_shared<Expression>(*e);
                 held->span = from(first);
                 held->children.push_back(item);
@@ -191,7 +223,7 @@ ExpressionPtr LatexParser::evaluated(ExpressionPtr e, std::size_t first) {
                 variable = make_name(integrated_, from(begin));
                 e = call("at", first, {e, variable, item});
             } else {
-                wrong(from(begin), fmt::format("it is not clear which letter is '{}' here; write the point as in '|_{{x=0}}'", in_model_language(*item)));
+                e = call(is_bar ? "taken_at" : "component", first, {e, item});
             }
         } while (in_braces && take(","));
         if (in_braces) expect("}");

@@ -33,7 +33,14 @@ void LatexParser::take_signs() {
 void LatexParser::drop_empty_groups() {
     Tokens kept;
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-        if (at(i).is("{") && (is_operator(at(i + 1)) || at(i + 1).is("=")) && at(i + 2).is("}") && (kept.empty() || (!kept.back().is("_") && !kept.back().is("^")))) {  // {\cdot}
+        const bool is_sign = is_operator(at(i + 1)) || at(i + 1).is("=") || ((at(i + 1).is("\\differential") || at(i + 1).is("\\nabla")) && (kept.empty() || !kept.back().is("\\frac"))) ||
+                             (at(i + 1).kind == LatexToken::Kind::upright && !kept.empty() && kept.back().is("{"));  // {{\mathrm{D}}t}
+        const bool is_power = at(i).is("{") && (at(i + 1).is("\\times") || at(i + 1).is("\\cdot")) && at(i + 2).text == "10" && at(i + 3).is("^");  // 8.0{\times 10^3}
+        if (is_power && closing_brace(i) + 1 < tokens_.size()) {
+            tokens_.erase(tokens_.begin() + static_cast<std::ptrdiff_t>(closing_brace(i)));
+            continue;
+        }
+        if (at(i).is("{") && is_sign && at(i + 2).is("}") && (kept.empty() || (!kept.back().is("_") && !kept.back().is("^")))) {  // {\cdot}
             kept.push_back(tokens_[i + 1]);
             i += 2;
             continue;
@@ -64,20 +71,80 @@ void LatexParser::drop_empty_groups() {
     tokens_ = std::move(kept);
 }
 
+/// {a \over b} is \frac{a}{b}.
+void LatexParser::take_over() {
+    for (std::size_t i = 0; i < tokens_.size(); ++i) {
+        if (!at(i).is("\\over")) continue;
+        std::size_t open = i;
+        for (int depth = 0; open > 0; --open) {
+            const LatexToken& before = at(open - 1);
+            if (before.is("{") && depth-- == 0) break;
+            if (before.is("}")) ++depth;
+        }
+        const std::size_t close = open == 0 ? tokens_.size() : closing_brace(open - 1);
+        if (close + 1 >= tokens_.size() || close < i) continue;
+        const LatexToken sign = at(i);
+        const auto made = [&](LatexToken::Kind kind, const char* text, std::size_t place) { return LatexToken{kind, text, place, place}; };
+        const auto here = [&](std::size_t k) { return tokens_.begin() + static_cast<std::ptrdiff_t>(k); };
+        tokens_.insert(here(close), made(LatexToken::Kind::sign, "}", at(close).begin));
+        tokens_[i] = made(LatexToken::Kind::sign, "}", sign.begin);
+        tokens_.insert(here(i + 1), made(LatexToken::Kind::sign, "{", sign.end));
+        const std::size_t begin = at(open).begin;
+        const LatexToken& takes = at(open >= 2 ? open - 2 : 0);  // what is before the brace may need it
+        const bool is_argument = open >= 2 && (takes.is("_") || takes.is("^") || takes.is("}") || takes.is("]") || (takes.kind == LatexToken::Kind::command && !is_greek(takes.text) && !is_operator(takes)));
+        if (open > 0 && !is_argument) {
+            tokens_.erase(here(close + 2));
+            tokens_[open - 1] = made(LatexToken::Kind::command, "\\frac", begin);
+            tokens_.insert(here(open), made(LatexToken::Kind::sign, "{", begin));
+            continue;
+        }
+        tokens_.insert(here(open), {made(LatexToken::Kind::command, "\\frac", begin), made(LatexToken::Kind::sign, "{", begin)});
+    }
+}
+
+/// \frac{{}^A d v}{dt} is the derivative in the frame A: \inframe{A}\frac{d v}{dt}.
+void LatexParser::take_frames() {
+    for (std::size_t i = 0; i + 6 < tokens_.size(); ++i) {
+        if (!at(i).is("\\frac") || !at(i + 1).is("{") || !at(i + 2).is("{") || !at(i + 3).is("}") || !at(i + 4).is("^")) continue;
+        const std::size_t end = behind_argument(i + 5);
+        if (!at(end).is("\\partial") && !at(end).is("\\differential") && !at(end).is_letter("d")) continue;
+        const auto here = [&](std::size_t k) { return tokens_.begin() + static_cast<std::ptrdiff_t>(k); };
+        Tokens frame(here(i + 5), here(end));
+        LatexToken sign = at(i);
+        sign.text = "\\inframe";
+        tokens_.erase(here(i + 2), here(end));
+        frame.insert(frame.begin(), sign);
+        tokens_.insert(here(i), frame.begin(), frame.end());
+        i += frame.size();
+    }
+}
+
+/// "\quad (\text{steady flow})" behind an equation.
+void LatexParser::drop_remarks() {
+    for (std::size_t i = 1; i + 2 < tokens_.size(); ++i) {
+        const bool is_remark = at(i).is("(") && at(i).space == Space::quad && at(i + 1).kind == LatexToken::Kind::upright && at(i + 2).is(")") && at(i + 1).text.find_first_of("<>=$") == std::string::npos;
+        if (is_remark) tokens_.erase(tokens_.begin() + static_cast<std::ptrdiff_t>(i), tokens_.begin() + static_cast<std::ptrdiff_t>(i + 3));
+    }
+}
+
 /// \vec{\nabla} is \nabla.
 void LatexParser::drop_marks_of_nabla() {
     for (std::size_t i = tokens_.size(); i-- > 0;) {  // the innermost mark first
         if (!at(i).is("\\vec") && !at(i).is("\\mathbf") && !at(i).is("\\underline") && !at(i).is("\\bar")) continue;
         const auto here = tokens_.begin() + static_cast<std::ptrdiff_t>(i);
-        if (at(i + 1).is("\\nabla")) tokens_.erase(here);
-        else if (at(i + 1).is("{") && at(i + 2).is("\\nabla") && at(i + 3).is("}")) tokens_.erase(here + 3), tokens_.erase(here, here + 2);
+        const auto is_unmarked = [](const LatexToken& t) { return t.is("\\nabla") || t.is("\\cdot") || t.is("\\times") || t.is("\\otimes"); };
+        if (is_unmarked(at(i + 1))) tokens_.erase(here);
+        else if (at(i + 1).is("{") && is_unmarked(at(i + 2)) && at(i + 3).is("}")) tokens_.erase(here + 3), tokens_.erase(here, here + 2);
     }
 }
 
 void LatexParser::prepare() {
     take_signs();
-    drop_empty_groups();
+    take_over();
+    take_frames();
+    drop_remarks();
     drop_marks_of_nabla();
+    drop_empty_groups();
     Tokens split;
     split.reserve(tokens_.size());
     for (const LatexToken& t : tokens_) {
@@ -239,7 +306,7 @@ void LatexParser::drop_layout() {
             open.pop_back();
             braces.pop_back();
             has_brace.pop_back();
-        } else if (t.kind == LatexToken::Kind::sign) {
+        } else if (t.kind == LatexToken::Kind::sign || t.side != Side::neutral) {
             if (t.text == "{" || t.side == Side::left) ++braces.back();
             else if ((t.text == "}" || t.side == Side::right) && !dropped[i]) --braces.back();
             if (open.back() && braces.back() <= 0 && t.text == "&" && divides_columns(i)) {
@@ -247,7 +314,7 @@ void LatexParser::drop_layout() {
                 continue;
             }
             if (open.back() && braces.back() <= 0 && (t.text == "&" || (t.text == "\\\\" && continues(i)))) dropped[i] = true;
-            if (open.back() && braces.back() > 0 && t.text == "\\\\" && at(i + 1).is("&")) dropped[i] = true;
+            if (open.back() && braces.back() > 0 && t.text == "\\\\" && at(i + 1).is("&")) dropped[i] = dropped[i + 1] = true;
         }
     }
     // {a = b}: braces around an equation.

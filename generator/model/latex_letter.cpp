@@ -17,7 +17,7 @@ const std::map<std::string, std::string, std::less<>> mark_names{{"\\mathbf", "b
     {"\\bar", "bar"}, {"\\hat", "hat"}, {"\\tilde", "tilde"}, {"\\overline", "over"}, {"\\underline", "under"}, {"\\check", "check"}, {"\\breve", "breve"}, {"\\acute", "acute"}, {"\\grave", "grave"}, {"\\mathring", "ring"}};
 
 const std::map<std::string, std::string, std::less<>> sign_names{{"*", "star"}, {"+", "plus"}, {"-", "minus"}, {"\\infty", "inf"}, {"\\circ", "circ"}, {"°", "circ"}, {"\\max", "max"}, {"\\min", "min"}, {"\\perp", "perp"}, {"\\parallel", "par"},
-    {"'", "prime"}, {"\\prime", "prime"}, {"\\differential", "d"}, {"\\times", "times"}, {"\\dagger", "dagger"}, {"\\partial", "border"}, {"=", "is"}, {"\\star", "star"}, {"\\rightarrow", "to"}, {"\\Sigma", "Sigma"}, {"\\lim", "lim"}, {"\\sup", "sup"}, {"\\pm", "pm"}, {"\\mp", "mp"}};
+    {"'", "prime"}, {"\\prime", "prime"}, {"\\differential", "d"}, {"\\times", "times"}, {"\\dagger", "dagger"}, {"\\partial", "border"}, {"=", "is"}, {"\\star", "star"}, {"\\rightarrow", "to"}, {"\\Sigma", "Sigma"}, {"\\lim", "lim"}, {"\\sup", "sup"}, {"\\odot", "odot"}, {"\\oplus", "oplus"}, {"\\complement", "complement"}, {"\\cap", "cap"}, {"\\cup", "cup"}, {"\\pm", "pm"}, {"\\mp", "mp"}};
 
 bool is_alphanumeric(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
 
@@ -105,7 +105,9 @@ std::string LatexLetter::canonical() const {
 std::string LatexLetter::plain_name() const {
     std::string name = is_difference ? "Delta_" : "";
     if (const std::string part = script_name(before); !part.empty()) name += part + "_";
-    name += base.starts_with('\\') && is_greek(base) ? greek_name(base) : as_name(words_of(base));
+    constexpr std::array<const char*, 10> digits{"zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
+    if (base.size() == 1 && base[0] >= '0' && base[0] <= '9') name += digits[static_cast<std::size_t>(base[0] - '0')];  // \mathbf{1}
+    else name += base.starts_with('\\') && is_greek(base) ? greek_name(base) : as_name(words_of(base));
     for (const std::string& mark : marks) {
         const auto known = mark_names.find(mark);
         name += "_" + (known != mark_names.end() ? known->second : mark.substr(1));
@@ -118,6 +120,7 @@ std::string LatexLetter::plain_name() const {
 
 std::optional<std::string> LatexLetter::meant_by_dummy() const {
     if (base == "\\tau" && marks.empty() && index.empty() && dots == 0) return "t";
+    if (dots > 0) return std::nullopt;
     LatexLetter meant = *this;
     const auto is_dummy = [](const std::string& mark) { return mark == "\\tilde" || mark == "\\bar" || mark == "\\hat"; };
     std::erase_if(meant.marks, is_dummy);

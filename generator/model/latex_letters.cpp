@@ -25,6 +25,18 @@ bool is_customary_index(std::string_view text) { return text.size() == 1 && text
 
 }  // namespace
 
+bool LatexParser::is_phrase(const LatexToken& t) {
+    static const std::set<std::string, std::less<>> of_sentences{"is", "are", "we", "if", "where", "for", "when", "since", "because", "let", "thus", "hence", "so", "then", "that", "with", "and", "or", "which", "subject"};
+    if (t.kind != LatexToken::Kind::upright || t.text.find(' ') == std::string::npos || t.text.find("  ") != std::string::npos || t.text.ends_with(' ')) return false;
+    for (std::size_t begin = 0; begin < t.text.size();) {
+        const std::size_t end = std::min(t.text.find_first_of(" -", begin), t.text.size());
+        const std::string word = t.text.substr(begin, end - begin);
+        if (!is_word(word) || of_sentences.contains(word)) return false;
+        begin = end + 1;
+    }
+    return true;
+}
+
 bool LatexParser::starts_letter(std::size_t i) {
     const LatexToken& t = at(i);
     switch (t.kind) {
@@ -60,7 +72,7 @@ std::optional<LatexParser::Read> LatexParser::try_letter() {
     const Depth depth(*this);
     Read read;
     if (starts_scripts_before(at_) && !read_scripts_before(read)) return std::nullopt;
-    if (is("\\Delta") && notation_.find("\\Delta") == nullptr && !token(1).is("{") && starts_letter(at_ + 1)) {
+    if (is("\\Delta") && notation_.find("\\Delta") == nullptr && starts_letter(at_ + 1)) {
         next();
         read.letter.is_difference = true;
     }
@@ -112,6 +124,7 @@ bool LatexParser::read_nucleus(Read& read) {
         const bool is_stem = letters.size() > 1 && token(letters.size()).is("_") && notation_.is_stem(letters);
         const std::size_t length = is_stem ? letters.size() : std::max<std::size_t>(word, 1);
         letter.base = letters.substr(0, length);
+        if (!font_.empty()) letter.marks.push_back(font_);
         at_ += length;
         return true;
     }
@@ -119,7 +132,7 @@ bool LatexParser::read_nucleus(Read& read) {
         letter.base = next().text;
         return true;
     }
-    if (t.kind == LatexToken::Kind::upright && is_word(t.text)) {
+    if (t.kind == LatexToken::Kind::upright && (is_word(t.text) || is_phrase(t))) {
         letter.base = next().text;
         letter.is_upright = true;
         return true;
@@ -141,9 +154,11 @@ bool LatexParser::read_marked(Read& read) {
     LatexLetter& letter = read.letter;
     const bool braced = take("{");
     const std::size_t inside = at_;
-    if (!read_nucleus(read)) return false;
+    const bool is_digit = token().kind == LatexToken::Kind::number && token().text.size() == 1 && token().text != "0" && mark.starts_with("\\math");
+    if (is_digit) letter.base = next().text;  // \mathbf{1}
+    else if (!read_nucleus(read)) return false;
     if (const int dots = dots_of(mark); dots > 0) letter.dots += dots;
-    else letter.marks.push_back(mark);
+    else if (letter.marks.empty() || letter.marks.back() != mark) letter.marks.push_back(mark);
     if (braced) {
         const bool is_letter = read_scripts(read) && read.power_at == 0;
         if (is_letter && !is("}") && at_ == inside + 1 && at(inside).kind == LatexToken::Kind::letter)  // \mathbf{AB}
@@ -238,6 +253,11 @@ bool LatexParser::read_superscript(Read& read) {
     is_label = is_label || (script.size() == 1 && (front.is("*") || front.is("\\star") || front.is("\\circ") || front.is("°") || front.is("+") || front.is("-") || front.is("\\dagger") || front.is("\\infty")));
     is_label = is_label || (script.size() == 1 && front.kind == LatexToken::Kind::upright && !is_turn(front) && is_word(front.text));
     is_label = is_label || (letter.is_vector() && script.size() < 4 && all([&](const LatexToken& t) { return t.kind == LatexToken::Kind::letter && !is_turn(t) && !t.is_letter("t"); }));
+    // \bar{r}^{P/Q}, {}^A v^P: points and bodies. x^0 is no power that anybody writes.
+    const bool is_body = all([](const LatexToken& t) { return (t.kind == LatexToken::Kind::letter && (t.text[0] <= 'Z' || t.text[0] == 'i')) || t.kind == LatexToken::Kind::number || t.is("_") || t.is("/"); }) && front.kind == LatexToken::Kind::letter && front.text[0] <= 'Z';
+    const bool is_quotient = std::any_of(script.begin(), script.end(), [](const LatexToken& t) { return t.is("/"); });
+    is_label = is_label || (is_body && !(script.size() == 1 && is_turn(front)) && (!letter.before.empty() || (is_quotient && !letter.marks.empty())));
+    is_label = is_label || (script.size() == 1 && front.kind == LatexToken::Kind::number && front.text == "0");
     if (is_label && letter.label.empty()) {
         letter.label = std::move(script);
         return true;
@@ -340,12 +360,13 @@ ExpressionPtr LatexParser::marked_expression() {
 
 ExpressionPtr LatexParser::letter_factor() {
     const std::size_t first = at_;
-    if (is("\\mathbf") || is("\\vec")) {  // the vector or matrix of zeros
-        const std::size_t digit = at_ + (token(1).is("{") ? 2 : 1);
-        if (at(digit).kind == LatexToken::Kind::number && at(digit).text == "0" && (digit == at_ + 1 || at(digit + 1).is("}"))) {
-            at_ = behind_argument(at_ + 1);
-            return number(0, first);
+    if (const std::size_t behind = behind_zero_vector(at_)) {
+        at_ = behind;
+        if (is("_")) {  // its size
+            next();
+            (void)script_tokens();
         }
+        return number(0, first);
     }
     if (at_differential()) return differential();
     if (is("\\delta") && notation_.find("\\delta") == nullptr && !token(1).is("_") && !token(1).is("^") && token(1).space < Space::thin && starts_letter(at_ + 1)) {
@@ -353,12 +374,14 @@ ExpressionPtr LatexParser::letter_factor() {
         const std::size_t varied = at_;
         const auto read = try_letter();
         if (!read) expected("the letter that varies");
-        return call("variation", first, {translate(read->letter, varied)});
+        ExpressionPtr letter = translate(read->letter, varied);
+        return call("variation", first, {is("(") ? applied(std::move(letter), read->letter, varied) : std::move(letter)});
     }
     const auto read = try_letter();
     if (!read) {
         at_ = first;
         if (ExpressionPtr marked = marked_expression()) return marked;
+        if (ExpressionPtr all = under_font()) return all;
         if (is_fancy(token())) {
             next();
             expected(fmt::format("one letter under '{}'", shown(at(first))));
@@ -387,6 +410,7 @@ ExpressionPtr LatexParser::letter_factor() {
         at_ = behind;
         return result;
     }
+    if (starts_square_value(read->letter)) return value_of(std::move(result), first);
     return is("(") ? applied(std::move(result), read->letter, first) : result;
 }
 

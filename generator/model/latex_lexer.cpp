@@ -20,7 +20,7 @@ using Words = std::set<std::string, std::less<>>;
 /// Nothing but their looks.
 const Words without_meaning{"\\displaystyle", "\\textstyle", "\\scriptstyle", "\\limits", "\\nolimits", "\\nonumber", "\\notag", "\\hfill", "\\noindent", "\\hline",
                             "\\boxed", "\\fbox", "\\ensuremath", "\\mathstrut", "\\strut", "\\qty", "\\null", "\\hfil", "\\par", "\\medskip", "\\smallskip", "\\bigskip", "\\tiny", "\\small", "\\footnotesize", "\\scriptsize", "\\normalsize", "\\large", "\\Large", "\\rm", "\\it", "\\protect", "\\centering", "\\[", "\\]", "\\(", "\\)", "\\/", "\\mathord", "\\mathop",
-                            "\\mathbin", "\\mathrel", "\\mathinner", "\\unboldmath", "\\boldmath", "\\allowbreak", "\\nobreak", "\\newline", "\\relax"};
+                            "\\mathbin", "\\mathrel", "\\mathinner", "\\unboldmath", "\\boldmath", "\\allowbreak", "\\nobreak", "\\checkmark", "\\newline", "\\relax"};
 /// With an argument that says nothing either.
 const Words with_idle_argument{"\\label", "\\tag", "\\hspace", "\\vspace", "\\phantom", "\\hphantom", "\\vphantom", "\\color", "\\footnote", "\\textcolor", "\\stackrel", "\\overset", "\\underset", "\\mathclap", "\\cite", "\\ref", "\\eqref"};
 const Words wraps_second_argument{"\\stackrel", "\\overset", "\\underset"};
@@ -36,7 +36,7 @@ const std::map<std::string, std::string, std::less<>> one_spelling{
     {"\\lbrace", "\\{"}, {"\\rbrace", "\\}"}, {"\\lbrack", "["}, {"\\rbrack", "]"}, {"\\vert", "|"}, {"\\lvert", "|"}, {"\\rvert", "|"}, {"\\mid", "|"},
     {"\\Vert", "\\|"}, {"\\lVert", "\\|"}, {"\\rVert", "\\|"}, {"\\ast", "*"}, {"\\colon", ":"}, {"\\coloneqq", ":="}, {"\\colonequals", ":="}, {"\\bm", "\\mathbf"},
     {"\\boldsymbol", "\\mathbf"}, {"\\textbf", "\\mathbf"}, {"\\pmb", "\\mathbf"}, {"\\mathscr", "\\mathcal"}, {"\\overrightarrow", "\\vec"}, {"\\widetilde", "\\tilde"},
-    {"\\widehat", "\\hat"}, {"\\varGamma", "\\Gamma"}, {"\\varDelta", "\\Delta"}, {"\\varTheta", "\\Theta"}, {"\\varLambda", "\\Lambda"}, {"\\varXi", "\\Xi"}, {"\\varPi", "\\Pi"}, {"\\varSigma", "\\Sigma"}, {"\\varUpsilon", "\\Upsilon"}, {"\\varPhi", "\\Phi"}, {"\\varPsi", "\\Psi"}, {"\\varOmega", "\\Omega"}, {"\\bcancel", "\\cancel"}, {"\\xcancel", "\\cancel"}, {"\\textbullet", "\\cdot"}, {"\\bullet", "\\cdot"}, {"\\ddag", "\\dagger"}, {"\\lg", "\\log_{10}"}, {"\\dd", "\\differential"}, {"\\diff", "\\differential"}, {"\\oint", "\\int"}, {"\\top", "\\intercal"}, {"\\degree", "\\circ"}, {"\\textdegree", "\\circ"}, {"\\centerdot", "\\cdot"}};
+    {"\\widehat", "\\hat"}, {"\\varGamma", "\\Gamma"}, {"\\varDelta", "\\Delta"}, {"\\varTheta", "\\Theta"}, {"\\varLambda", "\\Lambda"}, {"\\varXi", "\\Xi"}, {"\\varPi", "\\Pi"}, {"\\varSigma", "\\Sigma"}, {"\\varUpsilon", "\\Upsilon"}, {"\\varPhi", "\\Phi"}, {"\\varPsi", "\\Psi"}, {"\\varOmega", "\\Omega"}, {"\\bcancel", "\\cancel"}, {"\\xcancel", "\\cancel"}, {"\\textbullet", "\\cdot"}, {"\\bullet", "\\cdot"}, {"\\ddag", "\\dagger"}, {"\\lg", "\\log_{10}"}, {"\\dd", "\\differential"}, {"\\diff", "\\differential"}, {"\\oint", "\\int"}, {"\\iint", "\\int"}, {"\\iiint", "\\int"}, {"\\oiint", "\\int"}, {"\\mapsto", "\\rightarrow"}, {"\\infin", "\\infty"}, {"\\dbinom", "\\binom"}, {"\\tbinom", "\\binom"}, {"\\top", "\\intercal"}, {"\\degree", "\\circ"}, {"\\textdegree", "\\circ"}, {"\\centerdot", "\\cdot"}};
 
 const std::map<std::string, std::string, std::less<>> spelt_out{{"·", "\\cdot"}, {"×", "\\times"}, {"−", "-"}, {"°", "°"}, {"≤", "\\le"}, {"≥", "\\ge"}, {"≈", "\\approx"}, {"∂", "\\partial"}, {"∞", "\\infty"}, {"≠", "\\neq"},
     {"α", "\\alpha"}, {"β", "\\beta"}, {"γ", "\\gamma"}, {"δ", "\\delta"}, {"ε", "\\varepsilon"}, {"η", "\\eta"}, {"θ", "\\theta"}, {"κ", "\\kappa"}, {"λ", "\\lambda"}, {"μ", "\\mu"}, {"µ", "\\mu"},
@@ -201,7 +201,8 @@ private:
         std::string text(rest.substr(0, length));
         if (text == "...") text = "\\dots";
         if (const auto known = spelt_out.find(text); known != spelt_out.end()) text = known->second;
-        add(text.starts_with('\\') ? Kind::command : Kind::sign, std::move(text), i_, i_ + length);
+        const Kind kind = text.starts_with('\\') ? Kind::command : Kind::sign;
+        add(kind, std::move(text), i_, i_ + length);
         i_ += length;
     }
 
@@ -235,6 +236,7 @@ private:
         if (upright_commands.contains(name)) return upright(name, begin);
         if (name == "\\%") return add(Kind::sign, "%", begin, i_);
         if (const auto known = one_spelling.find(name); known != one_spelling.end()) name = known->second;
+        if (name == "\\Pr") return add(Kind::upright, "Pr", begin, i_);
         if (name == "\\log_{10}") return add(Kind::command, "\\lg", begin, i_);
         add(name.starts_with('\\') && name != "\\{" && name != "\\}" && name != "\\|" ? Kind::command : Kind::sign, name, begin, i_);
     }
@@ -285,7 +287,7 @@ private:
             if (text == ">" && size == "\\right") text = "\\rangle";
         }
         static const Words brackets{"(", ")", "[", "]", "\\{", "\\}", "|", "\\|", ".", "/"};
-        if (text == "\\langle" || text == "\\rangle") return add(Kind::command, text, begin, i_);
+        if (text == "\\langle" || text == "\\rangle") return add(Kind::command, text, begin, i_, text == "\\langle" ? Side::left : Side::right);
         if (!brackets.contains(text)) wrong(begin, i_, fmt::format("a bracket is expected behind '{}'", size));
         const bool left = size == "\\left" || size.back() == 'l';
         const bool right = size == "\\right" || size.back() == 'r';
@@ -316,11 +318,21 @@ private:
         if (at(i_) == '*') ++i_;
         skip_blanks();
         if (i_ >= to_) wrong(begin, i_, fmt::format("'{{' is expected behind '{}'", name));
+        if ((name == "\\mathnormal" || name == "\\mathit") && at(i_) == '{' && at(i_ + 1) == '\\') return;  // of \mathit{\Omega}
         if (at(i_) == '{') {
             const std::size_t close = closing(i_);
-            const std::size_t inside = i_ + 1;
-            const std::string text(text_.substr(inside, close - inside));
+            std::size_t inside = i_ + 1;
+            std::string text(text_.substr(inside, close - inside));
+            if (text.starts_with("\\boldmath$")) {  // \mbox{\boldmath$v$}
+                add(Kind::command, "\\mathbf", begin, inside);
+                return;
+            }
             i_ = close + 1;
+            for (const std::string font : {"\\textrm{", "\\mathrm{", "\\text{"}) {
+                if (!text.starts_with(font) || text.find('}') != text.size() - 1) continue;
+                inside += font.size();
+                text = text.substr(font.size(), text.size() - font.size() - 1);
+            }
             if (text == "d") return add(Kind::command, "\\differential", begin, i_);
             return add(Kind::upright, text, begin, i_, Side::neutral, inside);
         }

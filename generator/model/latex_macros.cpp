@@ -20,7 +20,7 @@ bool is_macro_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == 
 const LatexMacros& usual_macros() {
     static const LatexMacros macros{{"vb", {1, {}, "\\mathbf{#1}"}},       {"va", {1, {}, "\\vec{#1}"}},        {"abs", {1, {}, "\\left|#1\\right|"}}, {"norm", {1, {}, "\\left\\|#1\\right\\|"}},
                                     {"grad", {0, {}, "\\nabla "}},         {"curl", {0, {}, "\\nabla\\times "}}, {"divergence", {0, {}, "\\nabla\\cdot "}}, {"laplacian", {0, {}, "\\nabla^2 "}},
-                                    {"mathd", {0, {}, "\\mathrm{d}"}},     {"mathe", {0, {}, "\\mathrm{e}"}},    {"flatfrac", {2, {}, "{#1}/{#2}"}}};
+                                    {"ket", {1, {}, "|#1\\rangle "}}, {"bra", {1, {}, "\\langle #1|"}}, {"expval", {1, {}, "\\langle #1\\rangle "}}, {"mel", {3, {}, "\\langle #1|#2|#3\\rangle "}}, {"mathd", {0, {}, "\\mathrm{d}"}},     {"mathe", {0, {}, "\\mathrm{e}"}},    {"flatfrac", {2, {}, "{#1}/{#2}"}}};
     return macros;
 }
 
@@ -48,6 +48,8 @@ public:
             if (name.empty()) i += 2;
             else if (defines(name)) i = define(name, begin, i);
             else if (const LatexMacro* macro = find(name)) i = call(*macro, name, begin, i);
+            else if (name == "mathchoice") i = first_choice(name, begin, i);
+            else if (name == "braket") i = braket(begin, i);
             else if (is_derivative(name) && starts_derivative(i)) i = derivative(name, begin, i);
         }
         return std::move(text_);
@@ -169,6 +171,24 @@ private:
             else text += c;
         }
         replace(begin, i, std::move(text));
+        return begin;
+    }
+
+    /// What is displayed, of four sizes.
+    std::size_t first_choice(const std::string& name, std::size_t begin, std::size_t i) {
+        count(name, begin, i);
+        std::string text = argument(i, name);
+        for (int k = 0; k < 3; ++k) (void)argument(i, name);
+        replace(begin, i, std::move(text));
+        return begin;
+    }
+
+    /// \braket{a}{b} and \braket{a|b}
+    std::size_t braket(std::size_t begin, std::size_t i) {
+        count("braket", begin, i);
+        std::string text = argument(i, "braket");
+        if (at(i) == '{') text += "|" + argument(i, "braket");
+        replace(begin, i, "\\langle " + text + "\\rangle ");
         return begin;
     }
 

@@ -141,7 +141,7 @@ ExpressionPtr LatexParser::single_condition() {
     if (is("\\in")) {
         next();
         const LatexToken open = token();
-        if (!open.is("[") && !open.is("(") && !open.is("]")) expected("an interval");
+        if (!open.is("[") && !open.is("(") && !open.is("]")) return call("member", first, {std::move(left), factor()});
         next();
         const Inside brackets(*this);
         const ExpressionPtr low = expression();

@@ -43,7 +43,6 @@ void LatexParser::expected(std::string_view what) const {
     if (found.is("\\cancelto")) wrong(place(found), "'\\cancelto' says that something is replaced by something else; write what stands there afterwards");
     for (const char* command : {"\\SI", "\\qty", "\\num", "\\unit", "\\si"})
         if (found.is(command)) wrong(place(found), fmt::format("'{}' is not read; write the number with its unit behind it, as in '9.81\\,\\mathrm{{m/s^2}}'", shown(found)));
-    if (found.is("\\dots")) wrong(place(found), "what the dots stand for must be written out");
     if (found.kind == LatexToken::Kind::command && !is_greek(found.text))
         wrong(place(found), fmt::format("'{}' cannot be read here; {} is expected{}", shown(found), what, is_common_command(found.text) ? "" : ". If it is a macro of the text, say under [macros] what it stands for"));
     wrong(place(found), is_end() ? fmt::format("the text ends where {} is expected", what) : fmt::format("there is '{}' where {} is expected", shown(found), what));
@@ -219,13 +218,14 @@ bool LatexParser::starts_factor() {
         }
         case LatexToken::Kind::begin: return true;
         case LatexToken::Kind::command: {
-            static const std::set<std::string, std::less<>> others{"\\frac", "\\sqrt", "\\int", "\\sum", "\\prod", "\\lim", "\\nabla", "\\infty", "\\underbrace", "\\overbrace", "\\differential", "\\partial", "\\cancel", "\\langle"};
+            static const std::set<std::string, std::less<>> others{"\\frac", "\\sqrt", "\\int", "\\sum", "\\prod", "\\lim", "\\nabla", "\\infty", "\\underbrace", "\\overbrace", "\\differential", "\\partial", "\\cancel", "\\langle", "\\dots", "\\binom", "\\inframe", "\\arg"};
             return others.contains(t.text) || is_greek(t.text) || is_function(t) || starts_letter(at_);
         }
         case LatexToken::Kind::sign:
             if (t.side == Side::right) return false;
             if (t.side == Side::left) return true;
             if (t.text == "|" || t.text == "\\|") return magnitudes_ == 0 && !is_evaluation_bar();
+            if (t.text == "(" && brackets_ == 0 && starts_condition_group()) return false;
             return t.text == "(" || t.text == "[" || t.text == "\\{" || t.text == "{";
         default: return false;
     }

@@ -95,9 +95,31 @@ private:
     ExpressionPtr root();
     ExpressionPtr under_brace();
     ExpressionPtr cancelled();
-    ExpressionPtr average();
     ExpressionPtr marked_expression();  ///< a dot or bar over more than a letter
     bool closes(const LatexToken& open, const LatexToken& token) const;
+
+    // latex_unsaid.cpp: what is read, but what a text alone gives no value ------------------------------------------------------------
+    ExpressionPtr dots();
+    ExpressionPtr binomial();
+    ExpressionPtr average();              ///< also \\langle a | b \\rangle and \\langle a, b \\rangle
+    ExpressionPtr pairing();              ///< <a, b>
+    ExpressionPtr ket(std::size_t first, ExpressionPtr inside);
+    ExpressionPtr extremum_over(const std::string& name, std::size_t first);
+    ExpressionPtr value_of(ExpressionPtr function, std::size_t first);
+    ExpressionPtr named_value(ExpressionPtr function, std::size_t first);
+    ExpressionPtr partial_by_index();
+    ExpressionPtr in_frame();
+    ExpressionPtr under_font();
+    bool has_differential_ahead() const;
+    bool stands_before_rangle(std::size_t i) const;
+    bool starts_named_value();
+    bool starts_square_value(const LatexLetter& letter);
+    bool starts_plain_value(std::size_t open, std::size_t close, const LatexLetter* letter);
+    bool is_sample(std::size_t open, std::size_t close, bool is_known);
+    std::optional<ExpressionPtr> material_rate();
+    bool is_placeholder(std::size_t open, std::size_t close) const;
+    bool has_odd_bars(std::size_t open, std::size_t close) const;
+    std::size_t behind_zero_vector(std::size_t i) const;  ///< 0 where none stands
 
     // latex_units.cpp ------------------------------------------------------------------------------------------------------------------
     ExpressionPtr unit_behind();  ///< nothing where no unit stands
@@ -127,6 +149,7 @@ private:
     ExpressionPtr with_span(const Expression& meaning, const Span& span) const;
     std::optional<std::vector<ExpressionPtr>> family_indices(const LatexLetter& letter, std::string& name);
     bool counts(const LatexToken& token) const;
+    static bool is_phrase(const LatexToken& token);  ///< several words that name something: \text{equatorial radius}
 
     // latex_arguments.cpp --------------------------------------------------------------------------------------------------------------
     struct Brackets {
@@ -199,6 +222,9 @@ private:
     // latex_equations.cpp --------------------------------------------------------------------------------------------------------------
     void prepare();
     void take_signs();
+    void take_over();
+    void take_frames();
+    void drop_remarks();
     void drop_empty_groups();
     void drop_marks_of_nabla();
     bool divides_columns(std::size_t column) const;
@@ -214,6 +240,7 @@ private:
     std::string named_letter();
     bool skip_range(LatexEquation* equation);
     void skip_set();
+    bool skip_condition_in_brackets(LatexEquation& equation);
 
     const Excerpt& excerpt_;
     const PrintedNotation& notation_;
@@ -234,6 +261,7 @@ private:
     std::map<std::string, std::string, std::less<>> called_;   ///< the letter that got each name
     bool has_differential_ = false;  ///< there was a dx outside of integrals, so that d(x y) is one too
     std::set<std::size_t> both_signs_;  ///< where \pm and \mp stand in the text
+    std::string font_;  ///< of \\mathbf{R_1(\\gamma)}, for the letters in it
     std::set<std::size_t> not_a_letter_;  ///< groups that were tried
 };
 

@@ -17,6 +17,13 @@
 //   gradient(e), divergence(v), curl(v), laplacian(e)     \nabla e, \nabla \cdot v, \nabla \times v, \nabla^2 e
 //   quantity(number, unit)          9.81\,\mathrm{m}/\mathrm{s}^2; the unit is a tree of the grammar of units
 //   cases(e, condition, ..., e)     pieces with their conditions; the last one without a condition holds otherwise
+//   value(f, a, b)                  f(a, b), f(x_0) and f(0) where nothing says what f is a function of
+//   minimum_over(e, x), maximum_over, infimum_over, supremum_over, minimiser(e, x), maximiser    \min_x e, ..., \arg\min_x e
+//   integral_over(e, R), integral_over(e, R, x, y)    \int_R e, \int_R e dx dy
+//   dots()                          an ellipsis as a term, factor or entry
+//   ket(a), bra(a), braket(a, b), braket(a, e, b), pairing(a, b)    |a\rangle, \langle a|, ..., \langle a, b\rangle
+//   component(e, i), taken_at(e, a), in_frame(e, A), derivative_by_index(e, i)    (a + b)_i, e|_a, \frac{{}^A d e}{dt}, \partial_i e
+//   material_rate(e), binomial(n, k), set(a, b), member(a, A)    \frac{De}{Dt}, \binom{n}{k}, \{a, b\}, a \in A
 //   equal, not_equal, less, less_equal, greater, greater_equal (a, b), both(c, d), either(c, d)     conditions
 // and the names `pi`, `infinity`, `constant` ("= const."), `nabla`.
 #pragma once
@@ -26,7 +33,7 @@
 
 namespace dalembert {
 
-enum class Relation { equal, approximately, less, less_equal, greater, greater_equal, not_equal, proportional, similar, much_less, much_greater };
+enum class Relation { equal, approximately, less, less_equal, greater, greater_equal, not_equal, proportional, similar, much_less, much_greater, precedes, precedes_equal, succeeds, succeeds_equal };
 
 /// "=", "\approx", ...
 const char* sign_of(Relation relation);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "model/expression_text.hpp"
 #include "model/vocabulary.hpp"
 #include "text/diagnostic.hpp"
 
@@ -14,6 +15,12 @@ namespace dalembert {
 namespace {
 
 using Kind = Expression::Kind;
+
+/// As it is printed; what a macro wrote has no place of its own.
+std::string shown(const Expression& e) {
+    const std::string text = e.written();
+    return text.empty() ? in_model_language(e) : text;
+}
 
 ExpressionPtr call_of(const Span& span, const char* name, std::vector<ExpressionPtr> children) {
     return std::make_shared<Expression>(Expression{Kind::call, span, 0, name, std::move(children)});
@@ -60,6 +67,7 @@ ExpressionPtr total_differential(const Expression& whole, const std::string& pre
 
 /// Conditions have a meaning in cases only.
 ExpressionPtr condition_in_model_words(const ExpressionPtr& e) {
+    if (e->name == "member") fail(Id::not_allowed_here, e->span, fmt::format("the set in '{}' is not read; write the condition as a relation", shown(*e)));
     auto copy = std::make_shared<Expression>(*e);
     const bool is_joint = e->name == "both" || e->name == "either";
     for (ExpressionPtr& child : copy->children) child = is_joint ? condition_in_model_words(child) : in_model_words(child);
@@ -79,6 +87,13 @@ ExpressionPtr factorial_of(const Expression& e) {
     Rational value = 1;
     for (int i = 2; i <= *whole; ++i) value = value * i;
     return make_number(value, e.span);
+}
+
+/// Of f(x_0), f(0) and f(a, b).
+std::string unknown_function(const Expression& value) {
+    const std::string name = shown(*value.children[0]);
+    const bool may_be_factor = value.children.size() == 2 && value.children[1]->kind != Kind::number;
+    return fmt::format("nothing says what '{}' in '{}' is a function of; say it, as in functions = ['{}(x)']{}", name, shown(value), name, may_be_factor ? fmt::format(", or write '{} \\cdot' for a product", name) : "");
 }
 
 }  // namespace
@@ -101,9 +116,14 @@ ExpressionPtr in_model_words(const ExpressionPtr& e) {
     if (e->name == "inner") return joined(Kind::multiply, e->span, call_of(e->span, "transpose", {copy->children[0]}), copy->children[1]);
     if (e->name == "norm") return call_of(e->span, "sqrt", {joined(Kind::multiply, e->span, call_of(e->span, "transpose", {copy->children[0]}), copy->children[0])});
     if (e->name == "factorial") return factorial_of(*copy);
-    static const std::set<std::string, std::less<>> without_meaning{"product", "product_over", "sum_over", "gradient", "divergence", "curl", "laplacian", "average", "mean", "tensor", "equal", "not_equal", "less", "less_equal", "greater", "greater_equal", "both", "either"};
-    if (without_meaning.contains(e->name)) fail(Id::not_allowed_here, e->span, fmt::format("'{}' is read, but nothing is made of it yet; write out what it means", e->written()));
-    if (e->name == "integral" && e->children.size() != 4) fail(Id::not_allowed_here, e->span, fmt::format("'{}' has no limits that it could be computed for", e->written()));
+    if (e->name == "dots") fail(Id::not_allowed_here, e->span, "what the dots stand for must be written out");
+    if (e->name == "taken_at") fail(Id::not_allowed_here, e->span, fmt::format("it is not clear which letter is '{}' here; write the point as in '|_{{x=0}}'", shown(*e->children[1])));
+    if (e->name == "pair") fail(Id::not_allowed_here, e->span, fmt::format("it is not clear whether '{}' is a row, an interval or a commutator; write a row as a matrix", shown(*e)));
+    if (e->name == "value") fail(Id::not_allowed_here, e->span, unknown_function(*e));
+    static const std::set<std::string, std::less<>> without_meaning{"minimum_over", "maximum_over", "infimum_over", "supremum_over", "minimiser", "maximiser", "integral_over", "ket", "bra", "braket", "pairing", "component", "in_frame", "derivative_by_index", "binomial", "material_rate", "set", "product", "product_over", "sum_over", "gradient", "divergence", "curl", "laplacian", "average", "mean", "tensor", "equal", "not_equal", "less", "less_equal", "greater", "greater_equal", "both", "either"};
+    if (without_meaning.contains(e->name)) fail(Id::not_allowed_here, e->span, fmt::format("'{}' is read, but nothing is made of it yet; write out what it means", shown(*e)));
+    if (e->name == "integral" && e->children[1]->kind == Kind::power) fail(Id::not_allowed_here, e->span, fmt::format("'{}' runs over a space, and not over a letter between limits", shown(*e)));
+    if (e->name == "integral" && e->children.size() != 4) fail(Id::not_allowed_here, e->span, fmt::format("'{}' has no limits that it could be computed for", shown(*e)));
     return copy;
 }
 
