@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Headers of the same machine, generated with different options, compute the same: rates, Jacobian, outputs and energies at 20 points, within 4 ulp beyond the
-# condition. "full": every machine of the repository with all passes and with none but `rewriting`, which keeps digits,
-# and asked for all at once.
+# condition. "full": every machine of the repository with all passes and with none but `rewriting`, which keeps digits, and asked for all
+# at once; and each option of machines that take longer.
 set -euo pipefail
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
@@ -220,33 +220,37 @@ if [ "${1:-}" = full ]; then
     same "${model%.toml}" double -- --without "$passes"
     same "${model%.toml}" double -- --together
   done < <(cd "$SOURCE/systems" && ls */*.toml | grep -v ^book/)
+  limit=4 beside_largest=
+  for model in mechanics/stick_slip mechanics/slack_rope hydraulics/hydraulic_cylinder heat/fin; do same $model double -- --together; done
+  same mechanics/n_pendulum double --size N=12 -- --together
+  same mechanics/arm_6r double --scene plain -- --together
+  same mechanics/n_pendulum double --size N=12 --without chain -- --without loops
+  for model in mechanics/slider_crank mechanics/four_bar pneumatics/pneumatic_cylinder heat/fin; do
+    same $model double -- --fix parameters
+    same $model double -- --without constants,factoring
+  done
+  same hydraulics/valve_cylinder double -- --fix parameters
+  same hydraulics/torricelli double -- --fix parameters
+  same hydraulics/hydraulic_cylinder double -- --without constants,factoring
+  same mechanics/n_pendulum double --size N=12 -- --without constants
+  for option in '--fix parameters' '--without constants' '--without factoring' '--without angles' '--without reciprocals'; do
+    same mechanics/arm_6r double --scene plain -- $option
+  done
+  limit=5 same mechanics/arm_6r double --scene plain -- --without chain
+  same mechanics/n_pendulum float --size N=5 -- --trig combined
+  same mechanics/arm_6r float --scene plain -- --trig combined --fix parameters
   exit $failed
 fi
 
-for model in mechanics/slider_crank mechanics/stick_slip mechanics/slack_rope hydraulics/hydraulic_cylinder heat/fin; do same $model double -- --together; done
-same mechanics/n_pendulum double --size N=12 -- --together
-same mechanics/arm_6r double --scene plain -- --together
-same mechanics/n_pendulum double --size N=12 --without chain -- --without loops
-for model in mechanics/slider_crank mechanics/four_bar pneumatics/pneumatic_cylinder heat/fin; do
-  same $model double -- --fix parameters
-  same $model double -- --without constants,factoring
-done
-same hydraulics/valve_cylinder double -- --fix parameters
-same hydraulics/torricelli double -- --fix parameters
-same hydraulics/hydraulic_cylinder double -- --without constants,factoring
+same mechanics/slider_crank double -- --together
+same heat/fin double -- --fix parameters
 same mechanics/n_pendulum double --size N=6 -- --fix g
 same mechanics/n_pendulum double --size N=6 -- --without chain
-same mechanics/n_pendulum double --size N=12 -- --without constants
-for model in 'mechanics/cart_pendulum double' 'mechanics/arm_6r double --scene plain'; do
-  for option in '--fix parameters' '--without constants' '--without factoring' '--without angles' '--without reciprocals'; do
-    same $model -- $option
-  done
+for option in '--fix parameters' '--without constants' '--without factoring' '--without angles' '--without reciprocals'; do
+  same mechanics/cart_pendulum double -- $option
 done
-limit=5 same mechanics/arm_6r double --scene plain -- --without chain
 same mechanics/spherical_pendulum double -- --without rewriting
 same mechanics/spherical_pendulum float -- --trig combined
-same mechanics/n_pendulum float --size N=5 -- --trig combined
-same mechanics/arm_6r float --scene plain -- --trig combined --fix parameters
 
 # A value of one's own, and what the header then has.
 "$PROGRAM" generate "$SOURCE/systems/mechanics/cart_pendulum.toml" --fix 'g=9.81,l_S=600 mm,m_W' -o "$here" >/dev/null
