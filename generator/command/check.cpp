@@ -56,6 +56,7 @@ private:
     void check_scene(const std::string& name) {
         Machine machine = derive_machine(model_, name, options_.choice.sizes);
         show_warnings(machine, streams_);
+        show_doubts(machine, streams_);
         generate(machine);
         const System& system = *machine.system;
         const Proofs proofs = proofs_of(machine);

@@ -110,9 +110,7 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     std::vector<bool> is_given;
     for (const Variable& input : system.symbols.all(SymbolKind::input)) is_given.push_back(values.is_written(SymbolKind::input, input.position) || std::find(options.free.begin(), options.free.end(), input.base) != options.free.end() || std::find(options.free.begin(), options.free.end(), input.name) != options.free.end());
     check_inputs_given(is_given, system);
-    Diagnostics doubts;
-    warn_of_unlikely_start(values, system, doubts);
-    for (const Diagnostic& doubt : doubts.all()) streams.err << render(doubt);
+    streams.err << doubts_of_start(values, system);
 
     const FunctionCode& by_time = (*chosen.code)[Function::jacobian_t];
     const auto moves = [&](const CodeMatrix& matrix) { return std::any_of(matrix.entries.begin(), matrix.entries.end(), [&](NodeId id) { return !by_time.is_zero(id); }); };

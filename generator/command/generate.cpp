@@ -96,6 +96,7 @@ ExitCode generate_command(const Options& options, Streams streams) {
     for (const std::string& scene : scenes) {
         Machine machine = derive_machine(model, scene, options.choice.sizes, parse_fixed(options.fix, model->names));
         show_warnings(machine, streams);
+        show_doubts(machine, streams);
         ask_of_code(machine, options);
         const Header header = generate(machine, options.taylor ? SeriesWish::wanted : SeriesWish::none);
         if (!options.dump.empty()) {

@@ -11,6 +11,7 @@
 #include "command/json_output.hpp"
 #include "command/number_lists.hpp"
 #include "command/run_header.hpp"
+#include "command/settings.hpp"
 #include "command/shared.hpp"
 #include "command/simulation.hpp"
 #include "emit/runner.hpp"
@@ -191,6 +192,7 @@ ExitCode modal_command(const Options& options, Streams streams) {
     const Machine& chosen = in_chosen_mode(machine, options);
     const System& system = *chosen.system;
     const auto [values, inputs] = start_of_run(system, options);
+    streams.err << doubts_of_start(values, system);
     const Linearity linearity = linear_system(system);
     const ScratchFolder scratch;
     const auto result = run_with_header(scratch, header, modal_source(*chosen.code, header, values, values.state(), inputs), {}, "-O0");  // compiling takes longer than running

@@ -149,7 +149,8 @@ private:
 
 }  // namespace
 
-void warn_of_unlikely_start(const Values& values, const System& system, Diagnostics& diagnostics) {
+std::string doubts_of_start(const Values& values, const System& system) {
+    Diagnostics diagnostics;
     StartDoubts doubts(values, system, diagnostics);
     for (const auto& member : system.scene.volumes) {
         const Volume& volume = *member.item;
@@ -162,6 +163,9 @@ void warn_of_unlikely_start(const Values& values, const System& system, Diagnost
     }
     for (const auto& member : system.scene.nodes)
         if (member.item->capacity) doubts.temperature(member.item->temperature, "node", *member.item);
+    std::string text;
+    for (const Diagnostic& doubt : diagnostics.all()) text += render(doubt);
+    return text;
 }
 
 void apply_settings(Values& values, const std::vector<Setting>& settings, unsigned allowed, const System& system) {

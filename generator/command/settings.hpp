@@ -29,8 +29,8 @@ ExpressionPtr value_of(const Setting& setting, unsigned may_depend, const Names&
 /// absolute temperature or pressure. `is_given` says which are given, in the order of the scene.
 void check_inputs_given(const std::vector<bool>& is_given, const System& system);
 
-/// Temperatures of media and nodes, and pressures, that hardly anybody means.
-void warn_of_unlikely_start(const Values& values, const System& system, Diagnostics& diagnostics);
+/// Warnings, as they are shown, of temperatures of media and nodes, and of pressures, that hardly anybody means.
+std::string doubts_of_start(const Values& values, const System& system);
 
 void check_dependence(const Expression& value, unsigned may_depend, const std::string& what, const Names& names);
 

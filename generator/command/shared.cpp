@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "command/settings.hpp"
 #include "model/verdict.hpp"
 #include "text/nearest.hpp"
 
@@ -27,6 +28,10 @@ Machine derived(const Options& options, Streams streams) {
 void show_warnings(const Machine& machine, Streams streams) {
     for (const Diagnostic& warning : machine.system->warnings) streams.err << render(warning);
     for (const Machine& other : machine.other_modes) show_warnings(other, streams);
+}
+
+void show_doubts(const Machine& machine, Streams streams) {
+    streams.err << doubts_of_start(Values(machine.system->scene, machine.system->translate), *machine.system);
 }
 
 void ask_of_code(Machine& machine, const Options& options) {

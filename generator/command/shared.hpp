@@ -13,6 +13,8 @@ std::shared_ptr<const LoadedModel> loaded(const Options& options, Streams stream
 Machine derived(const Options& options, Streams streams);
 /// Those of the derivation.
 void show_warnings(const Machine& machine, Streams streams);
+/// Of start values of the model that hardly anybody means.
+void show_doubts(const Machine& machine, Streams streams);
 
 /// What the command line asks of code: the passes that it does not leave out, and whose sine and cosine.
 void ask_of_code(Machine& machine, const Options& options);

@@ -83,7 +83,8 @@ ExitCode simulate_command(const Options& options, Streams streams) {
         streams.out << fmt::format("energy error: max |E - E(0) - work| / max({}) = {}\n", energy, report.energy_error);
         if (const std::string roots = exact_roots(prepared.machine.system->scene); report.is_good() && report.keeps_energy() && !roots.empty() && report.energy_error > 10 * prepared.settings.tolerance)
             streams.out << fmt::format("note: near balance flows like a root, here {}, have fewer digits than the pressures, and so has the energy; a smaller --tolerance gives more, a `width` (a pressure) all\n", roots);
-        if (report.euler_step) streams.out << fmt::format("explicit Euler at the start: stable up to steps of {:.6g} s\n", *report.euler_step);
+        if (report.euler_step == 0) streams.out << "explicit Euler at the start: not stable, because the slope of a rate is infinite there\n";
+        else if (report.euler_step) streams.out << fmt::format("explicit Euler at the start: stable up to steps of {:.6g} s\n", *report.euler_step);
         if (report.lost) streams.out << fmt::format("energy lost at events: {} J; mode at the end: {}\n", *report.lost, report.mode);
         if (report.ended) streams.out << report.message << "\n";
         for (const auto& [path, content] : report.files) streams.out << path.string() << "\n";

@@ -121,9 +121,7 @@ PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& 
     prepared.settings = run.settings;
     prepared.source = simulation_source(*run.machine.code, run.header, run.values, run.settings);
     if (options.compares_scenes) prepared.cost = cost_source(*run.machine.code, run.header, run.values, run.settings);
-    Diagnostics doubts;
-    warn_of_unlikely_start(run.values, *run.machine.system, doubts);
-    for (const Diagnostic& doubt : doubts.all()) prepared.doubts += render(doubt);
+    prepared.doubts = doubts_of_start(run.values, *run.machine.system);
     prepared.machine = std::move(run.machine);
     prepared.header = std::move(run.header);
     prepared.name = std::move(run.name);
