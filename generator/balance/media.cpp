@@ -14,8 +14,6 @@ using GiNaC::pow;
 
 namespace {
 
-constexpr auto no_pattern = GiNaC::subs_options::no_pattern;
-
 /// What follows from rho(p, T) alone: dp/drho = 1/(drho/dp) and dp/dT at constant rho = -(drho/dT)/(drho/dp).
 void derive_slopes(MediumState& law, const ex& p, const ex& T) {
     const ex by_pressure = partial(law.density, p);
@@ -133,7 +131,7 @@ void MediumModel::given(const Translator& translate) {
 void MediumModel::integrate_energy(const ex& p_0, const ex& T_0) {
     const ex volume = pow(law_.density, -1);
     const ex work = T_ * law_.pressure_by_temperature - p_;
-    const ex by_temperature = (law_.isochoric_heat + work * partial(volume, T_)).subs(p_ == p_0, no_pattern);
+    const ex by_temperature = (law_.isochoric_heat + work * partial(volume, T_)).subs(p_ == p_0, GiNaC::subs_options::no_pattern);
     const ex by_pressure = work * partial(volume, p_);
     const auto primitive = [&](const ex& slope, const ex& letter, const char* of) {
         for (const ex& form : {slope, slope.normal(), slope.expand().normal()})
@@ -143,11 +141,11 @@ void MediumModel::integrate_energy(const ex& p_0, const ex& T_0) {
     };
     const ex heating = primitive(by_temperature, T_, "temperature");
     const ex pressing = primitive(by_pressure, p_, "pressure");
-    law_.energy = heating - heating.subs(T_ == T_0, no_pattern) + pressing - pressing.subs(p_ == p_0, no_pattern);
+    law_.energy = heating - heating.subs(T_ == T_0, GiNaC::subs_options::no_pattern) + pressing - pressing.subs(p_ == p_0, GiNaC::subs_options::no_pattern);
 }
 
 MediumState MediumModel::substituted(const MediumState& law, const GiNaC::exmap& values) const {
-    const auto at = [&](const ex& e) { return e.subs(values, no_pattern); };
+    const auto at = [&](const ex& e) { return e.subs(values, GiNaC::subs_options::no_pattern); };
     return {at(law.pressure), at(law.temperature), at(law.density), at(law.energy), at(law.enthalpy), at(law.isochoric_heat), at(law.pressure_by_density), at(law.pressure_by_temperature)};
 }
 

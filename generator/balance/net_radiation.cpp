@@ -75,9 +75,9 @@ private:
     std::map<std::size_t, Changes> changes_;
 };
 
-class Elimination {
+class RadiosityElimination {
 public:
-    Elimination(const Surroundings& surroundings, Steps& steps) : s_(surroundings), steps_(steps), n_(surroundings.areas.size()) {
+    RadiosityElimination(const Surroundings& surroundings, Steps& steps) : s_(surroundings), steps_(steps), n_(surroundings.areas.size()) {
         for (std::size_t k = 0; k < n_; ++k) rho_.push_back(steps("reflectivity", {k}, 1 - s_.emissivities[k]));
         // Where everything may be a perfect mirror, nothing leaves for good, and nothing is exchanged.
         may_vanish_ = std::none_of(s_.emissivities.begin(), s_.emissivities.end(), is_surely_positive);
@@ -149,6 +149,6 @@ private:
 
 }  // namespace
 
-NetRadiation net_radiation(const Surroundings& surroundings, Steps& steps) { return Elimination(surroundings, steps).run(); }
+NetRadiation net_radiation(const Surroundings& surroundings, Steps& steps) { return RadiosityElimination(surroundings, steps).run(); }
 
 }  // namespace dalembert

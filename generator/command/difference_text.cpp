@@ -18,7 +18,7 @@ using GiNaC::ex;
 namespace {
 
 constexpr std::size_t most_signs = 4;
-constexpr int points = 200;
+constexpr int compared_points = 200;
 constexpr std::size_t most_terms = 1000;  ///< of a numerator over one denominator
 
 /// What the difference is where signs have these values, +1 or -1; a sign that does not matter there is zero.
@@ -45,7 +45,7 @@ public:
         std::sort(inside_.begin(), inside_.end(), [&](const ex& a, const ex& b) { return write_(a) < write_(b); });
         if (inside_.empty() || inside_.size() > most_signs) return;
         RandomPoints random(system);
-        for (int i = 0; i < points; ++i) look_at(system, random.next());
+        for (int i = 0; i < compared_points; ++i) look_at(system, random.next());
         shorten();
     }
 

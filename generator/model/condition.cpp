@@ -11,9 +11,9 @@ namespace {
 
 constexpr int deepest = 50;
 
-class Parser {
+class ConditionParser {
 public:
-    explicit Parser(const Excerpt& excerpt) : tokens_(tokenise(excerpt)) {}
+    explicit ConditionParser(const Excerpt& excerpt) : tokens_(tokenise(excerpt)) {}
 
     Condition whole() {
         Condition result = disjunction(0);
@@ -32,7 +32,7 @@ private:
         throw Failure(Diagnostic{Id::syntax, token().span, fmt::format("{} where {} is expected", found, expected)});
     }
 
-    Condition chain(const char* word, Kind kind, int depth, Condition (Parser::*part)(int)) {
+    Condition chain(const char* word, Kind kind, int depth, Condition (ConditionParser::*part)(int)) {
         Condition first = (this->*part)(depth);
         if (!is(word)) return first;
         Condition result{kind, first.span, {}, {first}};
@@ -44,8 +44,8 @@ private:
         return result;
     }
 
-    Condition disjunction(int depth) { return chain("or", Kind::disjunction, depth, &Parser::conjunction); }
-    Condition conjunction(int depth) { return chain("and", Kind::conjunction, depth, &Parser::single); }
+    Condition disjunction(int depth) { return chain("or", Kind::disjunction, depth, &ConditionParser::conjunction); }
+    Condition conjunction(int depth) { return chain("and", Kind::conjunction, depth, &ConditionParser::single); }
 
     Condition single(int depth) {
         if (depth > deepest) throw Failure(Diagnostic{Id::too_deep, token().span, "the condition is nested too deeply"});
@@ -88,6 +88,6 @@ void Condition::collect(std::vector<std::pair<std::string, Span>>& effects) cons
     for (const Condition& part : parts) part.collect(effects);
 }
 
-Condition parse_condition(const Excerpt& excerpt) { return Parser(excerpt).whole(); }
+Condition parse_condition(const Excerpt& excerpt) { return ConditionParser(excerpt).whole(); }
 
 }  // namespace dalembert
