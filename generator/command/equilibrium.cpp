@@ -41,6 +41,9 @@ void hold_positions(const System& system, std::vector<GiNaC::ex>& x, const Value
     const GiNaC::exmap at = values.substitution();
     const bool finds_positions = system.needs_projection() && system.symbols.attitudes().empty();
     for (const ConstraintEquation& constraint : system.constraints) {
+        if (constraint.item->share)
+            throw Failure(Diagnostic{Id::not_allowed_here, constraint.item->span,
+                                     fmt::format("friction '{}' has a state in place of modes, and sticks anywhere in a range: there are no equilibria to be found of it. A run shows where it stays", constraint.name)});
         if (!constraint.holds || !constraint.position) continue;
         const auto held = coordinate_at_zero(*constraint.position, system.symbols);
         const GiNaC::ex place = held ? system.symbols.without_definitions(held->second) : GiNaC::ex(0);

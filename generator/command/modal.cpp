@@ -27,6 +27,9 @@ using MatrixRows = std::vector<std::vector<double>>;
 
 /// Modal forms are of machines with coordinates, whose forces know no further states.
 void refuse_other_machines(const System& system) {
+    for (const ConstraintEquation& constraint : system.constraints)
+        if (constraint.item->share)
+            throw Failure(Diagnostic{Id::not_allowed_here, constraint.item->span, fmt::format("friction '{}' has a state in place of modes, so that there is no mode to linearise the machine in; with fewer frictions there is one", constraint.name)});
     const Scene& scene = system.scene;
     const auto refuse = [&](const Span& place, std::string why) { throw Failure(Diagnostic{Id::not_allowed_here, place, std::move(why)}); };
     const auto& q = system.symbols.all(SymbolKind::coordinate);

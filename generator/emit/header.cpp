@@ -169,7 +169,7 @@ private:
         v["EVENT_EQUATIONS"] = comment_lines(event_equations(modes_));
         values("GUARD_FUNCTIONS", fill_template(embedded_file("mode_functions.hpp.in"), v));
         values("MODE_TABLES", mode_tables(modes_));
-        values("MODE_TYPES", fill_template(embedded_file("mode_types.hpp.in"), {{"NAMESPACE", placeholders_.at("NAMESPACE")}}));
+        values("MODE_TYPES", fill_template(embedded_file("mode_types.hpp.in"), {{"NAMESPACE", placeholders_.at("NAMESPACE")}, {"APART", events_apart(system_)}}));
     }
 
     /// Nothing where integration keeps exactly what constraints hold. Of a mode that needs no projection the values are zero.

@@ -99,6 +99,17 @@ std::string mode_tables(const std::vector<const Code*>& machine) {
                                                                            {"TRANSITIONS", rows.empty() ? "" : "{\n" + rows + "}"}});
 }
 
+std::string events_apart(const System& system) {
+    const auto list = [&](bool Event::*flag) {
+        std::vector<bool> flags;
+        for (const EventEquation& event : system.events) flags.push_back(event.item != nullptr && event.item->*flag);
+        return flags;
+    };
+    const std::vector<bool> at_once = list(&Event::at_once), at_start = list(&Event::at_start);
+    if (std::find(at_once.begin(), at_once.end(), true) == at_once.end()) return {};
+    return fill_template(embedded_file("mode_events_apart.hpp.in"), {{"AT_ONCE", fmt::format("{}", fmt::join(at_once, ", "))}, {"AT_START", fmt::format("{}", fmt::join(at_start, ", "))}});
+}
+
 std::vector<std::string> event_equations(const std::vector<const Code*>& machine) {
     std::vector<std::string> result;
     for (std::size_t e = 0; e < machine.front()->system.events.size(); ++e)

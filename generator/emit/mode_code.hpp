@@ -12,6 +12,9 @@ CppBody by_mode(const Scene& scene, const std::vector<CppBody>& bodies);
 /// The enumeration of modes, names, and what is watched in which mode and where it leads.
 std::string mode_tables(const std::vector<const Code*>& modes);
 
+/// Of frictions with states in place of modes: which events happen at once, and which at the start of a run. Empty if there are none.
+std::string events_apart(const System& system);
+
 /// The guard of each event, in the first mode that watches it.
 std::vector<std::string> event_equations(const std::vector<const Code*>& modes);
 

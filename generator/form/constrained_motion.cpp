@@ -32,6 +32,7 @@ public:
         find_repetitions();
         check_sliding();
         leave_out_redundant();
+        check_shares();
         Motion& motion = system_.motion;
         for (std::size_t j = 0; j < n_; ++j)
             if (std::none_of(rows_.begin(), rows_.end(), [&](const Row& row) { return row.pivot == j; })) motion.free.push_back(j);
@@ -185,6 +186,24 @@ private:
         }
     }
 
+    /// What a state lets go has a row that is zero there, and is not brought back to zero.
+    [[noreturn]] static void refuse_apart(const ConstraintEquation& c, const std::string& why) {
+        throw Failure(Diagnostic{Id::too_large, c.item->span, fmt::format("there are so many combinations of modes that friction '{}' has a state in place of modes, which cannot be: where it {}. Fewer frictions keep their modes", c.name, why)});
+    }
+
+    void check_shares() const {
+        const auto find = [&](bool has_share) { return std::find_if(kept_.begin(), kept_.end(), [&](const Row& row) { return (row.item->share != nullptr) == has_share; }); };
+        const auto apart = find(true), other = find(false);
+        if (apart == kept_.end()) return;
+        if (other != kept_.end()) refuse_apart(system_.constraints[apart->constraint], fmt::format("sticks, constraint '{}' holds a rate that gives no velocity of a coordinate", system_.constraints[other->constraint].name));
+        for (const Row& row : kept_) {
+            const ConstraintEquation& c = system_.constraints[row.constraint];
+            const ex share = system_.translate(c.item->share, {});
+            const auto moves = [&](const ex& factor) { return !is_of_parameters(ex(factor / share).normal(), symbols_); };
+            if (std::any_of(row.factors.begin(), row.factors.end(), moves) || moves(row.drift)) refuse_apart(c, "sticks, the factors of the velocities in its rate move");
+        }
+    }
+
     /// What follows from others wherever they hold cannot be told from these by its force. Neither elimination nor letters show it, but numbers do.
     void leave_out_redundant() {
         if (kept_.empty()) return;
@@ -196,6 +215,7 @@ private:
         for (const std::size_t constraint : ConstraintPoints(system_, order, defaults).redundant()) {
             if (std::none_of(kept_.begin(), kept_.end(), [&](const Row& row) { return row.constraint == constraint; })) continue;
             ConstraintEquation& c = system_.constraints[constraint];
+            if (c.item->share) refuse_apart(c, "sticks with all others, its rate follows from theirs");
             c.is_redundant = true;
             std::vector<Note> notes;
             for (const std::size_t other : order)
@@ -346,6 +366,7 @@ private:
                 constraint.force = ex(GiNaC::add(terms)).expand();
             }
             system_.prescribed_power -= constraint.force * constraint.rate.drift;
+            if (constraint.item->share && constraint.item->elsewhere) constraint.force += system_.translate(*constraint.item->elsewhere, indices_of(i));
         }
     }
 
@@ -383,6 +404,12 @@ void constrain(System& system) {
         if (item.position) c.position = system.translate(*item.position, indices);
         c.whole_rate = item.rate ? system.translate(*item.rate, indices) : system.symbols.time_derivative(*c.position);
         c.rate = affine_rate(c.whole_rate, system.symbols, item.span, fmt::format("the rate of constraint '{}'", c.name));
+        if (item.share) {
+            const ex share = system.translate(*item.share, indices);
+            c.whole_rate *= share;
+            c.rate.drift *= share;
+            for (ex& factor : c.rate.jacobian) factor *= share;
+        }
         if (item.elsewhere && !c.holds) c.force = system.translate(*item.elsewhere, indices);
         if (c.holds && c.position)
             if (auto at_zero = coordinate_at_zero(*c.position, system.symbols)) system.motion.positions.push_back(std::move(*at_zero));

@@ -79,6 +79,7 @@ private:
         if (constraint->position)
             if (const auto at_zero = coordinate_at_zero(*constraint->position, symbols_)) set(reset, symbols_.place(SymbolKind::coordinate, at_zero->first), at_zero->second);
         const Motion& motion = system_.motion;
+        if (constraint->item->share) return meet_apart(reset, *constraint);
         Impact impact{{}, constraint->rate.drift, restitution, std::nullopt};
         // Other constraints that hold go on holding.
         for (std::size_t i = 0; i < motion.free.size(); ++i) {
@@ -106,6 +107,38 @@ private:
             return;
         }
         reset.impact = std::move(impact);
+    }
+
+    /// Of friction with a state in place of modes the rate is zero but for roundings where it stops, and where it breaks away after having stuck
+    /// for some time. Then it is zero exactly, by one velocity.
+    void meet_apart(Reset& reset, const ConstraintEquation& constraint) const {
+        const Motion& motion = system_.motion;
+        const ex share = system_.translate(*constraint.item->share, {});
+        const auto own = [&](const ex& e) { return ex(e / share).normal(); };
+        const auto factor = [&](std::size_t i) {
+            ex sum = constraint.rate.jacobian[motion.free[i]];
+            for (const auto& [coordinate, rate] : motion.velocities) sum += constraint.rate.jacobian[coordinate] * rate.jacobian[i];
+            return own(sum);
+        };
+        std::optional<std::size_t> pivot;
+        std::vector<ex> factors;
+        for (std::size_t i = 0; i < motion.free.size(); ++i) {
+            factors.push_back(factor(i));
+            if (!factors[i].is_zero() && (!pivot || GiNaC::is_a<GiNaC::numeric>(factors[i]))) pivot = i;
+        }
+        if (!pivot) return;
+        ex drift = constraint.rate.drift;
+        for (const auto& [coordinate, rate] : motion.velocities) drift += constraint.rate.jacobian[coordinate] * rate.drift;
+        ex others = own(drift);
+        for (std::size_t i = 0; i < factors.size(); ++i)
+            if (i != *pivot) others += factors[i] * velocity(motion.free[i]);
+        const ex after = (-others / factors[*pivot]).expand();
+        set(reset, symbols_.place(SymbolKind::velocity, motion.free[*pivot]), after);
+        for (const auto& [coordinate, rate] : motion.velocities) {
+            ex value = rate.drift;
+            for (std::size_t i = 0; i < motion.free.size(); ++i) value += rate.jacobian[i] * (i == *pivot ? after : velocity(motion.free[i]));
+            set(reset, symbols_.place(SymbolKind::velocity, coordinate), value);
+        }
     }
 
     /// The free coordinate that alone is struck: the only one in the direction, whose inertia is not coupled with others.

@@ -204,7 +204,7 @@ Rate System::rate() const {
 bool System::needs_projection() const {
     return std::any_of(constraints.begin(), constraints.end(), [&](const ConstraintEquation& c) {
         const auto moves = [&](const ex& factor) { return !is_of_parameters(factor, symbols); };
-        return c.holds && (c.has_multiplier || c.is_redundant || std::any_of(c.rate.jacobian.begin(), c.rate.jacobian.end(), moves));
+        return c.holds && !c.item->share && (c.has_multiplier || c.is_redundant || std::any_of(c.rate.jacobian.begin(), c.rate.jacobian.end(), moves));
     });
 }
 

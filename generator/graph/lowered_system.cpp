@@ -211,6 +211,7 @@ std::vector<ModeCondition> conditions(const System& system) {
     }
     for (const std::size_t constraint : system.motion.multipliers) {
         const ConstraintEquation& c = system.constraints[constraint];
+        if (c.item->share) continue;  // no mode holds it
         if (c.position) result.push_back({std::nullopt, *c.position, true});
         result.push_back({std::nullopt, c.whole_rate, false});
     }

@@ -14,6 +14,7 @@ namespace dalembert {
 namespace {
 
 const std::vector<std::string> saturation_modes{"within", "below", "above"};
+const std::vector<std::string> friction_modes{"sticks", "slides_forwards", "slides_backwards"};
 const std::vector<std::string> valve_modes{"shut", "open"};
 const std::vector<std::string> orifice_modes{"subsonic", "choked", "subsonic_back", "choked_back"};
 
@@ -21,6 +22,8 @@ const std::vector<std::string>& modes_of(const Flow& flow) { return flow.law == 
 
 /// Each combination has code of its own: more of them take long to derive and to compile. What cannot be written without modes may have more.
 constexpr int few = 64;
+/// States of frictions cost more in a run than modes do.
+constexpr int few_with_frictions = 128;
 
 /// All combinations, whether or not they can be.
 double combinations(const Model& model) {
@@ -89,6 +92,25 @@ void expand_as_edges(Model& model, Diagnostics& diagnostics) {
     if (names.empty()) return;
     diagnostics.warning(Id::too_large, first,
                         fmt::format("with the modes of all elements there would be {:g} combinations, each with code of its own. Therefore {} {} no modes: where a function switches there, runs locate it as an edge. An element keeps its modes where the file names one of them", count, fmt::join(names, ", "), names.size() == 1 ? "brings" : "bring"));
+}
+
+void keep_frictions_apart(Model& model, Diagnostics& diagnostics) {
+    const double count = combinations(model);
+    if (count <= few_with_frictions) return;
+    // An impact turns velocities round, and frictions with them: that is known of modes alone.
+    const bool has_impacts = !model.stops.empty() || std::any_of(model.events.begin(), model.events.end(), [](const Event& event) { return event.meets || !event.reset.empty(); });
+    if (has_impacts) return;
+    std::vector<std::string> names;
+    Span first;
+    for (Friction& friction : model.frictions) {
+        if (is_named(model, friction, friction_modes)) continue;
+        if (names.empty()) first = friction.span;
+        names.push_back(fmt::format("'{}'", friction.name));
+        friction.by_state = true;
+    }
+    if (names.empty()) return;
+    diagnostics.warning(Id::too_large, first,
+                        fmt::format("with the modes of all elements there would be {:g} combinations, each with code of its own. Therefore {} {} no modes, but a state each, as '{}_direction': 0 where it sticks, 1 and -1 where it slides forwards and backwards. A friction keeps its modes where the file names one of them", count, fmt::join(names, ", "), names.size() == 1 ? "brings" : "bring", names.front().substr(1, names.front().size() - 2)));
 }
 
 }  // namespace dalembert

@@ -25,9 +25,66 @@ bool mentions_what_moves(const Expression& e, const Model& model, std::set<std::
     return moves;
 }
 
+ExpressionPtr sign_of(const ExpressionPtr& a) { return std::make_shared<Expression>(Expression{Kind::call, a->span, 0, "sign", {a}}); }
+
+/// The surfaces of a friction may be pulled apart.
+void expand_parting(Model& model, const Friction& friction, const Element& made) {
+    Event parts = made.make<Event>(made.part("parts"), friction.when);
+    parts.doc = "the surfaces of friction '" + friction.name + "' are pulled apart: its normal force becomes negative";
+    parts.guard = friction.normal_force;
+    parts.ends = parts.is_limit = true;
+    model.events.push_back(std::move(parts));
+}
+
+/// The same as with modes, with a state d in their place: 0 where it sticks, 1 and -1 where it slides forwards and backwards. What is watched in one
+/// mode alone is multiplied by a factor that is 1 there and 0 elsewhere, and 1 less that factor is added.
+void expand_by_state(Model& model, const Friction& friction) {
+    const Element made(model, friction);
+    const ExpressionPtr one = make_number(1, friction.span), d = made.name(made.part("direction")), square = times(d, d);
+    const ExpressionPtr sticks = minus(one, square);
+    State direction = made.make<State>(made.part("direction"), friction.when);
+    direction.unit.written = "1";
+    direction.start = direction.derivative = make_number(0, friction.span);
+    direction.doc = "of friction '" + friction.name + "': 0 where it sticks, 1 and -1 where it slides forwards and backwards";
+    model.states.push_back(std::move(direction));
+
+    const ExpressionPtr sliding = times(friction.coefficient, friction.normal_force);
+    const ExpressionPtr holding = times(friction.static_coefficient ? friction.static_coefficient : friction.coefficient, friction.normal_force);
+    Constraint constraint = made.make<Constraint>(friction.name, friction.when);
+    constraint.rate = friction.rate;
+    constraint.share = sticks;
+    constraint.multiplier = true;
+    constraint.elsewhere = negative(times(d, sliding));
+    model.constraints.push_back(std::move(constraint));
+    Damper damper = made.make<Damper>(made.part("slides"), friction.when);
+    damper.rate = friction.rate;
+    damper.force = Law{"rate", times(d, sliding), friction.span};
+    model.dampers.push_back(std::move(damper));
+
+    const auto event = [&](const char* name, const ExpressionPtr& guard, const ExpressionPtr& to) -> Event& {
+        Event made_event = made.make<Event>(made.part(name), friction.when);
+        made_event.guard = guard;
+        made_event.reset = {{d, to, friction.span}};
+        made_event.meets = made.itself();
+        made_event.at_once = true;
+        model.events.push_back(std::move(made_event));
+        return model.events.back();
+    };
+    const auto watched = [&](const ExpressionPtr& where, const ExpressionPtr& guard) { return plus(times(where, guard), minus(one, where)); };
+    const auto half = [&](const ExpressionPtr& a) { return over(a, make_number(2, friction.span)); };
+    const ExpressionPtr force = made.own("constraint_force"), zero = make_number(0, friction.span);
+    event("breaks_forwards", watched(sticks, plus(holding, force)), one);
+    event("breaks_backwards", watched(sticks, minus(holding, force)), negative(one));
+    event("stops_forwards", watched(half(plus(square, d)), friction.rate), zero);
+    event("stops_backwards", watched(half(minus(square, d)), negative(friction.rate)), zero);
+    Event& start = event("starts", plus(one, square), sign_of(friction.rate));
+    start.meets.reset();
+    start.at_once = false;
+    start.at_start = true;
+}
+
 /// Sticks while |force| <= static_coefficient*normal_force; slides either way against coefficient*normal_force.
-void expand(Model& model, const Friction& friction, bool may_part) {
-    if (!friction.rate || !friction.normal_force || !friction.coefficient) return;  // reported where it was read
+void expand_by_modes(Model& model, const Friction& friction) {
     Element made(model, friction);
     made.modes({"sticks", "slides_forwards", "slides_backwards"});
     const ExpressionPtr sliding = times(friction.coefficient, friction.normal_force);
@@ -51,12 +108,12 @@ void expand(Model& model, const Friction& friction, bool may_part) {
     made.event("breaks_backwards", "sticks", minus(holding, made.own("constraint_force")), {"slides_backwards"});
     made.event("stops_forwards", "slides_forwards", friction.rate, {"sticks", "slides_backwards", "slides_forwards"}).meets = made.itself();
     made.event("stops_backwards", "slides_backwards", negative(friction.rate), {"sticks", "slides_forwards", "slides_backwards"}).meets = made.itself();
-    if (!may_part) return;
-    Event parts = made.make<Event>(made.part("parts"), friction.when);
-    parts.doc = "the surfaces of friction '" + friction.name + "' are pulled apart: its normal force becomes negative";
-    parts.guard = friction.normal_force;
-    parts.ends = parts.is_limit = true;
-    model.events.push_back(std::move(parts));
+}
+
+void expand(Model& model, const Friction& friction, bool may_part) {
+    if (!friction.rate || !friction.normal_force || !friction.coefficient) return;  // reported where it was read
+    friction.by_state ? expand_by_state(model, friction) : expand_by_modes(model, friction);
+    if (may_part) expand_parting(model, friction, Element(model, friction));
 }
 
 void expand(Model& model, const Stop& stop) {

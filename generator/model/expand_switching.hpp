@@ -12,6 +12,9 @@ void expand_attitudes(Model& model);
 /// Where the modes of all elements would make too many combinations: of saturations and flows whose modes nobody names, functions that are located
 /// where they switch, instead of modes. They add forces and flows and hold nothing, so that the motion is the same.
 void expand_as_edges(Model& model, Diagnostics& diagnostics);
+/// Where there are still too many: of frictions whose modes nobody names, states that say how they are, instead of modes. Each of them then has
+/// equations of its own, and combinations have none.
+void keep_frictions_apart(Model& model, Diagnostics& diagnostics);
 /// Frictions, stops and contacts: modes, constraints, events, springs and dampers.
 void expand_contacts(Model& model);
 /// Profiles, and saturations that are not edges already: modes, events, and a definition that is their value.

@@ -184,6 +184,7 @@ public:
         collection("constraints", model_.constraints);
         collection("events", model_.events);
         expand_as_edges(model_, diagnostics_);
+        keep_frictions_apart(model_, diagnostics_);
         expand_contacts(model_);
         expand_signals(model_);
         expand_balances(model_);

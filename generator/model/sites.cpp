@@ -373,6 +373,7 @@ void visit(const Constraint& item, const SiteVisitor& visitor) {
     each(item.position, on_configuration | on_places, "position");
     each(item.eliminates);
     each(item.elsewhere, on_state_and_inputs | on_places, "force");
+    each(item.share, on_states, "share");
 }
 
 void visit(const Event& item, const SiteVisitor& visitor) {

@@ -23,6 +23,7 @@ struct Constraint : Item {
     std::optional<Reference> eliminates;  ///< the coordinate whose velocity is to follow from it
     bool multiplier = false;              ///< nothing is to be eliminated
     ExpressionPtr elsewhere; ///< the force along the rate where it does not hold, for people only; null: zero
+    ExpressionPtr share;     ///< 1 where it holds and 0 where it does not, of states that events set; null: 1
 };
 
 /// Happens where the guard falls through zero (or rises).
@@ -37,6 +38,8 @@ struct Event : Item {
     std::vector<Condition> next;      ///< modes afterwards, in order of preference; none: as before
     std::vector<Condition> rest;      ///< modes after infinitely many of it
     std::vector<RunEntry> rest_reset;
+    bool at_once = false;             ///< it happens at once where another event takes its guard below zero
+    bool at_start = false;            ///< a run begins with what it resets, and it does not happen later
 };
 
 /// Dry friction along a rate: it sticks up to static_coefficient*normal_force, and slides with coefficient*normal_force (2.95)-(2.99).
@@ -45,6 +48,7 @@ struct Friction : Item {
     ExpressionPtr normal_force;
     ExpressionPtr coefficient;
     ExpressionPtr static_coefficient;  ///< null: the same
+    bool by_state = false;             ///< it brings no modes, but a state that says whether it sticks and which way it slides
 };
 
 /// A gap that cannot become negative. It is struck with a restitution, and closed where the machine leans on it.

@@ -36,6 +36,11 @@ inline constexpr bool has_modes_beside = false;
 template <class System>
 inline constexpr bool has_modes_beside<System, std::void_t<decltype(&System::modes_beside)>> = true;
 
+template <class System, class = void>
+inline constexpr bool has_events_at_once = false;
+template <class System>
+inline constexpr bool has_events_at_once<System, std::void_t<decltype(System::happens_at_once(std::size_t()))>> = true;
+
 template <class System, bool>
 struct DerivativeTypes {};
 template <class System>
@@ -118,8 +123,10 @@ Acceptance acceptance(const System& system, typename System::Mode mode, const ty
     for (std::size_t e = 0; e < g.size(); ++e) {
         if (!System::is_watched(mode, e)) continue;
         const bool fell = is_late && g[e] < Scalar(0) && g[e] >= Scalar(2) * instant * rates[e];
-        if (!(g[e] >= Scalar(0)) && !fell) return {};
-        const bool falls = g[e] == Scalar(0) ? !(rates[e] >= Scalar(0)) : g[e] + instant * rates[e] <= Scalar(0);
+        bool is_driven = false;
+        if constexpr (has_events_at_once<System>) is_driven = System::happens_at_once(e) && g[e] < Scalar(0);
+        if (!(g[e] >= Scalar(0)) && !fell && !is_driven) return {};
+        const bool falls = is_driven || (g[e] == Scalar(0) ? !(rates[e] >= Scalar(0)) : g[e] + instant * rates[e] <= Scalar(0));
         if (falls && result.event == Outcome::none) result.event = e;
     }
     return result;

@@ -42,6 +42,15 @@ public:
     static constexpr decltype(auto) modes_beside(std::size_t event, Mode mode) { return System::modes_beside(event, mode); }
     static constexpr decltype(auto) after_accumulation(std::size_t event, Mode mode) { return System::after_accumulation(event, mode); }
 
+    template <class S = System, class = std::enable_if_t<has_events_at_once<S>>>
+    static constexpr bool happens_at_once(std::size_t event) {
+        return S::happens_at_once(event);
+    }
+    template <class S = System, class = std::enable_if_t<has_events_at_once<S>>>
+    static constexpr bool happens_at_start(std::size_t event) {
+        return S::happens_at_start(event);
+    }
+
     void rhs(Mode mode, const State& x, const Input& u, scalar_type t, State& dxdt) const {
         const Plain at = plain(x);
         Plain rate;

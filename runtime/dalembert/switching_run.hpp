@@ -30,6 +30,9 @@ public:
         if (!control_.are_options_good()) return end(Status::bad_options);
         if (!is_finite()) return end(Status::not_finite);
         std::size_t event = none;
+        if constexpr (has_events_at_once<System>)
+            for (std::size_t e = 0; e < events; ++e)
+                if (System::happens_at_start(e)) system_.reset(e, Mode{}, x_, inputs_(x_, t_), t_);
         if (!start(is_given, given, event)) {
             result_.last.event = happened_before();
             return end(Status::no_start_mode);
