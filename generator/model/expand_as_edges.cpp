@@ -100,6 +100,9 @@ void keep_frictions_apart(Model& model, Diagnostics& diagnostics) {
     // An impact turns velocities round, and frictions with them: that is known of modes alone.
     const bool has_impacts = !model.stops.empty() || std::any_of(model.events.begin(), model.events.end(), [](const Event& event) { return event.meets || !event.reset.empty(); });
     if (has_impacts) return;
+    // Where frictions are more than freedoms, rates of some follow from those of others: modes leave out what cannot be, a state cannot.
+    const bool has_families = std::any_of(model.coordinates.begin(), model.coordinates.end(), [](const Coordinate& q) { return q.family.has_value(); });
+    if (!has_families && model.frictions.size() > model.coordinates.size() + 3 * model.attitudes.size()) return;
     std::vector<std::string> names;
     Span first;
     for (Friction& friction : model.frictions) {
