@@ -112,8 +112,10 @@ void write_all(int file, std::string_view text) {
 
 /// Sanitizers take address space that says nothing.
 constexpr bool limits_memory() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)  // gcc
     return false;
+#elif defined(__has_feature)
+    return !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
 #else
     return true;
 #endif
