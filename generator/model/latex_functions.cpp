@@ -68,7 +68,11 @@ ExpressionPtr LatexParser::function_argument(const std::string& name) {
         }
         const bool is_angle = is_plain_letter && angles.contains(part.text);
         const std::size_t begin = at_;
+        const auto marked = is_marked && part.kind == LatexToken::Kind::command && !part.is("\\sqrt") ? letter_at(at_) : std::nullopt;
         ExpressionPtr next_part = factor();
+        const bool may_go_on = marked && !marked->first.letter.marks.empty() && !marked->first.letter.is_vector() && !angles.contains(marked->first.letter.base);
+        if (may_go_on && token().space < Space::thin && (token().kind == LatexToken::Kind::letter || is_greek(token().text)) && starts_factor() && !at_differential())
+            wrong(place(token()), fmt::format("it is not clear whether '{}' belongs to the argument of '{}'; write brackets around the argument", shown(token()), name));  // \cos\bar\omega t
         const bool is_numeric = next_part->kind == Kind::number || (next_part->kind == Kind::divide && next_part->children[0]->kind == Kind::number && next_part->children[1]->kind == Kind::number);
         is_only_number = is_only_number && (is_numeric || at(begin).is("\\pi"));
         argument = argument ? node(Kind::multiply, first, {std::move(argument), std::move(next_part)}) : std::move(next_part);

@@ -46,6 +46,7 @@ const Wrong wrongs[]{
     {"a = 42{,}164 b", 5, "it is not clear whether this ',' stands between thousands or before decimals"},
     {R"(a = \sin)", 9, "the argument of 'sin'"},
     {R"(a = \sin \omega (t - b))", 17, "it is not clear whether this bracket belongs to the argument of 'sin'"},
+    {R"(a = \cos\bar\omega t)", 20, "it is not clear whether 't' belongs to the argument of 'cos'"},
     {R"(a = \exp^{-1} x)", 11, "the inverse of 'exp' is not read"},
     {R"(a = b/c d)", 6, "it is not clear whether 'd' is divided by as well"},
     {R"(a = \frac{d}{dt})", 17, "what is differentiated"},
