@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "balance/junctions.hpp"
 #include "symbolic/functions.hpp"
 
 namespace dalembert {
@@ -141,6 +142,8 @@ const FlowState* Fluids::find_flow(const std::string& name, int index) const {
 
 void complete_fluids(Fluids& fluids, const Scene& scene, const Translator& translate, Symbols& symbols, const HeatNetwork& heat) {
     fluids.flows = make_flows(scene, translate, symbols, fluids.containers);
+    solve_junctions(fluids.flows, fluids.containers, scene);
+    if (!fluids.containers.junctions.empty()) translate.forget();
     fluids.force.assign(symbols.degrees(), 0);
     for (ControlVolume& v : fluids.containers.volumes) {
         const Indices indices = Translator::indices_of(v.member);

@@ -24,11 +24,12 @@ const State* find(const std::vector<State>& states, const std::string& name, int
 
 class Containing {
 public:
-    Containing(const Scene& scene, const Translator& translate) : scene_(scene), translate_(translate), symbols_(translate.symbols()) {}
+    Containing(const Scene& scene, const Translator& translate, Symbols& symbols) : scene_(scene), translate_(translate), symbols_(symbols) {}
 
     Containers run() {
         for (const auto& member : scene_.media) result_.media.emplace_back(*member.item, scene_, translate_);
         for (const auto& member : scene_.reservoirs) result_.reservoirs.push_back(reservoir(member));
+        for (const auto& member : scene_.junctions) result_.junctions.push_back(junction(member));
         for (const auto& member : scene_.volumes) result_.volumes.push_back(volume(member));
         return std::move(result_);
     }
@@ -43,6 +44,17 @@ private:
         const std::optional<ex> T = item.temperature ? std::optional(translate_(item.temperature, indices)) : medium.reference_temperature(item);
         const MediumState state = medium.at_pressure(translate_(item.pressure, indices), T.value_or(0));
         return {member, &medium, {state.pressure, T, state.density, state.energy, state.enthalpy, value(item.potential, indices)}};
+    }
+
+    JunctionState junction(const Member<Junction>& member) const {
+        const Junction& item = *member.item;
+        if (scene_.thermal_media.contains(item.medium.name))
+            throw Failure(Diagnostic{Id::not_allowed_here, item.span, fmt::format("junction '{}' holds '{}', whose temperature scene '{}' gives or balances somewhere; this version does not mix in junctions. Leave the temperatures out, or make the junction a small volume with a temperature", member.name(), item.medium.name, scene_.name)});
+        JunctionState j{member, result_.find_medium(item.medium.name), symbols_.letter("pressure[" + member.name() + "]"), {}};
+        j.fluid.temperature = j.medium->reference_temperature(item);
+        j.fluid.potential = value(item.potential, Translator::indices_of(member));
+        j.take_pressure(j.letter);
+        return j;
     }
 
     /// The position of the state that an entry names.
@@ -163,7 +175,7 @@ private:
 
     const Scene& scene_;
     const Translator& translate_;
-    const Symbols& symbols_;
+    Symbols& symbols_;
     Containers result_;
 };
 
@@ -177,6 +189,16 @@ const MediumModel* Containers::find_medium(const std::string& name) const {
 const ControlVolume* Containers::find_volume(const std::string& name, int index) const { return find(volumes, name, index); }
 const ReservoirState* Containers::find_reservoir(const std::string& name, int index) const { return find(reservoirs, name, index); }
 
-Containers make_containers(const Scene& scene, const Translator& translate) { return Containing(scene, translate).run(); }
+const JunctionState* Containers::find_junction(const std::string& name, int index) const { return find(junctions, name, index); }
+
+void JunctionState::take_pressure(const ex& pressure) {
+    const MediumState state = medium->at_pressure(pressure, fluid.temperature.value_or(0));
+    fluid.pressure = pressure;
+    fluid.density = state.density;
+    fluid.energy = state.energy;
+    fluid.enthalpy = state.enthalpy;
+}
+
+Containers make_containers(const Scene& scene, const Translator& translate, Symbols& symbols) { return Containing(scene, translate, symbols).run(); }
 
 }  // namespace dalembert

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Volumes and reservoirs: the state of the medium in them, and what they store.
+// Volumes, reservoirs and junctions: the state of the medium in them, and what they store.
 #pragma once
 
 #include <deque>
@@ -25,6 +25,17 @@ struct ReservoirState {
     Member<Reservoir> member;
     const MediumModel* medium;
     FluidState fluid;
+};
+
+/// A junction. Its pressure has a letter until flows are known.
+struct JunctionState {
+    Member<Junction> member;
+    const MediumModel* medium;
+    GiNaC::ex letter;
+    FluidState fluid;
+
+    /// The fluid at a pressure, at the temperature of the medium's reference.
+    void take_pressure(const GiNaC::ex& pressure);
 };
 
 /// A control volume. The medium in it has one state; with a filling the surface moves, else the walls do.
@@ -57,15 +68,17 @@ struct ControlVolume {
 struct Containers {
     std::deque<MediumModel> media;
     std::vector<ReservoirState> reservoirs;
+    std::vector<JunctionState> junctions;
     std::vector<ControlVolume> volumes;
 
     const MediumModel* find_medium(const std::string& name) const;
     /// Null where the scene has none of that name and index.
     const ControlVolume* find_volume(const std::string& name, int index) const;
     const ReservoirState* find_reservoir(const std::string& name, int index) const;
+    const JunctionState* find_junction(const std::string& name, int index) const;
 };
 
 /// Throws Failure (not-allowed-here: a size that depends on foreign states; missing-key; cannot-integrate).
-Containers make_containers(const Scene& scene, const Translator& translate);
+Containers make_containers(const Scene& scene, const Translator& translate, Symbols& symbols);
 
 }  // namespace dalembert

@@ -33,10 +33,11 @@ public:
         const Flow& item = *member.item;
         indices_ = Translator::indices_of(member);
         FlowState f{member, nullptr, nullptr, nullptr, nullptr, {}, {}, {}, {}, {}, {}, {}, std::vector<ex>(symbols_.degrees(), 0), {}, {}};
-        f.from = end(item.from, f.from_volume);
-        f.to = end(item.to, f.to_volume);
+        f.from = end(item.from, f.from_volume, f.from_junction);
+        f.to = end(item.to, f.to_volume, f.to_junction);
         if (f.from == f.to)
             throw Failure(Diagnostic{Id::not_allowed_here, item.to.span, fmt::format("flow '{}' goes from '{}' to itself", member.name(), (f.from_volume != nullptr ? f.from_volume->member.name() : item.from.name))});
+        if (f.from_junction != nullptr || f.to_junction != nullptr) return at_junction(f);
         switch (item.law) {
             case Flow::Law::given_mass:
                 f.mass_flow = value(item.mass_flow);
@@ -54,12 +55,39 @@ public:
     }
 
 private:
+    /// Of one density, so that the law is the same both ways.
+    FlowState& at_junction(FlowState& f) {
+        const Flow& item = *f.member.item;
+        f.density = (f.from_junction != nullptr ? f.from_junction : f.to_junction)->medium->reference_density();
+        const auto by_orifice = [&] { return value(item.coefficient) * value(item.area) * GiNaC::sqrt(2 * f.density); };
+        switch (item.law) {
+            case Flow::Law::given_mass: f.mass_flow = value(item.mass_flow); break;
+            case Flow::Law::given_volume: f.mass_flow = f.density * value(item.volume_flow); break;
+            case Flow::Law::laminar: f.law_at_junction = {false, f.density * value(item.conductance)}; break;
+            case Flow::Law::hydraulic_orifice: f.law_at_junction = {true, by_orifice()}; break;
+            case Flow::Law::check_valve:
+                if (!is_in(f, "_open")) break;
+                f.law_at_junction = {!item.conductance, item.conductance ? f.density * value(item.conductance) : by_orifice(), value(item.cracking_pressure)};
+                break;
+            case Flow::Law::pump: pump(f); break;
+            case Flow::Law::pipe: pipe(f); break;
+            case Flow::Law::pneumatic_orifice: break;  // was refused
+        }
+        if (!f.law_at_junction) return f;
+        const PressureLaw& law = *f.law_at_junction;
+        const ex drive = f.from->pressure - f.to->pressure + f.density * (f.from->potential - f.to->potential) - law.opening;
+        f.mass_flow = law.factor * (law.is_root ? signed_root(drive) : drive);
+        return f;
+    }
+
     ex value(const ExpressionPtr& e) const { return e ? translate_(e, indices_) : ex(0); }
 
-    const FluidState* end(const Reference& reference, const ControlVolume*& volume) const {
+    const FluidState* end(const Reference& reference, const ControlVolume*& volume, const JunctionState*& junction) const {
         const int index = reference.index ? index_value(*reference.index, scene_, indices_) : 0;
         volume = containers_.find_volume(reference.name, index);
         if (volume != nullptr) return &volume->fluid;
+        junction = containers_.find_junction(reference.name, index);
+        if (junction != nullptr) return &junction->fluid;
         if (const ReservoirState* reservoir = containers_.find_reservoir(reference.name, index)) return &reservoir->fluid;
         throw Failure(Diagnostic{Id::index_out_of_range, reference.span, fmt::format("the scene has no '{}'", std::string(reference.span.text()))});
     }
@@ -171,7 +199,8 @@ private:
         const ex displacement = value(item.displacement);
         const ex speed = value(item.speed);
         const ex volume_flow = item.volume_flow ? value(item.volume_flow) : displacement * speed;
-        by_volume(f, volume_flow);
+        if (f.from_junction != nullptr || f.to_junction != nullptr) f.mass_flow = f.density * volume_flow;
+        else by_volume(f, volume_flow);
         const ex lift = f.to->pressure - f.from->pressure + f.density * (f.to->potential - f.from->potential);
         f.shaft_power = volume_flow * lift;
         f.outside_power = f.shaft_power;
@@ -191,7 +220,7 @@ private:
         const ex v = translate_(item.velocity, indices_);
         const ex area = value(item.area);
         const ex length = value(item.length);
-        f.density = (f.from_volume != nullptr ? f.from_volume->medium : reservoir_medium(item.from))->reference_density();
+        if (f.from_junction == nullptr) f.density = (f.from_volume != nullptr ? f.from_volume->medium : reservoir_medium(item.from))->reference_density();
         ex loss = 0;
         if (item.loss) {
             const ex letter = symbols_.letter(item.loss->variable);

@@ -18,10 +18,18 @@ struct Guard {
     bool is_same(const Guard& other) const { return name == other.name && doc == other.doc && ends == other.ends; }
 };
 
+/// How the mass flow at a junction follows from pressures: factor*d or factor*signed_root(d), where d = p_from - p_to + density*(potential_from -
+/// potential_to) - opening.
+struct PressureLaw {
+    bool is_root;
+    GiNaC::ex factor;
+    GiNaC::ex opening = 0;
+};
+
 /// A flow with its two ends. Energies are per second and positive from `from` to `to`.
 struct FlowState {
     Member<Flow> member;
-    const ControlVolume* from_volume;  ///< null: a reservoir
+    const ControlVolume* from_volume;  ///< null: a reservoir or junction
     const ControlVolume* to_volume;
     const FluidState* from;
     const FluidState* to;
@@ -35,6 +43,9 @@ struct FlowState {
     std::vector<GiNaC::ex> torque;     ///< generalised force of a pump's shaft on the mechanics, an entry a coordinate
     GiNaC::ex outside_power;           ///< part of the shaft power that comes from outside of the mechanics
     std::vector<Guard> edges;
+    const JunctionState* from_junction = nullptr;
+    const JunctionState* to_junction = nullptr;
+    std::optional<PressureLaw> law_at_junction = {};  ///< nothing: no junction, or the mass flow is given
     GiNaC::ex demand = 0;              ///< kg/s; what the mass flow would be if the volume it comes from were not empty
 
     /// What leaves `from` and what arrives at `to`: the enthalpy and potential of the upstream side; what a shaft adds and a stream

@@ -47,7 +47,7 @@ std::string quantity_reference() {
         return text;
     };
     return "Derived quantities, for outputs and printed equations:\n" + rows(false) +
-           "Properties, usable wherever states are; X is a volume or reservoir:\n" + rows(true);
+           "Properties, usable wherever states are; X is a volume, reservoir or junction:\n" + rows(true);
 }
 
 std::string catalogue_reference() {

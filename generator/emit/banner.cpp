@@ -34,11 +34,11 @@ std::string fixed_list(const System& system) {
 }
 
 /// The number of nodes of the largest network that is solved at once, zero without one.
-std::size_t largest_network(const Code& code) {
+std::size_t largest_network(const Code& code, bool of_junctions) {
     std::size_t largest = 0;
     for (const FunctionCode& f : code.functions)
         for (const NodeId id : f.program.in_order(f.roots()))
-            if (const Node& node = f.program[id]; node.kind == Node::Kind::function && is_array(node.op)) largest = std::max(largest, order_of_network(node));
+            if (const Node& node = f.program[id]; node.kind == Node::Kind::function && is_array(node.op) && (node.op == Op::junction_root) == of_junctions) largest = std::max(largest, order_of_network(node));
     return largest;
 }
 
@@ -106,7 +106,8 @@ std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, 
         text += fmt::format("//   {:<18} {:>5} {:>6} {:>5} {:>8} {:>6}\n", name_of(function), c.additions, c.multiplications, c.divisions, c.trigonometric, c.other);
     }
     if (std::any_of(code.functions.begin(), code.functions.end(), [](const FunctionCode& f) { return f.by_loops; })) text += fmt::format("//   and solves with M ({} x {}) by loops, which are not counted\n", code.solve.n, code.solve.n);
-    if (const std::size_t nodes = largest_network(code)) text += fmt::format("//   and solves for the temperatures of networks of up to {} nodes, of which only the calls are counted\n", nodes);
+    if (const std::size_t nodes = largest_network(code, false)) text += fmt::format("//   and solves for the temperatures of networks of up to {} nodes, of which only the calls are counted\n", nodes);
+    if (const std::size_t roots = largest_network(code, true)) text += fmt::format("//   and solves for the pressures of junctions of up to {} orifices, of which only the calls are counted\n", roots);
     text += "//\n// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software\n"
             "// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.\n";
     return text;

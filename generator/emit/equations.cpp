@@ -183,6 +183,8 @@ std::string equations_as_text(const System& s) {
     for (const auto& [letter, value] : s.named.names) text += fmt::format("  {} = {}\n", write(letter), write(value));
     if (!s.named.balanced.empty()) text += "\ntemperatures that follow from balances\n";
     for (const auto& [letter, heat] : s.named.balanced) text += fmt::format("  {}: 0 = {}\n", write(letter), write(heat));
+    if (!s.named.junctions.empty()) text += "\npressures of junctions that follow from balances\n";
+    for (const auto& [letter, inflow] : s.named.junctions) text += fmt::format("  {}: 0 = {}\n", write(letter), write(inflow));
     if (!s.state_rates.empty()) text += "\nstates\n";
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
         text += fmt::format("  dot({}) = {}\n", s.symbols.all(SymbolKind::state)[i].name, write(s.named.state_rates[i]));
@@ -227,7 +229,8 @@ std::string equations_as_latex(const System& s) {
     for (const ConstraintEquation& c : s.constraints)
         if (c.has_multiplier) lines.push_back(fmt::format("0 &= {}", write(c.position ? *c.position : c.whole_rate)));
     for (const auto& [letter, value] : s.named.names) lines.push_back(fmt::format("{} &= {}", write(letter), write(value)));
-    for (const auto& [letter, heat] : s.named.balanced) lines.push_back(fmt::format("0 &= {} \\quad ({})", write(heat), write(letter)));
+    for (const auto* balances : {&s.named.balanced, &s.named.junctions})
+        for (const auto& [letter, sum] : *balances) lines.push_back(fmt::format("0 &= {} \\quad ({})", write(sum), write(letter)));
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
         lines.push_back(fmt::format("{} &= {}", write.symbol(s.symbols.all(SymbolKind::state_rate)[i]), write(s.named.state_rates[i])));
     for (const RodField& f : s.heat.fields)

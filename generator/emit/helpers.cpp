@@ -23,6 +23,7 @@ const std::vector<Helper>& helpers() {
     static constexpr const char* fluids = "fluid_functions.hpp";
     static constexpr const char* heat = "heat_functions.hpp";
     static constexpr const char* networks = "heat_networks.hpp";
+    static constexpr const char* junctions = "junctions.hpp";
     static const std::vector<Helper> table{
         {"select", scalars, {}},
         {"sign", scalars, {"select"}},
@@ -70,6 +71,7 @@ const std::vector<Helper>& helpers() {
         {"network", networks, {}},
         {"network_inverse", networks, {"network"}},
         {"balanced_temperature", networks, {"select", "network"}},
+        {"junction_root", junctions, {"select", "signed_root"}},
         {"series_sums", "series_functions.hpp", {}},
         {"ldlt", "ldlt.hpp", {"unroll"}},
     };

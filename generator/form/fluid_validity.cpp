@@ -135,7 +135,7 @@ void warn_of_stiff_junctions(System& system) {
         }
         if (others.size() < 2) continue;
         system.warnings.push_back({Id::value_out_of_range, volume.member.item->span,
-                                   fmt::format("volume '{}' stores {:.2g} kg/Pa, next to nothing beside the volumes around it: where {} come to balance, their slopes are infinite together, and a run may stop there. Give each of them a 'width', a pressure difference within which the root is smooth, such as \"1 Pa\"",
+                                   fmt::format("volume '{}' stores {:.2g} kg/Pa, next to nothing beside the volumes around it: where {} come to balance, their slopes are infinite together, and a run may stop there. Give each of them a 'width', a pressure difference within which the root is smooth, such as \"1 Pa\", or make the volume one of [junctions], which store nothing",
                                                volume.member.name(), *own, quoted_list(flows)),
                                    {}, Severity::warning});
     }

@@ -19,13 +19,16 @@ public:
     Naming(const System& system, Symbols& symbols) : system_(system), symbols_(symbols) {
         fluids_.containers.volumes = system.fluids.containers.volumes;
         fluids_.containers.reservoirs = system.fluids.containers.reservoirs;
+        fluids_.containers.junctions = system.fluids.containers.junctions;
     }
 
     NamedBalances run() {
         for (ReservoirState& reservoir : fluids_.containers.reservoirs) name(reservoir.fluid, reservoir.member.name());
         for (ControlVolume& volume : fluids_.containers.volumes) name(volume);
+        for (JunctionState& junction : fluids_.containers.junctions) name(junction);
         fluids_.flows = make_flows(system_.scene, system_.translate, symbols_, fluids_.containers);
         for (FlowState& flow : fluids_.flows) flow.mass_flow = letter("mass_flow", flow.member.name(), flow.mass_flow);
+        name_junctions();
         result_.state_rates = system_.state_rates;
         for (const ControlVolume& volume : fluids_.containers.volumes) {
             fluids_.balances.push_back(balance_of(volume, fluids_.flows, symbols_));
@@ -53,6 +56,27 @@ private:
         }
         if (is_balanced) result_.balanced.emplace_back(node.letter, system_.heat.heat_into(node));
         else if (is_ex_the_function(T, radiant_temperature)) result_.names.emplace_back(node.letter, T);
+    }
+
+    /// The pressure of a junction by what it is, not by how it is found.
+    void name(JunctionState& junction) {
+        result_.temperatures[junction.fluid.pressure] = junction.letter;
+        junction.take_pressure(junction.letter);
+        name(junction.fluid, junction.member.name());
+    }
+
+    void name_junctions() {
+        for (const JunctionState& junction : fluids_.containers.junctions) {
+            ex inflow = 0;
+            for (std::size_t i = 0; i < fluids_.flows.size(); ++i) {
+                const FlowState& flow = fluids_.flows[i];
+                if (flow.from_junction == &junction) inflow -= flow.mass_flow;
+                if (flow.to_junction == &junction) inflow += flow.mass_flow;
+                const bool is_here = flow.from_junction == &junction || flow.to_junction == &junction;
+                if (is_here && !GiNaC::is_a<GiNaC::symbol>(system_.fluids.flows[i].mass_flow)) result_.temperatures[system_.fluids.flows[i].mass_flow] = flow.mass_flow;
+            }
+            result_.junctions.emplace_back(junction.letter, inflow);
+        }
     }
 
     void shorten() {
@@ -90,6 +114,7 @@ private:
         shown.push_back(result_.internal_energy);
         shown.push_back(result_.exchanged_power);
         for (const auto& [letter, heat] : result_.balanced) shown.push_back(heat);
+        for (const auto& [letter, inflow] : result_.junctions) shown.push_back(inflow);
         for (const OutputEquation& output : system_.outputs) shown.push_back(result_.shortened(output.value));
         std::vector<std::pair<ex, ex>> used;
         // Names are made of those before them.
@@ -112,7 +137,7 @@ private:
 }  // namespace
 
 NamedBalances name_balances(const System& system, Symbols& symbols) {
-    if (!system.has_balances()) return {{}, {}, {}, system.state_rates, 0, 0};
+    if (!system.has_balances()) return {{}, {}, {}, {}, system.state_rates, 0, 0};
     return Naming(system, symbols).run();
 }
 

@@ -131,8 +131,9 @@ std::optional<ex> fluid_quantity(const System& system, const Expression& e, cons
     }
     const ControlVolume* volume = fluids.containers.find_volume(named.name, index);
     const ReservoirState* reservoir = fluids.containers.find_reservoir(named.name, index);
-    if (volume == nullptr && reservoir == nullptr) throw absent(named);
-    const FluidState& fluid = volume != nullptr ? volume->fluid : reservoir->fluid;
+    const JunctionState* junction = fluids.containers.find_junction(named.name, index);
+    if (volume == nullptr && reservoir == nullptr && junction == nullptr) throw absent(named);
+    const FluidState& fluid = volume != nullptr ? volume->fluid : reservoir != nullptr ? reservoir->fluid : junction->fluid;
     if (e.name == "pressure") return fluid.pressure;
     if (e.name == "density") return fluid.density;
     if (e.name == "specific_energy") return fluid.energy;

@@ -107,10 +107,26 @@ void resistances(System& system) {
     for (const Resistance& r : system.resistances) system.dissipated_power += r.power;
 }
 
+/// Heat and dampers are derived before the pressures of junctions are known.
+void refuse_pressures_of_junctions(const System& system) {
+    for (const JunctionState& junction : system.fluids.containers.junctions) {
+        const auto refuse = [&](const ex& e, const Span& place, const std::string& what) {
+            if (e.has(junction.letter))
+                throw Failure(Diagnostic{Id::not_allowed_here, place, fmt::format("{} depends on the pressure of junction '{}', which this version knows only after heat and dampers; make the junction a small volume", what, junction.member.name()),
+                                         {{junction.member.item->span, "the junction is defined here"}}});
+        };
+        for (const NodeState& node : system.heat.nodes) refuse(node.source + node.capacity + node.warmth.temperature, node.place, fmt::format("node '{}'", node.name));
+        for (const LinkState& link : system.heat.links) refuse(link.heat, link.place, fmt::format("the heat of '{}'", link.name));
+        for (const RodField& field : system.heat.fields) refuse(field.source, field.rod->span, fmt::format("rod '{}'", field.rod->name));
+        refuse(system.heat.exchanged_power, junction.member.item->span, "heat from outside");
+        refuse(system.dissipated_power, junction.member.item->span, "what a damper dissipates");
+    }
+}
+
 /// Of each of the two, fluids and heat, the other is outside: what links carry into volumes leaves the one and enters the other.
 void stores(System& system) {
     Fluids& fluids = system.fluids;
-    fluids.containers = make_containers(system.scene, system.translate);
+    fluids.containers = make_containers(system.scene, system.translate, system.symbols);
     system.heat = make_nodes(system.scene, system.translate, system.symbols);
     system.bodies = body_motions(system.scene, system.translate);
     resistances(system);
@@ -125,6 +141,7 @@ void stores(System& system) {
             in(r.prescribed);
         }
     }
+    refuse_pressures_of_junctions(system);
     complete_fluids(fluids, system.scene, system.translate, system.symbols, system.heat);
     system.internal_energy = fluids.internal_energy + system.heat.stored_energy;
     system.exchanged_power = fluids.exchanged_power + system.heat.exchanged_power;

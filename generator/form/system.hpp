@@ -34,6 +34,7 @@ struct OutputEquation {
 struct NamedBalances {
     std::vector<std::pair<GiNaC::ex, GiNaC::ex>> names;     ///< letter and value, each made of those before it
     std::vector<std::pair<GiNaC::ex, GiNaC::ex>> balanced;  ///< letters of temperatures, and the heat that is zero with them
+    std::vector<std::pair<GiNaC::ex, GiNaC::ex>> junctions; ///< letters of pressures, and the mass flow that is zero with them
     GiNaC::exmap temperatures;                              ///< what those and other sought temperatures are, to be replaced by their letters
     /// With the letters of sought temperatures.
     GiNaC::ex shortened(const GiNaC::ex& e) const { return temperatures.empty() ? e : e.subs(temperatures, GiNaC::subs_options::no_pattern); }

@@ -35,7 +35,7 @@ const char* name_of(Op op) {
                                          "cosh",   "tanh", "exp",  "log",  "sqrt", "inverse_norm", "abs", "sign", "step", "min",  "max",   "expm1",
                                          "log1p", "compression", "signed_root", "inverse_root", "forward_root", "outflow_factor", "outflow_factor_slope",
                                          "outflow_factor_by_exponent", "decay_mean", "decay_mean_slope", "log_ratio", "log_mean", "log_mean_slope", "root_excess",
-                                         "sum_of_three", "radiant_temperature", "network_inverse", "balanced_temperature", "element", "independent_inverse", "in_column", "power", "one_minus_cos", "sinc", "cosc", "growth_mean", "logc",
+                                         "sum_of_three", "radiant_temperature", "network_inverse", "balanced_temperature", "junction_root", "element", "independent_inverse", "in_column", "power", "one_minus_cos", "sinc", "cosc", "growth_mean", "logc",
                                          "sinc_slope", "cosc_slope", "logc_slope", "if_else", "floor"};
     return names[static_cast<std::size_t>(op)];
 }

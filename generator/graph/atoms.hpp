@@ -20,7 +20,7 @@ enum class Op {
     sin, cos, tan, asin, acos, atan, atan2, sinh, cosh, tanh, exp, log, sqrt, inverse_norm, abs, sign, step, min, max,
     expm1, log1p, compression, signed_root, inverse_root, forward_root, outflow_factor, outflow_factor_slope, outflow_factor_by_exponent,
     decay_mean, decay_mean_slope, log_ratio, log_mean, log_mean_slope, root_excess, sum_of_three, radiant_temperature,
-    network_inverse, balanced_temperature,  ///< arguments: which element of the array, then what the array is made of
+    network_inverse, balanced_temperature, junction_root,  ///< arguments: which element of the array, then what the array is made of
     element,                                ///< of an array; in programs only
     independent_inverse,                    ///< 1/x, or zero where x is next to nothing beside the second argument; in programs only
     in_column,                              ///< 1 in the column of a Jacobian that the argument names, else 0; in programs only
@@ -32,7 +32,7 @@ enum class Op {
 
 const char* name_of(Op op);
 /// Whether what is computed is an array, of which an atom is one element.
-constexpr bool is_array(Op op) { return op == Op::network_inverse || op == Op::balanced_temperature; }
+constexpr bool is_array(Op op) { return op == Op::network_inverse || op == Op::balanced_temperature || op == Op::junction_root; }
 
 struct Atom {
     Op op;

@@ -185,6 +185,7 @@ MaybeExact ExactArithmetic::element(Op array, const std::vector<const MaybeExact
         for (const cln::cl_R& x : values) list.emplace_back(numeric(x));
         const ex whole = GiNaC::exprseq(list.begin(), list.end());
         if (array == Op::balanced_temperature) return number_of(balanced_temperature(static_cast<unsigned long>(k), whole));
+        if (array == Op::junction_root) return number_of(junction_root(static_cast<unsigned long>(k), whole));
         const unsigned long n = network_order(whole);
         return number_of(network_inverse(k / n, k % n, whole));
     };

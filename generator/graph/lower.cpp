@@ -166,13 +166,14 @@ private:
     /// One element of an array. The elements of an inverse are numbered through.
     Polynomial network(const ex& e) {
         const bool is_inverse = is_ex_the_function(e, network_inverse);
-        if (!is_inverse && NetworkData(e.op(1)).is_linear()) return (*this)(in_inverse(e));
+        const Op op = is_inverse ? Op::network_inverse : is_ex_the_function(e, junction_root) ? Op::junction_root : Op::balanced_temperature;
+        if (op == Op::balanced_temperature && NetworkData(e.op(1)).is_linear()) return (*this)(in_inverse(e));
         const ex& list = e.op(is_inverse ? 2 : 1);
         ex which = e.op(0);
         if (is_inverse) which = which * network_order(list) + e.op(1);
         std::vector<Polynomial> arguments{(*this)(which)};
         for (const ex& entry : list) arguments.push_back(folded((*this)(entry), atoms_));
-        return Polynomial::letter(atoms_.letter(is_inverse ? Op::network_inverse : Op::balanced_temperature, std::move(arguments)));
+        return Polynomial::letter(atoms_.letter(op, std::move(arguments)));
     }
 
     /// exp(n*x) = exp(x)^n for whole n, negative ones too: GiNaC writes a product of exponentials now one way, now the other, and what

@@ -7,6 +7,7 @@
 namespace dalembert {
 
 std::size_t order_of_network(const Node& node) {
+    if (node.op == Op::junction_root) return node.arguments.size() / 2 - 1;
     const auto fits = [&](std::size_t n) { return node.arguments.size() == (node.op == Op::network_inverse ? n * n : 2 * n * n + n); };
     std::size_t n = 1;
     while (!fits(n)) ++n;

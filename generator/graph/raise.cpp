@@ -58,7 +58,8 @@ ex applied(Op op, const std::vector<ex>& a) {
         case Op::sum_of_three: return sum_of_three(a[0], a[1], a[2]);
         case Op::radiant_temperature: return radiant_temperature(a[0], a[1]);
         case Op::network_inverse:
-        case Op::balanced_temperature: return GiNaC::exprseq(a.begin(), a.end());
+        case Op::balanced_temperature:
+        case Op::junction_root: return GiNaC::exprseq(a.begin(), a.end());
         case Op::power: return GiNaC::pow(a[0], a[1]);
         case Op::symbol:
         case Op::pi:
@@ -73,6 +74,7 @@ namespace {
 
 ex element_of(Op array, const ex& which, const ex& list) {
     if (array == Op::balanced_temperature) return balanced_temperature(which, list);
+    if (array == Op::junction_root) return junction_root(which, list);
     const auto n = network_order(list);
     const auto k = static_cast<unsigned long>(GiNaC::ex_to<GiNaC::numeric>(which).to_long());
     return network_inverse(k / n, k % n, list);

@@ -14,6 +14,7 @@ public:
 
     void run() {
         for (const Reservoir& reservoir : model_.reservoirs) medium_of(reservoir.medium, "reservoir", reservoir);
+        for (const Junction& junction : model_.junctions) check(junction);
         for (const Volume& volume : model_.volumes) check(volume);
         for (const Flow& flow : model_.flows) check(flow);
     }
@@ -37,6 +38,25 @@ private:
 
     void wrong(const Span& span, std::string message, const Medium& medium) {
         diagnostics_.error(Id::wrong_medium, span, std::move(message), {{medium.span, fmt::format("medium '{}' is defined here", medium.name)}});
+    }
+
+    void check(const Junction& junction) {
+        const Medium* medium = medium_of(junction.medium, "junction", junction);
+        if (medium != nullptr && medium->law != Medium::Law::liquid && medium->law != Medium::Law::incompressible)
+            wrong(junction.span, fmt::format("junction '{}' stores nothing, which this version solves for liquids, but '{}' is {}; make it a small volume", junction.name, medium->name, medium->law == Medium::Law::ideal_gas ? "a gas" : "a medium of given laws"), *medium);
+    }
+
+    /// What the pressure of a junction cannot be solved for exactly.
+    void check_at_junction(const Flow& flow, const Reference& end, const Reference& other) {
+        const Part* junction = names_.find_part(end.name);
+        if (junction == nullptr || junction->kind != Part::Kind::junction) return;
+        const Note defined{junction->item->span, fmt::format("junction '{}' is defined here", end.name)};
+        const auto refuse = [&](const Span& span, const std::string& why) { diagnostics_.error(Id::not_allowed_here, span, fmt::format("flow '{}' ends at junction '{}', {}", flow.name, end.name, why), {defined}); };
+        if (flow.width) refuse(flow.width->span, "whose pressure is solved with the exact root, also at balance; leave the width out, or make the junction a small volume");
+        if (flow.law == Flow::Law::check_valve && !flow.switches) refuse(flow.span, "whose pressure this version does not solve with a valve of which being open or shut is no mode; give the valve switches = true, or make the junction a small volume");
+        const Part* volume = names_.find_part(other.name);
+        if (volume != nullptr && volume->kind == Part::Kind::volume && static_cast<const Volume*>(volume->item)->empties)
+            refuse(other.span, fmt::format("and begins or ends at volume '{}', which may run empty; this version does not solve both at once. Leave out empties, or make the junction a small volume", other.name));
     }
 
     void check(const Volume& volume) {
@@ -68,17 +88,19 @@ private:
     /// The medium at an end of a flow, if the end is one.
     const Medium* end(const Reference& reference, const char* preposition, const Flow& flow) {
         const Part* part = names_.find_part(reference.name);
-        const bool is_end = part != nullptr && (part->kind == Part::Kind::volume || part->kind == Part::Kind::reservoir);
+        const bool is_end = part != nullptr && (part->kind == Part::Kind::volume || part->kind == Part::Kind::reservoir || part->kind == Part::Kind::junction);
         if (!is_end) {
             diagnostics_.error(Id::unknown_name, reference.span,
-                               fmt::format("flow '{}' goes {} '{}', which is neither a volume nor a reservoir{}", flow.name, preposition, reference.name,
-                                           did_you_mean(reference.name, names_.parts({Part::Kind::volume, Part::Kind::reservoir}))));
+                               fmt::format("flow '{}' goes {} '{}', which is no volume, reservoir or junction{}", flow.name, preposition, reference.name,
+                                           did_you_mean(reference.name, names_.parts({Part::Kind::volume, Part::Kind::reservoir, Part::Kind::junction}))));
             return nullptr;
         }
         if (part->item->family.has_value() != (reference.index != nullptr))
             diagnostics_.error(part->item->family ? Id::index_missing : Id::not_indexed, reference.span,
                                fmt::format("'{}' is {} family", reference.name, part->item->family ? "a" : "not a"), {{part->item->span, "it is defined here"}});
-        const Reference& medium = part->kind == Part::Kind::volume ? static_cast<const Volume*>(part->item)->medium : static_cast<const Reservoir*>(part->item)->medium;
+        const Reference& medium = part->kind == Part::Kind::volume     ? static_cast<const Volume*>(part->item)->medium
+                                  : part->kind == Part::Kind::junction ? static_cast<const Junction*>(part->item)->medium
+                                                                       : static_cast<const Reservoir*>(part->item)->medium;
         const Part* named = names_.find_part(medium.name);
         return named != nullptr && named->kind == Part::Kind::medium ? static_cast<const Medium*>(named->item) : nullptr;
     }
@@ -92,6 +114,8 @@ private:
         if (from == nullptr || to == nullptr) return;
         if (flow.from.name == flow.to.name && !flow.from.index)
             diagnostics_.error(Id::not_allowed_here, flow.to.span, fmt::format("flow '{}' goes from '{}' to '{}' itself", flow.name, flow.from.name, flow.to.name));
+        check_at_junction(flow, flow.from, flow.to);
+        check_at_junction(flow, flow.to, flow.from);
         if (from != to)
             diagnostics_.error(Id::wrong_medium, flow.span, fmt::format("flow '{}' goes from '{}', which holds '{}', to '{}', which holds '{}'; media do not mix", flow.name, flow.from.name, from->name, flow.to.name, to->name),
                                {{from->span, fmt::format("medium '{}' is defined here", from->name)}, {to->span, fmt::format("medium '{}' is defined here", to->name)}});

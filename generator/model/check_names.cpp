@@ -77,6 +77,7 @@ public:
         part(model_.media);
         part(model_.volumes);
         part(model_.reservoirs);
+        part(model_.junctions);
         part(model_.flows);
         part(model_.nodes);
         part(model_.links);

@@ -152,6 +152,7 @@ private:
         all(model_.media);
         all(model_.reservoirs);
         all(model_.volumes);
+        all(model_.junctions);
         all(model_.flows);
         all(model_.nodes);
         all(model_.links);

@@ -25,6 +25,7 @@ public:
         same_in_all_modes(model_.outputs, "output");
         same_in_all_modes(model_.media, "medium");
         same_in_all_modes(model_.reservoirs, "reservoir");
+        same_in_all_modes(model_.junctions, "junction");
         same_in_all_modes(model_.volumes, "volume");
         same_in_all_modes(model_.nodes, "node");
         same_in_all_modes(model_.rods, "rod");

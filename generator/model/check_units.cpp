@@ -76,6 +76,7 @@ public:
             expect(reservoir.temperature, Dimension::temperature(), "the temperature", "reservoir", reservoir);
             expect(reservoir.potential, specific_energy, "the potential", "reservoir", reservoir);
         }
+        for (const Junction& junction : model_.junctions) expect(junction.potential, specific_energy, "the potential", "junction", junction);
         for (const Volume& volume : model_.volumes) check(volume);
         for (const Flow& flow : model_.flows) check(flow);
         for (const HeatNode& node : model_.nodes) check(node);

@@ -10,7 +10,7 @@ namespace {
 
 using Kind = Expression::Kind;
 
-/// A volume or reservoir as an expression names it.
+/// A volume, reservoir or junction as an expression names it.
 ExpressionPtr end_name(const Reference& end) {
     Expression name{Kind::name, end.span, 0, end.name};
     if (end.index) name.children.push_back(end.index);
@@ -38,7 +38,9 @@ ExpressionPtr potential_of(const Model& model, const Reference& end) {
         return nullptr;
     };
     const ExpressionPtr of_volume = in(model.volumes);
-    return of_volume ? of_volume : in(model.reservoirs);
+    if (of_volume) return of_volume;
+    const ExpressionPtr of_junction = in(model.junctions);
+    return of_junction ? of_junction : in(model.reservoirs);
 }
 
 /// What drives a flow: the difference of the pressures, and of heights.

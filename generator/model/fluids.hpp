@@ -28,6 +28,12 @@ struct Reservoir : Item {
     ExpressionPtr potential;
 };
 
+/// A place where flows meet and nothing is stored: they sum up to zero, from which its pressure follows.
+struct Junction : Item {
+    Reference medium;
+    ExpressionPtr potential;
+};
+
 /// A control volume with one medium in one state.
 struct Volume : Item {
     Reference medium;
@@ -52,7 +58,7 @@ struct Volume : Item {
     bool empties = false;  ///< being filled or empty is a mode
 };
 
-/// What goes from one volume or reservoir to another.
+/// What goes from one volume, reservoir or junction to another.
 struct Flow : Item {
     enum class Law { given_mass, given_volume, hydraulic_orifice, pneumatic_orifice, laminar, check_valve, pump, pipe };
     Law law = Law::given_mass;

@@ -243,6 +243,7 @@ struct Model {
     std::vector<GeneralisedForce> generalised_forces;
     std::vector<Medium> media;
     std::vector<Reservoir> reservoirs;
+    std::vector<Junction> junctions;
     std::vector<Volume> volumes;
     std::vector<Flow> flows;
     std::vector<HeatNode> nodes;

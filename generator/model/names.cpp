@@ -24,6 +24,7 @@ const char* describe(Part::Kind kind) {
         case Part::Kind::medium: return "a medium";
         case Part::Kind::volume: return "a volume";
         case Part::Kind::reservoir: return "a reservoir";
+        case Part::Kind::junction: return "a junction";
         case Part::Kind::flow: return "a flow";
         case Part::Kind::node: return "a node";
         case Part::Kind::link: return "a link";
@@ -39,7 +40,7 @@ std::vector<Part::Kind> parts_in(Subscript subscript) {
     using K = Part::Kind;
     switch (subscript) {
         case Subscript::fluid:
-        case Subscript::fluid_or_medium: return {K::volume, K::reservoir};
+        case Subscript::fluid_or_medium: return {K::volume, K::reservoir, K::junction};
         case Subscript::warm: return {K::volume, K::reservoir, K::node, K::rod, K::block};
         case Subscript::medium: return {K::medium};
         case Subscript::volume: return {K::volume};
@@ -78,6 +79,7 @@ Names::Names(const Model& model) {
     add_parts(model.media, Part::Kind::medium);
     add_parts(model.volumes, Part::Kind::volume);
     add_parts(model.reservoirs, Part::Kind::reservoir);
+    add_parts(model.junctions, Part::Kind::junction);
     add_parts(model.flows, Part::Kind::flow);
     add_parts(model.nodes, Part::Kind::node);
     add_parts(model.links, Part::Kind::link);

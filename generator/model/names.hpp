@@ -26,7 +26,7 @@ const char* describe(Named::Kind kind);
 /// What is not a number: media, what holds and moves them, and what holds and carries heat. A border is an end of a rod, "bar.first", or a
 /// side of a block, "plate.left".
 struct Part {
-    enum class Kind { medium, volume, reservoir, flow, node, link, rod, block, border, enclosure };
+    enum class Kind { medium, volume, reservoir, junction, flow, node, link, rod, block, border, enclosure };
     Kind kind;
     const Item* item;
 };

@@ -79,6 +79,11 @@ void read(const Entry& e, Reservoir& reservoir) {
     reservoir.potential = e.expression("potential");
 }
 
+void read(const Entry& e, Junction& junction) {
+    if (auto medium = e.part("medium")) junction.medium = *medium;
+    junction.potential = e.expression("potential");
+}
+
 void read(const Entry& e, Volume& volume) {
     if (auto medium = e.part("medium")) volume.medium = *medium;
     volume.volume = e.expression("volume");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads entries of [media], [reservoirs], [volumes] and [flows].
+// Reads entries of [media], [reservoirs], [junctions], [volumes] and [flows].
 #pragma once
 
 #include "model/entry.hpp"
@@ -8,6 +8,7 @@ namespace dalembert {
 
 void read(const Entry& e, Medium& medium);
 void read(const Entry& e, Reservoir& reservoir);
+void read(const Entry& e, Junction& junction);
 void read(const Entry& e, Volume& volume);
 void read(const Entry& e, Flow& flow);
 

@@ -168,6 +168,7 @@ public:
         collection("generalised_forces", model_.generalised_forces);
         collection("media", model_.media);
         collection("reservoirs", model_.reservoirs);
+        collection("junctions", model_.junctions);
         collection("volumes", model_.volumes);
         collection("flows", model_.flows);
         collection("nodes", model_.nodes);

@@ -73,6 +73,7 @@ struct Scene {
     std::vector<Member<GeneralisedForce>> generalised_forces;
     std::vector<Member<Medium>> media;
     std::vector<Member<Reservoir>> reservoirs;
+    std::vector<Member<Junction>> junctions;
     std::vector<Member<Volume>> volumes;
     std::vector<Member<Flow>> flows;
     std::vector<Member<HeatNode>> nodes;

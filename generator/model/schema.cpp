@@ -204,6 +204,11 @@ constexpr std::array reservoir_keys{
     KeySpec{"potential", T::expression, false, "specific potential energy, as \"g*z_1\"; where it differs between two ends of a flow, its height drives the flow as well as the pressure does"},
     doc_key, for_key, when_key,
 };
+constexpr std::array junction_keys{
+    KeySpec{"medium", T::part, true, "what flows through it, a liquid or what is incompressible; flows that end here have its reference density"},
+    KeySpec{"potential", T::expression, false, "specific potential energy, as \"g*z_1\"; where it differs between two ends of a flow, its height drives the flow as well as the pressure does"},
+    doc_key, for_key, when_key,
+};
 constexpr std::array volume_keys{
     KeySpec{"medium", T::part, true, "what it holds"},
     KeySpec{"volume", T::expression, true, "its volume; may depend on coordinates, the time, and the filling"},
@@ -224,8 +229,8 @@ constexpr std::array volume_keys{
     doc_key, for_key, when_key,
 };
 constexpr std::array flow_keys{
-    KeySpec{"from", T::part, true, "the volume or reservoir that it leaves; the flow counts positive this way"},
-    KeySpec{"to", T::part, true, "the volume or reservoir that it enters"},
+    KeySpec{"from", T::part, true, "the volume, reservoir or junction that it leaves; the flow counts positive this way"},
+    KeySpec{"to", T::part, true, "the volume, reservoir or junction that it enters"},
     KeySpec{"law", T::choice, false,
             "\"hydraulic_orifice\" (3.150), \"pneumatic_orifice\" (3.156), \"laminar\", \"check_valve\", \"pump\", \"pipe\"; none if the flow is given"},
     KeySpec{"mass_flow", T::expression, false, "the mass flow, given"},
@@ -473,10 +478,13 @@ constexpr std::array table{
                 "[media.air]\nlaw            = \"ideal_gas\"\ngas_constant   = \"R_s\"\nisochoric_heat = \"c_v\"", medium_keys, ""},
     SectionSpec{"reservoirs", true, "Media at a state that the model does not change: ambient, supply.",
                 "[reservoirs.ambient]\nmedium   = \"air\"\npressure = \"p_0\"", reservoir_keys, ""},
+    SectionSpec{"junctions", true,
+                "Places where flows meet and nothing is stored. The pressure is such that the mass flows sum up to zero: solved exactly with orifices, laminar flows, switching check valves, pumps, pipes and given flows, of which at least one orifice, laminar flow or open valve must lead to where the pressure is known.",
+                "[junctions.tee]\nmedium = \"water\"", junction_keys, ""},
     SectionSpec{"volumes", true,
                 "Control volumes. Balances of mass (3.98) and energy (3.165) determine the states that they name; the force p*dV/dq acts on the mechanics by itself.",
                 "[volumes.chamber_1]\nmedium      = \"oil\"\nvolume      = \"A_1*s\"\npressure    = \"p_1\"\ntemperature = \"T_1\"", volume_keys, ""},
-    SectionSpec{"flows", true, "Flows between volumes and reservoirs. What flows carries the enthalpy of the side that it comes from.",
+    SectionSpec{"flows", true, "Flows between volumes, reservoirs and junctions. What flows carries the enthalpy of the side that it comes from.",
                 "[flows.leak]\nfrom        = \"chamber_1\"\nto          = \"chamber_2\"\nlaw         = \"laminar\"\nconductance = \"c_L\"", flow_keys, ""},
     SectionSpec{"nodes", true, "Places with one temperature: bodies that store heat, surfaces, ambient air.",
                 "[nodes.plate]\ntemperature = \"T_B\"\ncapacity    = \"m_B*c_B\"\nheat        = \"P\"", node_keys, ""},

@@ -84,6 +84,7 @@ public:
         choose(model_.potentials, scene_.potentials);
         choose(model_.generalised_forces, scene_.generalised_forces);
         choose(model_.reservoirs, scene_.reservoirs);
+        choose(model_.junctions, scene_.junctions);
         choose(model_.volumes, scene_.volumes);
         choose(model_.flows, scene_.flows);
         choose(model_.nodes, scene_.nodes);
@@ -127,6 +128,7 @@ public:
         use_all(scene_.potentials, "potential");
         use_all(scene_.generalised_forces, "generalised force");
         use_all(scene_.reservoirs, "reservoir");
+        use_all(scene_.junctions, "junction");
         use_volumes();
         use_all(scene_.flows, "flow");
         use_nodes();
@@ -290,6 +292,7 @@ private:
             hold(volume.medium, volume, scene_.has_temperature(volume, names_) || volume.isothermal || volume.polytropic);
         }
         for (const auto& member : scene_.reservoirs) hold(member.item->medium, *member.item, member.item->temperature != nullptr);
+        for (const auto& member : scene_.junctions) hold(member.item->medium, *member.item, false);
         for (const auto& member : scene_.flows)
             for (const Reference& end : {member.item->from, member.item->to}) needs_part(end, fmt::format("flow '{}'", member.item->name));
         std::set<std::string> orifices;  // the ratio of specific heats is needed at any temperature
@@ -310,6 +313,7 @@ private:
 
     const std::string& medium_of(const std::string& name) const {
         const Part& part = *names_.find_part(name);
+        if (part.kind == Part::Kind::junction) return static_cast<const Junction*>(part.item)->medium.name;
         return part.kind == Part::Kind::volume ? static_cast<const Volume*>(part.item)->medium.name : static_cast<const Reservoir*>(part.item)->medium.name;
     }
 

@@ -255,6 +255,10 @@ void visit(const Reservoir& item, const SiteVisitor& visitor) {
     each(item.potential, on_parameters | on_time, "potential");
 }
 
+void visit(const Junction& item, const SiteVisitor& visitor) {
+    Visit(item, "junction", visitor)(item.potential, constant_only, "potential");
+}
+
 void visit(const Volume& item, const SiteVisitor& visitor) {
     const Visit each(item, "volume", visitor);
     each(item.volume, item.filling ? on_configuration | on_states : on_configuration, "size");
@@ -494,6 +498,7 @@ void visit(const Model& model, const SiteVisitor& visitor) {
     all(model.generalised_forces);
     all(model.media);
     all(model.reservoirs);
+    all(model.junctions);
     all(model.volumes);
     all(model.flows);
     all(model.nodes);

@@ -74,6 +74,7 @@ void visit(const PotentialTerm& item, const SiteVisitor& visitor);
 void visit(const GeneralisedForce& item, const SiteVisitor& visitor);
 void visit(const Medium& item, const SiteVisitor& visitor);
 void visit(const Reservoir& item, const SiteVisitor& visitor);
+void visit(const Junction& item, const SiteVisitor& visitor);
 void visit(const Volume& item, const SiteVisitor& visitor);
 void visit(const Flow& item, const SiteVisitor& visitor);
 void visit(const HeatNode& item, const SiteVisitor& visitor);

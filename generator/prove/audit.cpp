@@ -9,6 +9,7 @@
 #include "prove/media.hpp"
 #include "prove/passivity.hpp"
 #include "prove/statics_audit.hpp"
+#include "symbolic/functions.hpp"
 
 namespace dalembert {
 
@@ -72,6 +73,13 @@ AuditEntry balance_power(const System& system, Prover& prover) {
     return {"power balance", prover.equal(in(system.with_rates(GiNaC::add(change))), in(power))};
 }
 
+/// What the law of a flow at a junction says at the pressure that was found.
+ex law_at(const FlowState& f) {
+    const PressureLaw& law = *f.law_at_junction;
+    const ex drive = f.from->pressure - f.to->pressure + f.density * (f.from->potential - f.to->potential) - law.opening;
+    return law.factor * (law.is_root ? signed_root(drive) : drive);
+}
+
 /// d(m)/dt = sum of the flows at the ports, and d(m*e)/dt = what the flows bring + heat + shaft - p*dV/dt, by the chain rule through
 /// rho(p, T) and e(p, T), which the derivation of the rates does not use.
 std::vector<AuditEntry> compare_balances(const System& system, Prover& prover) {
@@ -96,6 +104,13 @@ std::vector<AuditEntry> compare_balances(const System& system, Prover& prover) {
         entries.push_back({"balance of mass, " + name, prover.equal(system.with_rates(symbols.time_derivative(v.mass())), mass)});
         entries.push_back({"balance of energy, " + name, prover.equal(system.with_rates(symbols.time_derivative(v.stored_energy())), power)});
     }
+    for (const JunctionState& junction : fluids.containers.junctions) {
+        ex inflow = 0;
+        for (const FlowState& f : fluids.flows) inflow += (f.to_junction == &junction ? f.mass_flow : ex(0)) - (f.from_junction == &junction ? f.mass_flow : ex(0));
+        entries.push_back({"balance of mass, " + junction.member.name(), prover.equal(0, inflow)});
+    }
+    for (const FlowState& f : fluids.flows)
+        if (f.law_at_junction) entries.push_back({"law of the flow, " + f.member.name(), prover.equal(f.mass_flow, law_at(f))});
     for (const NodeState& node : system.heat.nodes) {
         if (node.kind == NodeState::Kind::held) continue;
         const ex change = system.with_rates(symbols.time_derivative(node.stored_energy));

@@ -14,7 +14,7 @@ using GiNaC::ex_to;
 namespace {
 
 bool is_heat_function(const std::string& name) {
-    static const std::set<std::string> names{"decay_mean", "decay_mean_slope", "log_ratio", "log_mean", "log_mean_slope", "root_excess", "radiant_temperature", "network_inverse", "balanced_temperature"};
+    static const std::set<std::string> names{"decay_mean", "decay_mean_slope", "log_ratio", "log_mean", "log_mean_slope", "root_excess", "radiant_temperature", "network_inverse", "balanced_temperature", "junction_root"};
     return names.contains(name);
 }
 

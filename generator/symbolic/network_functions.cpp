@@ -211,7 +211,7 @@ bool NetworkData::is_linear() const {
 
 unsigned long network_order(const ex& inverse_list) { return static_cast<unsigned long>(std::lround(std::sqrt(static_cast<double>(inverse_list.nops())))); }
 
-bool is_network_function(const ex& e) { return is_ex_the_function(e, network_inverse) || is_ex_the_function(e, balanced_temperature); }
+bool is_network_function(const ex& e) { return is_ex_the_function(e, network_inverse) || is_ex_the_function(e, balanced_temperature) || is_ex_the_function(e, junction_root); }
 
 ex in_inverse(const ex& temperature) {
     const NetworkData data(temperature.op(1));
@@ -224,6 +224,7 @@ ex in_inverse(const ex& temperature) {
 }
 
 ex derivative_of_network(const ex& function, const std::function<ex(const ex&)>& derivative) {
+    if (is_ex_the_function(function, junction_root)) return derivative_of_junction(function, derivative);
     const auto i = index_of(function.op(0));
     GiNaC::exvector terms;
     if (is_ex_the_function(function, network_inverse)) {

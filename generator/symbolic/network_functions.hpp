@@ -18,6 +18,10 @@ DECLARE_FUNCTION_3P(network_inverse)
 /// likewise, and the n sources.
 DECLARE_FUNCTION_2P(balanced_temperature)
 
+/// s_k of a junction at pressure p, s_k = signed_root(P_k - p), where b - G*p + sum of r_k*s_k = 0, with G and all r_k >= 0. The sequence is
+/// G, b, P_1, r_1, P_2, r_2 and so on.
+DECLARE_FUNCTION_2P(junction_root)
+
 struct NetworkData {
     std::vector<std::vector<GiNaC::ex>> conduction;  ///< W/K, symmetric; on the diagonal to outside
     std::vector<std::vector<GiNaC::ex>> radiation;   ///< W/K^4, likewise
@@ -34,13 +38,15 @@ struct NetworkData {
     bool is_linear() const;
 };
 
+/// Likewise of junction_root alone.
+GiNaC::ex derivative_of_junction(const GiNaC::ex& function, const std::function<GiNaC::ex(const GiNaC::ex&)>& derivative);
 /// n of the list of an inverse.
 unsigned long network_order(const GiNaC::ex& inverse_list);
-/// Whether an expression is one of the two.
+/// Whether an expression is one of the three.
 bool is_network_function(const GiNaC::ex& e);
 /// balanced_temperature where nothing radiates: a sum of sources times elements of the inverse.
 GiNaC::ex in_inverse(const GiNaC::ex& temperature);
-/// The derivative of one of the two, given those of what it depends on.
+/// The derivative of one of the three, given those of what it depends on.
 GiNaC::ex derivative_of_network(const GiNaC::ex& function, const std::function<GiNaC::ex(const GiNaC::ex&)>& derivative);
 
 }  // namespace dalembert
