@@ -27,6 +27,14 @@ struct RodField {
     std::vector<const NodeState*> tapped;  ///< the cells that are nodes too
 };
 
+/// A sum over cells of a rod in loops.
+struct CellSum {
+    std::size_t field;         ///< of the heat network
+    std::size_t first, last;   ///< the cells, counted from 0
+    GiNaC::ex term;            ///< of one cell
+    GiNaC::ex letter;
+};
+
 /// Adds the cells of a rod, "bar[k]" with k as in its states, the links between them, and what holds at its ends and sides. Ends at
 /// which a temperature is given, and with the scheme "cells" surfaces that exchange heat, are nodes "bar.first" and "bar.last".
 /// Throws Failure (value-out-of-range: fewer than two cells; cannot-integrate; not-allowed-here).

@@ -222,7 +222,7 @@ CppFunction::Text CppFunction::symbol(NodeId id, std::string& statements) {
         case SymbolKind::jerk: return {cpp_name(variable), 3};  // computed before
         case SymbolKind::residual: return {fmt::format("residual[{}]", variable.position), 3};
         case SymbolKind::grid:
-        case SymbolKind::letter: return {variable.base.substr(0, variable.base.find('[')), 3};  // of a cell in a loop
+        case SymbolKind::letter: return {cpp_name(variable), 3};
         default: throw std::logic_error("a symbol that has no place in the header: " + variable.name);
     }
 }

@@ -16,6 +16,7 @@ std::string cpp_name(const std::string& base, int index, bool is_member) {
 }
 
 std::string cpp_name(const Variable& variable) {
+    if (variable.kind == SymbolKind::grid || variable.kind == SymbolKind::letter) return variable.base.substr(0, variable.base.find('['));  // of a cell in a loop
     const std::string name = cpp_name(variable.is_root ? variable.base + "_root" : variable.base, variable.index, variable.is_member);
     if (variable.kind == SymbolKind::velocity || variable.kind == SymbolKind::state_rate) return name + "_dot";
     if (variable.kind == SymbolKind::acceleration) return name + "_ddot";

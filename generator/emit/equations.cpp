@@ -207,7 +207,7 @@ std::string equations_as_text(const System& s) {
     for (const Guard& guard : s.guards) text += fmt::format("  {} ({}): {}\n", guard.doc, guard.ends ? "ends" : "edge", write(guard.value));
     text += events(s, write);
     if (!s.outputs.empty()) text += "\noutputs\n";
-    for (const OutputEquation& output : s.outputs) text += fmt::format("  {} = {}\n", output.name, write(s.named.shortened(output.value)));
+    for (const OutputEquation& output : s.outputs) text += fmt::format("  {} = {}\n", output.name, write(s.named.shortened(output.shown())));
     return text;
 }
 
@@ -237,7 +237,7 @@ std::string equations_as_latex(const System& s) {
         for (const CellPart& part : parts(f)) lines.push_back(fmt::format("\\text{{{}, {}}} &= {}", f.rod->name, part.title, write(part.value)));
     aligned(lines);
     lines = {fmt::format("T &= {}", write(s.kinetic_energy)), fmt::format("V &= {}", write(s.potential_energy))};
-    for (const OutputEquation& output : s.outputs) lines.push_back(fmt::format("{} &= {}", latex_name(output.base), write(s.named.shortened(output.value))));
+    for (const OutputEquation& output : s.outputs) lines.push_back(fmt::format("{} &= {}", latex_name(output.base), write(s.named.shortened(output.shown()))));
     aligned(lines);
     return text;
 }
@@ -275,7 +275,7 @@ nlohmann::ordered_json equations_as_json(const System& s) {
     json["guards"] = nlohmann::ordered_json::array();
     for (const Guard& guard : s.guards) json["guards"].push_back({{"name", guard.name}, {"doc", guard.doc}, {"ends", guard.ends}, {"value", write(guard.value)}});
     json["outputs"] = nlohmann::ordered_json::object();
-    for (const OutputEquation& output : s.outputs) json["outputs"][output.name] = write(output.value);
+    for (const OutputEquation& output : s.outputs) json["outputs"][output.name] = write(output.shown());
     return json;
 }
 

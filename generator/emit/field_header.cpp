@@ -22,6 +22,9 @@ namespace {
 const std::set<std::string> names_in_loops{"x", "u", "t", "k", "i", "J", "dxdt", "energy", "power", "heat", "p_", "c_", "core_", "detail", "Scalar", "State", "place",
                                            "T_here", "T_next", "left", "here", "right", "beyond", "index", "number"};
 
+/// Further ones around sums.
+const std::set<std::string> names_in_sums{"sums", "by_sums", "of_core", "slope", "y", "C", "D"};
+
 /// Whether a name occurs as a whole word.
 bool mentions(const std::string& text, const std::string& name) {
     const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
@@ -43,6 +46,7 @@ public:
         for (std::size_t r = 0; r < code_.fields.size(); ++r) functions(r, values);
         const bool p_needs_rates = values["CELL_JACOBIAN_P"].find("dxdt[") != std::string::npos;
         if (p_needs_rates) values["CELL_JACOBIAN_P"] = "        State dxdt;\n        cell_rates(x, u, t, dxdt);\n" + values["CELL_JACOBIAN_P"];
+        sums(values);
         values["CACHED"] = cached_members();
         values["FIELD_EQUATIONS"] = equations();
         values["HELPERS"] = helpers_.empty() ? "" : helper_source(helpers_) + "\n";
@@ -68,6 +72,13 @@ private:
                 note_cached(column.cell, r, cells_);
             }
         }
+        for (std::size_t i = 0; i < code_.sums.size(); ++i) {
+            const std::size_t r = system_.cell_sums[i].field;
+            note_cached(code_.sums[i].term, r, cells_);
+            note_cached(code_.sums[i].slope, r, cells_);
+            for (const auto& [input, function] : code_.sums[i].by_input) note_cached(function, r, cells_);
+        }
+        for (const FunctionCode* one : {&code_.outputs.values, &code_.outputs.by_state, &code_.outputs.by_input, &code_.outputs.by_sum}) note_cached(*one, 0, cells_);
         std::set<std::uint32_t> all;
         for (const auto* used : {&links_, &cells_})
             for (const auto& [index, r] : *used) all.insert(index);
@@ -97,7 +108,10 @@ private:
     /// Statements of a function inside of a loop over the cells k, and what is done with its results.
     template <class Use>
     std::string in_loop(const FunctionCode& f, Use use) {
-        CppFunction cpp(code_.code, f, cached_, names_in_loops);
+        std::set<std::string> names = names_in_loops;
+        if (!code_.sums.empty()) names.insert(names_in_sums.begin(), names_in_sums.end());
+        for (std::size_t i = 0; i < code_.sums.size(); ++i) names.insert(sum_name(i));
+        CppFunction cpp(code_.code, f, cached_, names);
         std::string statements = cpp.compute(f.results);
         std::vector<std::string> results;
         for (const NodeId id : f.results) results.push_back(cpp.value(id, statements));
@@ -145,6 +159,14 @@ private:
         return fmt::format("        for (std::size_t k = 0; k < {}; ++k) {{\n", count) + shifted(grid_numbers(r, statements) + temperatures(r, statements) + statements) + "        }\n";
     }
 
+    /// Over the cells that a sum adds up.
+    std::string sum_loop(std::size_t i, const std::string& statements) const {
+        const CellSum& sum = system_.cell_sums[i];
+        return fmt::format("        for (std::size_t k = {}; k < {}; ++k) {{\n", sum.first, sum.last + 1) + shifted(grid_numbers(sum.field, statements) + temperatures(sum.field, statements) + statements) + "        }\n";
+    }
+
+    static std::string sum_name(std::size_t i) { return fmt::format("sum_{}", i + 1); }
+
     using Lines = std::vector<std::string>;
     using Results = const std::vector<std::string>&;
 
@@ -169,6 +191,56 @@ private:
             const char* name = column.by == By::input ? "CELL_JACOBIAN_U" : column.by == By::parameter ? "CELL_JACOBIAN_P" : "CELL_JACOBIAN_T";
             values[name] += column_loops(r, column);
         }
+    }
+
+    /// Outputs that contain sums over cells; nothing where there are none.
+    void sums(std::map<std::string, std::string>& values) {
+        for (const char* name : {"OUTPUT_SUMS", "OUTPUT_SUMS_X", "OUTPUT_SUMS_U", "SUM_FUNCTIONS"}) values[name];
+        if (code_.sums.empty()) return;
+        std::string loops, slopes, by_inputs;
+        const std::size_t outputs = system_.outputs.size();
+        for (std::size_t i = 0; i < code_.sums.size(); ++i) {
+            const CellSum& sum = system_.cell_sums[i];
+            const auto add = [&](const FunctionCode& f, const std::string& to) {
+                if (f.is_zero(f.results[0])) return std::string();
+                return sum_loop(i, in_loop(f, [&](Results v) {
+                    Lines lines{fmt::format("const Scalar slope = {};", v[0])};
+                    for (std::size_t o = 0; o < code_.outputs.outputs.size(); ++o)
+                        if (const NodeId by = code_.outputs.by_sum.results[i * code_.outputs.outputs.size() + o]; !code_.outputs.by_sum.is_zero(by))
+                            lines.push_back(fmt::format("{} += by_sums[{}] * slope;", fmt::format(fmt::runtime(to), code_.outputs.outputs[o]), i * outputs + code_.outputs.outputs[o]));
+                    return lines;
+                }));
+            };
+            loops += sum_loop(i, in_loop(code_.sums[i].term, [&](Results v) { return Lines{fmt::format("sums[{}] += {};", i, v[0])}; }));
+            slopes += add(code_.sums[i].slope, fmt::format("C[{} * ({}) + {{}}]", outputs, at(places_.firsts[sum.field])));
+            for (const auto& [input, function] : code_.sums[i].by_input) by_inputs += add(function, fmt::format("D[{} + {{}}]", outputs * input));
+        }
+        values["OUTPUT_SUMS"] = " output_of_sums(core_state(x), u, t, cell_sums(x, u, t), y);";
+        values["OUTPUT_SUMS_X"] = "        add_output_slopes(x, u, t, C);\n";
+        values["OUTPUT_SUMS_U"] = " add_output_slopes_by_inputs(x, u, t, D);";
+        const auto of_outputs = [&](const FunctionCode& f, const auto& target) {
+            std::string statements = in_loop(f, [&](Results v) {
+                Lines lines;
+                for (std::size_t n = 0; n < v.size(); ++n)
+                    if (!f.is_zero(f.results[n])) lines.push_back(fmt::format("{} = {};", target(n / code_.outputs.outputs.size(), code_.outputs.outputs[n % code_.outputs.outputs.size()]), v[n]));
+                return lines;
+            });
+            std::string named;
+            for (std::size_t i = 0; i < code_.sums.size(); ++i)
+                if (mentions(statements, sum_name(i))) named += fmt::format("        const Scalar {} = sums[{}];\n", sum_name(i), i);
+            return named + statements;
+        };
+        const auto column = [&](const std::string& array) { return [array, outputs](std::size_t c, std::size_t r) { return fmt::format("{}[{}]", array, outputs * c + r); }; };
+        const auto state = [&](std::size_t c, std::size_t r) { return fmt::format("C[{}]", outputs * places_.positions[c] + r); };
+        values["SUM_FUNCTIONS"] = fill_template(embedded_file("field_sums.hpp.in"),
+                                                {{"SUM_COUNT", std::to_string(code_.sums.size())},
+                                                 {"SUM_LOOPS", loops},
+                                                 {"SUM_SLOPES", slopes},
+                                                 {"SUM_SLOPES_U", by_inputs},
+                                                 {"OUTPUT_VALUES", of_outputs(code_.outputs.values, [](std::size_t, std::size_t r) { return fmt::format("y[{}]", r); })},
+                                                 {"OUTPUT_BY_STATE", of_outputs(code_.outputs.by_state, state)},
+                                                 {"OUTPUT_BY_INPUT", of_outputs(code_.outputs.by_input, column("D"))},
+                                                 {"OUTPUT_BY_SUM", of_outputs(code_.outputs.by_sum, column("by_sums"))}});
     }
 
     std::string update(std::size_t r) {
@@ -288,6 +360,8 @@ private:
                                                  "  left, here, right, beyond: numbers of points or faces on the grid."};
             for (const std::string& line : lines) text += cpp_comment(line, 0);
         }
+        for (const CellSum& sum : system_.cell_sums)
+            text += cpp_comment(fmt::format("{} = sum over cells {} to {} of {}", write(sum.letter), sum.first + 1, sum.last + 1, write(sum.term)), 0);
         return text;
     }
 

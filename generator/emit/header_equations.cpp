@@ -76,7 +76,7 @@ std::map<std::string, std::string> header_equations(const std::vector<const Code
     });
     values("OUTPUT_EQUATIONS", in_modes(modes, [](const System& s, const Notation& write) {
         std::vector<std::string> result;
-        for (const OutputEquation& o : s.outputs) result.push_back(fmt::format("{} = {}", o.name, write(o.value)));
+        for (const OutputEquation& o : s.outputs) result.push_back(fmt::format("{} = {}", o.name, write(o.shown())));
         return result;
     }));
     const auto scalar = [&](const char* name, const char* letter, const auto& value) {

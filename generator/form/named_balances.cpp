@@ -115,7 +115,7 @@ private:
         shown.push_back(result_.exchanged_power);
         for (const auto& [letter, heat] : result_.balanced) shown.push_back(heat);
         for (const auto& [letter, inflow] : result_.junctions) shown.push_back(inflow);
-        for (const OutputEquation& output : system_.outputs) shown.push_back(result_.shortened(output.value));
+        for (const OutputEquation& output : system_.outputs) shown.push_back(result_.shortened(output.shown()));
         std::vector<std::pair<ex, ex>> used;
         // Names are made of those before them.
         for (auto named = result_.names.rbegin(); named != result_.names.rend(); ++named) {

@@ -90,23 +90,29 @@ ex surface_quantity(const System& system, const Expression& e, const Indices& in
     throw Failure(Diagnostic{Id::needs_absent, named.span, fmt::format("scene '{}' has no '{}'", system.scene.name, named.written())});
 }
 
-/// What cells in loops store or take up is added up in the header's functions of these names alone.
-void refuse_cells_in_loops(const System& system, const Expression& e) {
+/// What cells in loops store or take up, which outputs alone can ask for.
+ex over_cells(const System& system, const Expression& e) {
+    ex sum = 0;
     for (const RodField& field : system.heat.fields) {
-        if (e.name == "exchanged_power" && field.source.is_zero()) continue;
+        const ex& term = e.name == "exchanged_power" ? field.source : field.energy;
+        if (term.is_zero()) continue;
+        if (system.sum_over_cells) {
+            sum += system.sum_over_cells(field, field.first_index, field.first_index + static_cast<int>(field.geometry.cells()) - 1, term, e);
+            continue;
+        }
         throw Failure(Diagnostic{Id::not_allowed_here, e.span,
-                                 fmt::format("'{}' is a sum over the {} cells of rod '{}', which are computed in a loop, and cannot stand here; with loops = false, or of fewer cells, it can, and the header has a function of its name", e.name,
+                                 fmt::format("'{}' is a sum over the {} cells of rod '{}', which are computed in a loop; it can stand in an output, or with loops = false, or of fewer cells", e.name,
                                              field.geometry.cells(), field.rod->name),
                                  {{field.rod->span, "the rod is defined here"}}});
     }
+    return sum;
 }
 
 /// A property of a volume or reservoir, of a medium at a state, or what a flow or volume does.
 std::optional<ex> fluid_quantity(const System& system, const Expression& e, const Indices& indices, const std::vector<ex>& arguments) {
     const Fluids& fluids = system.fluids;
     if (e.name == "exchanged_power" || (e.name == "internal_energy" && e.children.empty())) {
-        refuse_cells_in_loops(system, e);
-        return e.name == "exchanged_power" ? system.exchanged_power : system.internal_energy;
+        return over_cells(system, e) + (e.name == "exchanged_power" ? system.exchanged_power : system.internal_energy);
     }
     const QuantitySpec& spec = *find_quantity(e.name);
     if (spec.subscript < Subscript::fluid) return std::nullopt;

@@ -97,6 +97,7 @@ RandomPoints::RandomPoints(const System& system) {
                 ++number;
             }
     }
+    for (const CellSum& sum : system.cell_sums) intervals_.push_back({sum.letter, Rational(250), Rational(600)});
 }
 
 Rational RandomPoints::fraction() {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "form/cell_sums.hpp"
 #include "form/constrained_motion.hpp"
 #include "form/events.hpp"
 #include "form/model_edges.hpp"
@@ -184,10 +185,12 @@ ex exchanged_by_jets(const System& system) {
 }
 
 void outputs(System& system) {
+    const OpenSums open(system);
     for (const auto& member : system.scene.outputs) {
         const Output& item = *member.item;
         system.outputs.push_back({member.name(), item.name, member.index, item.family.has_value(), item.unit ? item.unit->si() : "", item.doc,
                                   system.translate(item.value, Translator::indices_of(member))});
+        add_rates_in_loops(system, *item.value, system.outputs.back().value);
     }
 }
 
@@ -277,6 +280,7 @@ std::unique_ptr<System> derive(const Names& names, Scene scene) {
     model_edges(*system);
     events(*system);
     shared.settle();
+    separate_sums(*system);
     system->named = name_balances(*system, system->symbols);
     system->named.exchanged_power += by_jets;
     return system;

@@ -27,7 +27,10 @@ struct OutputEquation {
     bool is_member;
     std::string unit;  ///< in SI, empty when the model gives none
     std::string doc;
-    GiNaC::ex value;   ///< may contain accelerations and state rates
+    GiNaC::ex value;   ///< may contain accelerations and state rates; zero where the output contains sums over cells in loops
+    std::optional<GiNaC::ex> with_sums = {};  ///< the value in their letters
+
+    const GiNaC::ex& shown() const { return with_sums ? *with_sums : value; }
 };
 
 /// The balances with names for mass flows, densities and specific energies, for people. What is proven and emitted is written out.
@@ -182,6 +185,9 @@ struct System {
 
     NamedBalances named;
     std::vector<OutputEquation> outputs;
+    std::vector<CellSum> cell_sums;  ///< that outputs contain
+    /// Only while outputs are derived: the letter of a sum over the cells first..last of a field, counted as its states are.
+    std::function<GiNaC::ex(const RodField& field, int first, int last, const GiNaC::ex& term, const Expression& place)> sum_over_cells;
 
     std::vector<ConstraintEquation> constraints;
     std::vector<Repetition> repetitions;

@@ -66,6 +66,51 @@ std::vector<Wanted> wanted(FieldFunctions& functions, const System& system) {
     return result;
 }
 
+std::vector<ex> columns(const std::vector<ex>& values, const std::vector<ex>& letters) {
+    std::vector<ex> result;
+    for (const ex& letter : letters)
+        for (const ex& value : values) result.push_back(partial(value, letter));
+    return result;
+}
+
+std::vector<ex> letters_of(const std::vector<const Variable*>& variables) {
+    std::vector<ex> result;
+    for (const Variable* variable : variables) result.push_back(variable->symbol);
+    return result;
+}
+
+/// The same of sums and of the outputs that contain them.
+std::vector<Wanted> wanted(std::vector<SumFunctions>& sums, SumOutputs& outputs, const System& system) {
+    const Symbols& symbols = system.symbols;
+    constexpr auto cached = ParameterParts::cached;
+    std::vector<Wanted> result;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const ex term = symbols.without_definitions(system.cell_sums[i].term);
+        result.push_back({&sums[i].term, {term}, cached});
+        result.push_back({&sums[i].slope, {partial(term, system.heat.fields[system.cell_sums[i].field].here)}, cached});
+        for (auto& [input, function] : sums[i].by_input) result.push_back({&function, {partial(term, symbols.get(SymbolKind::input, input))}, cached});
+    }
+    if (sums.empty()) return result;
+    std::vector<ex> values, letters;
+    for (const std::size_t i : outputs.outputs) values.push_back(symbols.without_definitions(system.with_rates(*system.outputs[i].with_sums)));
+    for (const CellSum& sum : system.cell_sums) letters.push_back(sum.letter);
+    result.push_back({&outputs.values, values, cached});
+    result.push_back({&outputs.by_state, columns(values, letters_of(column_variables(symbols, By::state))), cached});
+    result.push_back({&outputs.by_input, columns(values, letters_of(column_variables(symbols, By::input))), cached});
+    result.push_back({&outputs.by_sum, columns(values, letters), cached});
+    return result;
+}
+
+void add_sums(FieldCode& code, const System& system) {
+    for (const CellSum& sum : system.cell_sums) {
+        SumFunctions& functions = code.sums.emplace_back();
+        for (const Variable& input : system.symbols.all(SymbolKind::input))
+            if (!partial(sum.term, input.symbol).is_zero()) functions.by_input.emplace_back(input.position, FunctionCode{});
+    }
+    for (std::size_t i = 0; i < system.outputs.size(); ++i)
+        if (system.outputs[i].with_sums) code.outputs.outputs.push_back(i);
+}
+
 void build(FunctionCode& function, const std::vector<Polynomial>& values, ParameterParts parts, Code& code) {
     ProgramBuilder builder(code.atoms, code.cache, parts, function.program, code.passes);
     builder.prepare(values);
@@ -105,6 +150,8 @@ std::unique_ptr<FieldCode> make_field_code(const System& system) {
     std::vector<Wanted> all;
     for (FieldFunctions& functions : result->fields)
         for (Wanted& one : wanted(functions, system)) all.push_back(std::move(one));
+    add_sums(*result, system);
+    for (Wanted& one : wanted(result->sums, result->outputs, system)) all.push_back(std::move(one));
     std::vector<std::vector<Polynomial>> lowered;
     for (const Wanted& one : all) {
         lowered.emplace_back();
@@ -124,21 +171,30 @@ std::vector<AuditEntry> verify_fields(const FieldCode& field_code) {
     Prover prover(system);
     Raiser cached(field_code.update.program, field_code.code.atoms, [](std::uint32_t) -> ex { throw std::logic_error("cached values of cached values"); });
     std::vector<AuditEntry> entries;
+    const auto compare = [&](AuditEntry& entry, const ex& a, const ex& b) {
+        Comparison result = prover.equal(a, b);
+        if (is_worse(result.verdict, entry.result.verdict)) entry.result = std::move(result);
+    };
+    const auto compare_all = [&](AuditEntry& entry, const std::vector<Wanted>& all) {
+        for (const Wanted& one : all) {
+            Raiser raise(one.function->program, field_code.code.atoms, [&](std::uint32_t index) { return cached(field_code.update.results[index]); });
+            for (std::size_t i = 0; i < one.values.size(); ++i) compare(entry, raise(one.function->results[i]), one.values[i]);
+        }
+    };
     for (const FieldFunctions& fields : field_code.fields) {
         FieldFunctions copy = fields;
         AuditEntry emitted{fmt::format("emitted = derived, cells of {}", fields.field->rod->name), {Verdict::proven}};
-        const auto compare = [&](AuditEntry& entry, const ex& a, const ex& b) {
-            Comparison result = prover.equal(a, b);
-            if (is_worse(result.verdict, entry.result.verdict)) entry.result = std::move(result);
-        };
-        for (const Wanted& one : wanted(copy, system)) {
-            Raiser raise(one.function->program, field_code.code.atoms, [&](std::uint32_t index) { return cached(field_code.update.results[index]); });
-            for (std::size_t i = 0; i < one.values.size(); ++i) compare(emitted, raise(one.function->results[i]), one.values[i]);
-        }
+        compare_all(emitted, wanted(copy, system));
         entries.push_back(std::move(emitted));
         AuditEntry energy{fmt::format("capacity = d(energy)/dT, cells of {}", fields.field->rod->name), {Verdict::proven}};
         compare(energy, partial(fields.field->energy, fields.field->here), fields.field->capacity);
         entries.push_back(std::move(energy));
+    }
+    if (!field_code.sums.empty()) {
+        std::vector<SumFunctions> sums = field_code.sums;
+        SumOutputs outputs = field_code.outputs;
+        AuditEntry& entry = entries.emplace_back(AuditEntry{"emitted = derived, sums over cells in outputs", {Verdict::proven}});
+        compare_all(entry, wanted(sums, outputs, system));
     }
     return entries;
 }

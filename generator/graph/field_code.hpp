@@ -28,12 +28,28 @@ struct FieldFunctions {
     std::vector<FieldColumn> columns;
 };
 
+/// A sum over cells that outputs contain: what the loop adds up.
+struct SumFunctions {
+    FunctionCode term;                                        ///< result: of one cell
+    FunctionCode slope;                                       ///< result: d(term)/d(here)
+    std::vector<std::pair<std::size_t, FunctionCode>> by_input;  ///< where not zero: d(term)/d(input)
+};
+
+/// Outputs that contain such sums.
+struct SumOutputs {
+    std::vector<std::size_t> outputs;                ///< among all
+    FunctionCode values = {};                        ///< results: one of each
+    FunctionCode by_state = {}, by_input = {}, by_sum = {};  ///< results: slopes at fixed sums, column by column
+};
+
 struct FieldCode {
     explicit FieldCode(const System& system) : code(system) {}
     FieldCode(const FieldCode&) = delete;
 
     Code code;                                ///< atoms and cache only
     std::vector<FieldFunctions> fields;
+    std::vector<SumFunctions> sums;           ///< of the sums of the system
+    SumOutputs outputs;
     FunctionCode update;                      ///< results: cached values
     bool depends_on_grid(std::uint32_t cached) const;
     /// Of the right-hand side, for each cell of a rod and the face behind it.

@@ -13,7 +13,32 @@ namespace {
 /// A rod with more cells is computed in loops.
 constexpr int most_written_out = 40;
 
+bool mentions(const Expression& e, const std::string& name) {
+    bool found = false;
+    for_each(e, [&](const Expression& part) { found = found || (part.kind == Expression::Kind::name && part.name == name); });
+    return found;
+}
+
+/// T[k], for a name k.
+bool is_cell(const Expression& e, const std::string& index) {
+    return e.kind == Expression::Kind::name && e.children.size() == 1 && e.children[0]->kind == Expression::Kind::name && e.children[0]->name == index;
+}
+
 }  // namespace
+
+const Field* summed_cells(const Expression& sum, const Scene& scene) {
+    if (sum.kind != Expression::Kind::sum) return nullptr;
+    const Field* result = nullptr;
+    bool others = false;
+    for_each(*sum.children[2], [&](const Expression& e) {
+        const bool counts = e.kind == Expression::Kind::name && std::any_of(e.children.begin(), e.children.end(), [&](const auto& index) { return mentions(*index, sum.name); });
+        if (!counts) return;
+        const auto field = std::find_if(scene.fields.begin(), scene.fields.end(), [&](const Field& f) { return f.states->name == e.name; });
+        others = others || !is_cell(e, sum.name) || field == scene.fields.end() || (result != nullptr && result != &*field);
+        if (field != scene.fields.end()) result = &*field;
+    });
+    return others ? nullptr : result;
+}
 
 void FieldChoice::find_all(const Names& names) {
     for (const auto& member : scene_.rods) {
@@ -37,6 +62,34 @@ void FieldChoice::tap(const Expression& name) {
         throw Failure(Diagnostic{Id::too_large, name.span,
                                  fmt::format("'{}' asks for all of the {} cells of rod '{}', which are computed in a loop; name single cells", name.written(), field->to - field->from + 1, field->rod->name)});
     tap(*field, *name.children[0], {});
+}
+
+void FieldChoice::tap_output(const Expression& output) {
+    std::set<const Expression*> summed;
+    for_each(output, [&](const Expression& e) {
+        if (e.kind == Expression::Kind::call && e.name == "dot") tap_neighbours(*e.children[0]);
+        const Field* field = summed_cells(e, scene_);
+        if (field == nullptr) return;
+        for_each(*e.children[2], [&](const Expression& part) {
+            if (part.name == field->states->name && is_cell(part, e.name)) summed.insert(&part);
+        });
+    });
+    for_each(output, [&](const Expression& e) {
+        if (e.kind == Expression::Kind::name && !summed.contains(&e)) tap(e);
+    });
+}
+
+/// Those of cells that are asked for by their numbers.
+void FieldChoice::tap_neighbours(const Expression& rate) {
+    for_each(rate, [&](const Expression& e) {
+        Field* field = e.kind == Expression::Kind::name && e.children.size() == 1 ? find(e.name) : nullptr;
+        if (field == nullptr) return;
+        bool is_single = true;
+        for_each(*e.children[0], [&](const Expression& part) { is_single = is_single && (part.kind != Expression::Kind::name || scene_.sizes.contains(part.name)); });
+        const int cell = is_single ? index_value(*e.children[0], scene_, {}) : field->from;
+        for (const int next : {cell - 1, cell + 1})
+            if (next >= field->from && next <= field->to) field->tapped.insert(next);
+    });
 }
 
 void FieldChoice::tap(Field& field, const Expression& index, const Indices& indices) {

@@ -146,7 +146,9 @@ public:
             for (const Reference& surface : member.item->surfaces) needs_part(surface, fmt::format("enclosure '{}'", member.item->name));
         use_all(scene_.constraints, "constraint");
         use_all(scene_.events, "event");
+        is_output_ = true;
         use_all(scene_.outputs, "output");
+        is_output_ = false;
         use_media();
         if (scene_.gravity != nullptr) {
             owner_ = "gravity";
@@ -205,10 +207,11 @@ private:
 
     void use(const Site& site) {
         if (site.may_be_absent && !holds(*site.expression)) return;
+        if (is_output_) fields_.tap_output(*site.expression);
         for_each(*site.expression, [&](const Expression& e) {
             const bool bound = std::find(site.bound.begin(), site.bound.end(), e.name) != site.bound.end();
             if (e.kind != Kind::name || bound) return;
-            fields_.tap(e);
+            if (!is_output_) fields_.tap(e);
             const QuantitySpec* quantity = find_quantity(e.name);
             if (quantity != nullptr && !e.children.empty() && quantity->subscript >= Subscript::solid && quantity->subscript <= Subscript::solid_and_axes) use_solid(e.children[0]->name);
             if (quantity != nullptr && quantity->is_of_medium(e.children.size())) {  // a property of a medium, at any temperature
@@ -431,6 +434,7 @@ private:
     const Names& names_;
     Scene scene_;
     FieldChoice fields_;
+    bool is_output_ = false;  ///< what is used is used by an output
     std::set<std::string> effects_;
     std::set<std::string> used_;
     std::set<std::string> solids_;

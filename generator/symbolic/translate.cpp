@@ -152,6 +152,7 @@ ex Translator::name(const Expression& e, const Indices& indices, const Letters& 
         if (find_quantity(e.name)->is_of_medium(e.children.size())) arguments = {0, visit(*e.children[1], indices, letters), visit(*e.children[2], indices, letters)};
         return quantities_(e, indices, arguments);
     }
+    if (cells_ != nullptr && named->kind == Named::Kind::state && e.children.size() == 1 && e.children[0]->kind == Kind::name && e.children[0]->name == cells_->name) return cell_;
     const int index = member_index(e, *named->item, indices);
     static constexpr SymbolKind kinds[]{SymbolKind::letter, SymbolKind::parameter, SymbolKind::definition, SymbolKind::coordinate,
                                         SymbolKind::input,  SymbolKind::state,     SymbolKind::letter,     SymbolKind::letter};
@@ -184,7 +185,19 @@ ex Translator::is_in_mode(const Expression& e) const {
     return scene_.modes[*scene_.mode].is_in(e.name) ? 1 : 0;
 }
 
+ex Translator::term_of_cells(const Expression& sum, const Indices& indices, const ex& temperature, const ex& index) const {
+    cells_ = &sum;
+    cell_ = temperature;
+    struct End {
+        const Expression*& cells;
+        ~End() { cells = nullptr; }
+    } end{cells_};
+    return visit(*sum.children[2], indices, {{sum.name, index}});
+}
+
 ex Translator::sum(const Expression& e, const Indices& indices, const Letters& letters) const {
+    if (sums_ && cells_ == nullptr)
+        if (const auto of_cells = sums_(e, indices)) return *of_cells;
     const int from = index_value(*e.children[0], scene_, indices);
     const int to = index_value(*e.children[1], scene_, indices);
     terms_.add(e, from, to);
@@ -204,7 +217,7 @@ ex Translator::call(const Expression& e, const Indices& indices, const Letters& 
     if (e.name == "ddot" && e.children[0]->kind == Kind::name)
         if (const Variable* q = symbols_.find(SymbolKind::coordinate, e.children[0]->name, 0); q != nullptr && !symbols_.has_value(q->position)) return symbols_.get(SymbolKind::acceleration, q->position);
     if (const auto found = calculus(e, indices, letters)) {
-        refuse_rates_of_cells(e, *found, scene_, symbols_);
+        if (!sums_) refuse_rates_of_cells(e, *found, scene_, symbols_);
         return *found;
     }
     if (e.name == "quantity") return visit(*to_si(e.children[0], evaluate_unit(*e.children[1])), indices, letters);

@@ -43,6 +43,12 @@ public:
     /// Forgets definitions that were inserted before temperatures were found.
     void forget() const { inserted_.clear(); }
     void set_quantities(Quantities quantities) { quantities_ = std::move(quantities); }
+    /// Gives sums over cells in loops their meaning, where there is one; other sums are written out.
+    using Sums = std::function<std::optional<GiNaC::ex>(const Expression&, const Indices&)>;
+    void set_sums(Sums sums) { sums_ = std::move(sums); }
+    /// The term of such a sum, with letters for the temperature of the cell and its index.
+    GiNaC::ex term_of_cells(const Expression& sum, const Indices& indices, const GiNaC::ex& temperature, const GiNaC::ex& index) const;
+
     /// Asked of every definite integral that an expression names, whether it has the value that its primitive gives.
     void set_integral_check(std::function<bool(const DefiniteIntegral&)> check) { is_integral_ = std::move(check); }
 
@@ -98,6 +104,9 @@ private:
     const Names& names_;
     const Symbols& symbols_;
     Quantities quantities_;
+    Sums sums_;
+    mutable const Expression* cells_ = nullptr;  ///< the sum over cells whose term is being translated
+    mutable GiNaC::ex cell_ = 0;                  ///< T[k] in it
     std::function<bool(const DefiniteIntegral&)> is_integral_;
     void keep_small(const Expression& e, const GiNaC::ex& value) const;
     void keep_magnitude(const Expression& e, const GiNaC::ex& value) const;

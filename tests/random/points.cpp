@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints rates and outputs of a generated header at points from the command line, one "name value change" a line: MODE t x... u...
+// Prints rates and outputs of a generated header at points from the command line, one "name value change" a line: MODE t x... u...; without
+// arguments the names of states and inputs.
 // The change is that by the last digits of the states, which the command line rounds.
 // HEADER and NAME_SPACE name it; SCALAR is float or double; with HAS_MODES machines that switch, with TOGETHER by that function.
 #include <cmath>
@@ -18,6 +19,11 @@ using System = NAME_SPACE::System<SCALAR>;
 #endif
 
 int main(int argc, char** argv) {
+    if (argc == 1) {
+        for (std::size_t i = 0; i < NAME_SPACE::state_count; ++i) std::printf("state %s\n", NAME_SPACE::state_quantities[i].name);
+        for (std::size_t i = 0; i < NAME_SPACE::input_count; ++i) std::printf("input %s\n", NAME_SPACE::input_quantities[i].name);
+        return 0;
+    }
     if (static_cast<std::size_t>(argc) != 3 + NAME_SPACE::state_count + NAME_SPACE::input_count) return 2;
     const System system;
     System::State x{}, f{};

@@ -17,7 +17,7 @@ failed=0 ran=0 refused=0
 points() {
   local header=$1 scalar=$2 name_space flags=()
   shift 2
-  name_space=$(sed -n 's/^namespace \(.*::.*\) {$/\1/p' "$header" | head -1)
+  name_space=$(sed -n 's/^namespace \(.*::.*\) {$/\1/p' "$header" | tail -1)
   ! grep -q 'mode_count = ' "$header" || flags+=(-DHAS_MODES)
   "$compiler" -std=c++17 -O0 -I. -DHEADER="\"$header\"" -DNAME_SPACE="$name_space" -DSCALAR="$scalar" "${flags[@]}" "$@" "$folder/points.cpp" -o "points_$scalar" || return 1
 }
@@ -67,16 +67,17 @@ one() {
   awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) { sub(/ \[.*/, "", $i); name[i] = $i } next } { for (i = 1; i <= NF; i++) { v = $i < 0 ? -$i : $i; if (v > top[i]) top[i] = v } } END { for (i in name) print name[i], top[i] + 0 }' "$csv" >scales
   local rows row states inputs
   rows=$(($(wc -l <"$csv") - 1))
-  quantities() { awk -v table=" $1{" 'index($0, table) { inside = !index($0, "{}") ; next } /^};/ { inside = 0 } inside { sub(/.*Quantity{"/, ""); sub(/".*/, ""); print }' "$header"; }
-  states=$(quantities state_quantities)
-  inputs=$(quantities input_quantities)
   for form in "${forms[@]}"; do
     IFS=: read -r file scalar flag <<<"$form"
     # shellcheck disable=SC2086  # no flag or one
     points "$file" "$scalar" $flag || { echo "$file does not compile"; return 1; }
+    states=$("./points_$scalar" | sed -n 's/^state //p')
+    inputs=$("./points_$scalar" | sed -n 's/^input //p')
     for row in $((rows / 4 + 1)) $((rows / 2 + 1)) $rows; do
+      # Of cells in loops a CSV has the first and the last; those between are given their mean: any point will do.
       # shellcheck disable=SC2016
-      values() { awk -F, -v wanted="$1" -v row="$row" 'NR == 1 { for (i = 1; i <= NF; i++) { sub(/ \[.*/, "", $i); at[$i] = i } next } NR == row + 1 { print $(at[wanted]) }' "$csv"; }
+      values() { awk -F, -v wanted="$1" -v row="$row" 'NR == 1 { base = wanted; sub(/\[[0-9]+\]$/, "[", base); for (i = 1; i <= NF; i++) { sub(/ \[.*/, "", $i); at[$i] = i; if (index($i, base) == 1) { member[++members] = i } } next }
+        NR == row + 1 { if (wanted in at) print $(at[wanted]); else printf "%.15g\n", ($(member[1]) + $(member[members]))/2 }' "$csv"; }
       local t mode=0 x=() u=() state=() input=() name_of
       # a CSV is in SI, numbers without a unit on the command line are not
       unit_of() { head -1 "$csv" | tr ',' '\n' | awk -v wanted="$1" '{ unit = $2; sub(/ \[.*/, "") } $0 == wanted { gsub(/[][]/, "", unit); print unit == "1" ? "" : " " unit }'; }
