@@ -98,7 +98,10 @@ namespace {
 /// Something in the model that is at an absolute temperature or pressure.
 class StartDoubts {
 public:
-    StartDoubts(const Values& values, const System& system, Diagnostics& diagnostics) : at_(values.substitution()), system_(system), diagnostics_(diagnostics) {}
+    StartDoubts(const Values& values, const System& system, bool knows_inputs, Diagnostics& diagnostics) : at_(values.substitution()), system_(system), diagnostics_(diagnostics) {
+        if (!knows_inputs)
+            for (const Variable& input : system.symbols.all(SymbolKind::input)) at_.erase(input.symbol);
+    }
 
     void temperature(const ExpressionPtr& e, const char* kind, const Item& item) {
         constexpr double coldest = 100;
@@ -149,9 +152,9 @@ private:
 
 }  // namespace
 
-std::string doubts_of_start(const Values& values, const System& system) {
+std::string doubts_of_start(const Values& values, const System& system, bool knows_inputs) {
     Diagnostics diagnostics;
-    StartDoubts doubts(values, system, diagnostics);
+    StartDoubts doubts(values, system, knows_inputs, diagnostics);
     for (const auto& member : system.scene.volumes) {
         const Volume& volume = *member.item;
         doubts.pressure(volume.pressure, "volume", volume);

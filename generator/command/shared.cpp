@@ -31,7 +31,7 @@ void show_warnings(const Machine& machine, Streams streams) {
 }
 
 void show_doubts(const Machine& machine, Streams streams) {
-    streams.err << doubts_of_start(Values(machine.system->scene, machine.system->translate), *machine.system);
+    streams.err << doubts_of_start(Values(machine.system->scene, machine.system->translate), *machine.system, false);
 }
 
 void ask_of_code(Machine& machine, const Options& options) {
