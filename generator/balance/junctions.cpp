@@ -22,7 +22,7 @@ namespace {
 
 struct End {
     std::optional<std::size_t> junction;
-    ex pressure;  ///< of what is no junction
+    ex pressure;  ///< of a volume or reservoir
 
     bool is_same(const End& other) const { return junction && junction == other.junction; }
 };

@@ -29,8 +29,8 @@ ExpressionPtr value_of(const Setting& setting, unsigned may_depend, const Names&
 /// absolute temperature or pressure. `is_given` says which are given, in the order of the scene.
 void check_inputs_given(const std::vector<bool>& is_given, const System& system);
 
-/// Warnings, as they are shown, of temperatures of media and nodes, and of pressures, that hardly anybody means. Where inputs
-/// are not known, nothing that depends on them is told.
+/// Warnings, as they are shown, of temperatures of media and nodes, and of pressures, that hardly anybody means. Without
+/// known inputs it skips values that depend on an input.
 std::string doubts_of_start(const Values& values, const System& system, bool knows_inputs = true);
 
 void check_dependence(const Expression& value, unsigned may_depend, const std::string& what, const Names& names);

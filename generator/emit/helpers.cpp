@@ -70,8 +70,9 @@ const std::vector<Helper>& helpers() {
         {"unroll", "unroll.hpp", {}},
         {"network", networks, {}},
         {"network_inverse", networks, {"network"}},
-        {"balanced_temperature", networks, {"select", "network"}},
-        {"junction_root", junctions, {"select", "signed_root"}},
+        {"is_certain", scalars, {}},
+        {"balanced_temperature", networks, {"select", "network", "is_certain"}},
+        {"junction_root", junctions, {"select", "signed_root", "is_certain"}},
         {"series_sums", "series_functions.hpp", {}},
         {"ldlt", "ldlt.hpp", {"unroll"}},
     };

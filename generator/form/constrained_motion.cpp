@@ -188,7 +188,9 @@ private:
 
     /// What a state lets go has a row that is zero there, and is not brought back to zero.
     [[noreturn]] static void refuse_apart(const ConstraintEquation& c, const std::string& why) {
-        throw Failure(Diagnostic{Id::too_large, c.item->span, fmt::format("there are so many combinations of modes that friction '{}' has a state in place of modes, which cannot be: where it {}. Fewer frictions keep their modes", c.name, why)});
+        throw Failure(Diagnostic{Id::too_large, c.item->span,
+                                 fmt::format("there are so many combinations of modes that friction '{}' has a state in place of modes, which cannot be: where it {}. "
+                                             "With fewer combinations, or where the file names one of its modes, it keeps them", c.name, why)});
     }
 
     void check_shares() const {
@@ -200,7 +202,8 @@ private:
             const ConstraintEquation& c = system_.constraints[row.constraint];
             const ex share = system_.translate(c.item->share, {});
             const auto moves = [&](const ex& factor) { return !is_of_parameters(ex(factor / share).normal(), symbols_); };
-            if (std::any_of(row.factors.begin(), row.factors.end(), moves) || moves(row.drift)) refuse_apart(c, "sticks, the factors of the velocities in its rate move");
+            if (std::any_of(row.factors.begin(), row.factors.end(), moves)) refuse_apart(c, "sticks, the factors of the velocities in its rate change with time or position");
+            if (moves(row.drift)) refuse_apart(c, "sticks, the speed that it sticks to is no constant");
         }
     }
 

@@ -98,7 +98,7 @@ private:
     ExpressionPtr marked_expression();  ///< a dot or bar over more than a letter
     bool closes(const LatexToken& open, const LatexToken& token) const;
 
-    // latex_unsaid.cpp: what is read, but what a text alone gives no value ------------------------------------------------------------
+    // latex_without_value.cpp: read, although a text alone gives it no value ------------------------------------------------------------
     ExpressionPtr dots();
     ExpressionPtr binomial();
     ExpressionPtr average();              ///< also \\langle a | b \\rangle and \\langle a, b \\rangle

@@ -508,7 +508,8 @@ constexpr std::array table{
                 "emissivities = [\"eps\", 0.8, 1]\nview_factors = [[0, \"?\", \"?\"], [\"?\", 0, \"?\"], [\"?\", \"?\", 0]]",
                 enclosure_keys, ""},
     SectionSpec{"frictions", true,
-                "Dry friction with stiction (2.95)-(2.99). NAME brings the modes NAME_sticks, NAME_slides_forwards, NAME_slides_backwards; constraint_force[NAME] is its force along the rate.",
+                "Dry friction with stiction (2.95)-(2.99). NAME brings the modes NAME_sticks, NAME_slides_forwards, NAME_slides_backwards; constraint_force[NAME] is its force along the rate. "
+                "With more than 128 combinations of modes in the file, and none of these named, a state instead, NAME_direction: 0 where it sticks, 1 and -1 where it slides.",
                 "[frictions.floor]\nrate               = \"dot(x)\"\nnormal_force       = \"m*g\"\ncoefficient        = \"mu\"\nstatic_coefficient = \"mu_0\"", friction_keys, ""},
     SectionSpec{"stops", true, "End stops that are struck, and hold where the machine leans on them. NAME brings the modes NAME_open and NAME_closed; constraint_force[NAME] is the force that opens the gap.",
                 "[stops.floor]\ngap         = \"h\"\nrestitution = \"e\"", stop_keys, ""},

@@ -93,8 +93,8 @@ ex junction_root_evalf(const ex& k, const ex& list) {
 
 REGISTER_FUNCTION(junction_root, evalf_func(junction_root_evalf))
 
-/// With h_k = 2|s_k| and the sum F of what flows in, dF = 0 gives dp = (dF at fixed p)/(G + sum of r_j/h_j), and ds_k = (dP_k - dp)/h_k. Multiplied by
-/// all h it has a value also where one of them is zero.
+/// With h_k = 2|s_k| and the total inflow F, dF = 0 gives dp = (dF at fixed p)/(G + sum of r_j/h_j) and ds_k = (dP_k - dp)/h_k. Numerator and
+/// denominator are multiplied by all h, so that there is a value where one h is zero.
 ex derivative_of_junction(const ex& function, const std::function<ex(const ex&)>& derivative) {
     const ex& list = function.op(1);
     const std::size_t n = list.nops() / 2 - 1, k = whole_number(function.op(0));

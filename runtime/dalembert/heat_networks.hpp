@@ -67,17 +67,6 @@ std::array<Scalar, n * n> network_inverse(std::array<Scalar, n * n> flow) noexce
 // end network_inverse
 
 // begin balanced_temperature
-/// Whether a comparison holds; of several numbers at once, whether it holds for all of them. Types that cannot tell are never certain.
-inline bool is_certain(bool condition, int) noexcept { return condition; }
-template <class Condition>
-auto is_certain(const Condition& condition, int) noexcept -> decltype(static_cast<bool>(all(condition))) {
-    return static_cast<bool>(all(condition));
-}
-template <class Condition>
-bool is_certain(const Condition&, ...) noexcept {
-    return false;
-}
-
 /// The T >= 0 with g T + r T^4 = y, to a hundredth part, where Newton's steps begin: two of them from the least of what either loss alone
 /// would ask for, which is above T; radiant_temperature has their errors. Needs select.
 template <class Scalar>

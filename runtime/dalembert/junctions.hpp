@@ -23,22 +23,11 @@ Scalar junction_surplus(const std::array<Scalar, 2 * n + 2>& data, const Scalar&
     return sum;
 }
 
-/// Whether a comparison holds; of several numbers at once, whether it holds for all of them. Types that cannot tell are never settled.
-inline bool is_settled(bool condition, int) noexcept { return condition; }
-template <class Condition>
-auto is_settled(const Condition& condition, int) noexcept -> decltype(static_cast<bool>(all(condition))) {
-    return static_cast<bool>(all(condition));
-}
-template <class Condition>
-bool is_settled(const Condition&, ...) noexcept {
-    return false;
-}
-
 /// The roots s_k = signed_root(P_k - p) at the pressure p of a junction into which flow b - G*p and r_k*s_k, in sum nothing; `data` is G, b, P_1,
 /// r_1, P_2, r_2 and so on, G and all r not negative. The sum falls with p, and bends like a root at each P_k: with w^2 for the distance from the
 /// nearer of the two P_k around p it is smooth, so that Newton's steps converge, and s_k there is w itself with all its digits, down to zero. A step that
 /// leaves the bracket, or is more than half of the one before the last, halves it instead. Where all orifices are shut only b - G*p is left. Needs
-/// select, signed_root.
+/// select, signed_root, is_certain.
 template <class Scalar, std::size_t n>
 std::array<Scalar, n> junction_root(const std::array<Scalar, 2 * n + 2>& data) noexcept {
     using std::abs;
@@ -92,7 +81,7 @@ std::array<Scalar, n> junction_root(const std::array<Scalar, 2 * n + 2>& data) n
         before_last = last;
         last = abs(Scalar(next - w));
         w = next;
-        if (is_settled(is_close, 0)) break;
+        if (is_certain(is_close, 0)) break;
     }
     std::array<Scalar, n> roots{};
     for (std::size_t k = 0; k < n; ++k) roots[k] = signed_root<Scalar>(Scalar((data[2 * k + 2] - reference) - direction * w * w));

@@ -53,6 +53,19 @@ auto is_near(const Scalar& a, const Scalar& sum, const Scalar& size) noexcept {
 }
 // end is_near
 
+// begin is_certain
+/// Whether a comparison holds; of several numbers at once, whether it holds for all of them. Types that cannot tell are never certain.
+inline bool is_certain(bool condition, int) noexcept { return condition; }
+template <class Condition>
+auto is_certain(const Condition& condition, int) noexcept -> decltype(static_cast<bool>(all(condition))) {
+    return static_cast<bool>(all(condition));
+}
+template <class Condition>
+bool is_certain(const Condition&, ...) noexcept {
+    return false;
+}
+// end is_certain
+
 // begin sin_and_cos
 /// Of a type that has both in one call: `sincos`, found by its argument, which gives a pair.
 template <class Scalar>

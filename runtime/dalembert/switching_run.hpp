@@ -37,6 +37,13 @@ public:
             result_.last.event = happened_before();
             return end(Status::no_start_mode);
         }
+        // Friction that cannot hold at the start slides there: what is observed first is what holds from then on.
+        if constexpr (has_events_at_once<System>)
+            while (event != none && System::happens_at_once(event))
+                if (const Status status = pass(event); status != Status::success) {
+                    observe_output(t_, x_);
+                    return end(status);
+                }
         observe_output(t_, x_);
         while (true) {
             if (event == none) {

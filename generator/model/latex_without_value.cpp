@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is read, but what a text alone gives no value: ellipses, kets, extrema over letters, values of functions that nothing is said of.
-// What makes equations of the model language of it (latex_words.cpp) refuses it with a sentence.
+// Notation that is read although a text alone gives it no value: ellipses, kets, extrema over letters, values of unexplained functions.
+// latex_words.cpp, which turns equations into the model language, refuses it with a sentence.
 #include <fmt/format.h>
 
 #include "model/latex_parser.hpp"
@@ -208,7 +208,7 @@ ExpressionPtr LatexParser::value_of(ExpressionPtr function, std::size_t first) {
     return call("value", first, std::move(parts));
 }
 
-/// (y = 0), and no list of what an index may be.
+/// Whether a value by name begins here, as in f(y = 0). A list of the values of an index, (i = 1, 2), is none.
 bool LatexParser::starts_named_value() {
     if (!is("(") || token().space >= Space::thin) return false;
     const auto read = starts_letter(at_ + 1) ? letter_at(at_ + 1) : std::nullopt;
