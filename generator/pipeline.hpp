@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "emit/header.hpp"
-#include "model/fix_parameters.hpp"
+#include "scene/fix_parameters.hpp"
 #include "prove/printed.hpp"
 
 namespace dalembert {

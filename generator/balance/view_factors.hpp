@@ -3,7 +3,7 @@
 // against both.
 #pragma once
 
-#include "model/heat.hpp"
+#include "elements/heat.hpp"
 #include "symbolic/values.hpp"
 
 namespace dalembert {

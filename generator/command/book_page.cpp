@@ -5,7 +5,7 @@
 
 #include "emit/mathml.hpp"
 #include "emit/template.hpp"
-#include "model/verdict.hpp"
+#include "elements/verdict.hpp"
 
 namespace dalembert {
 

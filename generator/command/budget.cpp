@@ -8,8 +8,8 @@
 
 #include "command/json_output.hpp"
 #include "command/precision_table.hpp"
-#include "model/dimension.hpp"
-#include "model/lexer.hpp"
+#include "language/dimension.hpp"
+#include "language/lexer.hpp"
 
 namespace dalembert {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "command/printed_verdicts.hpp"
-#include "model/catalogue.hpp"
+#include "printed/catalogue.hpp"
 
 namespace dalembert {
 

@@ -10,7 +10,7 @@
 #include "command/printed_report.hpp"
 #include "command/shared.hpp"
 #include "emit/safe_text.hpp"
-#include "model/verdict.hpp"
+#include "elements/verdict.hpp"
 #include "text/files.hpp"
 
 namespace dalembert {

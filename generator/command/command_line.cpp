@@ -11,7 +11,7 @@
 #include <ostream>
 
 #include "graph/passes.hpp"
-#include "model/methods.hpp"
+#include "elements/methods.hpp"
 #include "text/budgets.hpp"
 #include "text/guardian.hpp"
 #include "text/nearest.hpp"

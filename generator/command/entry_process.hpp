@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "command/printed_verdicts.hpp"
-#include "model/catalogue.hpp"
+#include "printed/catalogue.hpp"
 
 namespace dalembert {
 

@@ -7,10 +7,10 @@
 
 #include "command/command_line.hpp"
 #include "command/json_fields.hpp"
-#include "model/catalogue_schema.hpp"
-#include "model/schema.hpp"
-#include "model/unit_reference.hpp"
-#include "model/vocabulary.hpp"
+#include "printed/catalogue_schema.hpp"
+#include "elements/schema.hpp"
+#include "language/unit_reference.hpp"
+#include "language/vocabulary.hpp"
 #include "text/budgets.hpp"
 #include "text/nearest.hpp"
 

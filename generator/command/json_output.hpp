@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "model/scene.hpp"
+#include "scene/scene.hpp"
 
 namespace dalembert {
 

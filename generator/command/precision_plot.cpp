@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/methods.hpp"
+#include "elements/methods.hpp"
 #include "text/gnuplot.hpp"
 
 namespace dalembert {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "graph/separable.hpp"
-#include "model/methods.hpp"
+#include "elements/methods.hpp"
 
 namespace dalembert {
 

@@ -5,7 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "emit/safe_text.hpp"
-#include "model/verdict.hpp"
+#include "elements/verdict.hpp"
 #include "text/source.hpp"
 
 namespace dalembert {

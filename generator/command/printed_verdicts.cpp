@@ -5,7 +5,7 @@
 
 #include "command/difference_text.hpp"
 #include "emit/mathml.hpp"
-#include "model/cases.hpp"
+#include "read/cases.hpp"
 
 namespace dalembert {
 

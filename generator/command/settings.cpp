@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "model/checks.hpp"
-#include "model/parser.hpp"
-#include "model/written_values.hpp"
+#include "check/checks.hpp"
+#include "language/parser.hpp"
+#include "check/written_values.hpp"
 
 namespace dalembert {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "form/system.hpp"
-#include "model/fix_parameters.hpp"
+#include "scene/fix_parameters.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {

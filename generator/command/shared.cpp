@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "command/settings.hpp"
-#include "model/verdict.hpp"
+#include "elements/verdict.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {

@@ -10,7 +10,7 @@
 
 #include "command/closed_forms.hpp"
 #include "command/run_header.hpp"
-#include "model/methods.hpp"
+#include "elements/methods.hpp"
 
 namespace dalembert {
 

@@ -8,7 +8,7 @@
 
 #include "emit/cpp_constant.hpp"
 #include "emit/safe_text.hpp"
-#include "model/verdict.hpp"
+#include "elements/verdict.hpp"
 
 namespace dalembert {
 

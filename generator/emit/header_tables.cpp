@@ -11,7 +11,7 @@
 #include "emit/cpp_names.hpp"
 #include "emit/safe_text.hpp"
 #include "graph/separable.hpp"
-#include "model/units.hpp"
+#include "check/units.hpp"
 #include "prove/constraint_validity.hpp"
 
 namespace dalembert {

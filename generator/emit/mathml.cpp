@@ -7,9 +7,9 @@
 #include <array>
 #include <utility>
 
-#include "model/expression_text.hpp"
-#include "model/parser.hpp"
-#include "model/vocabulary.hpp"
+#include "language/expression_text.hpp"
+#include "language/parser.hpp"
+#include "language/vocabulary.hpp"
 
 namespace dalembert {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "model/expression.hpp"
+#include "language/expression.hpp"
 
 namespace dalembert {
 

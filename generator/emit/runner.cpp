@@ -15,8 +15,8 @@
 #include "emit/template.hpp"
 #include "form/state_places.hpp"
 #include "graph/lower.hpp"
-#include "model/parser.hpp"
-#include "model/written_values.hpp"
+#include "language/parser.hpp"
+#include "check/written_values.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {

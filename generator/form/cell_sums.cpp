@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "model/choose_fields.hpp"
+#include "scene/choose_fields.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {

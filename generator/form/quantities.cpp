@@ -3,7 +3,7 @@
 
 #include "form/linear_system.hpp"
 #include "form/quantities.hpp"
-#include "model/vocabulary.hpp"
+#include "language/vocabulary.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "form/quantities.hpp"
-#include "model/vocabulary.hpp"
+#include "language/vocabulary.hpp"
 #include "symbolic/functions.hpp"
 
 namespace dalembert {

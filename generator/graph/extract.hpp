@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/rational.hpp"
+#include "language/rational.hpp"
 
 namespace dalembert {
 

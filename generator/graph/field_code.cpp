@@ -5,7 +5,7 @@
 
 #include "graph/lower.hpp"
 #include "graph/raise.hpp"
-#include "model/verdict.hpp"
+#include "elements/verdict.hpp"
 
 namespace dalembert {
 

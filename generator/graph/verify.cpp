@@ -7,7 +7,7 @@
 #include "graph/raise.hpp"
 #include "graph/verify_chain.hpp"
 #include "graph/verify_solve.hpp"
-#include "model/verdict.hpp"
+#include "elements/verdict.hpp"
 
 namespace dalembert {
 

@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "model/verdict.hpp"
+#include "elements/verdict.hpp"
 #include "prove/normal_form.hpp"
 
 namespace dalembert {

@@ -3,7 +3,7 @@
 
 #include "graph/factorisation.hpp"
 #include "graph/raise.hpp"
-#include "model/verdict.hpp"
+#include "elements/verdict.hpp"
 #include "prove/normal_form.hpp"
 
 namespace dalembert {

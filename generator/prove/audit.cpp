@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "model/verdict.hpp"
+#include "elements/verdict.hpp"
 #include "prove/media.hpp"
 #include "prove/passivity.hpp"
 #include "prove/statics_audit.hpp"

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "model/fix_parameters.hpp"
+#include "scene/fix_parameters.hpp"
 #include "prove/motion_at.hpp"
 #include "text/diagnostic.hpp"
 

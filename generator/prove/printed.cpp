@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "model/latex_meaning.hpp"
-#include "model/units.hpp"
-#include "model/verdict.hpp"
+#include "printed/latex_meaning.hpp"
+#include "check/units.hpp"
+#include "elements/verdict.hpp"
 #include "prove/printed_pair.hpp"
 #include "prove/right_angles.hpp"
 #include "symbolic/quotient.hpp"

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "mechanics/curvilinear.hpp"
-#include "model/sum_terms.hpp"
-#include "model/verdict.hpp"
+#include "language/sum_terms.hpp"
+#include "elements/verdict.hpp"
 #include "prove/equivalence.hpp"
 #include "text/diagnostic.hpp"
 

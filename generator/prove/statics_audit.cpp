@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "model/verdict.hpp"
+#include "elements/verdict.hpp"
 
 namespace dalembert {
 

@@ -3,9 +3,9 @@
 
 #include <set>
 
-#include "model/expression_text.hpp"
-#include "model/matrices.hpp"
-#include "model/vocabulary.hpp"
+#include "language/expression_text.hpp"
+#include "read/matrices.hpp"
+#include "language/vocabulary.hpp"
 #include "text/budgets.hpp"
 
 namespace dalembert {

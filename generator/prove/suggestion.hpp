@@ -2,8 +2,8 @@
 // What a wrong equation may have been meant to be.
 #pragma once
 
-#include "model/latex_text.hpp"
-#include "model/slips.hpp"
+#include "printed/latex_text.hpp"
+#include "printed/slips.hpp"
 #include "prove/printed.hpp"
 
 namespace dalembert {

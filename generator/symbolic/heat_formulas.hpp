@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/rational.hpp"
+#include "language/rational.hpp"
 
 namespace dalembert {
 

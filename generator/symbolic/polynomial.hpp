@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "model/rational.hpp"
+#include "language/rational.hpp"
 
 namespace dalembert {
 

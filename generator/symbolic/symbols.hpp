@@ -12,7 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "model/scene.hpp"
+#include "scene/scene.hpp"
 #include "symbolic/derivative.hpp"
 
 namespace dalembert {

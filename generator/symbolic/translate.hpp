@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "model/sum_terms.hpp"
+#include "language/sum_terms.hpp"
 #include "symbolic/symbols.hpp"
 
 namespace dalembert {

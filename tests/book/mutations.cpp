@@ -9,7 +9,7 @@
 #include <random>
 
 #include "book/catalogues.hpp"
-#include "model/expression_text.hpp"
+#include "language/expression_text.hpp"
 
 using namespace dalembert;
 

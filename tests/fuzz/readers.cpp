@@ -3,13 +3,13 @@
 #include <cstdlib>
 
 #include "fuzz/targets.hpp"
-#include "model/catalogue.hpp"
-#include "model/condition.hpp"
-#include "model/dimension.hpp"
-#include "model/expression_text.hpp"
-#include "model/latex_reader.hpp"
-#include "model/parser.hpp"
-#include "model/reader.hpp"
+#include "printed/catalogue.hpp"
+#include "language/condition.hpp"
+#include "language/dimension.hpp"
+#include "language/expression_text.hpp"
+#include "printed/latex_reader.hpp"
+#include "language/parser.hpp"
+#include "read/reader.hpp"
 #include "text/diagnostic.hpp"
 #include "text/files.hpp"
 

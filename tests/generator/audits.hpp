@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "model/verdict.hpp"
+#include "elements/verdict.hpp"
 #include "prove/audit.hpp"
 
 namespace dalembert {

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "model/reader.hpp"
+#include "read/reader.hpp"
 #include "pipeline.hpp"
 
 namespace dalembert {

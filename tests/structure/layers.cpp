@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lower layers of the generator never include higher ones.
+// Lower layers of the generator never include higher ones, only those from `symbolic` on know GiNaC, and its files can be compiled together.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -11,49 +14,88 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<std::string> order{"text", "model", "symbolic", "mechanics", "balance", "form", "prove", "graph", "emit", "pipeline", "command", "main"};
+/// From below. A layer is a folder of `generator` with all its subfolders, or a file beside them.
+const std::vector<std::string> order{"text",    "language", "elements", "check", "read",  "scene", "printed",  "symbolic", "mechanics", "balance",
+                                     "form",    "prove",    "graph",    "emit",  "pipeline", "book", "run", "report", "command",   "main"};
 
-std::size_t rank(const std::string& name) {
-    for (std::size_t i = 0; i < order.size(); ++i)
-        if (order[i] == name) return i;
-    return order.size();
+std::size_t rank(const std::string& layer) {
+    return std::size_t(std::find(order.begin(), order.end(), layer) - order.begin());
+}
+
+std::string layer_of(const fs::path& relative) {
+    return relative.has_parent_path() ? relative.begin()->string() : relative.stem().string();
+}
+
+/// The files of `generator` with their lines, by their paths from there.
+std::map<std::string, std::vector<std::string>> generator_files() {
+    const fs::path generator = fs::path(SOURCE_DIR) / "generator";
+    std::map<std::string, std::vector<std::string>> files;
+    for (const auto& entry : fs::recursive_directory_iterator(generator)) {
+        const std::string extension = entry.path().extension().string();
+        if (extension != ".cpp" && extension != ".hpp") continue;
+        std::ifstream in(entry.path());
+        std::vector<std::string>& lines = files[fs::relative(entry.path(), generator).string()];
+        for (std::string line; std::getline(in, line);) lines.push_back(line);
+    }
+    return files;
+}
+
+/// What a line at the left margin defines that no other file may define, too: a class, or a function with its parameters.
+std::string defined_by(const std::string& line) {
+    static const std::regex type(R"(^(?:struct|class|enum|enum class) (\w+)\b[^;]*\{.*)");
+    static const std::regex function(R"(^(?:[\w:<>,&*]+ )+[&*]?(\w+)(\(.*\)) (?:const )?\{.*)");
+    std::smatch match;
+    if (std::regex_match(line, match, type)) return match[1];
+    if (std::regex_match(line, match, function) && !line.starts_with("template")) return match[1].str() + match[2].str();
+    return {};
 }
 
 }  // namespace
 
 TEST_CASE("layers include only what is below them") {
-    const fs::path generator = fs::path(SOURCE_DIR) / "generator";
-    int files = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(generator)) {
-        const std::string extension = entry.path().extension().string();
-        if (extension != ".cpp" && extension != ".hpp") continue;
-        const fs::path relative = fs::relative(entry.path(), generator);
-        const std::string layer = relative.has_parent_path() ? relative.begin()->string() : relative.stem().string();
-        CAPTURE(relative.string());
+    const auto files = generator_files();
+    CHECK(files.size() > 400);
+    for (const auto& [path, lines] : files) {
+        const std::string layer = layer_of(path);
+        CAPTURE(path);
         REQUIRE(rank(layer) < order.size());
-        ++files;
-        std::ifstream in(entry.path());
-        for (std::string line; std::getline(in, line);) {
+        for (const std::string& line : lines) {
             if (!line.starts_with("#include \"")) continue;
             const std::string included = line.substr(10, line.find('"', 10) - 10);
-            const fs::path path(included);
-            const std::string below = path.has_parent_path() ? path.begin()->string() : path.stem().string();
+            const std::string below = layer_of(included);
             CAPTURE(included);
-            CHECK(fs::exists(generator / included));
+            CHECK(files.contains(included));
             CHECK(rank(below) <= rank(layer));
             CHECK_FALSE((layer == "balance" && below == "mechanics"));  // the two stand beside each other
         }
     }
-    CHECK(files > 50);
 }
 
 TEST_CASE("the layers below symbolic know nothing of GiNaC") {
-    const fs::path generator = fs::path(SOURCE_DIR) / "generator";
-    for (const char* layer : {"text", "model"})
-        for (const auto& entry : fs::directory_iterator(generator / layer)) {
-            std::ifstream in(entry.path());
-            const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-            CAPTURE(entry.path().string());
-            CHECK(text.find("ginac") == std::string::npos);
+    for (const auto& [path, lines] : generator_files()) {
+        if (rank(layer_of(path)) >= rank("symbolic")) continue;
+        for (const std::string& line : lines) {
+            CAPTURE(path);
+            CAPTURE(line);
+            CHECK(line.find("ginac/") == std::string::npos);
+            CHECK(line.find("GiNaC::") == std::string::npos);
         }
+    }
+}
+
+TEST_CASE("files can be compiled together: no two of them define the same name for themselves") {
+    std::map<std::string, std::string> seen;
+    for (const auto& [path, lines] : generator_files()) {
+        if (!path.ends_with(".cpp")) continue;
+        for (const std::string& line : lines) {
+            const std::string name = defined_by(line);
+            if (name.empty()) continue;
+            const auto [known, is_new] = seen.emplace(name, path);
+            CAPTURE(name);
+            CAPTURE(path);
+            CAPTURE(known->second);
+            CHECK((is_new || known->second == path));
+        }
+    }
+    CHECK(seen.size() > 1000);
 }

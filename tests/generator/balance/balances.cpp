@@ -5,8 +5,8 @@
 #include "emit/notation.hpp"
 #include "generator/audits.hpp"
 #include "generator/machine.hpp"
-#include "model/checks.hpp"
-#include "model/verdict.hpp"
+#include "check/checks.hpp"
+#include "elements/verdict.hpp"
 #include "prove/media.hpp"
 #include "symbolic/functions.hpp"
 

@@ -2,7 +2,7 @@
 // Blocks: their cells against a network that is written by hand, and what their sides and the ends of rods take up.
 #include "generator/audits.hpp"
 #include "generator/machine.hpp"
-#include "model/verdict.hpp"
+#include "elements/verdict.hpp"
 
 using namespace dalembert;
 using GiNaC::ex;

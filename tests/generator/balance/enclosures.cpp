@@ -6,7 +6,7 @@
 
 #include "balance/net_radiation.hpp"
 #include "generator/machine.hpp"
-#include "model/verdict.hpp"
+#include "elements/verdict.hpp"
 #include "symbolic/functions.hpp"
 
 using namespace dalembert;

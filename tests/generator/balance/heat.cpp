@@ -6,7 +6,7 @@
 #include "generator/audits.hpp"
 #include "generator/machine.hpp"
 #include "graph/field_code.hpp"
-#include "model/verdict.hpp"
+#include "elements/verdict.hpp"
 #include "symbolic/functions.hpp"
 
 using namespace dalembert;

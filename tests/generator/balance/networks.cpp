@@ -8,7 +8,7 @@
 #include "generator/machine.hpp"
 #include "graph/code.hpp"
 #include "graph/verify.hpp"
-#include "model/verdict.hpp"
+#include "elements/verdict.hpp"
 #include "symbolic/network_functions.hpp"
 
 using namespace dalembert;

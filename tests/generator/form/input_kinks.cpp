@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "generator/machine.hpp"
-#include "model/parser.hpp"
+#include "language/parser.hpp"
 
 using namespace dalembert;
 

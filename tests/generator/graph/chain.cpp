@@ -4,7 +4,7 @@
 
 #include "generator/machine.hpp"
 #include "graph/verify.hpp"
-#include "model/verdict.hpp"
+#include "elements/verdict.hpp"
 
 using namespace dalembert;
 

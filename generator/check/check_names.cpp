@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/checks.hpp"
+#include "elements/sites.hpp"
+#include "language/vocabulary.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Kind = Expression::Kind;
+
+bool is_identifier(std::string_view name) {
+    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    if (name.empty() || name.size() > 60 || !letter(name.front()) || name.back() == '_') return false;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const bool ok = letter(name[i]) || (name[i] >= '0' && name[i] <= '9') || (name[i] == '_' && name[i - 1] != '_');
+        if (!ok) return false;
+    }
+    return true;
+}
+
+/// Names, and who defined them first.
+class NameCheck {
+public:
+    NameCheck(const Model& model, Diagnostics& diagnostics) : model_(model), diagnostics_(diagnostics) {}
+
+    void run() {
+        if (well_formed(model_.name, model_.name_span) && is_global_function(model_.name))
+            diagnostics_.error(Id::reserved_name, model_.name_span,
+                               fmt::format("'{}' has a meaning of its own in C or C++ and cannot be the namespace of the header", model_.name));
+        // Names that expressions use share one namespace; a velocity gets the name NAME_dot in C++.
+        std::map<std::string, const Item*> used;
+        const auto shared = [&](const auto& items) {
+            for (const auto& item : items) define(used, item.name, item);
+        };
+        shared(model_.sizes);
+        shared(model_.parameters);
+        shared(model_.definitions);
+        shared(model_.coordinates);
+        shared(model_.inputs);
+        shared(model_.states);
+        shared(model_.outputs);
+        for (const ModeGroup& group : model_.modes) shared(group.modes);
+        for (const Coordinate& coordinate : model_.coordinates)
+            if (const auto clash = used.find(coordinate.name + "_dot"); clash != used.end())
+                diagnostics_.error(Id::doubly_defined, clash->second->span,
+                                   fmt::format("'{}' is also the name of the velocity of '{}' in the header", clash->first, coordinate.name),
+                                   {{coordinate.span, fmt::format("'{}' is defined here", coordinate.name)}});
+        each_separately(model_.bodies);
+        each_separately(model_.springs);
+        each_separately(model_.dampers);
+        each_separately(model_.forces);
+        each_separately(model_.torques);
+        each_separately(model_.jets);
+        each_separately(model_.cuts);
+        each_separately(model_.solids);
+        each_separately(model_.loads);
+        for (const Load& load : model_.loads) each_separately(load.parts);
+        each_separately(model_.stickings);
+        each_separately(model_.kinetic);
+        each_separately(model_.potentials);
+        each_separately(model_.generalised_forces);
+        std::map<std::string, const Item*> parts;
+        const auto part = [&](const auto& items) {
+            for (const auto& item : items) {
+                if (!well_formed(item.name, item.span)) continue;
+                const auto [first, is_new] = parts.emplace(item.name, &item);
+                if (!is_new)
+                    diagnostics_.error(Id::doubly_defined, item.span, fmt::format("'{}' is defined twice among media, volumes, reservoirs, flows, nodes, links, rods, blocks and enclosures", item.name),
+                                       {{first->second->span, fmt::format("'{}' is first defined here", item.name)}});
+            }
+        };
+        part(model_.media);
+        part(model_.volumes);
+        part(model_.reservoirs);
+        part(model_.junctions);
+        part(model_.flows);
+        part(model_.nodes);
+        part(model_.links);
+        part(model_.rods);
+        part(model_.blocks);
+        part(model_.enclosures);
+        distinct(model_.attitudes, "attitudes");
+        distinct(model_.modes, "groups of modes");
+        distinct(model_.constraints, "constraints");
+        distinct(model_.events, "events");
+        for (const Event& event : model_.events)
+            if (event.name == "event") diagnostics_.error(Id::reserved_name, event.span, "'event' is a name that every header with events defines itself");
+        each_separately(model_.effects);
+        each_separately(model_.scenes);
+        each_separately(model_.runs);
+        for (const PrintedEquation& printed : model_.printed)
+            if (printed.name.empty() || printed.name.size() > 80)
+                diagnostics_.error(Id::bad_name, printed.span, "the name of a printed equation has 1 to 80 characters");
+    }
+
+    void run_letters() {
+        is_header_ = false;
+        std::map<std::string, const Item*> used;
+        for (const Parameter& letter : model_.parameters) define(used, letter.name, letter);
+        for (const Coordinate& letter : model_.coordinates) define(used, letter.name, letter);
+    }
+
+private:
+    bool well_formed(const std::string& name, const Span& span) {
+        if (!is_identifier(name)) {
+            diagnostics_.error(Id::bad_name, span,
+                               fmt::format("'{}' is not a name; a name is a letter followed by at most 59 letters, digits and single underscores", name));
+            return false;
+        }
+        if (!is_header_) return true;
+        const char* what = is_cpp_keyword(name) ? "a word of C++" : is_cpp_macro(name) ? "a macro of C++" : name == "std" ? "the namespace of C++" : nullptr;
+        if (what != nullptr) diagnostics_.error(Id::reserved_name, span, fmt::format("'{}' is {} and cannot be a name in the header", name, what));
+        return what == nullptr;
+    }
+
+    void define(std::map<std::string, const Item*>& used, const std::string& name, const Item& item) {
+        if (!well_formed(name, item.span)) return;
+        const char* meaning = name == "t"                             ? "the time"
+                              : name == "pi"                          ? "the number pi"
+                              : name == "infinity"                    ? "beyond all numbers"
+                              : name == "stefan_boltzmann"            ? "the constant of radiation"
+                              : find_function(name) != nullptr        ? "a function"
+                              : find_quantity(name) != nullptr        ? "a derived quantity"
+                              : is_special_form(name)                 ? "an operation"
+                                                                      : nullptr;
+        if (meaning != nullptr) {
+            diagnostics_.error(Id::reserved_name, item.span, fmt::format("'{}' is {} in every model and cannot be defined again", name, meaning));
+            return;
+        }
+        if (is_header_ && is_header_name(name)) {
+            diagnostics_.error(Id::reserved_name, item.span, fmt::format("'{}' is a name that every header defines itself", name));
+            return;
+        }
+        const auto [first, is_new] = used.emplace(name, &item);
+        if (!is_new)
+            diagnostics_.error(Id::doubly_defined, item.span, fmt::format("'{}' is defined twice", name),
+                               {{first->second->span, fmt::format("'{}' is first defined here", name)}});
+    }
+
+    template <class T>
+    void each_separately(const std::vector<T>& items) {
+        for (const T& item : items) well_formed(item.name, item.span);
+    }
+
+    /// Of what elements bring along some may have the name of something that was written.
+    template <class T>
+    void distinct(const std::vector<T>& items, const char* what) {
+        std::map<std::string, const Item*> seen;
+        for (const T& item : items) {
+            if (!well_formed(item.name, item.span)) continue;
+            const auto [first, is_new] = seen.emplace(item.name, &item);
+            if (!is_new)
+                diagnostics_.error(Id::doubly_defined, item.span, fmt::format("there are two {} '{}'", what, item.name), {{first->second->span, fmt::format("'{}' is first defined here", item.name)}});
+        }
+    }
+
+    const Model& model_;
+    Diagnostics& diagnostics_;
+    bool is_header_ = true;
+};
+
+/// Reports definitions, solids and loads that need themselves; the others can be followed without end.
+class CycleCheck {
+public:
+    CycleCheck(const Names& names, Diagnostics& diagnostics) : names_(names), diagnostics_(diagnostics) {}
+
+    void follow(const Definition& definition) {
+        visit_once(definition, fmt::format("the definition of '{}' needs '{}' itself", definition.name, definition.name), [&] { names_in(*definition.value, {}); });
+    }
+    void follow(const Solid& solid) {
+        visit_once(solid, fmt::format("solid '{}' needs itself", solid.name), [&] {
+            visit(solid, [&](const Site& site) { names_in(*site.expression, site.bound); });
+            for (const auto* parts : {&solid.of, &solid.without})
+                for (const Reference& part : *parts)
+                    if (const Solid* other = names_.find_solid(part.name)) follow(*other);
+        });
+    }
+    void follow(const Load& load) {
+        visit_once(load, fmt::format("load '{}' needs what follows from it", load.name), [&] {
+            std::vector<std::string> own;
+            for (const Unknown& unknown : load.unknowns) own.push_back(unknown.name);
+            visit(load, [&](const Site& site) { names_in(*site.expression, own); });
+        });
+    }
+    void follow(const Sticking& sticking) {
+        visit_once(sticking, fmt::format("sticking '{}' needs what it says itself", sticking.name), [&] { visit(sticking, [&](const Site& site) { names_in(*site.expression, {}); }); });
+    }
+
+private:
+    /// What the names in an expression stand for, but for those that mean something else here.
+    void names_in(const Expression& e, const std::vector<std::string>& bound) {
+        if (e.kind == Kind::name && std::find(bound.begin(), bound.end(), e.name) != bound.end()) return;
+        const QuantitySpec* quantity = e.kind != Kind::name || e.children.empty() ? nullptr : find_quantity(e.name);
+        if (quantity != nullptr && quantity->subscript >= Subscript::solid && quantity->subscript <= Subscript::sticking) {
+            const std::string& name = e.children[0]->name;
+            if (const Solid* solid = names_.find_solid(name); solid != nullptr && quantity->subscript <= Subscript::solid_and_axes) follow(*solid);
+            else if (const Load* load = names_.find_load(name); load != nullptr && quantity->subscript <= Subscript::load_and_unknown) follow(*load);
+            else if (const Sticking* sticking = names_.find_sticking(name); sticking != nullptr && quantity->subscript == Subscript::sticking) follow(*sticking);
+            return;
+        }
+        const Named* named = e.kind == Kind::name ? names_.find(e.name) : nullptr;
+        if (named != nullptr && named->kind == Named::Kind::definition) follow(named->definition());
+        for (const ExpressionPtr& child : e.children) names_in(*child, bound);
+    }
+
+    template <class Visit>
+    void visit_once(const Item& item, const std::string& sentence, Visit visit) {
+        if (const auto at = std::find(path_.begin(), path_.end(), &item); at != path_.end()) {
+            std::vector<Note> notes;
+            for (auto between = at + 1; between != path_.end(); ++between) notes.push_back({(*between)->span, fmt::format("by way of '{}'", (*between)->name)});
+            diagnostics_.error(Id::cyclic_definition, item.span, sentence, notes);
+            return;
+        }
+        if (!done_.insert(&item).second) return;
+        constexpr std::size_t deepest = 500;
+        if (path_.size() >= deepest) {
+            diagnostics_.error(Id::too_large, item.span, fmt::format("'{}' stands behind more than {} definitions that need each other", item.name, deepest));
+            return;
+        }
+        path_.push_back(&item);
+        visit();
+        path_.pop_back();
+    }
+
+    const Names& names_;
+    Diagnostics& diagnostics_;
+    std::set<const Item*> done_;
+    std::vector<const Item*> path_;
+};
+
+void check_definition_cycles(const Model& model, const Names& names, Diagnostics& diagnostics) {
+    CycleCheck check(names, diagnostics);
+    for (const Definition& definition : model.definitions) check.follow(definition);
+    for (const Solid& solid : model.solids) check.follow(solid);
+    for (const Load& load : model.loads) check.follow(load);
+    for (const Sticking& sticking : model.stickings) check.follow(sticking);
+}
+
+}  // namespace
+
+void check_names(const Model& model, Diagnostics& diagnostics) {
+    NameCheck(model, diagnostics).run();
+    check_definition_cycles(model, Names(model), diagnostics);
+}
+
+void check_letter_names(const Model& letters, Diagnostics& diagnostics) { NameCheck(letters, diagnostics).run_letters(); }
+
+}  // namespace dalembert

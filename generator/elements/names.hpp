@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What each name of a model means.
+#pragma once
+
+#include <map>
+#include <set>
+
+#include "elements/model.hpp"
+#include "elements/sites.hpp"
+#include "language/vocabulary.hpp"
+
+namespace dalembert {
+
+/// A name that expressions may use, and the item that defines it.
+struct Named {
+    enum class Kind { size, parameter, definition, coordinate, input, state, output, mode };
+    Kind kind;
+    const Item* item;
+
+    const Definition& definition() const { return static_cast<const Definition&>(*item); }
+    const Quantity& quantity() const { return static_cast<const Quantity&>(*item); }
+};
+
+const char* describe(Named::Kind kind);
+
+/// What is not a number: media, what holds and moves them, and what holds and carries heat. A border is an end of a rod, "bar.first", or a
+/// side of a block, "plate.left".
+struct Part {
+    enum class Kind { medium, volume, reservoir, junction, flow, node, link, rod, block, border, enclosure };
+    Kind kind;
+    const Item* item;
+};
+
+const char* describe(Part::Kind kind);
+/// What may stand in the brackets behind a quantity, but for media with a pressure and a temperature.
+std::vector<Part::Kind> parts_in(Subscript subscript);
+
+/// The names of a model. Refers into the model, which must outlive it.
+class Names {
+public:
+    explicit Names(const Model& model);
+
+    const Named* find(std::string_view name) const;
+    const Body* find_body(std::string_view name) const;
+    const Damper* find_damper(std::string_view name) const;
+    const Constraint* find_constraint(std::string_view name) const;
+    const Cut* find_cut(std::string_view name) const;
+    const Solid* find_solid(std::string_view name) const;
+    const Load* find_load(std::string_view name) const;
+    const Sticking* find_sticking(std::string_view name) const;
+    const Friction* find_friction(std::string_view name) const;
+    const Part* find_part(std::string_view name) const;
+    /// The names of the parts of these kinds.
+    std::vector<std::string> parts(const std::vector<Part::Kind>& kinds) const;
+    std::vector<std::string> all() const;
+    std::vector<std::string> solids() const;
+    std::vector<std::string> loads() const;
+    std::vector<std::string> stickings() const;
+    const std::map<std::string, Named, std::less<>>& table() const { return table_; }
+
+private:
+    std::map<std::string, Named, std::less<>> table_;
+    std::map<std::string, const Body*, std::less<>> bodies_;
+    std::map<std::string, const Damper*, std::less<>> dampers_;
+    std::map<std::string, const Constraint*, std::less<>> constraints_;
+    std::map<std::string, const Cut*, std::less<>> cuts_;
+    std::map<std::string, const Friction*, std::less<>> frictions_;
+    std::map<std::string, const Solid*, std::less<>> solids_;
+    std::map<std::string, const Load*, std::less<>> loads_;
+    std::map<std::string, const Sticking*, std::less<>> stickings_;
+    std::map<std::string, Part, std::less<>> parts_;
+};
+
+/// What the time derivative of something depends on that depends on `depends` (bits of Dependence).
+unsigned derivative_dependence(unsigned depends);
+
+/// The bit of a derived quantity that does not depend on what stands in its brackets.
+unsigned dependence(const QuantitySpec& quantity);
+
+/// The other loads whose unknowns or resultants a load needs, by way of definitions too.
+std::set<std::string> loads_needed(const Load& load, const Names& names);
+
+/// What a load depends on, its unknowns with it.
+unsigned dependence(const Load& load, const Names& names);
+
+/// What an expression depends on (bits of Dependence), definitions followed.
+unsigned dependence(const Expression& expression, const Names& names);
+
+}  // namespace dalembert

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "language/dimension.hpp"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+namespace dalembert {
+
+namespace {
+
+constexpr std::array<const char*, Dimension::count> base_names{"m", "kg", "s", "A", "K", "mol", "cd"};
+/// In the order in which people write them: kg*m^2/s^2, not m^2*kg/s^2.
+constexpr std::array<std::size_t, Dimension::count> writing_order{1, 0, 2, 3, 4, 5, 6};
+
+std::string power_text(const char* name, const Fraction& exponent) {
+    if (exponent.denominator != 1) return fmt::format("{}^({}/{})", name, exponent.numerator, exponent.denominator);
+    return exponent.numerator == 1 ? std::string(name) : fmt::format("{}^{}", name, exponent.numerator);
+}
+
+}  // namespace
+
+Fraction Fraction::reduced(long long numerator, long long denominator) {
+    if (denominator < 0) {
+        numerator = -numerator;
+        denominator = -denominator;
+    }
+    const long long divisor = std::gcd(numerator, denominator);
+    numerator /= divisor;
+    denominator /= divisor;
+    // No physical quantity has such an exponent; a fixed absurd one keeps the arithmetic defined and the mismatch visible.
+    constexpr long long absurd = 100'003;
+    if (std::abs(numerator) > absurd || denominator > absurd) return {static_cast<int>(absurd), 1};
+    return {static_cast<int>(numerator), static_cast<int>(denominator)};
+}
+
+Dimension Dimension::base(std::size_t index) {
+    Dimension result;
+    result.exponents_[index] = {1, 1};
+    return result;
+}
+
+Dimension Dimension::operator*(const Dimension& other) const {
+    Dimension result;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Fraction &a = exponents_[i], &b = other.exponents_[i];
+        result.exponents_[i] = Fraction::reduced(1LL * a.numerator * b.denominator + 1LL * b.numerator * a.denominator,
+                                                 1LL * a.denominator * b.denominator);
+    }
+    return result;
+}
+
+Dimension Dimension::operator/(const Dimension& other) const { return *this * other.raised({-1, 1}); }
+
+Dimension Dimension::raised(const Fraction& exponent) const {
+    Dimension result;
+    for (std::size_t i = 0; i < count; ++i)
+        result.exponents_[i] =
+            Fraction::reduced(1LL * exponents_[i].numerator * exponent.numerator, 1LL * exponents_[i].denominator * exponent.denominator);
+    return result;
+}
+
+std::string Dimension::in_base_units() const {
+    std::string above;
+    std::string below;
+    for (const std::size_t i : writing_order) {
+        Fraction exponent = exponents_[i];
+        if (exponent.numerator == 0) continue;
+        std::string& part = exponent.numerator > 0 ? above : below;
+        exponent.numerator = std::abs(exponent.numerator);
+        if (!part.empty()) part += '*';
+        part += power_text(base_names[i], exponent);
+    }
+    if (below.empty()) return above.empty() ? "1" : above;
+    if (above.empty()) above += '1';
+    return below.find('*') == std::string::npos ? fmt::format("{}/{}", above, below) : fmt::format("{}/({})", above, below);
+}
+
+std::string Dimension::described() const {
+    struct Named {
+        Dimension dimension;
+        const char* name;
+    };
+    static const std::array named{
+        Named{force(), "N"}, Named{energy(), "J or N*m"}, Named{power(), "W"}, Named{force() / length() / length(), "Pa"},
+        Named{force() / length(), "N/m"}, Named{force() / speed(), "N*s/m"},
+    };
+    for (const Named& entry : named)
+        if (entry.dimension == *this) return fmt::format("{} ({})", in_base_units(), entry.name);
+    return in_base_units();
+}
+
+}  // namespace dalembert

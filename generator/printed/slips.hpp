@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The slips that happen in print: one change of a syntax tree each. They find out what a wrong equation was meant to be, and what a test
+// of the checker has to see.
+#pragma once
+
+#include "language/expression.hpp"
+
+namespace dalembert {
+
+/// In the order in which they are tried.
+enum class SlipKind { sign, index, exponent, factor, dot, function, bracket, term, letter };
+
+struct Slip {
+    SlipKind kind;
+    std::size_t side;       ///< that is different
+    std::string words;      ///< what is different, "'+' instead of '-' before 'b*x'"
+    Equation equation;
+    ExpressionPtr printed;  ///< the part that is different, as it is printed
+    ExpressionPtr mended;   ///< what stands there instead
+};
+
+struct SlipOptions {
+    /// Also slips that are many: a letter that lacks as a factor or is one too much, the square of a bracket or rate, all hyperbolic functions.
+    bool is_wide = false;
+    /// How the words of a slip write parts of the equation; in the model language, if left out.
+    std::function<std::string(const Expression&)> spelled = {};
+};
+
+/// A letter that another may be taken for, by its stem ("m_1" and "m_2") or its unit. The unit is text: letters of one unit have the same.
+struct KnownLetter {
+    std::string name;
+    std::string unit;
+};
+
+/// Every equation that differs from this one by a single slip, by kind and then by place. What stands for one letter of a text, and so has the
+/// same place as its parts, is changed as a whole only.
+std::vector<Slip> slips_of(const Equation& equation, const std::vector<KnownLetter>& letters, const SlipOptions& options = {});
+
+}  // namespace dalembert

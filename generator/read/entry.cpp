@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "read/entry.hpp"
+
+#include <fmt/format.h>
+
+#include "language/parser.hpp"
+#include "check/written_values.hpp"
+#include "text/nearest.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using NodeKind = DocumentNode::Kind;
+
+}  // namespace
+
+Entry::Entry(const DocumentNode::Member& member, const SectionSpec& section, Diagnostics& diagnostics)
+    : name_(member.key), span_(member.key_span), section_(section), diagnostics_(diagnostics) {
+    const std::string path = section.is_collection ? fmt::format("{}.{}", section.name, name_) : section.name;
+    if (member.value.kind != NodeKind::table) {
+        if (*section.short_form == '\0') {
+            error(Id::wrong_type, member.value.span, fmt::format("[{}] is {}, but must be a table", path, describe(member.value.kind)));
+            return;
+        }
+        values_.emplace(section.short_form, &member.value);
+    }
+    std::vector<std::string> known;
+    for (const KeySpec& key : section.keys) known.emplace_back(key.name);
+    for (const DocumentNode::Member& value : member.value.members) {
+        if (find_key(section, value.key) != nullptr) {
+            values_.emplace(value.key, &value.value);
+            continue;
+        }
+        has_unknown_key_ = true;
+        error(Id::unknown_key, value.key_span,
+              fmt::format("[{}] has no key '{}'{}{}", path, value.key, did_you_mean(value.key, known),
+                          nearest(value.key, known).empty() ? "; it takes " + quoted_list(known) : ""));
+    }
+    for (const KeySpec& key : section.keys)
+        if (key.required && !has(key.name))
+            error(Id::missing_key, span_, fmt::format("[{}] needs the key '{}': {}", path, key.name, key.doc));
+}
+
+Excerpt Entry::key_excerpt(const Span& span) {
+    std::size_t begin = span.begin;
+    std::size_t end = span.end;
+    const std::string_view text = span.text();
+    if (text.size() >= 2 && (text.front() == '"' || text.front() == '\'')) {
+        ++begin;
+        --end;
+    }
+    return excerpt_of(span.source, begin, end);
+}
+
+const DocumentNode* Entry::find(std::string_view key) const {
+    const auto found = values_.find(key);
+    return found == values_.end() ? nullptr : found->second;
+}
+
+const DocumentNode* Entry::find(std::string_view key, ValueType type) const {
+    const KeySpec* spec = find_key(section_, key);
+    if (spec == nullptr || spec->type != type)
+        throw std::logic_error(fmt::format("the schema has no key {}.{} of that type", section_.name, key));
+    return find(key);
+}
+
+Span Entry::span_of(std::string_view key) const {
+    const DocumentNode* node = find(key);
+    return node == nullptr ? span_ : node->span;
+}
+
+void Entry::error(Id id, Span span, std::string message, std::vector<Note> notes) const {
+    if (id == Id::missing_key && has_unknown_key_) return;  // the misspelt key is probably the missing one
+    diagnostics_.error(id, std::move(span), std::move(message), std::move(notes));
+}
+
+void Entry::wrong_type(const DocumentNode& node, ValueType expected) const {
+    error(Id::wrong_type, node.span, fmt::format("there is {}; expected: {}", describe(node.kind), describe(expected)));
+}
+
+std::string Entry::text(std::string_view key) const {
+    const KeySpec* spec = find_key(section_, key);
+    const DocumentNode* node = find(key, spec != nullptr && spec->type == ValueType::choice ? ValueType::choice : ValueType::text);
+    if (node == nullptr) return {};
+    if (node->kind == NodeKind::string) return node->string.text;
+    wrong_type(*node, ValueType::text);
+    return {};
+}
+
+int Entry::whole_number(std::string_view key, int otherwise) const {
+    const DocumentNode* node = find(key, ValueType::whole_number);
+    if (node == nullptr) return otherwise;
+    const auto value = node->kind == NodeKind::number ? read_decimal(node->number) : std::nullopt;
+    const auto whole = value ? to_int(*value) : std::nullopt;
+    if (!whole) wrong_type(*node, ValueType::whole_number);
+    return whole.value_or(otherwise);
+}
+
+std::optional<Rational> Entry::number(std::string_view key) const {
+    const DocumentNode* node = find(key, ValueType::number);
+    if (node == nullptr) return std::nullopt;
+    const auto value = node->kind == NodeKind::number ? read_decimal(node->number) : std::nullopt;
+    if (!value) wrong_type(*node, ValueType::number);
+    return value;
+}
+
+ExpressionPtr Entry::expression(const DocumentNode& node, ValueType type) const {
+    if (node.kind == NodeKind::number) {
+        if (const auto value = read_decimal(node.number)) return make_number(*value, node.span);
+        error(Id::wrong_type, node.span, fmt::format("'{}' is not a decimal number with an exponent between -400 and 400", node.number));
+        return nullptr;
+    }
+    if (node.kind != NodeKind::string) {
+        wrong_type(node, type);
+        return nullptr;
+    }
+    return attempt([&] { return parse_expression(node.string); }).value_or(nullptr);
+}
+
+ExpressionPtr Entry::constant(const DocumentNode& node, const Unit& unit) const {
+    ExpressionPtr value = expression(node, ValueType::constant);
+    return value && is_plain_number(*value) ? to_si(std::move(value), unit) : value;
+}
+
+ExpressionPtr Entry::constant(std::string_view key, const Unit& unit) const {
+    const DocumentNode* node = find(key, ValueType::constant);
+    return node == nullptr ? nullptr : constant(*node, unit);
+}
+
+std::vector<ExpressionPtr> Entry::constants(std::string_view key, const Unit& unit) const {
+    const DocumentNode* node = find(key, ValueType::constants);
+    std::vector<ExpressionPtr> values;
+    if (node == nullptr) return values;
+    if (node->kind == NodeKind::array) {
+        for (const DocumentNode& element : node->elements) values.push_back(constant(element, unit));
+    } else {
+        values.push_back(constant(*node, unit));
+    }
+    return values;
+}
+
+std::optional<Unit> Entry::unit(std::string_view key) const {
+    const DocumentNode* node = find(key, ValueType::unit);
+    if (node == nullptr) return std::nullopt;
+    if (node->kind != NodeKind::string) {
+        wrong_type(*node, ValueType::unit);
+        return std::nullopt;
+    }
+    return attempt([&] { return parse_unit(node->string); });
+}
+
+/// A bound of a range; null for an infinite one.
+ExpressionPtr Entry::bound(const DocumentNode& node, const Unit& unit) const {
+    if (node.kind == NodeKind::number && node.number.find("inf") != std::string::npos) return nullptr;
+    return constant(node, unit);
+}
+
+std::optional<Range> Entry::range(std::string_view key, const Unit& unit) const {
+    const DocumentNode* node = find(key, ValueType::range);
+    if (node == nullptr) return std::nullopt;
+    if (node->kind != NodeKind::array || node->elements.size() != 2) {
+        wrong_type(*node, ValueType::range);
+        return std::nullopt;
+    }
+    return Range{bound(node->elements[0], unit), bound(node->elements[1], unit), node->span};
+}
+
+/// The type of the key where it may be given in several ways, of which this is one.
+ValueType Entry::alternative(std::string_view key, ValueType type) const {
+    const KeySpec* spec = find_key(section_, key);
+    return spec != nullptr && spec->type == ValueType::torque ? ValueType::torque : type;
+}
+
+ExpressionPtr Entry::expression(std::string_view key) const {
+    const DocumentNode* node = find(key, alternative(key, ValueType::expression));
+    return node == nullptr ? nullptr : expression(*node, ValueType::expression);
+}
+
+std::optional<Law> Entry::law(std::string_view key) const { return parsed(key, ValueType::law, parse_law); }
+
+std::optional<Property> Entry::property(std::string_view key) const {
+    const KeySpec* spec = find_key(section_, key);
+    const DocumentNode* node = find(key, spec == nullptr ? ValueType::property : spec->type);
+    if (node == nullptr) return std::nullopt;
+    if (node->kind == NodeKind::string) return attempt([&] { return parse_property(node->string); });
+    ExpressionPtr value = expression(*node, spec->type);
+    return value ? std::optional(Property{{}, std::move(value), node->span}) : std::nullopt;
+}
+
+std::optional<Family> Entry::family(std::string_view key) const { return parsed(key, ValueType::family, parse_family); }
+
+std::optional<Condition> Entry::condition(std::string_view key) const { return parsed(key, ValueType::condition, parse_condition); }
+
+std::optional<Reference> Entry::reference(const DocumentNode& node, ValueType type, const char* what) const {
+    const ExpressionPtr name = expression(node, type);
+    if (!name) return std::nullopt;
+    if (name->kind == Expression::Kind::name && name->children.size() <= 1)
+        return Reference{name->name, name->children.empty() ? nullptr : name->children[0], name->span};
+    error(Id::wrong_type, node.span, fmt::format("'{}' is not the name of {}", name->written(), what));
+    return std::nullopt;
+}
+
+std::optional<Reference> Entry::reference(std::string_view key, ValueType type, const char* what) const {
+    const DocumentNode* node = find(key, type);
+    return node == nullptr ? std::nullopt : reference(*node, type, what);
+}
+
+std::optional<Reference> Entry::body(std::string_view key) const { return reference(key, ValueType::body, "a body"); }
+
+std::optional<Reference> Entry::part(std::string_view key) const { return reference(key, ValueType::part, "a medium, volume or reservoir"); }
+
+std::optional<Reference> Entry::constraint(std::string_view key) const { return reference(key, ValueType::part, "a constraint"); }
+
+bool Entry::boolean(std::string_view key) const {
+    const DocumentNode* node = find(key, ValueType::boolean);
+    if (node != nullptr && node->kind != NodeKind::boolean) wrong_type(*node, ValueType::boolean);
+    return node != nullptr && node->boolean;
+}
+
+std::optional<CoordinateEntry> Entry::coordinate(std::string_view key) const {
+    const DocumentNode* node = find(key, ValueType::coordinate);
+    if (node == nullptr) return std::nullopt;
+    const ExpressionPtr name = expression(*node, ValueType::coordinate);
+    if (!name) return std::nullopt;
+    if (name->kind == Expression::Kind::name && name->children.size() <= 1)
+        return CoordinateEntry{name->name, name->children.empty() ? nullptr : name->children[0], nullptr, name->span};
+    error(Id::wrong_type, node->span, fmt::format("'{}' is not the name of a coordinate", name->written()));
+    return std::nullopt;
+}
+
+Excerpt Entry::name_excerpt() const { return key_excerpt(span_); }
+
+std::optional<Excerpt> Entry::excerpt(std::string_view key) const {
+    const DocumentNode* node = find(key, ValueType::text);
+    if (node == nullptr) return std::nullopt;
+    if (node->kind == NodeKind::string) return node->string;
+    wrong_type(*node, ValueType::text);
+    return std::nullopt;
+}
+
+void Entry::fill(Item& item) const {
+    item.name = name_;
+    item.span = span_;
+    if (find_key(section_, "doc") != nullptr) item.doc = text("doc");
+    if (find_key(section_, "for") != nullptr) item.family = family("for");
+    if (find_key(section_, "when") != nullptr) item.when = condition("when");
+}
+
+}  // namespace dalembert
