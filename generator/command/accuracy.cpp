@@ -5,9 +5,9 @@
 #include <cmath>
 #include <ostream>
 
-#include "command/accuracy_measurement.hpp"
-#include "command/json_output.hpp"
-#include "command/shared.hpp"
+#include "run/accuracy_measurement.hpp"
+#include "report/json_output.hpp"
+#include "run/shared.hpp"
 #include "text/files.hpp"
 
 namespace dalembert {

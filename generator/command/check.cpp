@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <ostream>
 
-#include "command/book_page.hpp"
-#include "command/entry_process.hpp"
-#include "command/json_output.hpp"
-#include "command/printed_report.hpp"
-#include "command/shared.hpp"
+#include "report/book_page.hpp"
+#include "book/entry_process.hpp"
+#include "report/json_output.hpp"
+#include "report/printed_report.hpp"
+#include "run/shared.hpp"
 #include "emit/safe_text.hpp"
 #include "elements/verdict.hpp"
 #include "text/files.hpp"

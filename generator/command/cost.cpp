@@ -6,11 +6,11 @@
 #include <fstream>
 #include <ostream>
 
-#include "command/budget.hpp"
-#include "command/json_output.hpp"
-#include "command/precision_plot.hpp"
-#include "command/precision_table.hpp"
-#include "command/shared.hpp"
+#include "report/budget.hpp"
+#include "report/json_output.hpp"
+#include "report/precision_plot.hpp"
+#include "report/precision_table.hpp"
+#include "run/shared.hpp"
 
 namespace dalembert {
 

@@ -2,8 +2,8 @@
 #include <ostream>
 
 #include "command/command_line.hpp"
-#include "command/json_output.hpp"
-#include "command/shared.hpp"
+#include "report/json_output.hpp"
+#include "run/shared.hpp"
 #include "emit/equations.hpp"
 
 namespace dalembert {

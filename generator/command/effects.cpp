@@ -5,10 +5,10 @@
 #include <cmath>
 #include <ostream>
 
-#include "command/effects_plot.hpp"
-#include "command/json_output.hpp"
-#include "command/scene_comparison.hpp"
-#include "command/shared.hpp"
+#include "report/effects_plot.hpp"
+#include "report/json_output.hpp"
+#include "run/scene_comparison.hpp"
+#include "run/shared.hpp"
 
 namespace dalembert {
 

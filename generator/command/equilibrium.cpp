@@ -5,11 +5,11 @@
 #include <cmath>
 #include <ostream>
 
-#include "command/json_output.hpp"
-#include "command/number_lists.hpp"
-#include "command/run_header.hpp"
-#include "command/settings.hpp"
-#include "command/shared.hpp"
+#include "report/json_output.hpp"
+#include "report/number_lists.hpp"
+#include "run/run_header.hpp"
+#include "run/settings.hpp"
+#include "run/shared.hpp"
 #include "emit/runner.hpp"
 #include "form/constrained_motion.hpp"
 #include "prove/constraint_validity.hpp"

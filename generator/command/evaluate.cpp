@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <ostream>
 
-#include "command/json_output.hpp"
-#include "command/settings.hpp"
-#include "command/shared.hpp"
+#include "report/json_output.hpp"
+#include "run/settings.hpp"
+#include "run/shared.hpp"
 #include "form/quantities.hpp"
 #include "language/parser.hpp"
 #include "check/written_values.hpp"

@@ -3,9 +3,9 @@
 
 #include <ostream>
 
-#include "command/json_output.hpp"
-#include "command/settings.hpp"
-#include "command/shared.hpp"
+#include "report/json_output.hpp"
+#include "run/settings.hpp"
+#include "run/shared.hpp"
 #include "emit/equations.hpp"
 #include "text/files.hpp"
 

@@ -6,7 +6,7 @@
 #include <ostream>
 
 #include "command/command_line.hpp"
-#include "command/json_fields.hpp"
+#include "report/json_fields.hpp"
 #include "printed/catalogue_schema.hpp"
 #include "elements/schema.hpp"
 #include "language/unit_reference.hpp"

@@ -8,12 +8,12 @@
 #include <optional>
 #include <ostream>
 
-#include "command/json_output.hpp"
-#include "command/number_lists.hpp"
-#include "command/run_header.hpp"
-#include "command/settings.hpp"
-#include "command/shared.hpp"
-#include "command/simulation.hpp"
+#include "report/json_output.hpp"
+#include "report/number_lists.hpp"
+#include "run/run_header.hpp"
+#include "run/settings.hpp"
+#include "run/shared.hpp"
+#include "run/simulation.hpp"
 #include "emit/runner.hpp"
 #include "form/linear_system.hpp"
 #include "text/nearest.hpp"

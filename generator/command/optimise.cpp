@@ -6,10 +6,10 @@
 #include <numbers>
 #include <ostream>
 
-#include "command/json_output.hpp"
-#include "command/optimum.hpp"
-#include "command/repeated_run.hpp"
-#include "command/shared.hpp"
+#include "report/json_output.hpp"
+#include "run/optimum.hpp"
+#include "run/repeated_run.hpp"
+#include "run/shared.hpp"
 
 namespace dalembert {
 

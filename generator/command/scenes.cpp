@@ -4,8 +4,8 @@
 
 #include <ostream>
 
-#include "command/json_output.hpp"
-#include "command/shared.hpp"
+#include "report/json_output.hpp"
+#include "run/shared.hpp"
 #include "emit/safe_text.hpp"
 
 namespace dalembert {

@@ -3,9 +3,9 @@
 
 #include <ostream>
 
-#include "command/json_output.hpp"
-#include "command/shared.hpp"
-#include "command/simulation.hpp"
+#include "report/json_output.hpp"
+#include "run/shared.hpp"
+#include "run/simulation.hpp"
 
 namespace dalembert {
 

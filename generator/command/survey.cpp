@@ -6,10 +6,10 @@
 #include <ostream>
 #include <thread>
 
-#include "command/json_output.hpp"
-#include "command/printed_verdicts.hpp"
-#include "command/shared.hpp"
-#include "command/simulation.hpp"
+#include "report/json_output.hpp"
+#include "book/printed_verdicts.hpp"
+#include "run/shared.hpp"
+#include "run/simulation.hpp"
 
 namespace dalembert {
 

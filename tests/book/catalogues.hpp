@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "command/catalogue_verdicts.hpp"
+#include "book/catalogue_verdicts.hpp"
 #include "text/files.hpp"
 
 /// Calls visit(verdicts, entry) for all entries of systems/book.

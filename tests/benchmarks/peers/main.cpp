@@ -8,8 +8,8 @@
 #include <iostream>
 
 #include "benchmarks/peers/table.hpp"
-#include "command/shared.hpp"
-#include "command/simulation.hpp"
+#include "run/shared.hpp"
+#include "run/simulation.hpp"
 #include "form/system.hpp"
 
 namespace {

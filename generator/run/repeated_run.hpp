@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A run that is compiled once and made many times, with other values of one parameter.
+#pragma once
+
+#include "run/run_preparation.hpp"
+#include "run/settings.hpp"
+#include "run/simulation.hpp"
+#include "text/process.hpp"
+
+namespace dalembert {
+
+class RepeatedRun {
+public:
+    /// Derives and generates. `wanted` is an output, a state or another column of the recording. Throws Failure (unknown-name, ...).
+    RepeatedRun(const std::shared_ptr<const LoadedModel>& model, const Options& options, const std::string& wanted);
+
+    /// Once, before the first run. Throws Failure (tool-failed).
+    void compile();
+
+    struct End {
+        double value;  ///< of what is wanted, in SI
+        double t;      ///< s, where the run ended
+        double steps;
+        std::string event;  ///< that ended it; empty: the end that the run names
+    };
+    /// How exactly a run is made: at ten times the tolerance and twice the largest step, it shows what both leave.
+    enum class Care { usual, coarse };
+    /// The end of the run with a parameter set to a number in SI. Throws RunStopped, Failure.
+    End operator()(const Expression& parameter, double value, Care care = Care::usual) const;
+
+    const Machine& machine() const { return machine_; }
+
+private:
+    Values values() const;
+
+    const Options& options_;
+    RunPreparation preparation_;
+    Machine machine_;
+    Header header_;
+    std::string source_;
+    double tolerance_ = 0;  ///< that of the command line, else 1e-12 or what the run has, where that is finer
+    ScratchFolder folder_;
+};
+
+}  // namespace dalembert

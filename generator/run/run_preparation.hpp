@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a [runs.NAME] of the model and the command line together say of a run.
+#pragma once
+
+#include "run/options.hpp"
+#include "emit/runner.hpp"
+
+namespace dalembert {
+
+/// The run that is meant: the one named, else `reference`, else the only one; null when the model has none. Throws Failure (unknown-run).
+const Run* find_run(const Model& model, const std::string& wanted);
+
+/// Names of the recording for a name of the model: a family stands for all its members. None where nothing is recorded under it.
+std::vector<std::string> recorded_names(const std::string& name, const System& system);
+
+/// Refers to the model and the options that it is made of.
+class RunPreparation {
+public:
+    RunPreparation(const Model& model, const Options& options) : options_(options), model_name_(model.name), run_(find_run(model, options.run)) {}
+
+    /// The scene: the one asked for, or the one that the run belongs to.
+    std::string scene(const std::string& wanted) const;
+    /// The method of integration.
+    std::string method() const;
+    /// Parameters and start values. Throws Failure (value-out-of-range, unknown-name, ...).
+    void set_values(Values& values, const System& system) const;
+    /// The inputs where the run begins.
+    std::vector<GiNaC::ex> inputs_at_start(const Values& values, const System& system) const;
+    /// Everything else, with values that are set. Throws Failure (bad-option, division-by-zero, ...).
+    SimulationSettings make_settings(const Values& values, const System& system) const;
+
+private:
+    std::vector<GiNaC::ex> inputs(const Values& values, const System& system) const;
+
+    const Options& options_;
+    const std::string& model_name_;
+    const Run* run_;
+};
+
+}  // namespace dalembert

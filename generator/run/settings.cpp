@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/settings.hpp"
+
+#include <fmt/format.h>
+
+#include "check/checks.hpp"
+#include "language/parser.hpp"
+#include "check/written_values.hpp"
+
+namespace dalembert {
+
+namespace {
+
+/// The next comma outside of brackets, or the end.
+std::size_t end_of_part(const std::string& text, std::size_t from) {
+    int depth = 0;
+    for (std::size_t i = from; i < text.size(); ++i) {
+        if (text[i] == '(' || text[i] == '[') ++depth;
+        if (text[i] == ')' || text[i] == ']') --depth;
+        if (text[i] == ',' && depth <= 0) return i;
+    }
+    return text.size();
+}
+
+Setting parse_setting(const SourcePtr& source, std::size_t begin, std::size_t end, const std::string& option) {
+    const std::size_t equals = source->text().find('=', begin);
+    if (equals == std::string::npos || equals >= end)
+        throw Failure(Diagnostic{Id::bad_option, Span{source, begin, end},
+                                 fmt::format("'--{} {}' is not of the form NAME=VALUE", option, source->text().substr(begin, end - begin))});
+    return {parse_expression(excerpt_of(source, begin, equals)), parse_expression(excerpt_of(source, equals + 1, end))};
+}
+
+}  // namespace
+
+std::vector<Setting> parse_settings(const std::vector<std::string>& texts, const std::string& option) {
+    std::vector<Setting> settings;
+    for (const std::string& text : texts) {
+        const auto source = std::make_shared<const Source>("--" + option, text);
+        for (std::size_t begin = 0; begin <= text.size();) {
+            const std::size_t end = end_of_part(text, begin);
+            settings.push_back(parse_setting(source, begin, end, option));
+            begin = end + 1;
+        }
+    }
+    return settings;
+}
+
+FixWish parse_fixed(const std::string& text, const Names& names) {
+    FixWish wish{text, text == "parameters", {}};
+    if (wish.all || text.empty()) return wish;
+    const auto source = std::make_shared<const Source>("--fix", text);
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = end_of_part(text, begin);
+        if (const std::size_t equals = text.find('=', begin); equals == std::string::npos || equals >= end) {
+            wish.some.push_back({parse_expression(excerpt_of(source, begin, end)), nullptr});
+        } else {
+            const Setting setting = parse_setting(source, begin, end, "fix");
+            wish.some.push_back({setting.variable, value_of(setting, nothing, names)});
+        }
+        begin = end + 1;
+    }
+    return wish;
+}
+
+ExpressionPtr value_of(const Setting& setting, unsigned may_depend, const Names& names) {
+    const std::string what = fmt::format("the value of '{}'", setting.variable->written());
+    check_dependence(*setting.value, may_depend, what, names);
+    const auto unit = declared_unit(*setting.variable, names);
+    return unit ? in_si(setting.value, *unit, what, names) : setting.value;
+}
+
+void check_dependence(const Expression& value, unsigned may_depend, const std::string& what, const Names& names) {
+    for_each(value, [&](const Expression& part) {
+        const bool is_leaf = part.kind == Expression::Kind::name || (part.kind == Expression::Kind::call && (part.name == "dot" || part.name == "ddot"));
+        if (is_leaf && (dependence(part, names) & ~may_depend) != 0)
+            throw Failure(Diagnostic{Id::not_allowed_here, part.span, fmt::format("{} must not depend on '{}'", what, part.written())});
+    });
+}
+
+void check_inputs_given(const std::vector<bool>& is_given, const System& system) {
+    for (const Variable& input : system.symbols.all(SymbolKind::input)) {
+        if (is_given[input.position] || input.declared == nullptr) continue;
+        const auto bound = [&](const ExpressionPtr& e) { return e ? value_at(system.translate(*e, {}), {}, 20) : std::nullopt; };
+        const auto low = input.declared->range ? bound(input.declared->range->low) : std::nullopt;
+        const auto high = input.declared->range ? bound(input.declared->range->high) : std::nullopt;
+        const Dimension& dimension = input.declared->unit.dimension;
+        const bool is_absolute = (dimension == Dimension::temperature() || dimension == Dimension::pressure()) && !(low && cln::minusp(*low));
+        const bool has_zero = !(low && cln::plusp(*low)) && !(high && cln::minusp(*high));
+        if (has_zero && !is_absolute) continue;
+        const std::string why = has_zero ? fmt::format("zero {} is no usual {}", input.declared->unit.si(), dimension == Dimension::pressure() ? "pressure" : "temperature") : "zero is outside its range";
+        throw Failure(Diagnostic{Id::missing_key, input.declared->span,
+                                 fmt::format("nothing says what the input '{0}' is, and {1}; give it in the run, inputs = {{ {0} = ... }}, or as --input {0}=...", input.name, why)});
+    }
+}
+
+namespace {
+
+/// Something in the model that is at an absolute temperature or pressure.
+class StartDoubts {
+public:
+    StartDoubts(const Values& values, const System& system, bool knows_inputs, Diagnostics& diagnostics) : at_(values.substitution()), system_(system), diagnostics_(diagnostics) {
+        if (!knows_inputs)
+            for (const Variable& input : system.symbols.all(SymbolKind::input)) at_.erase(input.symbol);
+    }
+
+    void temperature(const ExpressionPtr& e, const char* kind, const Item& item) {
+        constexpr double coldest = 100;
+        const auto kelvin = number(e);
+        if (!kelvin || *kelvin >= coldest || is_in_range(*e, *kelvin)) return;
+        warn(*e, fmt::format("{} '{}' begins at {:.6g} K; did you mean {:.6g} degC?", kind, item.name, *kelvin, *kelvin));
+    }
+
+    void pressure(const ExpressionPtr& e, const char* kind, const Item& item) {
+        constexpr double least = 100;
+        const auto pascal = number(e);
+        if (!pascal || *pascal >= least || is_in_range(*e, *pascal)) return;
+        warn(*e, *pascal > 0 ? fmt::format("{} '{}' begins at {:.6g} Pa; did you mean {:.6g} bar?", kind, item.name, *pascal, *pascal)
+                             : fmt::format("{} '{}' begins at {:.6g} Pa; pressures are absolute, so that ambient air is at 1 bar. Did you mean {:.6g} bar, above ambient?", kind, item.name, *pascal, *pascal / 1e5 + 1));
+    }
+
+private:
+    std::optional<double> number(const ExpressionPtr& e) const {
+        if (!e) return std::nullopt;
+        try {
+            const auto value = value_at(system_.symbols.without_definitions(system_.translate(*e, {})).subs(at_, GiNaC::subs_options::no_pattern), {}, 20);
+            return value ? std::optional(cln::double_approx(*value)) : std::nullopt;
+        } catch (const Failure&) {  // of a family, or of what the scene leaves out
+            return std::nullopt;
+        } catch (const GiNaC::pole_error&) {  // told where the value is needed
+            return std::nullopt;
+        }
+    }
+
+    /// A declared range that reaches there says that it is meant.
+    bool is_in_range(const Expression& e, double value) const {
+        const Named* named = e.kind == Expression::Kind::name ? system_.names.find(e.name) : nullptr;
+        if (named == nullptr || (named->kind != Named::Kind::parameter && named->kind != Named::Kind::state && named->kind != Named::Kind::input && named->kind != Named::Kind::coordinate)) return false;
+        const auto& range = named->quantity().range;
+        const auto low = range ? number(range->low) : std::nullopt;
+        return low && *low > 0 && *low <= value;
+    }
+
+    void warn(const Expression& e, std::string message) {
+        const Named* named = e.kind == Expression::Kind::name ? system_.names.find(e.name) : nullptr;
+        diagnostics_.warning(Id::value_out_of_range, named != nullptr ? named->item->span : e.span, std::move(message));
+    }
+
+    GiNaC::exmap at_;
+    const System& system_;
+    Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+std::string doubts_of_start(const Values& values, const System& system, bool knows_inputs) {
+    Diagnostics diagnostics;
+    StartDoubts doubts(values, system, knows_inputs, diagnostics);
+    for (const auto& member : system.scene.volumes) {
+        const Volume& volume = *member.item;
+        doubts.pressure(volume.pressure, "volume", volume);
+        doubts.temperature(volume.temperature ? volume.temperature : volume.isothermal, "volume", volume);
+    }
+    for (const auto& member : system.scene.reservoirs) {
+        doubts.pressure(member.item->pressure, "reservoir", *member.item);
+        doubts.temperature(member.item->temperature, "reservoir", *member.item);
+    }
+    for (const auto& member : system.scene.nodes)
+        if (member.item->capacity) doubts.temperature(member.item->temperature, "node", *member.item);
+    std::string text;
+    for (const Diagnostic& doubt : diagnostics.all()) text += render(doubt);
+    return text;
+}
+
+void apply_settings(Values& values, const std::vector<Setting>& settings, unsigned allowed, const System& system) {
+    for (const Setting& setting : settings) {
+        values.set(*setting.variable, *value_of(setting, allowed == on_parameters ? nothing : on_parameters, system.names), allowed);
+    }
+}
+
+}  // namespace dalembert

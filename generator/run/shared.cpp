@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/shared.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "run/settings.hpp"
+#include "elements/verdict.hpp"
+#include "text/nearest.hpp"
+
+namespace dalembert {
+
+std::shared_ptr<const LoadedModel> loaded(const Options& options, Streams streams) {
+    Diagnostics diagnostics;
+    auto model = load(options.choice.model, diagnostics);
+    for (const Diagnostic& warning : diagnostics.all()) streams.err << render(warning);
+    return model;
+}
+
+Machine derived(const Options& options, Streams streams) {
+    Machine machine = derive_machine(loaded(options, streams), options.choice.scene, options.choice.sizes);
+    show_warnings(machine, streams);
+    return machine;
+}
+
+void show_warnings(const Machine& machine, Streams streams) {
+    for (const Diagnostic& warning : machine.system->warnings) streams.err << render(warning);
+    for (const Machine& other : machine.other_modes) show_warnings(other, streams);
+}
+
+void show_doubts(const Machine& machine, Streams streams) {
+    streams.err << doubts_of_start(Values(machine.system->scene, machine.system->translate), *machine.system, false);
+}
+
+void ask_of_code(Machine& machine, const Options& options) {
+    for (const Pass& pass : all_passes) machine.passes.*pass.is_on = std::find(options.without.begin(), options.without.end(), pass.name) == options.without.end();
+    machine.trig = options.trig == "combined" ? Trig::combined : Trig::library;
+    machine.together = options.together;
+}
+
+const Machine& in_chosen_mode(const Machine& machine, const Options& options) {
+    if (options.mode.empty()) return machine;
+    const Scene& scene = machine.system->scene;
+    std::vector<std::string> names;
+    for (const SceneMode& mode : scene.modes) names.push_back(mode.name);
+    if (names.empty()) throw Failure(Diagnostic{Id::unknown_name, scene.model->name_span, fmt::format("scene '{}' has no modes, and so no mode '{}'", scene.name, options.mode)});
+    const auto found = std::find(names.begin(), names.end(), options.mode);
+    if (found == names.end()) throw Failure(Diagnostic{Id::unknown_name, scene.model->name_span, fmt::format("scene '{}' has no mode '{}'; its modes are {}", scene.name, options.mode, quoted_list(names))});
+    return found == names.begin() ? machine : machine.other_modes[static_cast<std::size_t>(found - names.begin()) - 1];
+}
+
+std::string title_of(const Scene& scene) {
+    return fmt::format("{}, scene {}{}", scene.sized_name(), scene.name, scene.mode ? ", mode " + scene.modes[*scene.mode].name : "");
+}
+
+std::string rewritten_text(const Machine& machine) {
+    std::string text;
+    const auto add = [&](const Machine& one) {
+        for (const Rewriting& r : one.code->rewritten)
+            text += fmt::format("  rewritten   {}: {} in {} place{}{}, from {:.3g} to {:.3g} ulp beyond the condition\n", r.rule, r.where, r.places, r.places == 1 ? "" : "s", one.system->scene.mode ? " of " + one.system->scene.modes[*one.system->scene.mode].name : "", r.before, r.after);
+    };
+    add(machine);
+    for (const Machine& other : machine.other_modes) add(other);
+    return text;
+}
+
+std::string summary(const std::vector<const AuditEntry*>& entries) {
+    std::map<Verdict, int> counts;
+    for (const AuditEntry* entry : entries) ++counts[entry->result.verdict];
+    std::string text;
+    for (const auto& [verdict, count] : counts) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, to_string(verdict));
+    return text.empty() ? "none" : text;
+}
+
+std::vector<const AuditEntry*> pointers(const std::vector<AuditEntry>& entries) {
+    std::vector<const AuditEntry*> result;
+    for (const AuditEntry& entry : entries) result.push_back(&entry);
+    return result;
+}
+
+void refuse_fields(const System& system, const char* verb) {
+    for (const RodField& field : system.heat.fields)
+        throw Failure(Diagnostic{Id::too_large, field.rod->span, fmt::format("the {} cells of rod '{}' are computed in a loop, and '{}' needs each by itself; choose fewer cells", field.geometry.cells(), field.rod->name, verb)});
+}
+
+void refuse_rest(const System& system, const char* verb) {
+    const Scene& scene = system.scene;
+    if (!scene.coordinates.empty() || !scene.states.empty()) return;
+    throw Failure(Diagnostic{Id::nothing_left, scene.model->name_span, fmt::format("scene '{}' has neither a coordinate nor a state, so that there is nothing for '{}'; 'evaluate' gives its outputs and what its loads bear", scene.name, verb)});
+}
+
+}  // namespace dalembert

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What several verbs do.
+#pragma once
+
+#include "run/options.hpp"
+
+namespace dalembert {
+
+/// The model of the command line; warnings are printed.
+std::shared_ptr<const LoadedModel> loaded(const Options& options, Streams streams);
+
+/// The machine of the command line, derived and proven.
+Machine derived(const Options& options, Streams streams);
+/// Those of the derivation.
+void show_warnings(const Machine& machine, Streams streams);
+/// Of start values of the model that hardly anybody means.
+void show_doubts(const Machine& machine, Streams streams);
+
+/// What the command line asks of code: the passes that it does not leave out, and whose sine and cosine.
+void ask_of_code(Machine& machine, const Options& options);
+
+/// The machine in the mode of the command line. Throws Failure (unknown-name).
+const Machine& in_chosen_mode(const Machine& machine, const Options& options);
+/// "NAME, scene S", with the mode where there are some.
+std::string title_of(const Scene& scene);
+
+/// What was rewritten to keep digits, a line each; nothing where nothing was.
+std::string rewritten_text(const Machine& machine);
+
+/// "proven", or "12 proven, 1 numerically equal".
+std::string summary(const std::vector<const AuditEntry*>& entries);
+std::vector<const AuditEntry*> pointers(const std::vector<AuditEntry>& entries);
+
+/// Throws Failure (too-large) where cells of rods are computed in loops, so that they have no equations of their own.
+void refuse_fields(const System& system, const char* verb);
+/// Throws Failure (nothing-left) where nothing can move: statics alone.
+void refuse_rest(const System& system, const char* verb);
+
+}  // namespace dalembert
