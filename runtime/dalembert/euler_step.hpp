@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "dalembert/jacobian_pattern.hpp"
+#include "dalembert/linear/jacobian_pattern.hpp"
 #include "dalembert/matrices.hpp"
 
 namespace dalembert {

@@ -6,12 +6,12 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "dalembert/automatic.hpp"
-#include "dalembert/explicit_steppers.hpp"
+#include "dalembert/methods/automatic.hpp"
+#include "dalembert/methods/explicit_steppers.hpp"
 #include "dalembert/integration.hpp"
-#include "dalembert/rosenbrock.hpp"
+#include "dalembert/methods/rosenbrock.hpp"
 #include "dalembert/series.hpp"
-#include "dalembert/taylor.hpp"
+#include "dalembert/methods/taylor.hpp"
 
 namespace dalembert {
 inline namespace v1 {

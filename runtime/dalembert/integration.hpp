@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "dalembert/watched_run.hpp"
+#include "dalembert/events/watched_run.hpp"
 
 namespace dalembert {
 inline namespace v1 {

@@ -8,7 +8,7 @@
 #include "dalembert/constraints.hpp"
 #include "dalembert/pack.hpp"
 #include "dalembert/scales.hpp"
-#include "dalembert/step_control.hpp"
+#include "dalembert/methods/step_control.hpp"
 
 namespace dalembert {
 inline namespace v1 {

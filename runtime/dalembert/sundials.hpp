@@ -20,10 +20,10 @@
 #include <type_traits>
 
 #include "dalembert/integration_options.hpp"
-#include "dalembert/jacobian_pattern.hpp"
+#include "dalembert/linear/jacobian_pattern.hpp"
 #include "dalembert/status.hpp"
-#include "dalembert/step_control.hpp"
-#include "dalembert/stepper.hpp"
+#include "dalembert/methods/step_control.hpp"
+#include "dalembert/methods/stepper.hpp"
 #include "dalembert/system_derivatives.hpp"
 
 namespace dalembert {

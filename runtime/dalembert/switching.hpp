@@ -36,7 +36,7 @@
 #include <string>
 
 #include "dalembert/simulate.hpp"
-#include "dalembert/switching_run.hpp"
+#include "dalembert/events/switching_run.hpp"
 
 namespace dalembert {
 inline namespace v1 {

@@ -10,7 +10,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "dalembert/jacobian_pattern.hpp"
+#include "dalembert/linear/jacobian_pattern.hpp"
 
 namespace dalembert {
 inline namespace v1 {

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "dalembert/constraints.hpp"
-#include "dalembert/jacobian_pattern.hpp"
+#include "dalembert/linear/jacobian_pattern.hpp"
 #include "dalembert/matrices.hpp"
 
 /// Without expression templates: compiled in half the time.

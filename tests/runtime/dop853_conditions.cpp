@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "dalembert/dop853_coefficients.hpp"
+#include "dalembert/methods/dop853_coefficients.hpp"
 
 namespace {
 

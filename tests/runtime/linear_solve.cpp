@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "dalembert/jacobian_pattern.hpp"
+#include "dalembert/linear/jacobian_pattern.hpp"
 
 using dalembert::detail::BandLu;
 using dalembert::detail::bandwidth;

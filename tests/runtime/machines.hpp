@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "dalembert/rosenbrock.hpp"
+#include "dalembert/methods/rosenbrock.hpp"
 
 /// Modes in order of preference.
 template <class Mode, std::size_t most>

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "dalembert/rosenbrock.hpp"
+#include "dalembert/methods/rosenbrock.hpp"
 #include "dalembert/simulate.hpp"
 #include "dalembert/sundials.hpp"
 #include "mechanics/spring_mass_damper_damped.hpp"

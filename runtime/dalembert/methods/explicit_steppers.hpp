@@ -9,10 +9,10 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
-#include "dalembert/dop853.hpp"
+#include "dalembert/methods/dop853.hpp"
 #include "dalembert/integration_options.hpp"
 #include "dalembert/status.hpp"
-#include "dalembert/stepper.hpp"
+#include "dalembert/methods/stepper.hpp"
 
 namespace dalembert {
 inline namespace v1 {

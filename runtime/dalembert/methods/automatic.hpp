@@ -9,10 +9,10 @@
 #include <type_traits>
 #include <variant>
 
-#include "dalembert/bulirsch_stoer.hpp"
-#include "dalembert/explicit_steppers.hpp"
-#include "dalembert/rosenbrock.hpp"
-#include "dalembert/symplectic.hpp"
+#include "dalembert/methods/bulirsch_stoer.hpp"
+#include "dalembert/methods/explicit_steppers.hpp"
+#include "dalembert/methods/rosenbrock.hpp"
+#include "dalembert/methods/symplectic.hpp"
 
 namespace dalembert {
 inline namespace v1 {

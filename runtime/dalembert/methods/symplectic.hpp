@@ -11,7 +11,7 @@
 
 #include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_mclachlan.hpp>
 
-#include "dalembert/explicit_steppers.hpp"
+#include "dalembert/methods/explicit_steppers.hpp"
 
 namespace dalembert {
 inline namespace v1 {

@@ -12,7 +12,7 @@
 #include <boost/numeric/odeint/algebra/array_algebra.hpp>
 #include <boost/numeric/odeint/stepper/modified_midpoint.hpp>
 
-#include "dalembert/explicit_steppers.hpp"
+#include "dalembert/methods/explicit_steppers.hpp"
 
 namespace dalembert {
 inline namespace v1 {

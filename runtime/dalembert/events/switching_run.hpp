@@ -7,8 +7,8 @@
 #include <limits>
 #include <type_traits>
 
-#include "dalembert/accumulation.hpp"
-#include "dalembert/mode_run.hpp"
+#include "dalembert/events/accumulation.hpp"
+#include "dalembert/events/mode_run.hpp"
 
 namespace dalembert {
 inline namespace v1 {

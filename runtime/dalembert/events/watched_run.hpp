@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "dalembert/run_state.hpp"
+#include "dalembert/events/run_state.hpp"
 #include "dalembert/singular_positions.hpp"
 
 namespace dalembert {

@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "dalembert/integrate.hpp"
-#include "dalembert/modes.hpp"
+#include "dalembert/events/modes.hpp"
 #include "dalembert/singular_positions.hpp"
 
 namespace dalembert {

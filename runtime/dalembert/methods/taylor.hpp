@@ -18,9 +18,9 @@
 #include <limits>
 #include <vector>
 
-#include "dalembert/explicit_steppers.hpp"
+#include "dalembert/methods/explicit_steppers.hpp"
 #include "dalembert/integration_options.hpp"
-#include "dalembert/stepper.hpp"
+#include "dalembert/methods/stepper.hpp"
 
 namespace dalembert {
 inline namespace v1 {

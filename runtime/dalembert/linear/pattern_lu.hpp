@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "dalembert/linear_solve.hpp"
-#include "dalembert/pattern_elimination.hpp"
+#include "dalembert/linear/pattern_elimination.hpp"
 
 namespace dalembert {
 inline namespace v1 {

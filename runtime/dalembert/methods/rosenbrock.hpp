@@ -9,10 +9,10 @@
 #include <limits>
 #include <utility>
 
-#include "dalembert/jacobian_pattern.hpp"
-#include "dalembert/rodas5p_coefficients.hpp"
+#include "dalembert/linear/jacobian_pattern.hpp"
+#include "dalembert/methods/rodas5p_coefficients.hpp"
 #include "dalembert/status.hpp"
-#include "dalembert/stepper.hpp"
+#include "dalembert/methods/stepper.hpp"
 
 namespace dalembert {
 inline namespace v1 {

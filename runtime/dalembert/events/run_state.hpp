@@ -9,11 +9,11 @@
 #include <limits>
 
 #include "dalembert/constraints.hpp"
-#include "dalembert/events.hpp"
+#include "dalembert/events/events.hpp"
 #include "dalembert/integration_options.hpp"
 #include "dalembert/status.hpp"
-#include "dalembert/step_control.hpp"
-#include "dalembert/stepper.hpp"
+#include "dalembert/methods/step_control.hpp"
+#include "dalembert/methods/stepper.hpp"
 
 namespace dalembert {
 inline namespace v1 {

@@ -18,8 +18,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "dalembert/bracket.hpp"
-#include "dalembert/stepper.hpp"
+#include "dalembert/events/bracket.hpp"
+#include "dalembert/methods/stepper.hpp"
 
 namespace dalembert {
 inline namespace v1 {

@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "dalembert/linear_solve.hpp"
-#include "dalembert/pattern_lu.hpp"
+#include "dalembert/linear/pattern_lu.hpp"
 
 namespace dalembert {
 inline namespace v1 {

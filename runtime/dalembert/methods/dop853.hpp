@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "dalembert/dop853_coefficients.hpp"
-#include "dalembert/stepper.hpp"
+#include "dalembert/methods/dop853_coefficients.hpp"
+#include "dalembert/methods/stepper.hpp"
 
 namespace dalembert {
 inline namespace v1 {
