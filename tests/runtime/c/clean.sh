@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The functions of runtime/c: each compiles with what it says it needs, all of them are clean for every compiler there is, for two headers in one
-# file, as C99 and as C++, and in float nothing on a Cortex-M4 calls arithmetic in double.
+# The functions of runtime/c: each compiles with what it says it needs, all of them are clean for every compiler there is, for two headers
+# in one file, as C99 and as C++, and in float nothing on a Cortex-M4 calls arithmetic in double.
 set -euo pipefail
 : "${SOURCE:?}"
 here=$(mktemp -d)
@@ -9,7 +9,8 @@ trap 'rm -rf "$here"' EXIT
 files=()
 for file in math scalar angle fluid heat; do files+=("$SOURCE/runtime/c/${file}_functions.h.in"); done
 for file in heat_networks junctions series_functions ldlt; do files+=("$SOURCE/runtime/c/$file.h.in"); done
-[ "${#files[@]}" -eq "$(find "$SOURCE/runtime/c" -type f | wc -l)" ] || { echo "runtime/c has a file that this test does not know"; exit 1; }
+[ "${#files[@]}" -eq "$(find "$SOURCE/runtime/c" -type f | wc -l)" ] ||
+  { echo "runtime/c has a file that this test does not know"; exit 1; }
 flags=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Wfloat-conversion -Werror)
 includes='#include <float.h>\n#include <math.h>\n#include <stdbool.h>\n#include <stddef.h>\n'
 
@@ -53,7 +54,8 @@ done
 if command -v arm-none-eabi-gcc >/dev/null; then
   { printf "#define c_real float\n$includes"; text c 3 | sed 's/^static inline //'; } >"$here/float.c"
   for level in 0 s 2; do
-    arm-none-eabi-gcc -std=c99 -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -O$level "${flags[@]}" -c "$here/float.c" -o "$here/float.o"
+    arm-none-eabi-gcc -std=c99 -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard "${flags[@]}" \
+      -O$level -c "$here/float.c" -o "$here/float.o"
     called=$(arm-none-eabi-nm -u "$here/float.o" | awk '{ print $2 }')
     wide=$(grep -vE '^([a-z0-9]+f|memcpy|memset|__aeabi_u?l.*|__aeabi_f2.*|__errno)$' <<<"$called" || true)
     [ -z "$wide" ] || { echo "in float, at -O$level, this is called:" $wide; exit 1; }

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Writes functions_REAL.c and functions_REAL.h for float and double to `folder`: all functions of runtime/c, those of a size for each of `sizes`.
+# Writes functions_REAL.c and functions_REAL.h for float and double to `folder`: all functions of runtime/c, those of a size for each of
+# `sizes`.
 function(dalembert_c_functions folder sizes)
   foreach(REAL float double)
     set(all "")
-    foreach(file math_functions scalar_functions angle_functions fluid_functions heat_functions heat_networks junctions series_functions ldlt)
+    foreach(file math_functions scalar_functions angle_functions fluid_functions heat_functions
+                 heat_networks junctions series_functions ldlt)
       set(path ${PROJECT_SOURCE_DIR}/runtime/c/${file}.h.in)
       set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})
       file(READ ${path} text)
