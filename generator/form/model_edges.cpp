@@ -73,11 +73,17 @@ private:
         for (const ex& factor : e) {
             if (GiNaC::is_exactly_a<numeric>(factor) && ex_to<numeric>(factor).is_rational()) {
                 const numeric& value = ex_to<numeric>(factor);
-                if (value.is_negative()) sign = "-";
+                if (value.is_negative()) sign = sign.empty() ? "-" : "";
                 if (!GiNaC::abs(value.numer()).is_equal(1)) above.push_back((*this)(GiNaC::abs(value.numer())));
                 if (!value.denom().is_equal(1)) below.push_back((*this)(value.denom()));
             } else if (GiNaC::is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::negative)) {
                 below.push_back(as_factor(1 / factor));
+            } else if (GiNaC::is_a<GiNaC::add>(factor)) {
+                // GiNaC turns a sum round by the order of its letters, which changes from run to run.
+                const std::string text = (*this)(factor);
+                const bool is_turned = text.starts_with('-');
+                if (is_turned) sign = sign.empty() ? "-" : "";
+                above.push_back("(" + (is_turned ? (*this)(-factor) : text) + ")");
             } else {
                 above.push_back(as_factor(factor));
             }
