@@ -66,10 +66,15 @@ void take_over(const CatalogueEntry& entry, PrintedEquation& printed) {
 
 }  // namespace
 
-void CatalogueVerdicts::each(const CatalogueEntry& written, const Visit& visit) {
+EntryParts CatalogueVerdicts::each(const CatalogueEntry& written, const Visit& visit) {
     if (!written.unreadable.empty()) throw Failure(written.unreadable);
-    if (!written.not_checkable.empty()) return;
-    for (const CatalogueEntry& entry : with_equations(catalogue_, written, written.model.empty() ? nullptr : &loaded(written)->model)) each_system(entry, visit);
+    if (!written.not_checkable.empty()) return {};
+    EntryParts parts;
+    for (const CatalogueEntry& entry : with_equations(catalogue_, written, written.model.empty() ? nullptr : &loaded(written)->model)) {
+        each_system(entry, visit);
+        parts = entry.parts;
+    }
+    return parts;
 }
 
 void CatalogueVerdicts::each_system(const CatalogueEntry& entry, const Visit& visit) {
@@ -109,12 +114,14 @@ std::vector<PrintedRow> CatalogueVerdicts::check(const CatalogueEntry& entry) {
     if (!entry.unreadable.empty()) throw Failure(entry.unreadable);
     if (!entry.not_checkable.empty()) verdicts.add_unchecked(entry, entry.not_checkable);
     const Model* const model = entry.model.empty() || !entry.latex ? nullptr : &loaded(entry)->model;
-    each(entry, [&](const System& system, const PrintedEquation& checked) {
+    const EntryParts parts = each(entry, [&](const System& system, const PrintedEquation& checked) {
         std::optional<LatexText> text;
         if (entry.latex) text.emplace(catalogue_, entry, model, checked);
         verdicts.add(system, checked, text ? &*text : nullptr);
     });
-    return verdicts.rows();
+    std::vector<PrintedRow> rows = verdicts.rows();
+    for (PrintedRow& row : rows) row.parts = parts;
+    return rows;
 }
 
 }  // namespace dalembert

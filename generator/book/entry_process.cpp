@@ -23,33 +23,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json as_json(const PrintedRow& row) {
-    Json json{{"id", row.id}, {"source", row.source}, {"doc", row.doc}, {"scenes", row.scenes}, {"equation", row.equation}, {"reason", row.reason}, {"difference", row.difference}, {"formulas", row.formulas}, {"derived", row.derived}};
-    if (row.expected) json["expected"] = static_cast<int>(*row.expected);
-    if (row.found) json["found"] = static_cast<int>(*row.found);
-    if (row.counterexample) json["counterexample"] = {{"values", row.counterexample->values}, {"left", row.counterexample->left}, {"right", row.counterexample->right}};
-    if (row.suggestion) json["suggestion"] = {{"words", row.suggestion->words}, {"equation", row.suggestion->equation}, {"printed", row.suggestion->printed}, {"begin", row.suggestion->begin}, {"end", row.suggestion->end}};
-    return json;
-}
-
-PrintedRow row_of(const Json& json) {
-    PrintedRow row{json["id"], json["source"], json["doc"]};
-    row.scenes = json["scenes"].get<std::vector<std::string>>();
-    row.equation = json["equation"];
-    row.reason = json["reason"];
-    row.difference = json["difference"];
-    row.formulas = json["formulas"];
-    row.derived = json["derived"];
-    if (json.contains("expected")) row.expected = static_cast<Verdict>(json["expected"].get<int>());
-    if (json.contains("found")) row.found = static_cast<Verdict>(json["found"].get<int>());
-    if (json.contains("counterexample")) {
-        const Json& c = json["counterexample"];
-        row.counterexample = CounterExample{c["values"].get<std::vector<std::pair<std::string, std::string>>>(), c["left"], c["right"]};
-    }
-    if (json.contains("suggestion")) row.suggestion = Suggestion{json["suggestion"]["words"], json["suggestion"]["equation"], json["suggestion"]["printed"], json["suggestion"]["begin"], json["suggestion"]["end"]};
-    return row;
-}
-
 Json as_json(const Span& span) {
     if (!span) return nullptr;
     return {{"name", span.source->name()}, {"text", span.source->text()}, {"begin", span.begin}, {"end", span.end}};
@@ -81,6 +54,38 @@ Diagnostic diagnostic_of(const Json& json, Sources& sources) {
     Diagnostic d{static_cast<Id>(json["id"].get<int>()), sources.span_of(json["span"]), json["message"]};
     for (const Json& note : json["notes"]) d.notes.push_back({sources.span_of(note["span"]), note["message"]});
     return d;
+}
+
+Json as_json(const PrintedRow& row) {
+    Json json{{"id", row.id}, {"source", row.source}, {"doc", row.doc}, {"scenes", row.scenes}, {"equation", row.equation}, {"reason", row.reason}, {"difference", row.difference}, {"formulas", row.formulas}, {"derived", row.derived}};
+    if (row.expected) json["expected"] = static_cast<int>(*row.expected);
+    if (row.found) json["found"] = static_cast<int>(*row.found);
+    if (row.counterexample) json["counterexample"] = {{"values", row.counterexample->values}, {"left", row.counterexample->left}, {"right", row.counterexample->right}};
+    if (row.suggestion) json["suggestion"] = {{"words", row.suggestion->words}, {"equation", row.suggestion->equation}, {"printed", row.suggestion->printed}, {"begin", row.suggestion->begin}, {"end", row.suggestion->end}};
+    json["equations"] = row.parts.equations;
+    for (const RefusedEquation& one : row.parts.refused) json["refused"].push_back({{"number", one.number}, {"why", as_json(one.why)}});
+    return json;
+}
+
+PrintedRow row_of(const Json& json, Sources& sources) {
+    PrintedRow row{json["id"], json["source"], json["doc"]};
+    row.scenes = json["scenes"].get<std::vector<std::string>>();
+    row.equation = json["equation"];
+    row.reason = json["reason"];
+    row.difference = json["difference"];
+    row.formulas = json["formulas"];
+    row.derived = json["derived"];
+    if (json.contains("expected")) row.expected = static_cast<Verdict>(json["expected"].get<int>());
+    if (json.contains("found")) row.found = static_cast<Verdict>(json["found"].get<int>());
+    row.parts.equations = json["equations"];
+    if (json.contains("refused"))
+        for (const Json& one : json["refused"]) row.parts.refused.push_back({one["number"], diagnostic_of(one["why"], sources)});
+    if (json.contains("counterexample")) {
+        const Json& c = json["counterexample"];
+        row.counterexample = CounterExample{c["values"].get<std::vector<std::pair<std::string, std::string>>>(), c["left"], c["right"]};
+    }
+    if (json.contains("suggestion")) row.suggestion = Suggestion{json["suggestion"]["words"], json["suggestion"]["equation"], json["suggestion"]["printed"], json["suggestion"]["begin"], json["suggestion"]["end"]};
+    return row;
 }
 
 /// Less than its budget where a stage may take less.
@@ -163,7 +168,7 @@ std::string why_it_ended(int status) {
 
 EntryOutcome outcome_of(const Json& json, Sources& sources) {
     EntryOutcome outcome;
-    for (const Json& row : json["rows"]) outcome.rows.push_back(row_of(row));
+    for (const Json& row : json["rows"]) outcome.rows.push_back(row_of(row, sources));
     for (const Json& error : json["errors"]) outcome.errors.push_back(diagnostic_of(error, sources));
     outcome.stopped = json["stopped"];
     return outcome;

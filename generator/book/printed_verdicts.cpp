@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "book/printed_verdicts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "book/difference_text.hpp"
+#include "elements/verdict.hpp"
 #include "emit/mathml.hpp"
 #include "read/cases.hpp"
 
@@ -32,6 +35,17 @@ bool is_of_cases(const PrintedEquation& entry) {
 bool PrintedRow::as_expected() const {
     if (expected) return verdict() == *expected;
     return verdict() != Verdict::wrong && verdict() != Verdict::dimensionally_wrong;
+}
+
+std::string PrintedRow::verdict_text() const {
+    const std::size_t refused = parts.refused.size();
+    return refused == 0 ? to_string(verdict()) : fmt::format("{}; {} of {} equations are read", to_string(verdict()), parts.equations - refused, parts.equations);
+}
+
+std::vector<std::string> PrintedRow::not_read() const {
+    std::vector<std::string> sentences;
+    for (const RefusedEquation& one : parts.refused) sentences.push_back(fmt::format("equation {}: {}", one.number, one.why.message));
+    return sentences;
 }
 
 PrintedRow& PrintedVerdicts::row_of(const std::string& id, const PrintedEquation& entry) {

@@ -21,9 +21,14 @@ struct PrintedRow {
     std::optional<Suggestion> suggestion = {};
     std::string formulas = {};           ///< the equations as they are written, in MathML, where pages were asked for
     std::string derived = {};            ///< what the derivation has instead of the first side, where pages were asked for
+    EntryParts parts = {};               ///< of an entry in LaTeX
 
     Verdict verdict() const { return found.value_or(Verdict::not_checkable); }
     bool as_expected() const;
+    /// "proven", or of what it is said where not all is read: "proven; 3 of 4 equations are read".
+    std::string verdict_text() const;
+    /// "equation 2: ...", of each that is not read.
+    std::vector<std::string> not_read() const;
 };
 
 class PrintedVerdicts {

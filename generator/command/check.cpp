@@ -120,16 +120,22 @@ FileResult check_catalogue(const SourcePtr& source, const Options& options, Stre
     std::vector<std::string> names;
     for (const CatalogueEntry& entry : catalogue.entries) names.push_back(entry.name);
     const std::size_t width = column_width(names);
-    std::size_t unread = 0, unchecked = 0;
+    std::size_t unread = 0, unchecked = 0, half_read = 0;
     const auto has_no_verdict = [&](const CatalogueEntry& entry, const char* verdict, const std::string& reason) {
         result.part.problems.push_back({entry.name, verdict, reason});
         if (as_text) streams.out << fmt::format("  {:<{}} {}: {}\n", safe_line(entry.name), width, verdict, safe_line(reason)) << std::flush;
     };
+    const auto note_error = [&](const CatalogueEntry& entry, const Diagnostic& d) {
+        result.json["errors"].push_back(as_json(entry.name, d));
+        const auto is_same = [&](const Diagnostic& other) { return other.message == d.message && other.span.source == d.span.source && other.span.begin == d.span.begin; };
+        if (std::none_of(result.unreadable.begin(), result.unreadable.end(), is_same)) result.unreadable.push_back(d);
+    };
     check_entries(catalogue, !options.pages.empty(), [&](const CatalogueEntry& entry, const EntryOutcome& outcome) {
-        for (const Diagnostic& d : outcome.errors) {
-            result.json["errors"].push_back(as_json(entry.name, d));
-            const auto is_same = [&](const Diagnostic& other) { return other.message == d.message && other.span.source == d.span.source && other.span.begin == d.span.begin; };
-            if (std::none_of(result.unreadable.begin(), result.unreadable.end(), is_same)) result.unreadable.push_back(d);
+        for (const Diagnostic& d : outcome.errors) note_error(entry, d);
+        if (!outcome.rows.empty()) {
+            const std::vector<RefusedEquation>& refused = outcome.rows.front().parts.refused;
+            for (const RefusedEquation& one : refused) note_error(entry, one.why);
+            half_read += refused.empty() ? 0 : 1;
         }
         if (!outcome.errors.empty()) {
             ++unread;
@@ -149,10 +155,11 @@ FileResult check_catalogue(const SourcePtr& source, const Options& options, Stre
         }
     });
     if (as_text)
-        streams.out << result.part.counts.line() << (unread > 0 ? fmt::format("; {} more could not be read", unread) : "") << (unchecked > 0 ? fmt::format("; {} more could not be checked", unchecked) : "")
+        streams.out << result.part.counts.line() << (half_read > 0 ? fmt::format("; {} of them could not be read in full", half_read) : "") << (unread > 0 ? fmt::format("; {} more could not be read", unread) : "")
+                    << (unchecked > 0 ? fmt::format("; {} more could not be checked", unchecked) : "")
                     << (result.failed ? "; not all as expected\n" : "\n");
     result.json["summary"] = result.part.counts.json();
-    result.json["passed"] = !result.failed && unread == 0;
+    result.json["passed"] = !result.failed && unread == 0 && half_read == 0;
     return result;
 }
 

@@ -166,40 +166,70 @@ void refuse_one_sided_signs(const LatexEquation& read) {
         fail(Id::not_allowed_here, read.equation.span, fmt::format("'\\pm' stands on one side of '{}' only, so that it is not said which sign holds; write the sign, or say under 'solves' which equation both of them solve", read.equation.span.text()));
 }
 
+/// Adds one printed equation, in the words of the model language.
+void add_equation(LatexEquation& read, const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model, CatalogueEntry& result) {
+    // Said to be rounded: what stands without a unit is a number all the same.
+    const bool is_rounded = std::find(read.relations.begin(), read.relations.end(), Relation::approximately) != read.relations.end();
+    for (const Relation relation : read.relations)
+        if (relation != Relation::equal && relation != Relation::approximately)
+            fail(Id::not_allowed_here, read.equation.span, fmt::format("'{}' is not an equation; what is compared by '{}' is not checked", read.equation.span.text(), sign_of(relation)));
+    if (read.relations.empty()) fail(Id::syntax, read.equation.span, fmt::format("'{}' is an expression where an equation is expected", read.equation.span.text()));
+    for (ExpressionPtr& side : read.equation.sides) side = with_known_meaning(side, catalogue, entry, model);
+    take_constants_out(read, catalogue, entry, model);
+    const bool has_e = !declares_e(catalogue, entry, model) && has_limit(read.equation);  // of the whole chain
+    std::vector<Equation> equations = with_rounded_numbers(read);
+    for (Equation& equation : equations) {
+        mark_rounded(equation);
+        for (ExpressionPtr& side : equation.sides) {
+            side = in_model_words(side);
+            if (has_e) side = with_eulers_number(side);
+        }
+    }
+    std::move(equations.begin(), equations.end(), std::back_inserter(result.equations));
+    if (is_rounded && !result.number_unit) result.number_unit = Unit{};
+}
+
 /// Adds the equations of the LaTeX with the upper or the lower signs. Whether there are such signs.
 bool add_equations(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model, bool is_lower_sign, CatalogueEntry& result) {
     PrintedNotation notation = notation_of(catalogue, entry, model);
     if (is_lower_sign) notation.take_lower_signs();
     bool has_signs = false;
     const std::size_t first = result.equations.size();
-    for (LatexEquation& read : read_latex(*entry.latex, notation)) {
+    std::vector<RefusedEquation> refused;
+    std::size_t count = 0;
+    for (LatexEquation& read : read_latex(*entry.latex, notation, refused)) {
+        count = std::max(count, read.number);
         const bool is_signed = std::find(read.has_both_signs.begin(), read.has_both_signs.end(), true) != read.has_both_signs.end();
         has_signs = has_signs || is_signed;
-        if (is_signed && entry.solved.empty()) refuse_one_sided_signs(read);
         if (is_lower_sign && !is_signed && entry.solved.empty()) continue;
         const bool is_said_of_equations = is_condition(read) && result.equations.size() > first;
-        if (is_said_of_equations || !read.conditions.empty()) check_conditions(read, catalogue, entry, model);
-        if (is_said_of_equations) continue;
-        // Said to be rounded: what stands without a unit is a number all the same.
-        const bool is_rounded = std::find(read.relations.begin(), read.relations.end(), Relation::approximately) != read.relations.end();
-        if (is_rounded && !result.number_unit) result.number_unit = Unit{};
-        for (const Relation relation : read.relations)
-            if (relation != Relation::equal && relation != Relation::approximately)
-                fail(Id::not_allowed_here, read.equation.span, fmt::format("'{}' is not an equation; what is compared by '{}' is not checked", read.equation.span.text(), sign_of(relation)));
-        if (read.relations.empty()) fail(Id::syntax, read.equation.span, fmt::format("'{}' is an expression where an equation is expected", read.equation.span.text()));
-        for (ExpressionPtr& side : read.equation.sides) side = with_known_meaning(side, catalogue, entry, model);
-        take_constants_out(read, catalogue, entry, model);
-        const bool has_e = !declares_e(catalogue, entry, model) && has_limit(read.equation);  // of the whole chain
-        for (Equation& equation : with_rounded_numbers(read)) {
-            mark_rounded(equation);
-            for (ExpressionPtr& side : equation.sides) {
-                side = in_model_words(side);
-                if (has_e) side = with_eulers_number(side);
-            }
-            result.equations.push_back(std::move(equation));
+        try {
+            if (is_signed && entry.solved.empty()) refuse_one_sided_signs(read);
+            if (is_said_of_equations || !read.conditions.empty()) check_conditions(read, catalogue, entry, model);
+            if (!is_said_of_equations) add_equation(read, catalogue, entry, model, result);
+        } catch (const Failure& failure) {
+            if (is_condition(read)) throw;  // of the others, too
+            refused.push_back({read.number, failure.diagnostics().front()});
         }
     }
+    EntryParts& parts = result.parts;
+    for (RefusedEquation& one : refused) {
+        count = std::max(count, one.number);
+        const bool is_known = std::any_of(parts.refused.begin(), parts.refused.end(), [&](const RefusedEquation& other) { return other.number == one.number; });
+        if (!is_known) parts.refused.push_back(std::move(one));
+    }
+    parts.equations = std::max(parts.equations, count);
+    std::sort(parts.refused.begin(), parts.refused.end(), [](const RefusedEquation& a, const RefusedEquation& b) { return a.number < b.number; });
     return has_signs;
+}
+
+/// Where nothing is left to be checked, or where what is left stands on what is not read, the whole entry is refused.
+void refuse_as_a_whole(const CatalogueEntry& entry) {
+    const std::vector<RefusedEquation>& refused = entry.parts.refused;
+    if (refused.empty() || (!entry.equations.empty() && entry.solved.empty())) return;
+    std::vector<Diagnostic> all;
+    for (const RefusedEquation& one : refused) all.push_back(one.why);
+    throw Failure(std::move(all));
 }
 
 }  // namespace
@@ -210,8 +240,10 @@ std::vector<CatalogueEntry> with_equations(const Catalogue& catalogue, const Cat
         if (!entry.solved.empty()) result.push_back(entry);
         add_equations(catalogue, entry, model, true, result.back());
     }
-    if (!entry.solved.empty())
-        for (const CatalogueEntry& one : result) check_solution(one);
+    for (const CatalogueEntry& one : result) {
+        refuse_as_a_whole(one);
+        if (!entry.solved.empty()) check_solution(one);
+    }
     return result;
 }
 

@@ -2,8 +2,9 @@
 // A catalogue: the equations that a text prints, each with what it is checked against.
 #pragma once
 
-#include "language/lexer.hpp"
 #include "elements/model.hpp"
+#include "language/lexer.hpp"
+#include "printed/latex_reader.hpp"
 
 namespace dalembert {
 
@@ -18,6 +19,12 @@ struct CatalogueLetter : Quantity {
 struct LatexMeaning {
     Excerpt letter;
     ExpressionPtr value;
+};
+
+/// Of an entry in LaTeX: how many equations it prints, and those of them that are not read.
+struct EntryParts {
+    std::size_t equations = 0;
+    std::vector<RefusedEquation> refused = {};
 };
 
 /// The name is the printed number: "2.218".
@@ -35,6 +42,7 @@ struct CatalogueEntry : PrintedEquation {
     bool is_dimensionless = false;  ///< all its letters are numbers
     std::string not_checkable; ///< why there is nothing to be checked; empty where there is
     std::vector<Diagnostic> unreadable = {};  ///< what is wrong in the entry itself
+    EntryParts parts = {};     ///< after with_equations
 };
 
 struct Catalogue {
@@ -58,7 +66,8 @@ bool is_catalogue(const SourcePtr& source);
 /// that is wrong.
 Catalogue read_catalogue(const SourcePtr& source, Diagnostics& diagnostics);
 
-/// The entry with its LaTeX read, if it has any: two of them where it says what letters are with \pm, one for each sign. Throws Failure.
+/// The entry with its LaTeX read, if it has any: two of them where it says what letters are with \pm, one for each sign. What cannot be read of
+/// several equations stands in its parts. Throws Failure where nothing can be read, or what cannot may be a condition of the rest.
 std::vector<CatalogueEntry> with_equations(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model);
 
 /// A model with the letters of an entry and nothing else; with `base`, that model with those letters that it does not have.

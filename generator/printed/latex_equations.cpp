@@ -165,41 +165,83 @@ LatexEquation LatexParser::chain() {
     return result;
 }
 
-std::vector<LatexEquation> LatexParser::equations() {
-    std::vector<LatexEquation> all;
-    const auto is_between = [&] { return is(",") || is_point() || is(";") || is("\\\\") || is("&") || is("\\Rightarrow") || is("\\rightarrow"); };
+bool LatexParser::is_between() const { return is(",") || is_point() || is(";") || is("\\\\") || is("&") || is("\\Rightarrow") || is("\\rightarrow"); }
+
+/// An equation, or what is said beside one: a word, a condition, a range, a sign between equations.
+void LatexParser::statement(std::vector<LatexEquation>& all) {
     const auto last = [&] { return all.empty() ? nullptr : &all.back(); };
-    while (!is_end()) {
-        const Word word = word_of(token());
-        const bool is_name = word == Word::comment && is_phrase(token()) && relation_of(token(1));  // \text{equatorial radius} = ...
-        if (!is_name && (is_between() || word == Word::separator || word == Word::comment || word == Word::otherwise)) {
-            if (word == Word::comment && token().text.find_first_of("<>=$") != std::string::npos) wrong(place(token()), "what stands in this text is not read; write a condition behind '\\text{for }'");
-            next();
-            if (word == Word::comment) take(":");
-            continue;
-        }
-        if (!all.empty() && skip_condition_in_brackets(all.back())) {
-        } else if (word == Word::condition) {
-            if (all.empty()) expected("an equation before the condition");
-            next();
-            if (!skip_range(last())) all.back().conditions.push_back(condition());
-        } else if (!skip_range(last())) {
-            all.push_back(chain());
-            LatexEquation& read = all.back();
-            if (is("\\in") && !read.relations.empty()) {
-                const std::size_t first = at_;
-                skip_set();
-                read.ranges.push_back(from(first));
-            } else if (read.relations.empty()) {
-                const Span span = read.equation.span;
-                if (is_end() || is_between()) wrong(span, fmt::format("'{}' is no equation; a relation such as '=' is expected in it", span.text()));
-                expected("an operator or '='");
-            }
-        }
-        const Word behind = word_of(token());
-        const bool is_done = is_end() || is_between() || token().space == Space::quad || is("\\forall") || (is("(") && starts_condition_group()) || behind == Word::separator || behind == Word::condition || behind == Word::comment || behind == Word::otherwise;
-        if (!is_done) expected("an operator, '=' or the end of the equation");
+    const Word word = word_of(token());
+    const bool is_name = word == Word::comment && is_phrase(token()) && relation_of(token(1));  // \text{equatorial radius} = ...
+    if (!is_name && (is_between() || word == Word::separator || word == Word::comment || word == Word::otherwise)) {
+        if (word == Word::comment && token().text.find_first_of("<>=$") != std::string::npos) wrong(place(token()), "what stands in this text is not read; write a condition behind '\\text{for }'");
+        next();
+        if (word == Word::comment) take(":");
+        return;
     }
+    if (!all.empty() && skip_condition_in_brackets(all.back())) {
+    } else if (word == Word::condition) {
+        if (all.empty()) expected("an equation before the condition");
+        next();
+        if (!skip_range(last())) all.back().conditions.push_back(condition());
+    } else if (!skip_range(last())) {
+        all.push_back(chain());
+        LatexEquation& read = all.back();
+        if (is("\\in") && !read.relations.empty()) {
+            const std::size_t first = at_;
+            skip_set();
+            read.ranges.push_back(from(first));
+        } else if (read.relations.empty()) {
+            const Span span = read.equation.span;
+            if (is_end() || is_between()) wrong(span, fmt::format("'{}' is no equation; a relation such as '=' is expected in it", span.text()));
+            expected("an operator or '='");
+        }
+    }
+    const Word behind = word_of(token());
+    const bool is_done = is_end() || is_between() || token().space == Space::quad || is("\\forall") || (is("(") && starts_condition_group()) || behind == Word::separator || behind == Word::condition || behind == Word::comment || behind == Word::otherwise;
+    if (!is_done) expected("an operator, '=' or the end of the equation");
+}
+
+/// Whether these tokens, which cannot be read, may be said of other equations: words, brackets or comparisons stand there before any "=".
+bool LatexParser::may_be_condition(std::size_t begin, std::size_t end) const {
+    if (at(begin).is("(") || at(begin).is("[")) return true;
+    for (std::size_t i = begin; i < end; ++i) {
+        const LatexToken& t = at(i);
+        const Word word = word_of(t);
+        if (word == Word::condition || word == Word::comment || word == Word::otherwise || t.is("\\in") || t.is("\\forall")) return true;
+        if (const auto relation = relation_of(t)) return *relation != Relation::equal && *relation != Relation::approximately;
+    }
+    return false;
+}
+
+// note [what an equation takes with it]  What cannot be read of a line takes the rest of that line with it, which it may belong to, and nothing
+// else: each "=" is a claim by itself. But what may be a condition of other equations takes all of them with it, because without it they claim
+// more than the text does.
+std::vector<LatexEquation> LatexParser::equations(std::vector<RefusedEquation>* refused) {
+    std::vector<LatexEquation> all;
+    std::size_t count = 0;
+    while (!is_end()) {
+        const std::size_t begin = at_, known = all.size();
+        const std::vector<std::string> counters = counters_;
+        try {
+            statement(all);
+            if (all.size() > known) all.back().number = ++count;
+        } catch (const Failure& failure) {
+            if (refused == nullptr) throw;
+            at_ = begin;
+            std::size_t end = begin;
+            for (int depth = 0; end + 1 < tokens_.size() && !(depth <= 0 && at(end).is("\\\\")); ++end)
+                depth += at(end).is("{") || at(end).kind == LatexToken::Kind::begin ? 1 : at(end).is("}") || at(end).kind == LatexToken::Kind::end_of ? -1 : 0;
+            if (may_be_condition(begin, end)) throw;
+            all.resize(known);
+            refused->push_back({++count, failure.diagnostics().front()});
+            at_ = end;
+            counters_ = counters;
+            brackets_ = fractions_ = magnitudes_ = 0;
+            integral_ = nullptr;
+            has_units_ = true;
+        }
+    }
+    if (all.empty() && refused != nullptr && !refused->empty()) throw Failure(refused->front().why);
     if (all.empty()) wrong(excerpt_.whole(), "there is no equation");
     return all;
 }
@@ -239,6 +281,10 @@ std::pair<std::string, std::vector<std::string>> LatexParser::whole_function() {
 std::vector<LatexEquation> read_latex(const Excerpt& excerpt, const PrintedNotation& notation) {
     const Excerpt text = without_macros(excerpt, notation.macros());
     return LatexParser(text, notation).equations();
+}
+std::vector<LatexEquation> read_latex(const Excerpt& excerpt, const PrintedNotation& notation, std::vector<RefusedEquation>& refused) {
+    const Excerpt text = without_macros(excerpt, notation.macros());
+    return LatexParser(text, notation).equations(&refused);
 }
 ExpressionPtr read_latex_expression(const Excerpt& excerpt, const PrintedNotation& notation) {
     const Excerpt text = without_macros(excerpt, notation.macros());

@@ -24,7 +24,8 @@ class LatexParser {
 public:
     LatexParser(const Excerpt& excerpt, const PrintedNotation& notation);
 
-    std::vector<LatexEquation> equations();
+    /// Throws at the first equation that cannot be read, or, with `refused`, adds it there: note [what an equation takes with it].
+    std::vector<LatexEquation> equations(std::vector<RefusedEquation>* refused = nullptr);
     ExpressionPtr whole_expression();
     std::string whole_letter();
     std::pair<std::string, std::vector<std::string>> whole_function();
@@ -237,6 +238,9 @@ private:
     enum class Word { none, separator, condition, otherwise, constant, name, comment };
     Word word_of(const LatexToken& token) const;
     LatexEquation chain();
+    bool is_between() const;
+    void statement(std::vector<LatexEquation>& all);
+    bool may_be_condition(std::size_t begin, std::size_t end) const;
     std::string named_letter();
     bool skip_range(LatexEquation* equation);
     void skip_set();

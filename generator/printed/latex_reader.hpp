@@ -30,6 +30,7 @@
 
 #include "language/expression.hpp"
 #include "printed/notation.hpp"
+#include "text/diagnostic.hpp"
 
 namespace dalembert {
 
@@ -45,10 +46,19 @@ struct LatexEquation {
     std::vector<ExpressionPtr> conditions;   ///< "für x > 0": where it holds
     std::vector<Span> ranges;                ///< "\forall ...", "j = 1, \dots, n", "\in [0, 1]": said beside it and not read
     std::vector<bool> has_both_signs;        ///< of each side: \pm or \mp stands there, which is + or - as the notation says
+    std::size_t number = 0;                  ///< among the equations of the text, from 1
+};
+
+/// An equation among several of a text that is not read.
+struct RefusedEquation {
+    std::size_t number = 0;  ///< as LatexEquation::number
+    Diagnostic why;
 };
 
 /// All equations of the text, in order. Throws Failure (syntax, too-deep, too-long, number-too-large) with a caret inside the text.
 std::vector<LatexEquation> read_latex(const Excerpt& excerpt, const PrintedNotation& notation);
+/// The same without the equations that cannot be read, which are added to `refused`: note [what an equation takes with it]. Throws where nothing is read.
+std::vector<LatexEquation> read_latex(const Excerpt& excerpt, const PrintedNotation& notation, std::vector<RefusedEquation>& refused);
 /// The text is one expression without a relation. Throws the same.
 ExpressionPtr read_latex_expression(const Excerpt& excerpt, const PrintedNotation& notation);
 /// The canonical spelling of the one letter, or word that the notation knows, in the excerpt. Throws Failure (syntax).

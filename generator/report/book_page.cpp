@@ -40,7 +40,7 @@ std::string marked(const Suggestion& s) {
 
 std::string entry(const PrintedRow& row) {
     const Verdict verdict = row.verdict();
-    std::string text = fmt::format("<section class=\"entry {}\">\n<h3>{} <span class=\"verdict\">{}</span></h3>\n", style_of(verdict), html_text(row.id), to_string(verdict));
+    std::string text = fmt::format("<section class=\"entry {}\">\n<h3>{} <span class=\"verdict\">{}</span></h3>\n", style_of(verdict), html_text(row.id), html_text(row.verdict_text()));
     std::string columns = column("printed", row.formulas);
     columns += column("derived", math_element(mathml_of_text(row.derived)));
     if (is_wrong(row)) columns += column("difference, printed left minus right", math_element(mathml_of_text(row.difference)));
@@ -48,6 +48,7 @@ std::string entry(const PrintedRow& row) {
     text += "<div class=\"columns\">\n" + columns + "</div>\n";
     if (verdict != Verdict::proven) text += paragraph(row.doc);
     if (!row.reason.empty() && verdict != Verdict::proven) text += paragraph((verdict == Verdict::proven_under_assumption ? "Assuming " : "Reason: ") + row.reason);
+    for (const std::string& sentence : row.not_read()) text += paragraph("Not read: " + sentence);
     if (row.suggestion) text += paragraph("Likely slip: " + row.suggestion->words) + marked(*row.suggestion);
     return text + example(row) + "</section>\n";
 }

@@ -59,7 +59,7 @@ std::size_t column_width(const std::vector<std::string>& names) {
 std::string report_text(const PrintedRow& row, std::size_t width) {
     const Verdict verdict = row.verdict();
     const std::string reason = reason_of(row);
-    std::string text = fmt::format("  {:<{}} {}{}\n", safe_line(row.id), width, to_string(verdict),
+    std::string text = fmt::format("  {:<{}} {}{}\n", safe_line(row.id), width, row.verdict_text(),
                                    row.expected ? (row.as_expected() ? ", as expected" : fmt::format(", but '{}' was expected", to_string(*row.expected))) : "");
     const bool is_notable = verdict != Verdict::proven;
     if (is_notable && !row.doc.empty()) text += fmt::format("      {}\n", safe_line(row.doc));
@@ -67,6 +67,7 @@ std::string report_text(const PrintedRow& row, std::size_t width) {
     if (is_notable && !reason.empty()) text += fmt::format("      {} {}\n", verdict == Verdict::proven_under_assumption ? "assuming:  " : "reason:    ", safe_line(reason));
     if (!row.difference.empty()) text += fmt::format("      difference: {}\n", row.difference);
     if (row.suggestion) text += suggestion_text(*row.suggestion);
+    for (const std::string& sentence : row.not_read()) text += fmt::format("      not read:   {}\n", safe_line(sentence));
     if (row.counterexample) {
         const CounterExample& c = *row.counterexample;
         std::vector<std::string> values;
@@ -88,6 +89,7 @@ nlohmann::ordered_json report_json(const PrintedRow& row, const std::string& sou
                                 {"suggestion", row.suggestion ? row.suggestion->equation : ""}, {"slip", row.suggestion ? row.suggestion->words : ""},
                                 {"suggestion_printed", row.suggestion ? row.suggestion->printed : ""}, {"slip_printed", row.suggestion && !row.suggestion->printed.empty() ? row.suggestion->printed.substr(row.suggestion->begin, row.suggestion->end - row.suggestion->begin) : ""},
                                 {"counterexample", nullptr}};
+    if (!row.parts.refused.empty()) json["equations"] = {{"printed", row.parts.equations}, {"not_read", row.not_read()}};
     if (row.counterexample) {
         const CounterExample& c = *row.counterexample;
         json["counterexample"] = {{"values", nlohmann::ordered_json::object()}, {"left", c.left}, {"right", c.right}};

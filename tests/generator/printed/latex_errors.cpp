@@ -232,3 +232,23 @@ TEST_CASE("damaged equations") {
     CHECK(refused > 1'000);
     CHECK(refused < 9'900);
 }
+
+TEST_CASE("what can be read beside an equation that cannot") {
+    const auto numbers = [](const char* latex, std::vector<std::size_t>& refused) {
+        std::vector<RefusedEquation> parts;
+        std::vector<std::size_t> read;
+        for (const LatexEquation& one : read_latex(latex_rows::text(latex), {}, parts)) read.push_back(one.number);
+        for (const RefusedEquation& one : parts) refused.push_back(one.number);
+        return read;
+    };
+    std::vector<std::size_t> refused;
+    CHECK(numbers(R"(a = b \\ c = \foo d, \quad e = f \\ g = \left( h \right))", refused) == std::vector<std::size_t>{1, 3});
+    CHECK(refused == std::vector<std::size_t>{2});
+    refused.clear();
+    CHECK(numbers(R"(\begin{align} a &= \frac{b + \foo}{2} \\ q \\ |c| &= {d} \end{align})", refused) == std::vector<std::size_t>{3});
+    CHECK(refused == std::vector<std::size_t>{1, 2});
+    for (const char* latex : {R"(a = b \\ x > \foo)", R"(a = b \\ \text{for } x = \foo)", R"(a = b, \quad (x = \foo))", R"(a = b \\ x \in \frac{1})", R"(a = b \\ \text{where $x > 0$})", R"(a = \foo \\ b)"}) {
+        INFO(latex);
+        CHECK_THROWS_AS(numbers(latex, refused), Failure);
+    }
+}
