@@ -51,6 +51,8 @@ std::vector<std::pair<std::string, int>> read_sizes(const std::vector<std::strin
     return sizes;
 }
 
+using Command = ExitCode (*)(const Options&, Streams);
+
 class Parser {
 public:
     Parser() : app_("Derives the equations of a machine, proves them, and emits C++.", "dalembert") {
@@ -61,9 +63,9 @@ public:
         app_.add_option("--memory", memory_, "GB of memory that the program may take")->check(CLI::PositiveNumber);
         app_.set_version_flag("--version", std::string("dalembert ") + program_version);
 
-        CLI::App* derive = model_verb("derive", "print the equations of motion");
+        CLI::App* derive = model_verb(derive_command, "derive", "print the equations of motion");
         format(derive, "text, latex or json", {"text", "latex", "json"});
-        CLI::App* generate = model_verb("generate", "write the C++ header");
+        CLI::App* generate = model_verb(generate_command, "generate", "write the C++ header");
         output(generate);
         auto* every = generate->add_flag("--every-scene", options_.every_scene, "the headers of all scenes");
         generate->add_option("--header", options_.header, "file name of the header instead of NAME_SCENE.hpp")->excludes(every)->check(file_name);
@@ -73,37 +75,37 @@ public:
         format(generate, "text or json", {"text", "json"});
         explain(generate);
         rewriting(generate);
-        CLI::App* check = app_.add_subcommand("check", "prove derivations and check printed equations: of models, in every scene unless one is chosen, and of catalogues of texts");
+        CLI::App* check = add_verb(check_command, "check", "prove derivations and check printed equations: of models, in every scene unless one is chosen, and of catalogues of texts");
         check->add_option("FILES", options_.models, "model files and catalogues")->required();
         check->add_option("-o,--output", options_.pages, "folder for book.html, every equation with its verdict, and errata.html; none are written, if left out");
         check->add_option("--scene", options_.choice.scene, "of models: the scene, if there are several");
         check->add_option("--size", sizes_, "of models: size of a family, as N=5")->delimiter(',');
         format(check, "text or json", {"text", "json"});
-        CLI::App* evaluate = model_verb("evaluate", "state derivative, outputs and energies at one point");
+        CLI::App* evaluate = model_verb(evaluate_command, "evaluate", "state derivative, outputs and energies at one point");
         settings(evaluate);
         mode(evaluate);
         format(evaluate, "text or json", {"text", "json"});
         evaluate->add_option("--time", options_.time, "the time, as 0.5 (in seconds) or 3ms; 0, if left out");
         evaluate->add_option("--digits", options_.digits, "significant digits of the results")->capture_default_str()->check(CLI::Range(1, 1000));
-        CLI::App* simulate = model_verb("simulate", "generate, compile and run a simulation; write CSV and plots");
+        CLI::App* simulate = model_verb(simulate_command, "simulate", "generate, compile and run a simulation; write CSV and plots");
         settings(simulate);
         output(simulate);
         format(simulate, "text or json", {"text", "json"});
         integration(simulate);
         simulate->add_option("--until", options_.until, "end of the run in seconds");
-        CLI::App* equilibrium = model_verb("equilibrium", "find an equilibrium, and the linearisation there with its eigenvalues");
+        CLI::App* equilibrium = model_verb(equilibrium_command, "equilibrium", "find an equilibrium, and the linearisation there with its eigenvalues");
         settings(equilibrium);
         mode(equilibrium);
         format(equilibrium, "text or json", {"text", "json"});
         equilibrium->add_option("--hold", options_.hold, "states that keep their value, comma separated")->delimiter(',');
         equilibrium->add_option("--moving", options_.moving, "coordinates that go on at constant speed: a steady motion is sought, at the speeds of the start; comma separated")->delimiter(',');
         equilibrium->add_option("--free", options_.free, "inputs that may change, comma separated")->delimiter(',');
-        CLI::App* modal = model_verb("modal", "eigenvalues, eigenvectors and modal form of a linear mechanical system, or of the linearisation at its start");
+        CLI::App* modal = model_verb(modal_command, "modal", "eigenvalues, eigenvectors and modal form of a linear mechanical system, or of the linearisation at its start");
         settings(modal);
         mode(modal);
         format(modal, "text or json", {"text", "json"});
         modal->add_option("--run", options_.run, "the [runs.NAME] at whose start; `reference`, or the only one, if left out");
-        CLI::App* optimise = model_verb("optimise", "find the parameter with which an output at the end of a run is largest or smallest");
+        CLI::App* optimise = model_verb(optimise_command, "optimise", "find the parameter with which an output at the end of a run is largest or smallest");
         auto* maximise = optimise->add_option("--maximise", options_.maximise, "the output, or state, that is to be as large as possible");
         optimise->add_option("--minimise", options_.minimise, "the one that is to be as small as possible")->excludes(maximise);
         optimise->add_option("--over", options_.over, "the parameter and where to look, as alpha=10deg:80deg")->required();
@@ -112,21 +114,21 @@ public:
         format(optimise, "text or json", {"text", "json"});
         integration(optimise, false);
         optimise->add_option("--until", options_.until, "end of the run in seconds, where no event ends it before");
-        CLI::App* survey = app_.add_subcommand("survey", "check, generate and simulate several models; print a table");
+        CLI::App* survey = add_verb(survey_command, "survey", "check, generate and simulate several models; print a table");
         survey->add_option("MODELS", options_.models, "model files")->required();
         survey->add_option("--size", sizes_, "size of a family, as N=5, where a model has it")->delimiter(',');
         survey->add_flag("--every-scene", options_.every_scene, "a row for each scene, not only for the default");
         output(survey);
         format(survey, "text or json", {"text", "json"});
         integration(survey);
-        CLI::App* effects = model_verb("effects", "what each scene and each effect costs, and what leaving it out changes; writes CSV and a plot");
+        CLI::App* effects = model_verb(effects_command, "effects", "what each scene and each effect costs, and what leaving it out changes; writes CSV and a plot");
         effects->add_option("--against", options_.against, "the scene that others are compared with; the one with most effects, if left out");
         settings(effects);
         output(effects);
         format(effects, "text or json", {"text", "json"});
         integration(effects);
         effects->add_option("--until", options_.until, "end of the run in seconds");
-        CLI::App* cost = app_.add_subcommand("cost", "what accuracy costs in time: every method in every arithmetic, against a reference; writes CSV and plots");
+        CLI::App* cost = add_verb(cost_command, "cost", "what accuracy costs in time: every method in every arithmetic, against a reference; writes CSV and plots");
         cost->add_option("MODELS", options_.models, "model files")->required();
         auto* scene = cost->add_option("--scene", options_.choice.scene, "one scene; all scenes of one model, if left out, and the usual one of several");
         cost->add_flag("--every-scene", options_.every_scene, "all scenes, also of several models")->excludes(scene);
@@ -141,19 +143,22 @@ public:
         cost->add_option("--run", options_.run, "the [runs.NAME] to take; `reference`, or the only one, if left out");
         cost->add_option("--until", options_.until, "end of the run in seconds");
         cost->add_flag("--no-plot", options_.no_plot, "write the CSV only");
-        CLI::App* accuracy = model_verb("accuracy", "how many digits the generated functions have, in float and double, against 100 digits at random and edge points");
+        CLI::App* accuracy = model_verb(accuracy_command, "accuracy", "how many digits the generated functions have, in float and double, against 100 digits at random and edge points");
         accuracy->add_option("--points", options_.test_points, "points in each arithmetic")->capture_default_str()->check(CLI::Range(1, 1000000));
         accuracy->add_option("--seed", options_.seed, "of the random numbers")->capture_default_str();
         accuracy->add_option("--limit", options_.ulp_limit, "largest error in double that is good, in ulp beyond the condition")->capture_default_str()->check(CLI::PositiveNumber);
         format(accuracy, "text or json", {"text", "json"});
         accuracy->add_flag("--explain", options_.explain, "what was rewritten to keep digits");
         rewriting(accuracy);
-        CLI::App* scenes = app_.add_subcommand("scenes", "list the scenes of a model and their effects");
+        CLI::App* scenes = add_verb(scenes_command, "scenes", "list the scenes of a model and their effects");
         scenes->add_option("MODEL", model_, "model file")->required();
         format(scenes, "text or json", {"text", "json"});
-        CLI::App* help = app_.add_subcommand("help", "the model language: a section, a key, `functions`, `quantities`, `units`; also `catalogue`, `errors`, `limits`, `json` and any verb");
+        CLI::App* help = add_verb(help_command, "help", "the model language: a section, a key, `functions`, `quantities`, `units`; also `catalogue`, `errors`, `limits`, `json` and any verb");
         help->add_option("TOPIC", options_.topic, "for example `bodies`, `bodies.mass` or `mass`");
     }
+
+    /// Calls the verb that was parsed.
+    ExitCode run(const Options& options, Streams streams) const { return commands_.at(options.verb)(options, streams); }
 
     /// Nothing to do when help was asked for and printed.
     std::optional<Options> parse(std::vector<std::string> arguments, Streams streams) {
@@ -215,8 +220,13 @@ private:
 
     void mode(CLI::App* verb) { verb->add_option("--mode", options_.mode, "of a machine that switches, the mode; the first, if left out"); }
 
-    CLI::App* model_verb(const char* name, const char* what) {
-        CLI::App* verb = app_.add_subcommand(name, what);
+    /// Each verb with what it calls and what it says of itself, here and nowhere else.
+    CLI::App* add_verb(Command command, const char* name, const char* what) {
+        commands_[name] = command;
+        return app_.add_subcommand(name, what);
+    }
+    CLI::App* model_verb(Command command, const char* name, const char* what) {
+        CLI::App* verb = add_verb(command, name, what);
         verb->add_option("MODEL", model_, "model file")->required();
         verb->add_option("--scene", options_.choice.scene, "the scene, if the model has several; NAME+EFFECT and NAME-EFFECT add one effect or leave one out");
         verb->add_option("--size", sizes_, "size of a family, as N=5")->delimiter(',');
@@ -264,15 +274,8 @@ private:
     std::vector<std::string> sizes_;
     std::vector<std::string> arguments_;
     double stage_seconds_ = 0, memory_ = 0;
+    std::map<std::string, Command> commands_;
 };
-
-ExitCode dispatch(const Options& options, Streams streams) {
-    static const std::map<std::string, ExitCode (*)(const Options&, Streams)> verbs{
-        {"derive", derive_command},     {"generate", generate_command},       {"check", check_command},   {"evaluate", evaluate_command},
-        {"simulate", simulate_command}, {"equilibrium", equilibrium_command}, {"modal", modal_command}, {"optimise", optimise_command}, {"survey", survey_command}, {"effects", effects_command}, {"cost", cost_command}, {"accuracy", accuracy_command},
-        {"scenes", scenes_command},     {"help", help_command}};
-    return verbs.at(options.verb)(options, streams);
-}
 
 }  // namespace
 
@@ -280,7 +283,7 @@ int run_program(const std::vector<std::string>& arguments, Streams streams) {
     try {
         Parser parser;
         const auto options = parser.parse(arguments, streams);
-        return static_cast<int>(options ? dispatch(*options, streams) : ExitCode::good);
+        return static_cast<int>(options ? parser.run(*options, streams) : ExitCode::good);
     } catch (const Failure& failure) {
         streams.err << failure.what();
         return static_cast<int>(failure.exit_code());

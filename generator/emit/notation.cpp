@@ -114,19 +114,9 @@ std::string Notation::atom(const Atom& a, const Atoms& atoms) const {
         return fmt::format("\\operatorname{{if}}\\left({} \\ge 0, {}, {}\\right)", arguments[0], arguments[1], arguments[2]);
     }
     if (style_ == Style::text) return fmt::format("{}({})", name_of(a.op), fmt::join(arguments, ", "));
-    switch (a.op) {
-        case Op::sqrt: return fmt::format("\\sqrt{{{}}}", arguments[0]);
-        case Op::inverse_norm: return fmt::format("\\frac{{1}}{{\\sqrt{{{}}}}}", arguments[0]);
-        case Op::floor: return fmt::format("\\left\\lfloor {} \\right\\rfloor", arguments[0]);
-        case Op::abs: return fmt::format("\\left|{}\\right|", arguments[0]);
-        case Op::asin:
-        case Op::acos:
-        case Op::atan: return fmt::format("\\arc{}\\left({}\\right)", name_of(a.op) + 1, arguments[0]);
-        case Op::sin: case Op::cos: case Op::tan: case Op::sinh: case Op::cosh: case Op::tanh: case Op::exp: case Op::min: case Op::max:
-            return fmt::format("\\{}\\left({}\\right)", name_of(a.op), fmt::join(arguments, ", "));
-        case Op::log: return fmt::format("\\ln\\left({}\\right)", arguments[0]);
-        default: return fmt::format("\\operatorname{{{}}}\\left({}\\right)", name_of(a.op), fmt::join(arguments, ", "));
-    }
+    const ScalarFunction& function = scalar_function(a.op);
+    const std::string inside = fmt::format("{}", fmt::join(arguments, ", "));
+    return function.latex != nullptr ? fmt::format(fmt::runtime(function.latex), inside) : fmt::format("\\operatorname{{{}}}\\left({}\\right)", function.name, inside);
 }
 
 namespace {

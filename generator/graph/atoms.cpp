@@ -30,16 +30,6 @@ Polynomial renumbered(const Polynomial& p, const std::vector<Letter>& new_letter
 
 }  // namespace
 
-const char* name_of(Op op) {
-    static constexpr const char* names[]{"symbol", "pi",   "sum",  "sin",  "cos", "tan", "asin", "acos", "atan", "atan2", "sinh",
-                                         "cosh",   "tanh", "exp",  "log",  "sqrt", "inverse_norm", "abs", "sign", "step", "min",  "max",   "expm1",
-                                         "log1p", "compression", "signed_root", "inverse_root", "forward_root", "outflow_factor", "outflow_factor_slope",
-                                         "outflow_factor_by_exponent", "decay_mean", "decay_mean_slope", "log_ratio", "log_mean", "log_mean_slope", "root_excess",
-                                         "sum_of_three", "radiant_temperature", "network_inverse", "balanced_temperature", "junction_root", "element", "independent_inverse", "in_column", "power", "one_minus_cos", "sinc", "cosc", "growth_mean", "logc",
-                                         "sinc_slope", "cosc_slope", "logc_slope", "if_else", "floor"};
-    return names[static_cast<std::size_t>(op)];
-}
-
 Atoms::Atoms(const Symbols& symbols) : symbols_(symbols) {
     for (std::size_t k = 0; k < symbol_order.size(); ++k)
         for (const Variable& variable : symbols.all(symbol_order[k]))

@@ -9,30 +9,10 @@
 #include <vector>
 
 #include "symbolic/polynomial.hpp"
+#include "symbolic/scalar_functions.hpp"
 #include "symbolic/symbols.hpp"
 
 namespace dalembert {
-
-enum class Op {
-    symbol,
-    pi,
-    sum,    ///< a polynomial kept whole: a denominator, or too large to be multiplied out
-    sin, cos, tan, asin, acos, atan, atan2, sinh, cosh, tanh, exp, log, sqrt, inverse_norm, abs, sign, step, min, max,
-    expm1, log1p, compression, signed_root, inverse_root, forward_root, outflow_factor, outflow_factor_slope, outflow_factor_by_exponent,
-    decay_mean, decay_mean_slope, log_ratio, log_mean, log_mean_slope, root_excess, sum_of_three, radiant_temperature,
-    network_inverse, balanced_temperature, junction_root,  ///< arguments: which element of the array, then what the array is made of
-    element,                                ///< of an array; in programs only
-    independent_inverse,                    ///< 1/x, or zero where x is next to nothing beside the second argument; in programs only
-    in_column,                              ///< 1 in the column of a Jacobian that the argument names, else 0; in programs only
-    power,  ///< arguments: base, exponent
-    one_minus_cos, sinc, cosc, growth_mean, logc, sinc_slope, cosc_slope, logc_slope,  ///< what forms that lose digits are rewritten into
-    if_else,  ///< arguments: x, what holds for x >= 0, what holds else
-    floor,
-};
-
-const char* name_of(Op op);
-/// Whether what is computed is an array, of which an atom is one element.
-constexpr bool is_array(Op op) { return op == Op::network_inverse || op == Op::balanced_temperature || op == Op::junction_root; }
 
 struct Atom {
     Op op;

@@ -93,7 +93,7 @@ std::optional<cln::cl_R> ExactArithmetic::value(Op op, const Values& a) const {
     }
     std::vector<ex> arguments;
     for (const cln::cl_R& x : a) arguments.emplace_back(numeric(x));
-    return number_of(applied(op, arguments));
+    return number_of(applied(scalar_function(op), arguments));
 }
 
 MaybeExact ExactArithmetic::by_differences(const At& at, const std::vector<const MaybeExact*>& arguments) const {

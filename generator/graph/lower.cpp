@@ -21,36 +21,6 @@ constexpr std::size_t most_terms = 400;
 /// A larger multiple in an exponential stays there.
 constexpr int largest_power = 100;
 
-struct FunctionOp {
-    unsigned serial;
-    Op op;
-    int parity;  ///< 1 even, -1 odd, 0 neither
-};
-
-const std::vector<FunctionOp>& function_ops() {
-    static const std::vector<FunctionOp> table{
-        {GiNaC::sin_SERIAL::serial, Op::sin, -1},   {GiNaC::cos_SERIAL::serial, Op::cos, 1},    {GiNaC::tan_SERIAL::serial, Op::tan, -1},
-        {GiNaC::asin_SERIAL::serial, Op::asin, -1}, {GiNaC::acos_SERIAL::serial, Op::acos, 0},  {GiNaC::atan_SERIAL::serial, Op::atan, -1},
-        {GiNaC::sinh_SERIAL::serial, Op::sinh, -1}, {GiNaC::cosh_SERIAL::serial, Op::cosh, 1},  {GiNaC::tanh_SERIAL::serial, Op::tanh, -1},
-        {GiNaC::log_SERIAL::serial, Op::log, 0},    {GiNaC::atan2_SERIAL::serial, Op::atan2, 0},
-        {magnitude_SERIAL::serial, Op::abs, 1},     {sign_of_SERIAL::serial, Op::sign, -1},     {unit_step_SERIAL::serial, Op::step, 0},
-        {if_else_SERIAL::serial, Op::if_else, 0},   {floor_of_SERIAL::serial, Op::floor, 0},
-        {norm_SERIAL::serial, Op::sqrt, 0},         {inverse_norm_SERIAL::serial, Op::inverse_norm, 0},
-        {minimum_SERIAL::serial, Op::min, 0},       {maximum_SERIAL::serial, Op::max, 0},
-        {exp_minus_one_SERIAL::serial, Op::expm1, 0}, {one_minus_cos_SERIAL::serial, Op::one_minus_cos, 1}, {sinc_SERIAL::serial, Op::sinc, 1}, {cosc_SERIAL::serial, Op::cosc, 1},
-        {growth_mean_SERIAL::serial, Op::growth_mean, 0}, {logc_SERIAL::serial, Op::logc, 0}, {sinc_slope_SERIAL::serial, Op::sinc_slope, -1}, {cosc_slope_SERIAL::serial, Op::cosc_slope, -1}, {logc_slope_SERIAL::serial, Op::logc_slope, 0},
-        {log_one_plus_SERIAL::serial, Op::log1p, 0}, {compression_SERIAL::serial, Op::compression, 0},
-        {signed_root_SERIAL::serial, Op::signed_root, -1}, {inverse_root_SERIAL::serial, Op::inverse_root, 1}, {forward_root_SERIAL::serial, Op::forward_root, 0},
-        {outflow_factor_SERIAL::serial, Op::outflow_factor, 0}, {outflow_factor_slope_SERIAL::serial, Op::outflow_factor_slope, 0},
-        {outflow_factor_by_exponent_SERIAL::serial, Op::outflow_factor_by_exponent, 0},
-        {decay_mean_SERIAL::serial, Op::decay_mean, 0}, {decay_mean_slope_SERIAL::serial, Op::decay_mean_slope, 0},
-        {log_ratio_SERIAL::serial, Op::log_ratio, 0}, {log_mean_SERIAL::serial, Op::log_mean, 0}, {log_mean_slope_SERIAL::serial, Op::log_mean_slope, 0},
-        {root_excess_SERIAL::serial, Op::root_excess, 0}, {sum_of_three_SERIAL::serial, Op::sum_of_three, 0},
-        {radiant_temperature_SERIAL::serial, Op::radiant_temperature, 0},
-    };
-    return table;
-}
-
 Polynomial negated(Polynomial p) {
     p *= Rational(-1);
     return p;
@@ -149,16 +119,15 @@ private:
         if (serial == unlocated_SERIAL::serial) return (*this)(e.op(0));
         if (is_network_function(e)) return network(e);
         if (serial == GiNaC::exp_SERIAL::serial) return exponential(folded((*this)(e.op(0)), atoms_));
-        for (const FunctionOp& known : function_ops()) {
-            if (known.serial != serial) continue;
+        if (const ScalarFunction* known = scalar_function_of(e)) {
+            using Symmetry = ScalarFunction::Symmetry;
             std::vector<Polynomial> arguments;
             for (const ex& argument : e) arguments.push_back(folded((*this)(argument), atoms_));
-            const bool flip = known.parity != 0 && atoms_.leading_sign(arguments[0]) < 0;
+            const bool flip = (known->symmetry == Symmetry::odd || known->symmetry == Symmetry::even) && atoms_.leading_sign(arguments[0]) < 0;
             if (flip) arguments[0] = negated(arguments[0]);
-            const bool is_symmetric = known.op == Op::min || known.op == Op::max || known.op == Op::log_mean;
-            if (is_symmetric && atoms_.key(arguments[1]) < atoms_.key(arguments[0])) std::swap(arguments[0], arguments[1]);
-            const Polynomial result = Polynomial::letter(atoms_.letter(known.op, std::move(arguments)));
-            return flip && known.parity < 0 ? negated(result) : result;
+            if (known->symmetry == Symmetry::symmetric && atoms_.key(arguments[1]) < atoms_.key(arguments[0])) std::swap(arguments[0], arguments[1]);
+            const Polynomial result = Polynomial::letter(atoms_.letter(known->op, std::move(arguments)));
+            return flip && known->symmetry == Symmetry::odd ? negated(result) : result;
         }
         throw std::logic_error("a function that the graph does not know: " + ex_to<GiNaC::function>(e).get_name());
     }

@@ -128,13 +128,11 @@ OperationCount Program::count(const std::vector<NodeId>& roots, const std::vecto
             case Node::Kind::product: result.multiplications += arguments - 1; break;
             case Node::Kind::reciprocal: result.divisions += 1; break;
             case Node::Kind::function: {
-                if (node.op == Op::element || node.op == Op::in_column) break;
-                if (node.op == Op::independent_inverse) {
-                    result.divisions += 1;
-                    break;
-                }
-                const bool is_trigonometric = node.op == Op::sin || node.op == Op::cos || node.op == Op::tan;
-                (is_trigonometric ? result.trigonometric : result.other) += 1;
+                using Cost = ScalarFunction::Cost;
+                const Cost cost = scalar_function(node.op).cost;
+                if (cost == Cost::division) result.divisions += 1;
+                if (cost == Cost::trigonometric) result.trigonometric += 1;
+                if (cost == Cost::other) result.other += 1;
                 break;
             }
         }

@@ -8,68 +8,6 @@ namespace dalembert {
 
 using GiNaC::ex;
 
-ex applied(Op op, const std::vector<ex>& a) {
-    switch (op) {
-        case Op::sin: return GiNaC::sin(a[0]);
-        case Op::cos: return GiNaC::cos(a[0]);
-        case Op::tan: return GiNaC::tan(a[0]);
-        case Op::asin: return GiNaC::asin(a[0]);
-        case Op::acos: return GiNaC::acos(a[0]);
-        case Op::atan: return GiNaC::atan(a[0]);
-        case Op::atan2: return GiNaC::atan2(a[0], a[1]);
-        case Op::sinh: return GiNaC::sinh(a[0]);
-        case Op::cosh: return GiNaC::cosh(a[0]);
-        case Op::tanh: return GiNaC::tanh(a[0]);
-        case Op::exp: return GiNaC::exp(a[0]);
-        case Op::log: return GiNaC::log(a[0]);
-        case Op::sqrt: return GiNaC::sqrt(a[0]);
-        case Op::inverse_norm: return inverse_norm(a[0]);
-        case Op::abs: return magnitude(a[0]);
-        case Op::sign: return sign_of(a[0]);
-        case Op::step: return unit_step(a[0]);
-        case Op::if_else: return if_else(a[0], a[1], a[2]);
-        case Op::floor: return floor_of(a[0]);
-        case Op::independent_inverse: return 1 / a[0];  // of constraints that are independent
-        case Op::min: return minimum(a[0], a[1]);
-        case Op::max: return maximum(a[0], a[1]);
-        case Op::expm1: return exp_minus_one(a[0]);
-        case Op::log1p: return log_one_plus(a[0]);
-        case Op::one_minus_cos: return one_minus_cos(a[0]);
-        case Op::sinc: return sinc(a[0]);
-        case Op::sinc_slope: return sinc_slope(a[0]);
-        case Op::cosc: return cosc(a[0]);
-        case Op::cosc_slope: return cosc_slope(a[0]);
-        case Op::growth_mean: return growth_mean(a[0]);
-        case Op::logc: return logc(a[0]);
-        case Op::logc_slope: return logc_slope(a[0]);
-        case Op::compression: return compression(a[0]);
-        case Op::signed_root: return signed_root(a[0]);
-        case Op::inverse_root: return inverse_root(a[0]);
-        case Op::forward_root: return forward_root(a[0]);
-        case Op::outflow_factor: return outflow_factor(a[0], a[1]);
-        case Op::outflow_factor_slope: return outflow_factor_slope(a[0], a[1]);
-        case Op::outflow_factor_by_exponent: return outflow_factor_by_exponent(a[0], a[1]);
-        case Op::decay_mean: return decay_mean(a[0]);
-        case Op::decay_mean_slope: return decay_mean_slope(a[0]);
-        case Op::log_ratio: return log_ratio(a[0], a[1]);
-        case Op::log_mean: return log_mean(a[0], a[1]);
-        case Op::log_mean_slope: return log_mean_slope(a[0], a[1]);
-        case Op::root_excess: return root_excess(a[0], a[1]);
-        case Op::sum_of_three: return sum_of_three(a[0], a[1], a[2]);
-        case Op::radiant_temperature: return radiant_temperature(a[0], a[1]);
-        case Op::network_inverse:
-        case Op::balanced_temperature:
-        case Op::junction_root: return GiNaC::exprseq(a.begin(), a.end());
-        case Op::power: return GiNaC::pow(a[0], a[1]);
-        case Op::symbol:
-        case Op::pi:
-        case Op::element:
-        case Op::in_column:
-        case Op::sum: break;
-    }
-    throw std::logic_error("an operation that is no function");
-}
-
 namespace {
 
 ex element_of(Op array, const ex& which, const ex& list) {
@@ -88,7 +26,7 @@ ex raised_letter(Letter letter, const Atoms& atoms) {
     for (const Polynomial& argument : atom.arguments) arguments.push_back(raised(argument, atoms));
     if (atom.op == Op::sum) return arguments[0];
     if (is_array(atom.op)) return element_of(atom.op, arguments[0], GiNaC::exprseq(arguments.begin() + 1, arguments.end()));
-    return applied(atom.op, arguments);
+    return applied(scalar_function(atom.op), arguments);
 }
 
 }  // namespace
@@ -131,7 +69,7 @@ ex Raiser::raise(const Node& node) {
         case Node::Kind::function: break;
     }
     if (node.op == Op::element) return element(node);
-    return applied(node.op, {parts.begin(), parts.end()});
+    return applied(scalar_function(node.op), parts);
 }
 
 CachedMeaning cached_meaning(const Code& code) {

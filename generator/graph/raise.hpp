@@ -8,9 +8,6 @@
 
 namespace dalembert {
 
-/// The function of GiNaC that an operation is, of its arguments; of an array the list of what it is made of.
-GiNaC::ex applied(Op op, const std::vector<GiNaC::ex>& arguments);
-
 /// What a polynomial over atoms stands for.
 GiNaC::ex raised(const Polynomial& p, const Atoms& atoms);
 

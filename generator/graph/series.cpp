@@ -48,8 +48,7 @@ private:
             const Node& node = program_[id];
             bool moving = node.kind == Node::Kind::symbol && atoms_[node.index].is_dynamic;
             // What these depend on by a jump alone does not move between two jumps.
-            const auto is = [&](Op op) { return node.kind == Node::Kind::function && node.op == op; };
-            const std::size_t by_jumps = is(Op::sign) || is(Op::step) || is(Op::floor) || is(Op::if_else) ? 1 : 0;
+            const std::size_t by_jumps = node.kind == Node::Kind::function && scalar_function(node.op).jumps ? 1 : 0;
             for (std::size_t i = by_jumps; i < node.arguments.size(); ++i) moving = moving || result_.moves[node.arguments[i]];
             result_.moves.push_back(moving);
         }

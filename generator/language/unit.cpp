@@ -54,6 +54,7 @@ const std::map<std::string, Known, std::less<>>& known_units() {
             {"T", {unit(volt * D::time() / D::length() / D::length()), true, "tesla"}},
             {"bar", {unit(pascal, 100000), true, "bar, 100000 Pa"}},
             {"atm", {unit(pascal, 101325), false, "standard atmosphere, 101325 Pa"}},
+            {"psi", {unit(pascal, Rational(44482216152605L) / Rational(6451600000L)), false, "pound-force per square inch, 4.4482216152605 N/(0.0254 m)^2"}},
             {"l", {unit(D::length().raised({3, 1}), Rational(1) / 1000), true, "litre"}},
             {"L", {unit(D::length().raised({3, 1}), Rational(1) / 1000), true, "litre"}},
             {"t", {unit(D::mass(), 1000), false, "tonne, 1000 kg"}},
@@ -106,7 +107,7 @@ std::string other_unit(const std::string& name) {
         {"sec", {"s"}}, {"secs", {"s"}}, {"hr", {"h"}}, {"hour", {"h"}}, {"minute", {"min"}}, {"day", {"d"}}, {"degree", {"deg"}}, {"degrees", {"deg"}}, {"Celsius", {"degC"}}, {"celsius", {"degC"}}, {"Kelvin", {"K"}},
         {"meter", {"m"}}, {"metre", {"m"}}, {"micron", {"um"}}, {"cc", {"cm^3"}}, {"liter", {"l"}}, {"litre", {"l"}}, {"ton", {"t"}},
         {"ft", {"0.3048 m", lengths}}, {"inch", {"0.0254 m", lengths}}, {"yd", {"0.9144 m", lengths}}, {"mile", {"1609.344 m", lengths}}, {"nmi", {"1852 m", lengths}},
-        {"psi", {"6894.757 Pa", pressures}}, {"mmHg", {"133.3224 Pa", pressures}}, {"torr", {"133.3224 Pa", pressures}}, {"Torr", {"133.3224 Pa", pressures}},
+        {"mmHg", {"133.3224 Pa", pressures}}, {"torr", {"133.3224 Pa", pressures}}, {"Torr", {"133.3224 Pa", pressures}},
         {"lb", {"0.45359237 kg", masses}}, {"lbm", {"0.45359237 kg", masses}}, {"oz", {"0.02834952 kg", masses}}, {"lbf", {"4.448222 N", forces}}, {"kgf", {"9.80665 N", forces}}, {"kp", {"9.80665 N", forces}},
         {"hp", {"745.6999 W", powers}}, {"PS", {"735.49875 W", powers}}, {"mph", {"0.44704 m/s"}}, {"knot", {"0.514444 m/s"}}, {"cal", {"4.184 J"}}, {"kcal", {"4184 J"}}, {"BTU", {"1055.056 J"}}, {"eV", {"1.602176634e-19 J"}}};
     const auto found = others.find(name);

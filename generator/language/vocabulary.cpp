@@ -34,6 +34,7 @@ constexpr std::array function_table{
     FunctionSpec{"mod", "x, y", U::same, "x - y*(x/y rounded down), y positive: x again and again from 0 up to y"},
     FunctionSpec{"if", "condition, a, b", U::choice, "a where the condition holds, else b; conditions are made of <, <=, >, >=, and, or, not"},
     FunctionSpec{"unlocated", "x", U::same, "x; kinks and jumps inside are smooth enough for the control of steps, and no run looks for them"},
+    FunctionSpec{"sinc", "x", U::dimensionless, "sin(x)/x, 1 at x = 0"},
     FunctionSpec{"expm1", "x", U::dimensionless, "exp(x) - 1"},
     FunctionSpec{"log1p", "x", U::dimensionless, "log(1 + x)"},
     FunctionSpec{"decay_mean", "z", U::dimensionless, "(1 - exp(-z))/z, 1 at z = 0: the mean of exp(-z*s) over s from 0 to 1"},

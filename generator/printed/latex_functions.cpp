@@ -10,7 +10,7 @@ namespace {
 
 /// What each is in the model language; "1/tan" is one over it.
 const std::map<std::string, std::string, std::less<>> function_names{{"sin", "sin"}, {"cos", "cos"}, {"tan", "tan"}, {"arcsin", "asin"}, {"arccos", "acos"}, {"arctan", "atan"}, {"asin", "asin"}, {"acos", "acos"}, {"atan", "atan"},
-    {"sinh", "sinh"}, {"cosh", "cosh"}, {"tanh", "tanh"}, {"exp", "exp"}, {"ln", "log"}, {"log", "log"}, {"lg", "lg"}, {"cot", "1/tan"}, {"coth", "1/tanh"}, {"sec", "1/cos"}, {"csc", "1/sin"}, {"sign", "sign"},
+    {"sinh", "sinh"}, {"cosh", "cosh"}, {"tanh", "tanh"}, {"sinc", "sinc"}, {"exp", "exp"}, {"ln", "log"}, {"log", "log"}, {"lg", "lg"}, {"cot", "1/tan"}, {"coth", "1/tanh"}, {"sec", "1/cos"}, {"csc", "1/sin"}, {"sign", "sign"},
     {"sgn", "sign"}, {"signum", "sign"}, {"det", "determinant"}, {"tr", "trace"}, {"trace", "trace"}, {"diag", "diag"}, {"grad", "gradient"}, {"div", "divergence"}, {"rot", "curl"}, {"curl", "curl"},
     {"min", "min"}, {"max", "max"}, {"abs", "abs"}, {"sqrt", "sqrt"}, {"atan2", "atan2"}, {"arctan2", "atan2"}, {"artanh", "artanh"}, {"arsinh", "arsinh"}, {"arcosh", "arcosh"},
     {"atanh", "artanh"}, {"asinh", "arsinh"}, {"acosh", "arcosh"}, {"argmin", "argmin"}, {"argmax", "argmax"}, {"arg min", "argmin"}, {"arg max", "argmax"}, {"arg\\,min", "argmin"}, {"arg\\,max", "argmax"}, {"arctanh", "artanh"}, {"arcsinh", "arsinh"}, {"arccosh", "arcosh"}};

@@ -3,6 +3,7 @@
 
 #include "prove/angle_basis.hpp"
 #include "symbolic/functions.hpp"
+#include "symbolic/scalar_functions.hpp"
 #include "text/budgets.hpp"
 
 #include <algorithm>
@@ -160,18 +161,9 @@ Polynomial NormalForm::function(const ex& e) {
     }
     if (name == "whole" || name == "unlocated") return convert(e.op(0));
     if (name == "sum_of_three") return convert(e.op(0) + e.op(1) + e.op(2));
-    if (name == "exp_minus_one") return exponential(convert(e.op(0))) - Polynomial(1);
-    if (name == "one_minus_cos") return Polynomial(1) - sine_and_cosine(convert(e.op(0))).second;
-    static const std::set<std::string> with_value_at_zero{"sinc", "sinc_slope", "cosc", "cosc_slope", "growth_mean", "logc", "logc_slope"};
-    if (with_value_at_zero.contains(name)) {
-        note_argument(e.op(0));
+    if (const ScalarFunction* known = scalar_function_of(e); known != nullptr && known->meaning != nullptr) {
+        if (known->fills_gap) note_argument(e.op(0));
         return convert(in_elementary_functions(e));
-    }
-    if (name == "compression") {
-        const Polynomial x = convert(e.op(0));
-        Polynomial more = x;
-        more += Polynomial(1);
-        return Polynomial(1) - multiply(more, exponential(-x));
     }
     if (name == "log") return logarithm(convert(e.op(0)));
     if (name == "asin" || name == "atan" || name == "acos") {  // odd ones, but for the quarter turn that acos is from asin
@@ -184,11 +176,6 @@ Polynomial NormalForm::function(const ex& e) {
         Polynomial quarter = convert(GiNaC::Pi);
         quarter *= Rational(1) / 2;
         return result += quarter;
-    }
-    if (name == "log_one_plus") {
-        Polynomial x = convert(e.op(0));
-        x += Polynomial(1);
-        return logarithm(x);
     }
     if (name == "signed_root" || name == "inverse_root" || name == "forward_root") {
         const Polynomial x = convert(e.op(0));

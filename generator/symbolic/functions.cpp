@@ -198,28 +198,6 @@ ex outflow_factor_by_exponent_evalf(const ex& d, const ex& k) {
     return (o.by_exponent / (2 * GiNaC::sqrt(o.square * d))).evalf();
 }
 
-struct Elementary : GiNaC::map_function {
-    ex operator()(const ex& e) override {
-        if (is_ex_the_function(e, whole) || is_ex_the_function(e, unlocated)) return (*this)(e.op(0));
-        if (is_ex_the_function(e, exp_minus_one)) return GiNaC::exp((*this)(e.op(0))) - 1;
-        if (is_ex_the_function(e, log_one_plus)) return GiNaC::log(1 + (*this)(e.op(0)));
-        const auto of = [&] { return (*this)(e.op(0)); };
-        if (is_ex_the_function(e, one_minus_cos)) return 1 - GiNaC::cos(of());
-        if (is_ex_the_function(e, sinc)) return GiNaC::sin(of()) / of();
-        if (is_ex_the_function(e, sinc_slope)) return GiNaC::cos(of()) / of() - GiNaC::sin(of()) / GiNaC::pow(of(), 2);
-        if (is_ex_the_function(e, cosc_slope)) return GiNaC::sin(of()) / GiNaC::pow(of(), 2) - 2 * (1 - GiNaC::cos(of())) / GiNaC::pow(of(), 3);
-        if (is_ex_the_function(e, logc_slope)) return 1 / (of() * (1 + of())) - GiNaC::log(1 + of()) / GiNaC::pow(of(), 2);
-        if (is_ex_the_function(e, cosc)) return (1 - GiNaC::cos(of())) / GiNaC::pow(of(), 2);
-        if (is_ex_the_function(e, growth_mean)) return (GiNaC::exp(of()) - 1) / of();
-        if (is_ex_the_function(e, logc)) return GiNaC::log(1 + of()) / of();
-        if (is_ex_the_function(e, compression)) {
-            const ex x = (*this)(e.op(0));
-            return 1 - (1 + x) * GiNaC::exp(-x);
-        }
-        return e.map(*this);
-    }
-};
-
 struct WithoutWhole : GiNaC::map_function {
     ex operator()(const ex& e) override { return is_ex_the_function(e, whole) ? (*this)(e.op(0)) : GiNaC::is_a<GiNaC::function>(e) ? e : e.map(*this); }
 };
@@ -229,11 +207,6 @@ struct WithoutWhole : GiNaC::map_function {
 ex without_whole(const ex& e) {
     WithoutWhole without;
     return without(e);
-}
-
-ex in_elementary_functions(const ex& e) {
-    Elementary elementary;
-    return elementary(e);
 }
 
 REGISTER_FUNCTION(magnitude, eval_func(magnitude_eval).evalf_func(magnitude_evalf))

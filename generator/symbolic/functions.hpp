@@ -58,7 +58,7 @@ DECLARE_FUNCTION_2P(radiant_temperature)  ///< the T >= 0 with a*T^4 + T = b for
 /// With whole(x) replaced by x, except inside other functions.
 GiNaC::ex without_whole(const GiNaC::ex& e);
 
-/// What whole, exp_minus_one, log_one_plus and compression stand for, for proofs.
+/// What functions that keep digits stand for, for proofs: their meaning in scalar_functions.cpp.
 GiNaC::ex in_elementary_functions(const GiNaC::ex& e);
 
 }  // namespace dalembert

@@ -89,11 +89,6 @@ ex view_groove_of(const ex& x, const ex& y) { return 2 * x * y / (kept(x + y) * 
 using Formula = ex (*)(const Arguments&);
 const std::map<std::string_view, Formula>& formulas() {
     static const std::map<std::string_view, Formula> table{
-        {"decay_mean", [](const Arguments& x) -> ex { return decay_mean(x[0]); }},
-        {"log_ratio", [](const Arguments& x) -> ex { return log_ratio(x[0], x[1]); }},
-        {"log_mean", [](const Arguments& x) -> ex { return log_mean(x[0], x[1]); }},
-        {"root_excess", [](const Arguments& x) -> ex { return root_excess(x[0], x[1]); }},
-        {"radiant_temperature", [](const Arguments& x) -> ex { return radiant_temperature(x[0], x[1]); }},
         {"fourth_power_difference", [](const Arguments& x) { return fourth_power_difference(x[0], x[1]); }},
         {"plate_resistance", [](const Arguments& x) -> ex { return x[0] / (x[1] * x[2]); }},
         {"pipe_resistance", [](const Arguments& x) -> ex { return log_ratio(x[1], x[0]) / (2 * GiNaC::Pi * x[2] * x[3]); }},

@@ -8,6 +8,7 @@
 #include "symbolic/functions.hpp"
 #include "symbolic/switches.hpp"
 #include "symbolic/heat_formulas.hpp"
+#include "symbolic/scalar_functions.hpp"
 #include "text/budgets.hpp"
 #include "text/diagnostic.hpp"
 
@@ -232,31 +233,14 @@ ex Translator::function(const Expression& e, const std::vector<ex>& arguments) c
     const ex& x = arguments[0];
     try {
         if (const auto heat = heat_function(e.name, arguments)) return *heat;
-        if (e.name == "sin") return GiNaC::sin(x);
-        if (e.name == "cos") return GiNaC::cos(x);
-        if (e.name == "tan") return GiNaC::tan(x);
-        if (e.name == "asin") return GiNaC::asin(x);
-        if (e.name == "acos") return GiNaC::acos(x);
-        if (e.name == "atan") return GiNaC::atan(x);
-        if (e.name == "atan2") return GiNaC::atan2(x, arguments[1]);
-        if (e.name == "sinh") return GiNaC::sinh(x);
-        if (e.name == "cosh") return GiNaC::cosh(x);
-        if (e.name == "tanh") return GiNaC::tanh(x);
-        if (e.name == "exp") return GiNaC::exp(x);
-        if (e.name == "log") return GiNaC::log(x);
-        if (e.name == "expm1") return exp_minus_one(x);
-        if (e.name == "log1p") return log_one_plus(x);
         if (e.name == "sqrt") return power(e, x, numeric(1, 2));
-        if (e.name == "abs") return magnitude(x);
-        if (e.name == "sign") return sign_of(x);
         if (e.name == "step") return if_else(x, 1, 0);
         if (e.name == "ramp") return maximum(x, 0);
         if (e.name == "pulse") return if_else(x, 1, 0) - if_else(x - arguments[1], 1, 0);
         if (e.name == "mod") return x - arguments[1] * floor_of(x / arguments[1]);
         if (e.name == "if") return if_else(x, arguments[1], arguments[2]);
         if (e.name == "unlocated") return with_unlocated_switches(x);
-        if (e.name == "min") return minimum(x, arguments[1]);
-        if (e.name == "max") return maximum(x, arguments[1]);
+        if (const ScalarFunction* known = scalar_function_named(e.name)) return applied(*known, arguments);
     } catch (const GiNaC::pole_error&) {
         if (e.name == "mod") fail(Id::division_by_zero, e, fmt::format("the period '{}' of '{}' is zero, and has to be positive", e.children[1]->written(), e.written()));
         fail(Id::division_by_zero, e, fmt::format("'{}' does not exist", e.written()));
