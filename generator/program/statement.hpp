@@ -102,7 +102,7 @@ std::size_t width(const Value& value);
 bool mentions(const Value& value, const std::string& name);
 
 /// What a variable holds.
-struct ValueType {
+struct Storage {
     enum class Kind {
         scalar,   ///< a real number
         array,    ///< sizes[0] real numbers that a helper fills, reads or returns
@@ -114,7 +114,7 @@ struct ValueType {
     Kind kind = Kind::scalar;
     std::vector<std::size_t> sizes = {};
     std::string name = {};
-    friend bool operator==(const ValueType&, const ValueType&) = default;
+    friend bool operator==(const Storage&, const Storage&) = default;
 };
 
 struct Statement;
@@ -122,7 +122,7 @@ using Statements = std::vector<Statement>;
 
 /// A variable; const where it has a value. `names` are several only without one. `is_zeroed`: begins with zeros.
 struct Declaration {
-    ValueType type;
+    Storage type;
     std::vector<std::string> names;
     Value value = {};
     bool is_zeroed = false;
@@ -139,9 +139,9 @@ struct Assignment {
 };
 
 /// A call for what it does to its arguments.
-struct Evaluation {
+struct Invocation {
     Value call;
-    friend bool operator==(const Evaluation&, const Evaluation&) = default;
+    friend bool operator==(const Invocation&, const Invocation&) = default;
 };
 
 /// Every number of an array of `size` becomes `value`.
@@ -185,9 +185,9 @@ struct Return {
 };
 
 /// In braces: names inside are not seen outside.
-struct Block {
+struct Braces {
     Statements body;
-    friend bool operator==(const Block&, const Block&);
+    friend bool operator==(const Braces&, const Braces&);
 };
 
 /// An argument is not used, on purpose.
@@ -197,7 +197,7 @@ struct Unused {
 };
 
 struct Statement {
-    using Content = std::variant<Declaration, Assignment, Evaluation, Filling, Loop, OnEvent, ByMode, Return, Block, Unused>;
+    using Content = std::variant<Declaration, Assignment, Invocation, Filling, Loop, OnEvent, ByMode, Return, Braces, Unused>;
     Content content;
     template <class T>
         requires std::is_constructible_v<Content, T>
