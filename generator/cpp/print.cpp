@@ -97,14 +97,14 @@ std::string modes_text(const ByMode& by_mode) {
         std::string labels;
         for (const std::string& mode : one.modes) labels += fmt::format("{}            case Mode::{}:", labels.empty() ? "" : "\n", mode);
         if (&one == &by_mode.cases.back()) labels += "\n            default:";
-        text += labels + " {\n" + shifted(shifted(cpp_text(one.body))) + (returns(one.body) ? "" : "                break;\n") + "            }\n";
+        text += labels + " {\n" + shifted(shifted(cpp_body(one.body))) + (returns(one.body) ? "" : "                break;\n") + "            }\n";
     }
     return text + indent_of_body + "}\n";
 }
 
 struct Printer {
     static constexpr std::size_t column = 8;
-    std::string operator()(const Declaration& s) const { return wrapped(declaration_text(s), column); }
+    std::string operator()(const Declaration& s) const { return wrapped(declaration_text(s) + (s.comment.empty() ? "" : "  // " + s.comment), column); }
     std::string operator()(const Assignment& s) const { return wrapped(assignment_text(s), column); }
     std::string operator()(const Invocation& s) const { return wrapped(cpp_text(s.call) + ";", column); }
     std::string operator()(const Filling& s) const { return fmt::format("{}{}.fill({});\n", indent_of_body, s.array, cpp_text(s.value)); }
@@ -112,7 +112,7 @@ struct Printer {
     std::string operator()(const OnEvent& s) const { return braced(fmt::format("if (event_number == event::{}) ", s.event), s.body); }
     std::string operator()(const ByMode& s) const { return modes_text(s); }
     std::string operator()(const Return& s) const { return wrapped(fmt::format("return {};", cpp_text(s.value)), column); }
-    std::string operator()(const Braces& s) const { return braced("", s.body); }
+    std::string operator()(const Braces& s) const { return indent_of_body + "{\n" + shifted(cpp_body(s.body)) + indent_of_body + "}\n"; }
     std::string operator()(const Unused& s) const { return fmt::format("{}(void){};\n", indent_of_body, s.name); }
 };
 
@@ -128,6 +128,7 @@ std::string cpp_text(const Value& value) {
         case Value::Kind::name: return value.text();
         case Value::Kind::member: return member_text(value);
         case Value::Kind::element: return cpp_text(value.parts()[0]) + "[" + cpp_text(value.parts()[1]) + "]";
+        case Value::Kind::whole_array: return value.text() + ".data()";
         case Value::Kind::part_from: return cpp_text(value.parts()[0]) + ".data() + " + cpp_text(value.parts()[1]);
         case Value::Kind::list: return "{" + listed(value.parts(), ", ") + "}";
         case Value::Kind::sum: return sum_text(value);
@@ -144,6 +145,12 @@ std::string cpp_text(const Statements& statements) {
     std::string text;
     for (const Statement& statement : statements) text += std::visit(Printer(), statement.content);
     return text;
+}
+
+std::string cpp_body(const Statements& statements) {
+    std::string text;
+    for (const std::string& name : library_calls(statements)) text += fmt::format("{}using std::{};\n", indent_of_body, name);
+    return text + cpp_text(statements);
 }
 
 std::string cpp_text(const std::vector<Argument>& arguments) {

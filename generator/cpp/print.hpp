@@ -9,6 +9,8 @@ namespace dalembert {
 std::string cpp_text(const Value& value);
 /// Statements from column 8 on.
 std::string cpp_text(const Statements& statements);
+/// The same behind declarations that put the functions of <cmath> that they call into scope.
+std::string cpp_body(const Statements& statements);
 /// "const State& x, const Input& /*u*/": names of what is not used are commented out.
 std::string cpp_text(const std::vector<Argument>& arguments);
 

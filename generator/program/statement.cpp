@@ -27,6 +27,7 @@ Value Value::constant(const Rational& exact) { return Value({.kind = Kind::const
 Value Value::pi() { return Value({.kind = Kind::pi}); }
 Value Value::whole(std::size_t number) { return Value({.kind = Kind::whole, .number = number}); }
 Value Value::name(std::string text) { return Value({.kind = Kind::name, .text = std::move(text)}); }
+Value Value::whole_array(std::string name) { return Value({.kind = Kind::whole_array, .text = std::move(name)}); }
 Value Value::event(std::string name) { return Value({.kind = Kind::event, .text = std::move(name)}); }
 Value Value::member(Object object, std::string text) { return Value({.kind = Kind::member, .object = object, .text = std::move(text)}); }
 Value Value::element(Value array, Value index) { return with_parts(Kind::element, {std::move(array), std::move(index)}); }
@@ -170,6 +171,7 @@ std::size_t width(const Value& value) {
         case Value::Kind::name: return value.text().size();
         case Value::Kind::member: return (value.object() == Value::Object::energies ? 9 : 3) + value.text().size();
         case Value::Kind::element: return width(value.parts()[0]) + width(value.parts()[1]) + 2;
+        case Value::Kind::whole_array: return value.text().size() + std::string(".data()").size();
         case Value::Kind::part_from: return width(value.parts()[0]) + width(value.parts()[1]) + std::string(".data() + ").size();
         case Value::Kind::list:
         case Value::Kind::parenthesised: return width_of_list(value.parts()) + 2;
@@ -226,6 +228,36 @@ bool any_statement(const Statements& statements, const auto& is_it) {
 
 bool returns(const Statements& statements) {
     return any_statement(statements, [](const Statement& s) { return std::holds_alternative<Return>(s.content); });
+}
+
+namespace {
+
+/// Visits values of statements, but not those in braces and of modes.
+void each_value(const Statements& statements, const auto& visit) {
+    for (const Statement& statement : statements)
+        std::visit(Overloaded{
+            [&](const Declaration& s) { visit(s.value); },
+            [&](const Assignment& s) { visit(s.target), visit(s.value); },
+            [&](const Invocation& s) { visit(s.call); },
+            [&](const Filling& s) { visit(s.value); },
+            [&](const Loop& s) { visit(s.end), each_value(s.body, visit); },
+            [&](const OnEvent& s) { each_value(s.body, visit); },
+            [&](const Return& s) { visit(s.value); },
+            [](const auto&) {}}, statement.content);
+}
+
+void note_library_calls(const Value& value, std::set<std::string>& names) {
+    if (value.kind() == Value::Kind::none) return;
+    if (value.kind() == Value::Kind::call && value.where() == Value::Where::library) names.insert(value.text());
+    for (const Value& part : value.parts()) note_library_calls(part, names);
+}
+
+}  // namespace
+
+std::set<std::string> library_calls(const Statements& statements) {
+    std::set<std::string> names;
+    each_value(statements, [&](const Value& value) { note_library_calls(value, names); });
+    return names;
 }
 
 bool mentions(const Statements& statements, const std::string& name) {

@@ -26,6 +26,7 @@ public:
         name,          ///< `text`: a variable, parameter or loop index of the function
         member,        ///< `text` of `object`
         element,       ///< parts: array, index
+        whole_array,   ///< `text`: a vector of the interface, for a helper that takes an array of any length
         part_from,     ///< parts: array, index: the array from that element on
         list,          ///< parts: an array written out, argument of a helper
         sum,           ///< parts, of which those with `negative` are subtracted; the first may be
@@ -57,6 +58,8 @@ public:
     static Value member(Object object, std::string text);
     static Value element(Value array, Value index);
     static Value element(Value array, std::size_t index) { return element(std::move(array), whole(index)); }
+    /// A vector as an argument of helpers, which take arrays.
+    static Value whole_array(std::string name);
     static Value part_from(Value array, std::size_t first);
     static Value list(std::vector<Value> parts);
     static Value sum(std::vector<Value> terms, std::vector<bool> negative = {});
@@ -127,6 +130,7 @@ struct Declaration {
     Value value = {};
     bool is_zeroed = false;
     std::vector<std::size_t> numbers = {};  ///< of indices
+    std::string comment = {};
     friend bool operator==(const Declaration&, const Declaration&) = default;
 };
 
@@ -228,5 +232,8 @@ struct FunctionBody {
 /// Whether some statement gives a value back, or a call or value mentions the name.
 bool returns(const Statements& statements);
 bool mentions(const Statements& statements, const std::string& name);
+
+/// Functions of the language's mathematics that statements call; those in braces and of modes count for themselves.
+std::set<std::string> library_calls(const Statements& statements);
 
 }  // namespace dalembert
