@@ -12,42 +12,16 @@ namespace dalembert {
 namespace {
 
 constexpr std::size_t longest_inline = 70;
-constexpr std::size_t longest_line = 128;
 
 bool is_sine_or_cosine(const Node& node) { return node.kind == Node::Kind::function && (node.op == Op::sin || node.op == Op::cos); }
 
 }  // namespace
 
-std::string wrapped(const std::string& statement, std::size_t column) {
-    const std::string blanks(column, ' ');
-    std::string result;
-    std::string rest = statement;
-    bool first = true;
-    while (true) {
-        const std::size_t room = longest_line - column - (first ? 0 : 4);
-        if (rest.size() <= room) break;
-        // The last operator at the shallowest depth that still fits.
-        std::size_t best = std::string::npos;
-        int best_depth = 1000;
-        int depth = 0;
-        for (std::size_t i = 0; i + 2 < rest.size() && i < room; ++i) {
-            if (rest[i] == '(' || rest[i] == '[') ++depth;
-            if (rest[i] == ')' || rest[i] == ']') --depth;
-            const bool is_operator = rest[i] == ' ' && (rest[i + 1] == '+' || rest[i + 1] == '-' || rest[i + 1] == '*' || rest[i + 1] == '/') && rest[i + 2] == ' ';
-            if (is_operator && i > room / 3 && depth <= best_depth) {
-                best = i;
-                best_depth = depth;
-            }
-        }
-        if (best == std::string::npos) break;
-        result += blanks + (first ? "" : "    ") + rest.substr(0, best) + "\n";
-        rest = rest.substr(best + 1);
-        first = false;
-    }
-    return result + blanks + (first ? "" : "    ") + rest + "\n";
+void append(Statements& statements, Statements more) {
+    statements.insert(statements.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-CppFunction::CppFunction(const Code& code, const FunctionCode& function, const CachedTexts& cached, std::set<std::string> arguments)
+CppFunction::CppFunction(const Code& code, const FunctionCode& function, const CachedValues& cached, std::set<std::string> arguments)
     : code_(code), function_(function), cached_(cached), arguments_(arguments), names_({}), uses_(function.program.size(), 0) {
     const Symbols& symbols = code.system.symbols;
     for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::definition, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
@@ -78,31 +52,32 @@ bool CppFunction::wants_name(NodeId id) const {
     }
 }
 
-std::string CppFunction::compute(const std::vector<NodeId>& roots) {
-    std::string statements;
+Statements CppFunction::compute(const std::vector<NodeId>& roots) {
+    Statements statements;
     for (const NodeId id : function_.program.in_order(roots)) {
         if (known_.contains(id)) continue;
         const Node& node = function_.program[id];
         if (node.kind == Node::Kind::function && node.op == Op::compression)
-            if (const auto decay = exponential_of_minus(node.arguments[0])) statements += compute({*decay});
+            if (const auto decay = exponential_of_minus(node.arguments[0])) append(statements, compute({*decay}));
         if (node.kind == Node::Kind::symbol) known_[id] = symbol(id, statements);
         else if (const std::optional<NodeId> other = other_of_angle(id)) declare_both(id, *other, statements);
-        else if (wants_name(id)) declare(id, build(id, statements).text, statements);
+        else if (wants_name(id)) declare(id, build(id, statements), statements);
     }
     return statements;
 }
 
-std::string CppFunction::value(NodeId id, std::string& statements) {
+Value CppFunction::value(NodeId id, Statements& statements) {
     const auto known = known_.find(id);
-    return known != known_.end() ? known->second.text : build(id, statements).text;
+    return known != known_.end() ? known->second : build(id, statements);
 }
 
-void CppFunction::declare(NodeId id, const std::string& text, std::string& statements) {
+void CppFunction::declare(NodeId id, Value value, Statements& statements) {
     const std::string unique = names_.unique(suggested_name(id));
     const Node& node = function_.program[id];
     const bool is_an_array = node.kind == Node::Kind::function && is_array(node.op);
-    statements += wrapped(fmt::format("const {} {} = {};", is_an_array ? "auto" : "Scalar", unique, text), 8);
-    known_[id] = {unique, 3};
+    const Storage type = is_an_array ? Storage{Storage::Kind::array, {order_of_network(node)}} : Storage();
+    statements.push_back(Declaration{type, {unique}, std::move(value)});
+    known_[id] = Value::name(unique);
 }
 
 /// The cosine that belongs to a sine, or the other way round, where both are still to be computed.
@@ -127,17 +102,17 @@ std::optional<NodeId> CppFunction::exponential_of_minus(NodeId x) const {
     return {};
 }
 
-void CppFunction::declare_both(NodeId id, NodeId other, std::string& statements) {
+void CppFunction::declare_both(NodeId id, NodeId other, Statements& statements) {
     if (function_.program[id].op == Op::cos) std::swap(id, other);
     const std::string function = code_.trig == Trig::combined ? "combined_sin_and_cos" : "sin_and_cos";
     called_.insert(function);
-    const std::string angle = text_of(function_.program[id].arguments[0], statements).text;
+    const Value angle = part(function_.program[id].arguments[0], statements);
     const std::string sine = names_.unique(suggested_name(id));
     const std::string cosine = names_.unique(suggested_name(other));
-    statements += fmt::format("        Scalar {}, {};\n", sine, cosine);
-    statements += wrapped(fmt::format("detail::{}<Scalar>({}, {}, {});", function, angle, sine, cosine), 8);
-    known_[id] = {sine, 3};
-    known_[other] = {cosine, 3};
+    known_[id] = Value::name(sine);
+    known_[other] = Value::name(cosine);
+    statements.push_back(Declaration{{}, {sine, cosine}});
+    statements.push_back(Invocation{Value::call(Value::Where::helper, function, {angle, known_[id], known_[other]})});
 }
 
 std::string CppFunction::suggested_name(NodeId id) {
@@ -152,77 +127,72 @@ std::string CppFunction::suggested_name(NodeId id) {
     // A square or product of two variables is called after them; the rest is numbered.
     if (node.kind == Node::Kind::product && node.arguments.size() == 2 && node.arguments[0] == node.arguments[1]) {
         const auto known = known_.find(node.arguments[0]);
-        if (known != known_.end() && known->second.text.find_first_of("[. (") == std::string::npos) return known->second.text + "_squared";
+        if (known != known_.end() && known->second.kind() == Value::Kind::name) return known->second.text() + "_squared";
     }
     if (node.kind == Node::Kind::reciprocal) return fmt::format("inverse_{}", ++temporaries_);
     return fmt::format("e{}", ++temporaries_);
 }
 
-CppFunction::Text CppFunction::text_of(NodeId id, std::string& statements) {
+/// A node as a part of another one: what is wanted more than once or long has a name.
+Value CppFunction::part(NodeId id, Statements& statements) {
     if (const auto known = known_.find(id); known != known_.end()) return known->second;
     const Node& node = function_.program[id];
     if (node.kind == Node::Kind::symbol) return known_[id] = symbol(id, statements);
-    Text text = build(id, statements);
+    Value value = build(id, statements);
     const bool is_leaf = node.arguments.empty();
-    if (!is_leaf && (wants_name(id) || text.text.size() > longest_inline)) {
-        declare(id, text.text, statements);
+    if (!is_leaf && (wants_name(id) || width(value) > longest_inline)) {
+        declare(id, std::move(value), statements);
         return known_.at(id);
     }
-    return text;
+    return value;
 }
 
-std::string CppFunction::operand(NodeId id, int least_precedence, std::string& statements) {
-    const Text text = text_of(id, statements);
-    return text.precedence < least_precedence ? "(" + text.text + ")" : text.text;
-}
-
-CppFunction::Text CppFunction::build(NodeId id, std::string& statements) {
+Value CppFunction::build(NodeId id, Statements& statements) {
     const Node& node = function_.program[id];
     switch (node.kind) {
-        case Node::Kind::constant: {
-            const std::string text = cpp_constant(node.value);
-            return {text, is_integer(node.value) && !is_negative(node.value) && text.find(' ') == std::string::npos ? 3 : 1};
-        }
-        case Node::Kind::cached: return {cached_.at(node.index), 3};
+        case Node::Kind::constant: return Value::constant(node.value);
+        case Node::Kind::cached: return cached_.at(node.index);
         case Node::Kind::sum: return sum(node, statements);
         case Node::Kind::product: return product(node, statements);
-        case Node::Kind::reciprocal: return {"Scalar(1) / " + operand(node.arguments[0], 3, statements), 2};
+        case Node::Kind::reciprocal: return Value::product({}, {part(node.arguments[0], statements)});
         case Node::Kind::function: return call(node, statements);
         case Node::Kind::symbol: break;
     }
     return symbol(id, statements);
 }
 
-CppFunction::Text CppFunction::symbol(NodeId id, std::string& statements) {
+Value CppFunction::symbol(NodeId id, Statements& statements) {
     const Atom& atom = code_.atoms[function_.program[id].index];
     if (atom.op == Op::pi) {
         called_.insert("pi");
-        return {"detail::pi<Scalar>()", 3};
+        return Value::pi();
     }
     const Variable& variable = *atom.variable;
-    const auto local = [&](const std::string& array, std::size_t index) -> Text {
+    const auto local = [&](const Value& array, std::size_t index) {
         const std::string name = cpp_name(variable);
         // A model may call something x or u; an argument of that name is in the way then.
         const std::string unique = arguments_.contains(name) ? names_.unique(name + "_value") : name;
-        statements += fmt::format("        const Scalar {} = {}[{}];\n", unique, array, index);
-        return {unique, 3};
+        statements.push_back(Declaration{{}, {unique}, Value::element(array, index)});
+        return Value::name(unique);
     };
-    const auto member = [&](const char* object) -> Text {
-        return {variable.is_member ? fmt::format("{}.{}[{}]", object, variable.base, variable.index - family_start(variable)) : fmt::format("{}.{}", object, variable.base), 3};
+    const auto parameter = [&] {
+        const Value whole = Value::member(Value::Object::parameters, variable.base);
+        return variable.is_member ? Value::element(whole, static_cast<std::size_t>(variable.index - family_start(variable))) : whole;
     };
     switch (variable.kind) {
-        case SymbolKind::parameter: return member("p_");
-        case SymbolKind::definition: return {fmt::format("{}{}", local_definitions_.contains(variable.position) ? "" : "c_.", cpp_name(variable)), 3};
-        case SymbolKind::time: uses_time_ = true; return {"t", 3};
+        case SymbolKind::parameter: return parameter();
+        case SymbolKind::definition: 
+            return local_definitions_.contains(variable.position) ? Value::name(cpp_name(variable)) : Value::member(Value::Object::cached, cpp_name(variable));
+        case SymbolKind::time: uses_time_ = true; return Value::name("t");
         case SymbolKind::input: uses_input_ = true; return local(input_, variable.position);
         case SymbolKind::coordinate:
         case SymbolKind::velocity:
         case SymbolKind::state: uses_state_ = true; return local(state_, code_.system.symbols.place(variable.kind, variable.position));
-        case SymbolKind::acceleration: return {fmt::format("{}[{}]", accelerations_, first_acceleration_ + variable.position), 3};
-        case SymbolKind::jerk: return {cpp_name(variable), 3};  // computed before
-        case SymbolKind::residual: return {fmt::format("residual[{}]", variable.position), 3};
+        case SymbolKind::acceleration: return Value::element(accelerations_, first_acceleration_ + variable.position);
+        case SymbolKind::jerk: return Value::name(cpp_name(variable));  // computed before
+        case SymbolKind::residual: return Value::element(Value::name("residual"), variable.position);
         case SymbolKind::grid:
-        case SymbolKind::letter: return {cpp_name(variable), 3};
+        case SymbolKind::letter: return Value::name(cpp_name(variable));
         default: throw std::logic_error("a symbol that has no place in the header: " + variable.name);
     }
 }
@@ -233,47 +203,39 @@ int CppFunction::family_start(const Variable& variable) const {
     return 0;
 }
 
-CppFunction::Text CppFunction::sum(const Node& node, std::string& statements) {
-    std::string text;
-    for (std::size_t i = 0; i < node.arguments.size(); ++i) {
-        const bool negative = node.negative[i];
-        const std::string term = operand(node.arguments[i], negative ? 2 : (i == 0 ? 1 : 2), statements);
-        if (i == 0) text = (negative ? "-" : "") + term;
-        else text += (negative ? " - " : " + ") + term;
-    }
-    return {text, 1};
+Value CppFunction::sum(const Node& node, Statements& statements) {
+    std::vector<Value> terms;
+    for (const NodeId argument : node.arguments) terms.push_back(part(argument, statements));
+    return Value::sum(std::move(terms), node.negative);
 }
 
-CppFunction::Text CppFunction::product(const Node& node, std::string& statements) {
-    std::string above;
-    std::string below;
+Value CppFunction::product(const Node& node, Statements& statements) {
+    std::vector<Value> factors, divisors;
     for (const NodeId argument : node.arguments) {
         const Node& factor = function_.program[argument];
         // A reciprocal that nothing else needs is a division.
-        if (factor.kind == Node::Kind::reciprocal && !wants_name(argument) && !known_.contains(argument)) {
-            below += " / " + operand(factor.arguments[0], 3, statements);
-            continue;
-        }
-        above += (above.empty() ? "" : " * ") + operand(argument, above.empty() ? 2 : 3, statements);
+        const bool divides = factor.kind == Node::Kind::reciprocal && !wants_name(argument) && !known_.contains(argument);
+        (divides ? divisors : factors).push_back(part(divides ? factor.arguments[0] : argument, statements));
     }
-    return {(above.empty() ? "Scalar(1)" : above) + below, 2};
+    return Value::product(std::move(factors), std::move(divisors));
 }
 
-CppFunction::Text CppFunction::call(const Node& node, std::string& statements) {
-    if (node.op == Op::element) return {fmt::format("{}[{}]", text_of(node.arguments[0], statements).text, to_string(function_.program[node.arguments[1]].value)), 3};
+Value CppFunction::call(const Node& node, Statements& statements) {
+    const auto whole = [&](std::size_t i) { return static_cast<std::size_t>(cln::cl_I_to_ulong(cln::numerator(function_.program[node.arguments[i]].value))); };
+    if (node.op == Op::element) return Value::element(part(node.arguments[0], statements), whole(1));
     if (node.op == Op::in_column) {
-        const auto column = static_cast<std::size_t>(cln::cl_I_to_ulong(cln::numerator(function_.program[node.arguments[0]].value)));
-        const auto place = static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), column) - columns_.begin());
-        return {fmt::format("unit[c + {}]", columns_.size() - 1 - place), 3};
+        const auto place = static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), whole(0)) - columns_.begin());
+        return Value::element(Value::name("unit"), Value::sum({Value::name("c"), Value::whole(columns_.size() - 1 - place)}));
     }
-    std::string arguments;
-    for (const NodeId argument : node.arguments) arguments += (arguments.empty() ? "" : ", ") + text_of(argument, statements).text;
-    const std::string name = (is_sine_or_cosine(node) && code_.trig == Trig::combined ? "combined_" : "") + (node.op == Op::power ? "pow" : std::string(name_of(node.op)));
+    std::vector<Value> arguments;
+    for (const NodeId argument : node.arguments) arguments.push_back(part(argument, statements));
+    const bool is_combined = is_sine_or_cosine(node) && code_.trig == Trig::combined;
+    const std::string name = (is_combined ? "combined_" : "") + (node.op == Op::power ? "pow" : std::string(name_of(node.op)));
     called_.insert(name);
     if (node.op == Op::compression)
-        if (const auto decay = exponential_of_minus(node.arguments[0])) arguments += ", " + text_of(*decay, statements).text;
-    if (is_array(node.op)) return {fmt::format("detail::{}<Scalar, {}>({{{}}})", name, order_of_network(node), arguments), 3};
-    return {is_helper(name) ? fmt::format("detail::{}<Scalar>({})", name, arguments) : fmt::format("{}({})", name, arguments), 3};
+        if (const auto decay = exponential_of_minus(node.arguments[0])) arguments.push_back(part(*decay, statements));
+    if (is_array(node.op)) return Value::call(Value::Where::helper, name, {Value::list(std::move(arguments))}, {order_of_network(node)});
+    return Value::call(is_helper(name) ? Value::Where::helper : Value::Where::library, name, std::move(arguments));
 }
 
 }  // namespace dalembert

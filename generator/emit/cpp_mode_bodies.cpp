@@ -9,58 +9,61 @@
 namespace dalembert {
 
 /// Rates of the accelerations that occur, by the chain rule along the motion, with inputs held.
-std::string CppBodies::jerks(const FunctionCode& f) {
-    std::string statements = fmt::format("{0}State dxdt;\n{0}JacobianX J;\n{0}rhs_and_jacobian(mode, x, u, t, dxdt, J);\n{0}JacobianT by_time;\n{0}jacobian_t(mode, x, u, t, by_time);\n", indent);
+Statements CppBodies::jerks(const FunctionCode& f) {
+    const auto vector = [](const char* type, const char* name) { return Declaration{{Storage::Kind::vector, {}, type}, {name}}; };
+    Statements statements{vector("State", "dxdt"), vector("JacobianX", "J"), Invocation{call_of("rhs_and_jacobian", {"dxdt", "J"})}, vector("JacobianT", "by_time"),
+                          Invocation{call_of("jacobian_t", {"by_time"})}};
     for (const NodeId id : f.program.in_order(f.roots())) {
         const Node& node = f.program[id];
         const Variable* variable = node.kind == Node::Kind::symbol ? code_.atoms[node.index].variable : nullptr;
         if (variable == nullptr || variable->kind != SymbolKind::jerk) continue;
         const std::size_t row = velocities_ + variable->position;
-        std::string sum = fmt::format("by_time[{}]", row);
+        std::vector<Value> terms{Value::element(Value::name("by_time"), row)};
         for (std::size_t c = 0; c < layout(By::state).columns(); ++c)
-            if (const auto place = layout(By::state).place(row, c)) sum += fmt::format(" + J[{}] * dxdt[{}]", *place, c);
-        statements += wrapped(fmt::format("const Scalar {} = {};", cpp_name(*variable), sum), 8);
+            if (const auto place = layout(By::state).place(row, c))
+                terms.push_back(Value::product({Value::element(Value::name("J"), *place), Value::element(Value::name("dxdt"), c)}));
+        statements.push_back(Declaration{{}, {cpp_name(*variable)}, terms.size() == 1 ? terms[0] : Value::sum(terms)});
     }
     return statements;
 }
 
-CppBody CppBodies::guards(Function function, const char* type, const char* result) {
+FunctionBody CppBodies::guards(Function function, const char* type, const char* result) {
     FunctionCode f = code_[function];
     std::vector<std::size_t> watched;
     for (std::size_t e = 0; e < code_.system.events.size(); ++e)
         if (code_.system.events[e].is_watched) watched.push_back(e);
-    CppFunction cpp(code_, f, cached_texts_, arguments_);
-    std::string statements;
-    if (f.uses_jerks) statements += jerks(f);
-    else if (f.uses_accelerations) statements += accelerations_by_rhs(cpp);
-    cpp.bind_accelerations("dxdt", velocities_);
+    CppFunction cpp(code_, f, cached_values_, arguments_);
+    Statements statements;
+    if (f.uses_jerks) append(statements, jerks(f));
+    else if (f.uses_accelerations) append(statements, accelerations_by_rhs(cpp));
+    cpp.bind_accelerations(Value::name("dxdt"), velocities_);
     for (const std::size_t e : watched) {
-        statements += cpp.compute({f.results[e]});
-        statements += assigned(cpp, fmt::format("{}[{}]", result, e), f.results[e]);
+        append(statements, cpp.compute({f.results[e]}));
+        append(statements, assigned(cpp, Value::element(Value::name(result), e), f.results[e]));
     }
-    return finish(cpp, std::move(statements), watched.empty() ? fmt::format("{}& /*{}*/", type, result) : fmt::format("{}& {}", type, result), {.everything = f.uses_accelerations || f.uses_jerks});
+    return finish(cpp, std::move(statements), {{type, result, Argument::Passing::result, !watched.empty()}}, {.everything = f.uses_accelerations || f.uses_jerks});
 }
 
-CppBody CppBodies::conditions() {
+FunctionBody CppBodies::conditions() {
     const FunctionCode& f = code_[Function::conditions];
-    CppFunction cpp(code_, f, cached_texts_, arguments_);
-    std::string statements = cpp.compute(f.results);
-    std::string all;
+    CppFunction cpp(code_, f, cached_values_, arguments_);
+    Statements statements = cpp.compute(f.results);
+    std::vector<Value> all;
     const std::size_t count = code_.condition_places.size();
     for (std::size_t i = 0; i < count; ++i) {
-        const std::string value = cpp.value(f.results[i], statements);
-        const std::string size = cpp.value(f.results[count + i], statements);
-        const std::string entry = code_.condition_places[i] ? fmt::format("x[{}]", *code_.condition_places[i]) : "Scalar(0)";
-        all += fmt::format("{}detail::is_near<Scalar>({}, {}, {})", i == 0 ? "" : " && ", entry, value, size);
+        const Value value = cpp.value(f.results[i], statements);
+        const Value size = cpp.value(f.results[count + i], statements);
+        const Value entry = code_.condition_places[i] ? Value::element(Value::name("x"), *code_.condition_places[i]) : Value::constant(0);
+        all.push_back(Value::call(Value::Where::helper, "is_near", {entry, value, size}));
     }
     if (!f.results.empty()) helpers_.insert("is_near");
-    statements += fmt::format("{}return {};\n", indent, f.results.empty() ? "true" : all);
-    return finish(cpp, std::move(statements), "", {.state = !f.results.empty()});
+    statements.push_back(Return{Value::all_of(f.results.empty() ? std::vector<Value>() : std::move(all))});
+    return finish(cpp, std::move(statements), {}, {.state = !f.results.empty()});
 }
 
-CppBody CppBodies::resets(const std::vector<ResetCode>& resets) {
+FunctionBody CppBodies::resets(const std::vector<ResetCode>& resets) {
     const FunctionCode& f = code_[Function::resets];
-    std::string statements;
+    Statements statements;
     bool uses_input = false, uses_time = false;
     std::set<std::string> called;
     for (std::size_t e = 0; e < resets.size(); ++e) {
@@ -69,38 +72,43 @@ CppBody CppBodies::resets(const std::vector<ResetCode>& resets) {
         one.solved = one.right = {};
         const auto first = f.results.begin() + static_cast<std::ptrdiff_t>(resets[e].first);
         one.results.assign(first, first + static_cast<std::ptrdiff_t>(resets[e].places.size()));
-        CppFunction cpp(code_, one, cached_texts_, arguments_);
+        CppFunction cpp(code_, one, cached_values_, arguments_);
         // Everything is read before anything is written.
-        std::string body = cpp.compute(one.results);
-        std::vector<std::string> values;
+        Statements body = cpp.compute(one.results);
+        std::vector<Value> values;
         for (const NodeId result : one.results) values.push_back(cpp.value(result, body));
         const bool at_once = values.size() > 1;
-        for (std::size_t i = 0; at_once && i < values.size(); ++i) body += wrapped(fmt::format("const Scalar new_{}_ = {};", i, values[i]), 8);
-        for (std::size_t i = 0; i < values.size(); ++i) body += wrapped(fmt::format("x[{}] = {};", resets[e].places[i], at_once ? fmt::format("new_{}_", i) : values[i]), 8);
-        statements += fmt::format("{0}if (event_number == event::{1}) {{\n{2}{0}}}\n", indent, cpp_name(code_.system.events[e].name, 0, false), shifted(body));
+        const auto new_name = [](std::size_t i) { return fmt::format("new_{}_", i); };
+        for (std::size_t i = 0; at_once && i < values.size(); ++i) body.push_back(Declaration{{}, {new_name(i)}, values[i]});
+        for (std::size_t i = 0; i < values.size(); ++i)
+            body.push_back(Assignment{Value::element(Value::name("x"), resets[e].places[i]), at_once ? Value::name(new_name(i)) : values[i]});
+        statements.push_back(OnEvent{cpp_name(code_.system.events[e].name, 0, false), std::move(body)});
         uses_input = uses_input || cpp.uses_input();
         uses_time = uses_time || cpp.uses_time();
         called.insert(cpp.called().begin(), cpp.called().end());
     }
-    return {argument("State&", "x", !statements.empty()) + ", " + argument("const Input&", "u", uses_input) + ", " + argument("Scalar", "t", uses_time), scope(called) + statements};
+    scope(called);  // notes helpers
+    using enum Argument::Passing;
+    const bool changes = !statements.empty();
+    return {{{"State", "x", result, changes}, {"Input", "u", read, uses_input}, {"Scalar", "t", value, uses_time}}, std::move(statements), std::move(called)};
 }
 
-CppBody CppBodies::kinks(const std::vector<Guard>& kinks) {
+FunctionBody CppBodies::kinks(const std::vector<Guard>& kinks) {
     const FunctionCode& f = code_[Function::guards];
-    CppFunction cpp(code_, f, cached_texts_, arguments_);
-    std::string statements;
+    CppFunction cpp(code_, f, cached_values_, arguments_);
+    Statements statements;
     for (std::size_t k = 0; k < kinks.size(); ++k) {
         const auto& guards = code_.system.guards;
         const auto found = std::find_if(guards.begin(), guards.end(), [&](const Guard& g) { return g.is_same(kinks[k]); });
         if (found == guards.end()) {
-            statements += fmt::format("{}k[{}] = Scalar(1);\n", indent, k);
+            statements.push_back(Assignment{Value::element(Value::name("k"), k), Value::constant(1)});
             continue;
         }
         const NodeId result = f.results[static_cast<std::size_t>(found - guards.begin())];
-        statements += cpp.compute({result});
-        statements += assigned(cpp, fmt::format("k[{}]", k), result);
+        append(statements, cpp.compute({result}));
+        append(statements, assigned(cpp, Value::element(Value::name("k"), k), result));
     }
-    return finish(cpp, std::move(statements), kinks.empty() ? "Kinks& /*k*/" : "Kinks& k", {.everything = f.uses_accelerations});
+    return finish(cpp, std::move(statements), {{"Kinks", "k", Argument::Passing::result, !kinks.empty()}}, {.everything = f.uses_accelerations});
 }
 
 }  // namespace dalembert

@@ -30,7 +30,7 @@ void CppSeries::Sum::add(bool negative, const std::string& term) {
     text = ++count == 1 ? (negative ? "-" : "") + term : text + (negative ? " - " : " + ") + term;
 }
 
-CppSeries::CppSeries(const Code& code, SeriesCode series, const CachedTexts& cached, std::set<std::string> arguments, Use use)
+CppSeries::CppSeries(const Code& code, SeriesCode series, const CachedValues& cached, std::set<std::string> arguments, Use use)
     : code_(code), series_(std::move(series)), cached_(cached), arguments_(std::move(arguments)), use_(std::move(use)) {
     step();  // what it asks for is known then
 }
@@ -42,9 +42,9 @@ std::string CppSeries::start(const std::function<std::string(CppFunction&)>& sol
     for (const NodeId id : kept_) cpp_->keep(id);
     use_.bind(*cpp_);
     std::string statements = solve(*cpp_);
-    statements += cpp_->compute(at_start_.results);
-    for (const NodeId id : kept_) first_[id] = cpp_->value(id, statements);
-    return statements;
+    Statements more = cpp_->compute(at_start_.results);
+    for (const NodeId id : kept_) first_[id] = cpp_text(cpp_->value(id, more));
+    return statements + cpp_text(more);
 }
 
 std::string CppSeries::step() {

@@ -18,7 +18,7 @@ public:
         std::function<void(CppFunction&)> bind = [](CppFunction&) {};
         std::function<std::string(CppSeries&)> assign;
     };
-    CppSeries(const Code& code, SeriesCode series, const CachedTexts& cached, std::set<std::string> arguments, Use use);
+    CppSeries(const Code& code, SeriesCode series, const CachedValues& cached, std::set<std::string> arguments, Use use);
 
     /// Statements of the first coefficients; `solve` makes those that find accelerations by loops, once M and the right side are there.
     std::string start(const std::function<std::string(CppFunction&)>& solve);
@@ -69,7 +69,7 @@ private:
 
     const Code& code_;
     SeriesCode series_;
-    const CachedTexts& cached_;
+    const CachedValues& cached_;
     std::set<std::string> arguments_;
     Use use_;
     FunctionCode at_start_;

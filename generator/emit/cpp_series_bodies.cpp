@@ -32,8 +32,8 @@ CppBody CppBodies::series() {
     const FunctionCode f = made.function;
     CppSeries::Use use;
     use.bind = [&](CppFunction& cpp) {
-        cpp.bind_state("x[0]");
-        cpp.bind_accelerations("x[1]", velocities_);
+        cpp.bind_state(Value::element(Value::name("x"), 0));
+        cpp.bind_accelerations(Value::element(Value::name("x"), 1), velocities_);
         for (std::size_t j = 0; !f.by_loops && j < n_; ++j) cpp.name_node(f.accelerations[j], cpp_name(symbols.all(SymbolKind::acceleration)[j]));
         if (!f.by_loops) name_multipliers(cpp, f.accelerations);
     };
@@ -52,23 +52,25 @@ CppBody CppBodies::series() {
         text += wrapped(fmt::format("if constexpr (std::tuple_size<StateOrMore>::value > state_count) x[k + 1][state_count] = {};", power.empty() ? "Scalar(0)" : power + " * by_next"), 12);
         return text;
     };
-    CppSeries series(code_, std::move(made), cached_texts_, arguments, use);
+    CppSeries series(code_, std::move(made), cached_values_, arguments, use);
+    const auto first_order = [](std::size_t place) { return Value::element(Value::element(Value::name("x"), 1), place); };
     std::string statements = series.start([&](CppFunction& cpp) {
-        if (!f.by_loops) return cpp.compute(f.accelerations);
+        if (!f.by_loops) return cpp_text(cpp.compute(f.accelerations));
         std::vector<NodeId> first = f.mass;
         first.insert(first.end(), f.force.begin(), f.force.end());
-        std::string text = cpp.compute(first);
-        text += factored_mass(cpp, f);
-        for (std::size_t j = 0; j < n_; ++j) text += assigned(cpp, fmt::format("x[1][{}]", velocities_ + j), f.force[j]);
+        Statements solve = cpp.compute(first);
+        append(solve, factored_mass(cpp, f));
+        for (std::size_t j = 0; j < n_; ++j) append(solve, assigned(cpp, first_order(velocities_ + j), f.force[j]));
         helpers_.insert("ldlt");
-        return text + fmt::format("{}detail::ldlt_solve<Scalar, {}>({}, x[1].data() + {});\n", indent, n_, mass_name(), velocities_);
+        append(solve, solved(Value::part_from(Value::element(Value::name("x"), 1), velocities_)));
+        return cpp_text(solve);
     });
     CppFunction& cpp = series.code_at_start();
     for (std::size_t j = 0; j < n_; ++j)
         if (symbols.has_value(j)) statements += fmt::format("{}x[1][{}] = x[0][{}];\n", indent, symbols.place(SymbolKind::coordinate, j), velocities_ + j);
-    for (std::size_t j = 0; !f.by_loops && j < n_; ++j) statements += assigned(cpp, fmt::format("x[1][{}]", velocities_ + j), f.accelerations[j]);
-    for (std::size_t i = 0; i < m_; ++i) statements += assigned(cpp, fmt::format("x[1][{}]", states_ + i), f.results[i]);
-    statements += assigned(cpp, "if constexpr (std::tuple_size<StateOrMore>::value > state_count) x[1][state_count]", f.results[m_]);
+    for (std::size_t j = 0; !f.by_loops && j < n_; ++j) statements += cpp_text(assigned(cpp, first_order(velocities_ + j), f.accelerations[j]));
+    for (std::size_t i = 0; i < m_; ++i) statements += cpp_text(assigned(cpp, first_order(states_ + i), f.results[i]));
+    statements += cpp_text(assigned(cpp, Value::name("if constexpr (std::tuple_size<StateOrMore>::value > state_count) x[1][state_count]"), f.results[m_]));
     const std::string step = series.step();
     const bool by_k = step.find("by_k") != std::string::npos;
     if (by_k) statements += std::string(indent) + "Scalar by_k(1);\n";
@@ -111,21 +113,22 @@ InputSeries input_series(Code& code, const std::vector<GiNaC::ex>& inputs) {
         throw Failure(Diagnostic{Id::no_series, {}, fmt::format("the input '{}' contains '{}', of which no Taylor series is known; another method does without", code.system.symbols.all(SymbolKind::input)[made.missing->index].name, name_of(made.missing->op))});
     const FunctionCode results = made.function;
     CppSeries::Use use;
-    use.bind = [](CppFunction& cpp) { cpp.bind_state("x[0]"); };
+    use.bind = [](CppFunction& cpp) { cpp.bind_state(Value::element(Value::name("x"), 0)); };
     use.assign = [&](CppSeries& series) {
         std::string text;
         for (std::size_t i = 0; i < results.results.size(); ++i)
             if (const std::string now = series.now(results.results[i]); !now.empty()) text += wrapped(fmt::format("u_now[{}] = {};", i, now), 12);
         return text;
     };
-    const CachedTexts none;
+    const CachedValues none;
     CppSeries series(code, std::move(made), none, names_in_series, use);
     std::string statements = series.start([](CppFunction&) { return std::string(); });
     CppFunction& cpp = series.code_at_start();
     for (std::size_t i = 0; i < results.results.size(); ++i) {
         if (results.is_zero(results.results[i])) continue;
-        const std::string value = cpp.value(results.results[i], statements);
-        statements += fmt::format("        u[{}] = {};\n", i, value);
+        Statements before;
+        const Value value = cpp.value(results.results[i], before);
+        statements += cpp_text(before) + fmt::format("        u[{}] = {};\n", i, cpp_text(value));
     }
     const std::string step = series.step();
     std::string head;

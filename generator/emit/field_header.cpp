@@ -85,7 +85,8 @@ private:
         std::size_t number = 0;
         for (const std::uint32_t index : all) {
             numbers_[index] = number;
-            cached_[index] = fmt::format("c_.k{}{}", number++, code_.depends_on_grid(index) ? "[k]" : "");
+            const Value member = Value::member(Value::Object::cached, fmt::format("k{}", number++));
+            cached_[index] = code_.depends_on_grid(index) ? Value::element(member, Value::name("k")) : member;
         }
     }
 
@@ -112,9 +113,10 @@ private:
         if (!code_.sums.empty()) names.insert(names_in_sums.begin(), names_in_sums.end());
         for (std::size_t i = 0; i < code_.sums.size(); ++i) names.insert(sum_name(i));
         CppFunction cpp(code_.code, f, cached_, names);
-        std::string statements = cpp.compute(f.results);
+        Statements computed = cpp.compute(f.results);
         std::vector<std::string> results;
-        for (const NodeId id : f.results) results.push_back(cpp.value(id, statements));
+        for (const NodeId id : f.results) results.push_back(cpp_text(cpp.value(id, computed)));
+        std::string statements = cpp_text(computed);
         std::string scope;
         for (const std::string& name : cpp.called()) {
             if (is_helper(name)) helpers_.insert(name);
@@ -250,7 +252,7 @@ private:
             for (const std::uint32_t index : wanted) f.results.push_back(code_.update.results[index]);
             const std::string statements = in_loop(f, [&](Results v) {
                 Lines lines;
-                for (std::size_t i = 0; i < wanted.size(); ++i) lines.push_back(fmt::format("{} = {};", cached_.at(wanted[i]), v[i]));
+                for (std::size_t i = 0; i < wanted.size(); ++i) lines.push_back(fmt::format("{} = {};", cpp_text(cached_.at(wanted[i])), v[i]));
                 return lines;
             });
             return code_.depends_on_grid(wanted[0]) ? loop(r, over_links, statements) : statements;
@@ -370,7 +372,7 @@ private:
     const StatePlaces places_;
     std::map<std::uint32_t, std::size_t> links_, cells_;  ///< cached values that code of faces and cells uses, with the rod
     std::map<std::uint32_t, std::size_t> numbers_;
-    CachedTexts cached_;
+    CachedValues cached_;
     std::set<std::string> helpers_;
 };
 

@@ -64,13 +64,14 @@ private:
     void values(const std::string& name, std::string text) { placeholders_[name] = std::move(text); }
 
     template <class Make>
-    std::vector<CppBody> each(const Make& make) {
-        std::vector<CppBody> result;
+    auto each(const Make& make) {
+        std::vector<decltype(make(bodies_.front()))> result;
         for (CppBodies& bodies : bodies_) result.push_back(make(bodies));
         return result;
     }
 
-    CppBody merged(std::vector<CppBody> bodies) const { return switches_ ? by_mode(system_.scene, bodies) : std::move(bodies.front()); }
+    template <class Body>
+    Body merged(std::vector<Body> bodies) const { return switches_ ? by_mode(system_.scene, bodies) : std::move(bodies.front()); }
 
     template <class Make>
     void body(Function function, const Make& make) {
@@ -79,20 +80,21 @@ private:
         values("COUNT_" + name, count_text(function));
     }
 
-    void put(const std::string& name, const CppBody& body) {
-        values(name, body.statements);
-        values(name + "_ARGUMENTS", body.arguments);
+    void put(const std::string& name, const FunctionBody& body) {
+        values(name, cpp_body(body.statements));
+        values(name + "_ARGUMENTS", cpp_text(body.arguments));
     }
 
     void functions() {
         std::set<std::string> done;
-        std::vector<CppBody> updates = each([&](CppBodies& b) { return b.update(done); });
-        std::string update;
-        for (const CppBody& one : updates)
-            if (!one.statements.empty()) update += updates.size() == 1 ? one.statements : "        {\n" + shifted(one.statements) + "        }\n";
-        values("UPDATE", update);
+        const std::vector<FunctionBody> updates = each([&](CppBodies& b) { return b.update(done); });
+        Statements update = updates.front().statements;
+        if (updates.size() > 1) update.clear();
+        for (const FunctionBody& one : updates)
+            if (updates.size() > 1 && !one.statements.empty()) update.push_back(Braces{one.statements});
+        values("UPDATE", cpp_body(update));
         values("COUNT_UPDATE", count_text(Function::update));
-        values("START_STATE", bodies_.front().start_state().statements + (starts_to_find(system_).empty() ? "" : "        meet_constraints(x);\n"));
+        values("START_STATE", cpp_body(bodies_.front().start_state().statements) + (starts_to_find(system_).empty() ? "" : "        meet_constraints(x);\n"));
         body(Function::rhs, [](CppBodies& b) { return b.rhs(); });
         body(Function::rhs_and_jacobian, [](CppBodies& b) { return b.rhs_and_jacobian(); });
         body(Function::jacobian_u, [](CppBodies& b) { return b.jacobian(Function::jacobian_u, By::input); });
@@ -130,15 +132,15 @@ private:
     void together() {
         values("TOGETHER", "");
         if (!code_.has_together) return;
-        const CppBody body = merged(each([](CppBodies& b) { return b.together(); }));
-        values("TOGETHER", fill_template(embedded_file("together.hpp.in"), {{"COUNT", count_text(Function::together)}, {"ARGUMENTS", body.arguments}, {"TOGETHER", body.statements}}));
+        const FunctionBody body = merged(each([](CppBodies& b) { return b.together(); }));
+        values("TOGETHER", fill_template(embedded_file("together.hpp.in"), {{"COUNT", count_text(Function::together)}, {"ARGUMENTS", cpp_text(body.arguments)}, {"TOGETHER", cpp_body(body.statements)}}));
     }
 
     /// Guards of a machine that does not switch, or what one that does has instead.
     void guards() {
         if (!switches_) {
-            const CppBody body = bodies_.front().values(Function::guards, "Guards", "g");
-            values("GUARD_FUNCTIONS", fill_template(embedded_file("guards.hpp.in"), {{"COUNT_GUARDS", count_text(Function::guards)}, {"GUARDS_ARGUMENTS", body.arguments}, {"GUARDS", body.statements}}));
+            const FunctionBody body = bodies_.front().values(Function::guards, "Guards", "g");
+            values("GUARD_FUNCTIONS", fill_template(embedded_file("guards.hpp.in"), {{"COUNT_GUARDS", count_text(Function::guards)}, {"GUARDS_ARGUMENTS", cpp_text(body.arguments)}, {"GUARDS", cpp_body(body.statements)}}));
             values("MODE_TABLES", "");
             values("MODE_TYPES", "");
             return;
@@ -147,9 +149,9 @@ private:
             for (const Guard& guard : code->system.guards)
                 if (!guard.ends && std::none_of(kinks_.begin(), kinks_.end(), [&](const Guard& known) { return known.is_same(guard); })) kinks_.push_back(guard);
         std::map<std::string, std::string> v;
-        const auto add = [&](const std::string& name, const CppBody& body, std::optional<Function> counted = {}) {
-            v[name] = body.statements;
-            v[name + "_ARGUMENTS"] = body.arguments;
+        const auto add = [&](const std::string& name, const FunctionBody& body, std::optional<Function> counted = {}) {
+            v[name] = cpp_body(body.statements);
+            v[name + "_ARGUMENTS"] = cpp_text(body.arguments);
             if (counted) v["COUNT_" + name] = count_text(*counted);
         };
         add("EVENTS", merged(each([](CppBodies& b) { return b.guards(Function::events, "Events", "g"); })), Function::events);
@@ -157,13 +159,12 @@ private:
         add("CONDITIONS", merged(each([](CppBodies& b) { return b.conditions(); })), Function::conditions);
         const auto resets = [&](const std::string& name, const std::vector<ResetCode> Code::*which) {
             std::size_t mode = 0;
-            CppBody body = merged(each([&](CppBodies& b) { return b.resets(modes_[mode++]->*which); }));
+            FunctionBody body = merged(each([&](CppBodies& b) { return b.resets(modes_[mode++]->*which); }));
+            if (body.statements.empty()) body.statements.push_back(Unused{"event_number"});
             add(name, body);
         };
         resets("RESETS", &Code::resets);
         resets("RESTS", &Code::rests);
-        for (const char* name : {"RESETS", "RESTS"})
-            if (v[name].empty()) v[name] = "        (void)event_number;\n";
         add("KINKS", merged(each([&](CppBodies& b) { return b.kinks(kinks_); })));
         v["COUNT_GUARDS"] = count_text(Function::guards);
         v["EVENT_EQUATIONS"] = comment_lines(event_equations(modes_));
@@ -177,11 +178,11 @@ private:
         for (const char* name : {"CONSTRAINT_TABLES", "CONSTRAINT_TYPES", "CONSTRAINT_FUNCTIONS"}) values(name, "");
         if (symbols_.attitudes().empty() && std::none_of(modes_.begin(), modes_.end(), [](const Code* code) { return code->system.needs_projection(); })) return;
         std::map<std::string, std::string> v = constraint_tables(system_);
-        const auto add = [&](Function function, const std::vector<CppBody>& bodies) {
+        const auto add = [&](Function function, const std::vector<FunctionBody>& bodies) {
             const std::string name = upper(name_of(function));
-            const CppBody body = merged(bodies);
-            v[name] = body.statements;
-            v[name + "_ARGUMENTS"] = body.arguments;
+            const FunctionBody body = merged(bodies);
+            v[name] = cpp_body(body.statements);
+            v[name + "_ARGUMENTS"] = cpp_text(body.arguments);
             v["COUNT_" + name] = count_text(function);
         };
         add(Function::constraint_positions, each([](CppBodies& b) { return b.values(Function::constraint_positions, "Constraints", "f", false); }));
@@ -189,9 +190,9 @@ private:
         add(Function::constraint_jacobian, each([](CppBodies& b) { return b.constraint_jacobian(); }));
         add(Function::constraint_forces, each([](CppBodies& b) { return b.values(Function::constraint_forces, "Constraints", "force"); }));
         add(Function::correction, each([](CppBodies& b) { return b.correction(); }));
-        const CppBody moved = bodies_.front().move_back();
-        v["MOVE_BACK"] = moved.statements;
-        v["MOVE_BACK_ARGUMENTS"] = moved.arguments;
+        const FunctionBody moved = bodies_.front().move_back();
+        v["MOVE_BACK"] = cpp_body(moved.statements);
+        v["MOVE_BACK_ARGUMENTS"] = cpp_text(moved.arguments);
         std::vector<std::string> is_found;
         for (const bool found : starts_to_find(system_)) is_found.emplace_back(found ? "true" : "false");
         v["MEET_CONSTRAINTS"] = is_found.empty() ? "" : fill_template(embedded_file("meet_constraints.hpp.in"), {{"IS_FOUND", fmt::format("{}", fmt::join(is_found, ", "))}});

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values and statements as C++, in member functions of a class for any scalar type.
+#pragma once
+
+#include "program/statement.hpp"
+
+namespace dalembert {
+
+std::string cpp_text(const Value& value);
+/// Statements from column 8 on.
+std::string cpp_text(const Statements& statements);
+/// The same behind declarations that put the functions of <cmath> that they call into scope.
+std::string cpp_body(const Statements& statements);
+/// "const State& x, const Input& /*u*/": names of what is not used are commented out.
+std::string cpp_text(const std::vector<Argument>& arguments);
+
+/// Breaks a long statement at its operators.
+std::string wrapped(const std::string& statement, std::size_t column);
+/// Every line by four blanks.
+std::string shifted(const std::string& text);
+
+}  // namespace dalembert
