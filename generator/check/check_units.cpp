@@ -3,10 +3,51 @@
 
 #include "check/checks.hpp"
 #include "check/units.hpp"
+#include "elements/describe_fluids.hpp"
+#include "elements/describe_heat.hpp"
 
 namespace dalembert {
 
 namespace {
+
+/// What the description of an item says about units.
+class DescribedUnits {
+public:
+    DescribedUnits(Units& units, std::string owner, std::string prefix) : units_(units), owner_(std::move(owner)), prefix_(std::move(prefix)) {}
+
+    void operator()(const char* name, const ExpressionPtr& expression, const Key& key) const {
+        if (!expression) return;
+        if (key.dimension) expect(name, *expression, key, {});
+        else units_.of(*expression, {});
+    }
+    void operator()(const char*, const Reference&, const Key&) const {}
+    void operator()(const char*, const std::optional<bool>&, const Key&) const {}
+    void operator()(const char* name, const std::optional<Law>& law, const Key& key) const {
+        if (law) expect(name, *law->body, key, {{law->variable, key.variables[0]}});
+    }
+    void operator()(const char* name, const std::optional<Property>& property, const Key& key) const {
+        if (!property) return;
+        Units::Bound bound;
+        for (std::size_t i = 0; i < property->variables.size(); ++i) bound.emplace(property->variables[i], key.variables[i]);
+        expect(name, *property->body, key, bound);
+    }
+    void choice(const char*, const Key&) const {}
+    template <class Part>
+    void table(const char*, const std::optional<Part>& part, const Key& key) const {
+        if (!part) return;
+        const DescribedUnits inside(units_, owner_, key.words == nullptr ? "" : std::string(key.words) + " ");
+        describe(inside, *part);
+    }
+    void item(const ItemKeys&) const {}
+
+private:
+    void expect(const char* name, const Expression& expression, const Key& key, const Units::Bound& bound) const {
+        units_.expect(expression, *key.dimension, fmt::format("the {}{} of {}", prefix_, words_of(name, key), owner_), bound);
+    }
+
+    Units& units_;
+    std::string owner_, prefix_;
+};
 
 /// What every kind of item must be in. Values of what is declared in a unit are checked where they are converted.
 class UnitCheck {
@@ -70,23 +111,27 @@ public:
         written(model_.saturations);
         written(model_.profiles);
         for (const GeneralisedForce& force : model_.generalised_forces) force_on(force.coordinate, "generalised force", force);
-        for (const Medium& medium : model_.media) check(medium);
-        for (const Reservoir& reservoir : model_.reservoirs) {
-            expect(reservoir.pressure, Dimension::pressure(), "the pressure", "reservoir", reservoir);
-            expect(reservoir.temperature, Dimension::temperature(), "the temperature", "reservoir", reservoir);
-            expect(reservoir.potential, specific_energy, "the potential", "reservoir", reservoir);
-        }
-        for (const Junction& junction : model_.junctions) expect(junction.potential, specific_energy, "the potential", "junction", junction);
-        for (const Volume& volume : model_.volumes) check(volume);
-        for (const Flow& flow : model_.flows) check(flow);
-        for (const HeatNode& node : model_.nodes) check(node);
-        for (const Link& link : model_.links) check(link);
-        for (const Rod& rod : model_.rods) check(rod);
+        described(model_.media);
+        described(model_.reservoirs);
+        described(model_.junctions);
+        described(model_.volumes);
+        described(model_.flows);
+        described(model_.nodes);
+        described(model_.links);
+        described(model_.rods);
         for (const Block& block : model_.blocks) check(block);
         for (const Enclosure& enclosure : model_.enclosures) check(enclosure);
     }
 
 private:
+    template <class Described>
+    void described(const std::vector<Described>& items) {
+        for (const Described& item : items) {
+            const DescribedUnits units(units_, fmt::format("{} '{}'", kind_of<Described>.word, item.name), "");
+            describe(units, item);
+        }
+    }
+
     void expect(const ExpressionPtr& expression, const Dimension& expected, const char* part, const char* kind, const Item& item,
                 const Units::Bound& bound = {}) {
         if (expression) units_.expect(*expression, expected, fmt::format("{} of {} '{}'", part, kind, item.name), bound);
@@ -227,103 +272,6 @@ private:
         }
     }
 
-    void check(const Medium& medium) {
-        const Dimension heat = specific_energy / Dimension::temperature();
-        const auto property = [&](const std::optional<Property>& law, const Dimension& first, const Dimension& expected, const char* part) {
-            if (!law) return;
-            Units::Bound bound;
-            if (!law->variables.empty()) bound = {{law->variables[0], first}, {law->variables[1], Dimension::temperature()}};
-            expect(law->body, expected, part, "medium", medium, bound);
-        };
-        expect(medium.gas_constant, heat, "the gas constant", "medium", medium);
-        property(medium.density, Dimension::pressure(), density, "the density");
-        expect(medium.bulk_modulus, Dimension::pressure(), "the bulk modulus", "medium", medium);
-        expect(medium.expansion, Dimension::none() / Dimension::temperature(), "the expansion", "medium", medium);
-        property(medium.isochoric_heat, Dimension::pressure(), heat, "the isochoric heat");
-        property(medium.energy, Dimension::pressure(), specific_energy, "the energy");
-        property(medium.pressure, density, Dimension::pressure(), "the pressure");
-        expect(medium.reference_pressure, Dimension::pressure(), "the reference pressure", "medium", medium);
-        expect(medium.reference_temperature, Dimension::temperature(), "the reference temperature", "medium", medium);
-    }
-
-    void check(const Volume& volume) {
-        expect(volume.volume, Dimension::volume(), "the size", "volume", volume);
-        expect(volume.pressure, Dimension::pressure(), "the pressure", "volume", volume);
-        expect(volume.density, density, "the density", "volume", volume);
-        expect(volume.mass, Dimension::mass(), "the mass", "volume", volume);
-        if (volume.filling) units_.of(*volume.filling, {});
-        expect(volume.temperature, Dimension::temperature(), "the temperature", "volume", volume);
-        expect(volume.isothermal, Dimension::temperature(), "the temperature", "volume", volume);
-        if (volume.polytropic) {
-            expect(volume.polytropic->exponent, Dimension::none(), "the polytropic exponent", "volume", volume);
-            expect(volume.polytropic->pressure, Dimension::pressure(), "the polytropic pressure", "volume", volume);
-            expect(volume.polytropic->temperature, Dimension::temperature(), "the polytropic temperature", "volume", volume);
-        }
-        expect(volume.head, Dimension::length(), "the head", "volume", volume);
-        expect(volume.gravity, Dimension::acceleration(), "the gravity", "volume", volume);
-        expect(volume.potential, specific_energy, "the potential", "volume", volume);
-        expect(volume.heat, Dimension::power(), "the heat", "volume", volume);
-        expect(volume.shaft_power, Dimension::power(), "the shaft power", "volume", volume);
-        expect(volume.smallest, Dimension::volume(), "the smallest size", "volume", volume);
-    }
-
-    void check(const Flow& flow) {
-        const Dimension volume_flow = Dimension::volume() / Dimension::time();
-        expect(flow.mass_flow, Dimension::mass() / Dimension::time(), "the mass flow", "flow", flow);
-        expect(flow.volume_flow, volume_flow, "the volume flow", "flow", flow);
-        expect(flow.area, Dimension::length() * Dimension::length(), "the area", "flow", flow);
-        expect(flow.coefficient, Dimension::none(), "the coefficient", "flow", flow);
-        expect(flow.width, Dimension::pressure(), "the width", "flow", flow);
-        expect(flow.conductance, volume_flow / Dimension::pressure(), "the conductance", "flow", flow);
-        expect(flow.cracking_pressure, Dimension::pressure(), "the cracking pressure", "flow", flow);
-        expect(flow.displacement, Dimension::volume(), "the displacement", "flow", flow);
-        expect(flow.speed, Dimension::none() / Dimension::time(), "the speed", "flow", flow);
-        expect(flow.velocity, Dimension::speed(), "the velocity", "flow", flow);
-        expect(flow.length, Dimension::length(), "the length", "flow", flow);
-        law(flow.loss, Dimension::speed(), Dimension::pressure(), "the loss", "flow", flow);
-    }
-
-    void check(const HeatNode& node) {
-        expect(node.temperature, Dimension::temperature(), "the temperature", "node", node);
-        dependent(node.capacity, Dimension::temperature(), Dimension::energy() / Dimension::temperature(), "the capacity", "node", node);
-        expect(node.heat, Dimension::power(), "the heat", "node", node);
-        if (!node.boiling) return;
-        expect(node.boiling->temperature, Dimension::temperature(), "the boiling temperature", "node", node);
-        expect(node.boiling->enthalpy, specific_energy, "the enthalpy of evaporation", "node", node);
-        expect(node.boiling->mass, Dimension::mass(), "the mass", "node", node);
-    }
-
-    void check(const Link& link) {
-        const Dimension conductance = Dimension::power() / Dimension::temperature();
-        expect(link.heat, Dimension::power(), "the heat", "link", link);
-        expect(link.conductance, conductance, "the conductance", "link", link);
-        expect(link.resistance, Dimension::none() / conductance, "the resistance", "link", link);
-        dependent(link.conductivity, Dimension::temperature(), conductance / Dimension::length(), "the conductivity", "link", link);
-        expect(link.area, area, "the area", "link", link);
-        expect(link.length, Dimension::length(), "the length", "link", link);
-        expect(link.coefficient, conductance / area, "the coefficient", "link", link);
-        expect(link.emissivity, Dimension::none(), "the emissivity", "link", link);
-    }
-
-    void check(const Rod& rod) {
-        const Dimension conductance = Dimension::power() / Dimension::temperature();
-        expect(rod.length, Dimension::length(), "the length", "rod", rod);
-        dependent(rod.area, Dimension::length(), area, "the area", "rod", rod);
-        expect(rod.inner, Dimension::length(), "the inner radius", "rod", rod);
-        expect(rod.outer, Dimension::length(), "the outer radius", "rod", rod);
-        expect(rod.height, Dimension::length(), "the height", "rod", rod);
-        law(rod.grid, Dimension::none(), Dimension::none(), "the grid", "rod", rod);
-        dependent(rod.conductivity, Dimension::temperature(), conductance / Dimension::length(), "the conductivity", "rod", rod);
-        expect(rod.density, density, "the density", "rod", rod);
-        dependent(rod.heat_capacity, Dimension::temperature(), specific_energy / Dimension::temperature(), "the heat capacity", "rod", rod);
-        dependent(rod.source, Dimension::length(), Dimension::power() / Dimension::volume(), "the source", "rod", rod);
-        expect(rod.perimeter, Dimension::length(), "the perimeter", "rod", rod);
-        expect(rod.side_coefficient, conductance / area, "the side coefficient", "rod", rod);
-        expect(rod.side_emissivity, Dimension::none(), "the side emissivity", "rod", rod);
-        expect(rod.ambient, Dimension::temperature(), "the ambient", "rod", rod);
-        for (const auto* end : {&rod.first, &rod.last}) boundary(*end, "end", "rod", rod);
-    }
-
     void check(const Block& block) {
         for (const auto* pieces : {&block.columns, &block.rows})
             for (const BlockPiece& piece : *pieces) expect(piece.length, Dimension::length(), "a piece length", "block", block);
@@ -340,18 +288,9 @@ private:
             for (const std::string& variable : block.source->variables) places.emplace(variable, Dimension::length());
             expect(block.source->body, Dimension::power() / Dimension::volume(), "the source", "block", block, places);
         }
-        for (const auto* side : {&block.left, &block.right, &block.bottom, &block.top}) boundary(*side, "side", "block", block);
-    }
-
-    void boundary(const std::optional<Boundary>& boundary, const char* what, const char* kind, const Item& item) {
-        if (!boundary) return;
-        const Dimension flux = Dimension::power() / area;
-        const auto part = [&](const ExpressionPtr& e, const Dimension& expected, const char* name) { expect(e, expected, fmt::format("the {} {}", what, name).c_str(), kind, item); };
-        part(boundary->temperature, Dimension::temperature(), "temperature");
-        part(boundary->flux, flux, "flux");
-        part(boundary->coefficient, flux / Dimension::temperature(), "coefficient");
-        part(boundary->emissivity, Dimension::none(), "emissivity");
-        part(boundary->ambient, Dimension::temperature(), "ambient");
+        const DescribedUnits sides(units_, fmt::format("block '{}'", block.name), "side ");
+        for (const auto* side : {&block.left, &block.right, &block.bottom, &block.top})
+            if (*side) describe(sides, **side);
     }
 
     void check(const Enclosure& enclosure) {
@@ -366,10 +305,6 @@ private:
 
     void law(const std::optional<Law>& law, const Dimension& variable, const Dimension& expected, const char* part, const char* kind, const Item& item) {
         if (law) expect(law->body, expected, part, kind, item, {{law->variable, variable}});
-    }
-
-    void dependent(const std::optional<Property>& law, const Dimension& variable, const Dimension& expected, const char* part, const char* kind, const Item& item) {
-        if (law) expect(law->body, expected, part, kind, item, law->variables.empty() ? Units::Bound{} : Units::Bound{{law->variables[0], variable}});
     }
 
     const Dimension area = Dimension::length() * Dimension::length();

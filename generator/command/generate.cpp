@@ -3,6 +3,7 @@
 
 #include <ostream>
 
+#include "elements/kinds.hpp"
 #include "report/json_output.hpp"
 #include "run/settings.hpp"
 #include "run/shared.hpp"
@@ -33,27 +34,23 @@ std::string dumped(const Machine& machine, const std::string& stage, const Heade
         return text;
     }
     const Scene& scene = system.scene;
-    const auto list = [&](const char* title, const auto& members) {
-        text += fmt::format("{}:", title);
-        for (const auto& member : members) text += " " + member.name();
-        text += "\n";
-    };
     text += fmt::format("scene {}\n", scene.name);
-    list("parameters", scene.parameters);
-    list("definitions", scene.definitions);
-    list("coordinates", scene.coordinates);
-    list("inputs", scene.inputs);
-    list("states", scene.states);
-    list("outputs", scene.outputs);
-    list("bodies", scene.bodies);
-    list("springs", scene.springs);
-    list("dampers", scene.dampers);
-    list("forces", scene.forces);
-    list("torques", scene.torques);
-    list("jets", scene.jets);
-    list("kinetic", scene.kinetic);
-    list("potentials", scene.potentials);
-    list("generalised_forces", scene.generalised_forces);
+    const auto name = []<class T>(const T& member) {
+        if constexpr (requires { member.name(); }) return member.name();
+        else if constexpr (requires { member->name; }) return member->name;
+        else return member.name;
+    };
+    for_each_kind(scene, [&]<class Items>(const char* title, const Items& items) {
+        if constexpr (std::is_pointer_v<Items>) {  // gravity
+            if (items != nullptr) text += fmt::format("{}\n", title);
+        } else if constexpr (requires { items.begin()->first; }) {  // sizes
+            for (const auto& [size, value] : items) text += fmt::format("{}: {} = {}\n", title, size, value);
+        } else if (!items.empty()) {
+            text += fmt::format("{}:", title);
+            for (const auto& member : items) text += " " + name(member);
+            text += "\n";
+        }
+    });
     return text;
 }
 

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <array>
 
+#include "elements/describe_fluids.hpp"
+#include "elements/describe_heat.hpp"
+
 namespace dalembert {
 
 namespace {
@@ -19,6 +22,68 @@ constexpr KeySpec when_key{"when", T::condition, false,
 constexpr KeySpec unit_key{"unit", T::unit, true, "its unit: \"kg\", \"N/m\", \"deg\", \"1\""};
 constexpr KeySpec range_key{"range", T::range, false,
                             "[low, high] in its unit; inf and -inf are allowed. Positivity in proofs and random test points come from here"};
+
+/// The keys of a description.
+class KeyList {
+public:
+    template <class Member>
+    void operator()(const char* name, const Member& member, const Key& key) { keys.push_back({name, type_of(member, key), key.required, key.doc}); }
+    void choice(const char* name, const Key& key) { keys.push_back({name, T::choice, key.required, key.doc}); }
+    template <class Part>
+    void table(const char* name, const std::optional<Part>&, const Key& key);
+    void item(const ItemKeys& item) {
+        keys.push_back(doc_key);
+        if (item.has_family) keys.push_back(for_key);
+        keys.push_back(when_key);
+    }
+
+    std::vector<KeySpec> keys;
+
+private:
+    static ValueType type_of(const ExpressionPtr&, const Key&) { return T::expression; }
+    static ValueType type_of(const Reference&, const Key&) { return T::part; }
+    static ValueType type_of(bool, const Key&) { return T::boolean; }
+    static ValueType type_of(const std::optional<bool>&, const Key&) { return T::boolean; }
+    static ValueType type_of(const std::optional<Law>&, const Key&) { return T::law; }
+    static ValueType type_of(const std::optional<Property>&, const Key& key) { return key.variables.size() == 1 ? T::dependent : T::property; }
+};
+
+template <class Described>
+std::span<const KeySpec> keys_of() {
+    static const std::vector<KeySpec> keys = [] {
+        KeyList list;
+        Described item;
+        describe(list, item);
+        return std::move(list.keys);
+    }();
+    return keys;
+}
+
+template <class Part>
+void KeyList::table(const char* name, const std::optional<Part>&, const Key& key) {
+    keys.push_back({name, T::expressions_by_name, key.required, key.doc, keys_of<Part>});
+}
+
+template <class Described>
+SectionSpec section_of() {
+    constexpr const KindSpec& kind = kind_of<Described>;
+    return {kind.section, true, kind.doc, kind.example, keys_of<Described>(), ""};
+}
+
+template <const auto& keys>
+std::span<const KeySpec> parts_of() {
+    return keys;
+}
+
+/// Of a side of a block.
+std::span<const KeySpec> side_keys() {
+    static const std::vector<KeySpec> keys = [] {
+        std::vector<KeySpec> side{{"node", T::part, false, "in perfect contact with it; then nothing else is said"}};
+        side.insert(side.end(), keys_of<Boundary>().begin(), keys_of<Boundary>().end());
+        return side;
+    }();
+    return keys;
+}
 
 constexpr std::array model_keys{
     KeySpec{"format", T::whole_number, true, "version of the model language: 1"},
@@ -144,12 +209,6 @@ constexpr std::array solid_keys{
     KeySpec{"turns", T::turns, false, "turns of its axes about themselves one after the other, as of bodies"},
     doc_key,
 };
-constexpr std::array load_keys{
-    KeySpec{"forces", T::named_tables, true, "{ NAME = { at = [x, y, z], force = [x, y, z] } }, or { moment = [x, y, z] } for a pure couple; a force without `at` acts at the origin"},
-    KeySpec{"about", T::vector, false, "the point that moments are taken about; the origin if left out"},
-    KeySpec{"unknowns", T::named_tables, false, "{ NAME = \"N\" }: names with their units, that follow from the equilibrium. The forces may use them, and everything else; where a force acts, too, as long as the balances are linear in them"},
-    doc_key, when_key,
-};
 constexpr std::array load_part_keys{
     KeySpec{"at", T::vector, false, "the point where it acts; [0, 0, 0] if left out"},
     KeySpec{"force", T::vector, false, "the force"},
@@ -158,6 +217,12 @@ constexpr std::array load_part_keys{
 constexpr SectionSpec load_part_spec{"forces", true, "", "", load_part_keys, ""};
 constexpr std::array unknown_keys{unit_key, doc_key};
 constexpr SectionSpec unknown_spec{"unknowns", true, "", "", unknown_keys, "unit"};
+constexpr std::array load_keys{
+    KeySpec{"forces", T::named_tables, true, "{ NAME = { at = [x, y, z], force = [x, y, z] } }, or { moment = [x, y, z] } for a pure couple; a force without `at` acts at the origin", parts_of<load_part_keys>},
+    KeySpec{"about", T::vector, false, "the point that moments are taken about; the origin if left out"},
+    KeySpec{"unknowns", T::named_tables, false, "{ NAME = \"N\" }: names with their units, that follow from the equilibrium. The forces may use them, and everything else; where a force acts, too, as long as the balances are linear in them", parts_of<unknown_keys>},
+    doc_key, when_key,
+};
 constexpr std::array sticking_keys{
     KeySpec{"normal", T::expression, false, "the force that presses the surfaces together"},
     KeySpec{"tangential", T::one_or_two, false, "with normal: the force along the surface that friction has to bear, or its two components at right angles"},
@@ -183,120 +248,6 @@ constexpr std::array generalised_force_keys{
     KeySpec{"power", T::choice, false, "\"supplied\" (default) or \"dissipated\": where its power is counted"},
     doc_key, for_key, when_key,
 };
-constexpr std::array medium_keys{
-    KeySpec{"law", T::choice, true,
-            "\"ideal_gas\": density = p/(R*T); \"liquid\": rho_0*exp((p - p_0)/beta - alpha*(T - T_0)) (3.76); \"incompressible\"; \"given\": by density"},
-    KeySpec{"gas_constant", T::expression, false, "of an ideal gas: the specific gas constant R"},
-    KeySpec{"density", T::property, false, "of a liquid at the reference, of what is incompressible; given: \"(p, T) -> ...\""},
-    KeySpec{"bulk_modulus", T::expression, false, "of a liquid: beta (3.41)"},
-    KeySpec{"expansion", T::expression, false, "of a liquid: thermal expansion alpha (3.40); 0 if left out"},
-    KeySpec{"isochoric_heat", T::property, false, "specific heat at constant volume; needed where a temperature varies"},
-    KeySpec{"energy", T::property, false, "given: the specific internal energy \"(p, T) -> ...\" instead of isochoric_heat"},
-    KeySpec{"pressure", T::property, false, "given: the inverse of the density, \"(rho, T) -> ...\"; needed where density or mass is a state"},
-    KeySpec{"reference_pressure", T::expression, false, "p_0: where the internal energy of a liquid is zero"},
-    KeySpec{"reference_temperature", T::expression, false, "T_0; also the temperature of volumes and reservoirs that say none"},
-    doc_key, when_key,
-};
-constexpr std::array reservoir_keys{
-    KeySpec{"medium", T::part, true, "what it holds"},
-    KeySpec{"pressure", T::expression, true, "its pressure, absolute; may depend on inputs and the time"},
-    KeySpec{"temperature", T::expression, false, "its temperature; that of the medium's reference if left out"},
-    KeySpec{"potential", T::expression, false, "specific potential energy, as \"g*z_1\"; where it differs between two ends of a flow, its height drives the flow as well as the pressure does"},
-    doc_key, for_key, when_key,
-};
-constexpr std::array junction_keys{
-    KeySpec{"medium", T::part, true, "what flows through it, a liquid or what is incompressible; flows that end here have its reference density"},
-    KeySpec{"potential", T::expression, false, "specific potential energy, as \"g*z_1\"; where it differs between two ends of a flow, its height drives the flow as well as the pressure does"},
-    doc_key, for_key, when_key,
-};
-constexpr std::array volume_keys{
-    KeySpec{"medium", T::part, true, "what it holds"},
-    KeySpec{"volume", T::expression, true, "its volume; may depend on coordinates, the time, and the filling"},
-    KeySpec{"pressure", T::expression, false, "the state that is its pressure; with filling: the pressure at the surface, an expression"},
-    KeySpec{"density", T::expression, false, "instead: the state that is its density"},
-    KeySpec{"mass", T::expression, false, "instead: the state that is its mass"},
-    KeySpec{"filling", T::expression, false, "instead: the state that its volume follows, as the level of a tank"},
-    KeySpec{"temperature", T::expression, false, "the state that is its temperature; where a scene leaves it out, the temperature is not balanced"},
-    KeySpec{"isothermal", T::expression, false, "the temperature at which it is held; that of the medium's reference if left out"},
-    KeySpec{"polytropic", T::expressions_by_name, false, "instead: { exponent, pressure, temperature } of the course of an ideal gas (3.65)"},
-    KeySpec{"head", T::expression, false, "height of the surface above the outlets, with filling"},
-    KeySpec{"gravity", T::expression, false, "acceleration of gravity along the head"},
-    KeySpec{"potential", T::expression, false, "specific potential energy, as \"g*z_1\"; where it differs between two ends of a flow, its height drives the flow as well as the pressure does"},
-    KeySpec{"heat", T::expression, false, "heat flow into it from outside; counts where its temperature is a state of the scene, else heat is what holds the temperature"},
-    KeySpec{"shaft_power", T::expression, false, "power of a shaft into it from outside"},
-    KeySpec{"smallest", T::expression, false, "the volume at which a run stops; 0 if left out"},
-    KeySpec{"empties", T::boolean, false, "true, with filling: at filling = 0 it is empty: what flows in flows out again, shared by what each outflow would take, until more flows in. Brings the modes NAME_filled and NAME_empty"},
-    doc_key, for_key, when_key,
-};
-constexpr std::array flow_keys{
-    KeySpec{"from", T::part, true, "the volume, reservoir or junction that it leaves; the flow counts positive this way"},
-    KeySpec{"to", T::part, true, "the volume, reservoir or junction that it enters"},
-    KeySpec{"law", T::choice, false,
-            "\"hydraulic_orifice\" (3.150), \"pneumatic_orifice\" (3.156), \"laminar\", \"check_valve\", \"pump\", \"pipe\"; none if the flow is given"},
-    KeySpec{"mass_flow", T::expression, false, "the mass flow, given"},
-    KeySpec{"volume_flow", T::expression, false, "the volume flow, given, at the density of the side that it comes from; also of a pump"},
-    KeySpec{"area", T::expression, false, "of an orifice or pipe; of an orifice it may depend on inputs"},
-    KeySpec{"coefficient", T::expression, false, "of an orifice: contraction coefficient (3.149)"},
-    KeySpec{"width", T::expression, false,
-            "of an orifice, a pressure: instead of the root of dp, whose slope is infinite at zero, dp/(dp^2 + width^2)^(1/4); 16 % low at dp = width, 0.25 % at 10 widths"},
-    KeySpec{"conductance", T::expression, false, "of a laminar leak or check valve: volume flow over pressure difference"},
-    KeySpec{"cracking_pressure", T::expression, false, "of a check valve: the pressure difference at which it opens; 0 if left out"},
-    KeySpec{"switches", T::boolean, false, "true: what switches is a mode of the machine, else an edge that is located: of a check valve NAME_shut and NAME_open; of a pneumatic orifice NAME_subsonic, NAME_choked, NAME_subsonic_back, NAME_choked_back. With more than 64 combinations of modes in the file it is an edge again, unless a mode of it is named"},
-    KeySpec{"displacement", T::expression, false, "of a pump: volume for each radian"},
-    KeySpec{"speed", T::expression, false, "of a pump: its angular velocity; where it contains velocities the shaft acts on the mechanics"},
-    KeySpec{"velocity", T::expression, false, "of a pipe: the state that is its velocity"},
-    KeySpec{"length", T::expression, false, "of a pipe"},
-    KeySpec{"loss", T::law, false, "of a pipe: loss of pressure over the velocity, \"v -> zeta*rho/2*v*abs(v)\""},
-    doc_key, for_key, when_key,
-};
-constexpr std::array node_keys{
-    KeySpec{"temperature", T::expression, false,
-            "with a capacity: the state that is its temperature; where a scene leaves it out, nothing is stored. Without: the temperature at which it is held. Left out: it follows from the balance"},
-    KeySpec{"capacity", T::dependent, false, "its heat capacity; \"T -> ...\" where it depends on the temperature"},
-    KeySpec{"boiling", T::expressions_by_name, false,
-            "{ temperature, enthalpy, mass }: at that temperature heat evaporates what is left, a state, with an enthalpy of evaporation. The capacity may depend on that state. Brings the modes NAME_liquid, NAME_boiling, and NAME_dry where the capacity is not gone with the mass; else the run ends then"},
-    KeySpec{"heat", T::expression, false, "heat flow into it from outside, or from dissipation as \"dissipated_power[friction]\""},
-    doc_key, for_key, when_key,
-};
-constexpr std::array link_keys{
-    KeySpec{"from", T::part, true, "a node, volume, reservoir or cell of a rod; the heat counts positive from here"},
-    KeySpec{"to", T::part, true, "where it goes"},
-    KeySpec{"law", T::choice, false, "\"conduction\" (4.64), \"convection\" (4.17), \"contact\" (4.25), \"radiation\" (4.53); none with conductance, resistance or heat"},
-    KeySpec{"heat", T::expression, false, "the heat flow, given"},
-    KeySpec{"conductance", T::expression, false, "heat flow over temperature difference"},
-    KeySpec{"resistance", T::expression, false, "instead: temperature difference over heat flow (4.103a)"},
-    KeySpec{"conductivity", T::dependent, false, "of conduction; \"T -> ...\" where it depends on the temperature: its integral is what flows"},
-    KeySpec{"area", T::expression, false, "across the flow of heat"},
-    KeySpec{"length", T::expression, false, "of conduction, along the flow of heat"},
-    KeySpec{"coefficient", T::expression, false, "of convection or contact: alpha"},
-    KeySpec{"emissivity", T::expression, false, "of radiation: emissivity or exchange factor; area*emissivity*stefan_boltzmann*(T_1^4 - T_2^4)"},
-    doc_key, for_key, when_key,
-};
-constexpr std::array rod_keys{
-    KeySpec{"temperature", T::part, true, "the family of states that are its temperatures, from the first to the last"},
-    KeySpec{"scheme", T::choice, false,
-            "\"points\" (default): at points from end to end, half a cell at free ends, the finite differences of (4.96); \"cells\": means of cells, finite volumes"},
-    KeySpec{"shape", T::choice, false, "\"bar\" (default), \"cylinder\" or \"sphere\" (4.5), with heat along the radius"},
-    KeySpec{"length", T::expression, false, "of a bar"},
-    KeySpec{"area", T::dependent, false, "of a bar: its cross section; \"x -> ...\" where it varies"},
-    KeySpec{"inner", T::expression, false, "of a cylinder or sphere: the radius where it begins; 0 for a solid one"},
-    KeySpec{"outer", T::expression, false, "of a cylinder or sphere: the radius where it ends"},
-    KeySpec{"height", T::expression, false, "of a cylinder, along its axis"},
-    KeySpec{"grid", T::law, false, "\"s -> ...\", rising from 0 to 1: the cells are equal over s; \"s -> s^2\" makes them finer at the first end"},
-    KeySpec{"conductivity", T::dependent, true, "\"T -> ...\" where it depends on the temperature"},
-    KeySpec{"density", T::expression, true, "mass by volume"},
-    KeySpec{"heat_capacity", T::dependent, true, "specific heat capacity; \"T -> ...\" where it depends on the temperature"},
-    KeySpec{"source", T::dependent, false, "heat by volume and time (4.4); \"x -> ...\" where it varies along the rod"},
-    KeySpec{"perimeter", T::expression, false, "of a bar: for what leaves through its side"},
-    KeySpec{"side_coefficient", T::expression, false, "convection through the side to the ambient"},
-    KeySpec{"side_emissivity", T::expression, false, "radiation of the side to the ambient"},
-    KeySpec{"ambient", T::expression, false, "temperature of what surrounds the side"},
-    KeySpec{"loops", T::boolean, false, "true: the cells are computed in loops, whose code does not grow with their number; if left out, above 40 cells"},
-    KeySpec{"first", T::expressions_by_name, false,
-            "what holds at the first end: { temperature }, or some of flux (into the rod), coefficient and emissivity with ambient; insulated without (4.9)"},
-    KeySpec{"last", T::expressions_by_name, false, "likewise at the last end"},
-    doc_key, when_key,
-};
 constexpr std::array block_keys{
     KeySpec{"temperature", T::part, true, "the family of states that are its temperatures, a cell each: along the bottom row from left to right, then the next row"},
     KeySpec{"columns", T::pieces, true, "what it is pieced together of from left to right, along x: [[\"L_a\", \"M\"], [\"L_b\", 3]] is a length L_a cut into M cells, and L_b cut into 3"},
@@ -307,10 +258,10 @@ constexpr std::array block_keys{
     KeySpec{"heat_capacity", T::table, true, "specific heat capacity, likewise"},
     KeySpec{"source", T::field, false, "heat by volume and time (4.4); \"(x, y) -> ...\" where it varies, from the left bottom corner"},
     KeySpec{"left", T::expressions_by_name, false,
-            "what holds at the left side: { temperature }, { node } in perfect contact with it, or some of flux (into the block), coefficient and emissivity with ambient; insulated without (4.9)"},
-    KeySpec{"right", T::expressions_by_name, false, "likewise at the right side"},
-    KeySpec{"bottom", T::expressions_by_name, false, "likewise at the bottom"},
-    KeySpec{"top", T::expressions_by_name, false, "likewise at the top"},
+            "what holds at the left side: { temperature }, { node } in perfect contact with it, or some of flux (into the block), coefficient and emissivity with ambient; insulated without (4.9)", side_keys},
+    KeySpec{"right", T::expressions_by_name, false, "likewise at the right side", side_keys},
+    KeySpec{"bottom", T::expressions_by_name, false, "likewise at the bottom", side_keys},
+    KeySpec{"top", T::expressions_by_name, false, "likewise at the top", side_keys},
     doc_key, when_key,
 };
 constexpr std::array enclosure_keys{
@@ -352,10 +303,6 @@ constexpr std::array saturation_keys{
     KeySpec{"high", T::expression, true, "the upper limit"},
     doc_key, when_key,
 };
-constexpr std::array profile_keys{
-    KeySpec{"phases", T::tables, true, "one after the other: { name, value, until }; until is the time at which the next one begins, which the last one has not. With reset = { \"dot(x)\" = 0 }: new values at its end"},
-    doc_key, when_key,
-};
 constexpr std::array phase_keys{
     KeySpec{"name", T::text, true, "of the phase; the mode is NAME_PHASE"},
     KeySpec{"value", T::expression, true, "of the profile in this phase"},
@@ -363,6 +310,10 @@ constexpr std::array phase_keys{
     KeySpec{"reset", T::expressions_by_name, false, "new values of states, coordinates and velocities at its end"},
 };
 constexpr SectionSpec phase_spec{"phases", false, "", "", phase_keys, ""};
+constexpr std::array profile_keys{
+    KeySpec{"phases", T::tables, true, "one after the other: { name, value, until }; until is the time at which the next one begins, which the last one has not. With reset = { \"dot(x)\" = 0 }: new values at its end", parts_of<phase_keys>},
+    doc_key, when_key,
+};
 constexpr std::array mode_keys{
     KeySpec{"modes", T::effects, true, "their names; conditions may name them, and in expressions each is 1 where it holds, else 0"},
     KeySpec{"final", T::effects, false, "those of them that nothing has to leave"},
@@ -423,122 +374,121 @@ constexpr std::array run_keys{
     doc_key,
 };
 
-constexpr std::array table{
-    SectionSpec{"model", false, "What the file is about.",
-                "[model]\nformat = 1\nname   = \"cart_pendulum\"\ntitle  = \"Cart with a pendulum rod\"", model_keys, ""},
-    SectionSpec{"sizes", true, "Whole numbers that count the members of families; set with --size N=5.",
-                "[sizes]\nN = { value = 3, range = [1, 64], doc = \"number of links\" }", size_keys, "value"},
-    SectionSpec{"parameters", true, "Constants of the machine, set in the header's parameter struct.",
-                "[parameters]\nm_W = { value = 1.0, unit = \"kg\", range = [0.1, 10], doc = \"mass of the cart\" }", parameter_keys, ""},
-    SectionSpec{"definitions", true, "Names for expressions.", "[definitions]\nm_S = \"rho_S*l_S*b_S*h_S\"", definition_keys, "value"},
-    SectionSpec{"coordinates", true, "Generalised coordinates; their velocities are dot(NAME), their accelerations ddot(NAME).",
-                "[coordinates]\nphi = { unit = \"rad\", start = \"pi/6\", doc = \"rod angle, 0 hanging\" }", coordinate_keys, ""},
-    SectionSpec{"inputs", true, "What drives the machine from outside.", "[inputs]\nf_e = { unit = \"N\", doc = \"driving force\" }",
-                input_keys, ""},
-    SectionSpec{"states", true, "First-order states beside the mechanics: plain ones with their derivative, or those that volumes and pipes determine.",
-                "[states.u_C]\nunit = \"V\"\nderivative = \"i_C/C\"", state_keys, ""},
-    SectionSpec{"outputs", true, "What is measured or reported.", "[outputs]\nheight = \"-l*cos(phi)\"", output_keys, "value"},
-    SectionSpec{"gravity", false, "Free fall acting on every mass.", "[gravity]\nacceleration = [0, \"-g\", 0]", gravity_keys, ""},
-    SectionSpec{"bodies", true, "Point masses, planar rigid bodies, bodies that only turn.",
-                "[bodies.rod]\nmass     = \"m_S\"\nposition = [\"s + l_S/2*sin(phi)\", \"-l_S/2*cos(phi)\", 0]\n"
-                "rotation = \"phi\"\ninertia  = \"m_S*(l_S^2 + b_S^2)/12\"",
-                body_keys, ""},
-    SectionSpec{"solids", true,
-                "Shapes of which mass, centre of mass (2.51)-(2.58) and tensor of inertia (2.167)-(2.173) are found by integration: solid_mass[NAME], centre_of_mass[NAME, i], inertia_about_centre[NAME, i, j], inertia_about_origin[NAME, i, j], in the axes that the solid is placed in.",
-                "[solids.rod]\nshape   = \"box\"\nsize    = [\"b_S\", \"l_S\", \"h_S\"]\nat      = [0, \"-l_S/2\", 0]\ndensity = \"rho_S\"", solid_keys, ""},
-    SectionSpec{"attitudes", true, "Orientations by unit quaternions. NAME brings the states NAME_0, NAME_1, NAME_2, NAME_3, and the velocities dot(NAME_x), dot(NAME_y), dot(NAME_z): the angular velocity about the axes of what turns. NAME_x, NAME_y and NAME_z have no values themselves.",
-                "[attitudes.e]\nstart_rate = [0.01, 2, 0]", attitude_keys, ""},
-    SectionSpec{"springs", true, "Elastic forces with a potential energy.",
-                "[springs.wall]\nelongation = \"s - s_W0\"\nstiffness  = \"c_W\"", spring_keys, ""},
-    SectionSpec{"dampers", true, "Resistances, whose power is dissipated.",
-                "[dampers.friction]\nrate        = \"dot(s)\"\ncoefficient = \"d_R\"\nwhen        = \"viscous_friction\"", damper_keys, ""},
-    SectionSpec{"forces", true, "Forces at points.", "[forces.drive]\non    = \"cart\"\nforce = [\"f_e\", 0, 0]", force_keys, ""},
-    SectionSpec{"torques", true, "Torques on bodies that turn.", "[torques.motor]\non     = \"rotor\"\ntorque = \"tau_m\"", torque_keys, ""},
-    SectionSpec{"jets", true, "Mass that leaves a body, or arrives at it. Apart from its velocity relative to the body it takes along the momentum and the spin that it has as a part of the body. The power of ejecting it counts as supplied, what it takes over the border as exchanged.",
-                "[jets.engine]\nfrom      = \"rocket\"\nmass_flow = \"mu\"\nvelocity  = [0, 0, \"-w\"]", jet_keys, ""},
-    SectionSpec{"cuts", true, "Forces of rods, ropes, bearings and surfaces without a constraint of their own. cut_force[NAME] is what is left of mass times acceleration of the bodies, when gravity and the [forces] and [torques] on them are taken off: what everything else exerts on them, springs and dampers included.",
-                "[cuts.rod]\nbodies    = [\"bob\"]\ndirection = [\"-sin(phi)\", \"cos(phi)\"]", cut_keys, ""},
-    SectionSpec{"loads", true,
-                "Forces on a rigid body. resultant_force[NAME, i] and resultant_moment[NAME, i] are what they come to at a point (2.28)-(2.42). With unknowns the body is in equilibrium (2.39): the balances of force and moment are solved "
-                "for them, and the names of the unknowns stand for what follows.",
-                "[loads.cylinder]\nunknowns = { f_S = \"N\", f_N = \"N\" }\n"
-                "forces.rope   = { force = [\"-f_S*sin(alpha)\", 0, \"f_S*cos(alpha)\"] }\n"
-                "forces.wall   = { force = [\"f_N\", 0, 0] }\n"
-                "forces.weight = { force = [0, 0, \"-m*g\"] }", load_keys, ""},
-    SectionSpec{"sticking", true,
-                "Whether friction at rest can hold, by Coulomb's law (2.96), (2.107). sticks[NAME] is 1 or 0, sticking_margin[NAME] the force that is missing to slip, needed_coefficient[NAME] the coefficient that would just do (2.100).",
-                "[sticking.foot]\nnormal      = \"f_N\"\ntangential  = \"f_R\"\ncoefficient = \"mu_H\"", sticking_keys, ""},
-    SectionSpec{"kinetic", true, "Kinetic energy for which there is no component.",
-                "[kinetic.gear]\nenergy = \"i_g^2*theta_m*dot(phi)^2/2\"", kinetic_keys, ""},
-    SectionSpec{"potentials", true, "Potential energy for which there is no component, or generalised forces that have one.",
-                "[potentials.leaf]\nforces = { z_1 = \"-c*(z_1 - z_2)\", z_2 = \"-c*(z_2 - z_1)\" }", potential_keys, ""},
-    SectionSpec{"generalised_forces", true, "Forces on coordinates for which there is no component.",
-                "[generalised_forces.load]\ncoordinate = \"phi_2\"\nforce = \"-tau_l\"", generalised_force_keys, ""},
-    SectionSpec{"media", true, "Gases and liquids.",
-                "[media.air]\nlaw            = \"ideal_gas\"\ngas_constant   = \"R_s\"\nisochoric_heat = \"c_v\"", medium_keys, ""},
-    SectionSpec{"reservoirs", true, "Media at a state that the model does not change: ambient, supply.",
-                "[reservoirs.ambient]\nmedium   = \"air\"\npressure = \"p_0\"", reservoir_keys, ""},
-    SectionSpec{"junctions", true,
-                "Places where flows meet and nothing is stored. The pressure is such that the mass flows sum up to zero: solved exactly with orifices, laminar flows, switching check valves, pumps, pipes and given flows, of which at least one orifice, laminar flow or open valve must lead to where the pressure is known.",
-                "[junctions.tee]\nmedium = \"water\"", junction_keys, ""},
-    SectionSpec{"volumes", true,
-                "Control volumes. Balances of mass (3.98) and energy (3.165) determine the states that they name; the force p*dV/dq acts on the mechanics by itself.",
-                "[volumes.chamber_1]\nmedium      = \"oil\"\nvolume      = \"A_1*s\"\npressure    = \"p_1\"\ntemperature = \"T_1\"", volume_keys, ""},
-    SectionSpec{"flows", true, "Flows between volumes, reservoirs and junctions. What flows carries the enthalpy of the side that it comes from.",
-                "[flows.leak]\nfrom        = \"chamber_1\"\nto          = \"chamber_2\"\nlaw         = \"laminar\"\nconductance = \"c_L\"", flow_keys, ""},
-    SectionSpec{"nodes", true, "Places with one temperature: bodies that store heat, surfaces, ambient air.",
-                "[nodes.plate]\ntemperature = \"T_B\"\ncapacity    = \"m_B*c_B\"\nheat        = \"P\"", node_keys, ""},
-    SectionSpec{"links", true, "Heat between nodes, volumes, reservoirs and cells of rods and blocks.",
-                "[links.paste]\nfrom       = \"plate\"\nto         = \"sink\"\nresistance = \"H/(lambda*A)\"", link_keys, ""},
-    SectionSpec{"rods", true, "Bars, walls, pipes and shells in which heat flows in one direction (4.5), cut into cells. heat[NAME.first] and heat[NAME.last] are the heat into it through its ends.",
-                "[rods.bar]\ntemperature   = \"T\"\nlength        = \"L\"\narea          = \"A\"\nconductivity  = \"lambda\"\ndensity       = \"rho\"\n"
-                "heat_capacity = \"c_p\"\nfirst         = { temperature = \"T_0\" }\nlast          = { coefficient = \"alpha\", ambient = \"T_inf\" }",
-                rod_keys, ""},
-    SectionSpec{"blocks", true,
-                "Rectangles of one or several materials in which heat flows in two directions (4.4), cut into cells: finite volumes, in which the halves of two cells "
-                "that touch stand in series. heat[NAME.left], right, bottom and top are the heat into it through its sides.",
-                "[blocks.wall]\ntemperature   = \"T\"\ncolumns       = [[\"L\", 8]]\nrows          = [[\"H_1\", 4], [\"H_2\", 4]]\ndepth         = \"B\"\n"
-                "conductivity  = [[\"lambda_1\", \"lambda_2\"]]\ndensity       = \"rho\"\nheat_capacity = \"c_p\"\n"
-                "left          = { node = \"plate\" }\nright         = { coefficient = \"alpha\", ambient = \"T_inf\" }",
-                block_keys, ""},
-    SectionSpec{"enclosures", true,
-                "Radiation between grey diffuse surfaces that see each other, all reflections counted (4.42)-(4.51). Surface i gives the heat "
-                "exchange_factor[NAME, i, j]*stefan_boltzmann*(T_i^4 - T_j^4) to surface j; a node with neither capacity nor temperature re-radiates what it takes up.",
-                "[enclosures.furnace]\nsurfaces     = [\"floor\", \"wall\", \"roof\"]\nareas        = [\"A\", \"A\", \"A\"]\n"
-                "emissivities = [\"eps\", 0.8, 1]\nview_factors = [[0, \"?\", \"?\"], [\"?\", 0, \"?\"], [\"?\", \"?\", 0]]",
-                enclosure_keys, ""},
-    SectionSpec{"frictions", true,
-                "Dry friction with stiction (2.95)-(2.99). NAME brings the modes NAME_sticks, NAME_slides_forwards, NAME_slides_backwards; constraint_force[NAME] is its force along the rate. "
-                "With more than 128 combinations of modes in the file, and none of these named, a state instead, NAME_direction: 0 where it sticks, 1 and -1 where it slides.",
-                "[frictions.floor]\nrate               = \"dot(x)\"\nnormal_force       = \"m*g\"\ncoefficient        = \"mu\"\nstatic_coefficient = \"mu_0\"", friction_keys, ""},
-    SectionSpec{"stops", true, "End stops that are struck, and hold where the machine leans on them. NAME brings the modes NAME_open and NAME_closed; constraint_force[NAME] is the force that opens the gap.",
-                "[stops.floor]\ngap         = \"h\"\nrestitution = \"e\"", stop_keys, ""},
-    SectionSpec{"contacts", true, "Springs that act on one side only: ropes, contacts, the flanks of a backlash. NAME brings the modes NAME_slack and NAME_taut, with damping also NAME_released: stretched, but without force.",
-                "[contacts.rope]\nelongation = \"x - l\"\nstiffness  = \"c\"", contact_keys, ""},
-    SectionSpec{"saturations", true, "Values within limits. NAME is what is left of the value, and brings the modes NAME_within, NAME_below, NAME_above; with more than 64 combinations of modes in the file, and none of these named, edges instead.",
-                "[saturations.drive]\nvalue = \"k*(x_d - x)\"\nlow   = \"-f_max\"\nhigh  = \"f_max\"", saturation_keys, ""},
-    SectionSpec{"profiles", true, "Values that go through phases of time. NAME is the value, and each phase is a mode NAME_PHASE.",
-                "[profiles.drive]\nphases = [{ name = \"runs\", value = \"a\", until = \"t_1\" }, { name = \"stands\", value = 0 }]", profile_keys, ""},
-    SectionSpec{"modes", true, "Ways in which a part of the machine can be, one at any time. The first that fits the start values is the start.",
-                "[modes]\npump = [\"pump_on\", \"pump_off\"]", mode_keys, "modes"},
-    SectionSpec{"constraints", true, "Rates or positions that are held at zero, in some mode. constraint_force[NAME] is what holds them: the force along the rate, on the machine.",
-                "[constraints.clutch]\nrate = \"dot(phi_1) - dot(phi_2)\"\nwhen = \"engaged\"", constraint_keys, ""},
-    SectionSpec{"events", true, "What happens where a guard goes through zero, in the modes that `when` names.",
-                "[events.full]\nguard = \"h_max - h\"\nwhen  = \"pump_on\"\nnext  = \"pump_off\"", event_keys, ""},
-    SectionSpec{"effects", true, "Effects that a scene may call for or leave out.",
-                "[effects]\nviscous_friction = { doc = \"friction of the cart, proportional to its speed\" }", effect_keys, ""},
-    SectionSpec{"scenes", true,
-                "Lists of effects. What a scene does not name is gone before anything is derived. `default` names the scene that is "
-                "meant when none is chosen. Without [scenes] there is one, `full`, with all effects.",
-                "[scenes]\nlab     = [\"viscous_friction\"]\nideal   = []\ndefault = \"lab\"", scene_keys, "effects"},
-    SectionSpec{"printed", true, "Equations as a text prints them, to be checked against the derivation.",
-                "[printed.\"2.160\"]\nequation = \"m*l^2*ddot(phi) = -m*g*l*sin(phi)\"", printed_keys, ""},
-    SectionSpec{"runs", true, "Simulations: `simulate` takes the run `reference`, or the one named with --run.",
-                "[runs.reference]\nuntil = 10\nplots = [[\"s\"], [\"phi\"]]", run_keys, ""},
-};
+const std::vector<SectionSpec>& table() {
+    static const std::vector<SectionSpec> rows{
+        SectionSpec{"model", false, "What the file is about.",
+                    "[model]\nformat = 1\nname   = \"cart_pendulum\"\ntitle  = \"Cart with a pendulum rod\"", model_keys, ""},
+        SectionSpec{"sizes", true, "Whole numbers that count the members of families; set with --size N=5.",
+                    "[sizes]\nN = { value = 3, range = [1, 64], doc = \"number of links\" }", size_keys, "value"},
+        SectionSpec{"parameters", true, "Constants of the machine, set in the header's parameter struct.",
+                    "[parameters]\nm_W = { value = 1.0, unit = \"kg\", range = [0.1, 10], doc = \"mass of the cart\" }", parameter_keys, ""},
+        SectionSpec{"definitions", true, "Names for expressions.", "[definitions]\nm_S = \"rho_S*l_S*b_S*h_S\"", definition_keys, "value"},
+        SectionSpec{"coordinates", true, "Generalised coordinates; their velocities are dot(NAME), their accelerations ddot(NAME).",
+                    "[coordinates]\nphi = { unit = \"rad\", start = \"pi/6\", doc = \"rod angle, 0 hanging\" }", coordinate_keys, ""},
+        SectionSpec{"inputs", true, "What drives the machine from outside.", "[inputs]\nf_e = { unit = \"N\", doc = \"driving force\" }",
+                    input_keys, ""},
+        SectionSpec{"states", true, "First-order states beside the mechanics: plain ones with their derivative, or those that volumes and pipes determine.",
+                    "[states.u_C]\nunit = \"V\"\nderivative = \"i_C/C\"", state_keys, ""},
+        SectionSpec{"outputs", true, "What is measured or reported.", "[outputs]\nheight = \"-l*cos(phi)\"", output_keys, "value"},
+        SectionSpec{"gravity", false, "Free fall acting on every mass.", "[gravity]\nacceleration = [0, \"-g\", 0]", gravity_keys, ""},
+        SectionSpec{"bodies", true, "Point masses, planar rigid bodies, bodies that only turn.",
+                    "[bodies.rod]\nmass     = \"m_S\"\nposition = [\"s + l_S/2*sin(phi)\", \"-l_S/2*cos(phi)\", 0]\n"
+                    "rotation = \"phi\"\ninertia  = \"m_S*(l_S^2 + b_S^2)/12\"",
+                    body_keys, ""},
+        SectionSpec{"solids", true,
+                    "Shapes of which mass, centre of mass (2.51)-(2.58) and tensor of inertia (2.167)-(2.173) are found by integration: solid_mass[NAME], centre_of_mass[NAME, i], inertia_about_centre[NAME, i, j], inertia_about_origin[NAME, i, j], in the axes that the solid is placed in.",
+                    "[solids.rod]\nshape   = \"box\"\nsize    = [\"b_S\", \"l_S\", \"h_S\"]\nat      = [0, \"-l_S/2\", 0]\ndensity = \"rho_S\"", solid_keys, ""},
+        SectionSpec{"attitudes", true, "Orientations by unit quaternions. NAME brings the states NAME_0, NAME_1, NAME_2, NAME_3, and the velocities dot(NAME_x), dot(NAME_y), dot(NAME_z): the angular velocity about the axes of what turns. NAME_x, NAME_y and NAME_z have no values themselves.",
+                    "[attitudes.e]\nstart_rate = [0.01, 2, 0]", attitude_keys, ""},
+        SectionSpec{"springs", true, "Elastic forces with a potential energy.",
+                    "[springs.wall]\nelongation = \"s - s_W0\"\nstiffness  = \"c_W\"", spring_keys, ""},
+        SectionSpec{"dampers", true, "Resistances, whose power is dissipated.",
+                    "[dampers.friction]\nrate        = \"dot(s)\"\ncoefficient = \"d_R\"\nwhen        = \"viscous_friction\"", damper_keys, ""},
+        SectionSpec{"forces", true, "Forces at points.", "[forces.drive]\non    = \"cart\"\nforce = [\"f_e\", 0, 0]", force_keys, ""},
+        SectionSpec{"torques", true, "Torques on bodies that turn.", "[torques.motor]\non     = \"rotor\"\ntorque = \"tau_m\"", torque_keys, ""},
+        SectionSpec{"jets", true, "Mass that leaves a body, or arrives at it. Apart from its velocity relative to the body it takes along the momentum and the spin that it has as a part of the body. The power of ejecting it counts as supplied, what it takes over the border as exchanged.",
+                    "[jets.engine]\nfrom      = \"rocket\"\nmass_flow = \"mu\"\nvelocity  = [0, 0, \"-w\"]", jet_keys, ""},
+        SectionSpec{"cuts", true, "Forces of rods, ropes, bearings and surfaces without a constraint of their own. cut_force[NAME] is what is left of mass times acceleration of the bodies, when gravity and the [forces] and [torques] on them are taken off: what everything else exerts on them, springs and dampers included.",
+                    "[cuts.rod]\nbodies    = [\"bob\"]\ndirection = [\"-sin(phi)\", \"cos(phi)\"]", cut_keys, ""},
+        SectionSpec{"loads", true,
+                    "Forces on a rigid body. resultant_force[NAME, i] and resultant_moment[NAME, i] are what they come to at a point (2.28)-(2.42). With unknowns the body is in equilibrium (2.39): the balances of force and moment are solved "
+                    "for them, and the names of the unknowns stand for what follows.",
+                    "[loads.cylinder]\nunknowns = { f_S = \"N\", f_N = \"N\" }\n"
+                    "forces.rope   = { force = [\"-f_S*sin(alpha)\", 0, \"f_S*cos(alpha)\"] }\n"
+                    "forces.wall   = { force = [\"f_N\", 0, 0] }\n"
+                    "forces.weight = { force = [0, 0, \"-m*g\"] }", load_keys, ""},
+        SectionSpec{"sticking", true,
+                    "Whether friction at rest can hold, by Coulomb's law (2.96), (2.107). sticks[NAME] is 1 or 0, sticking_margin[NAME] the force that is missing to slip, needed_coefficient[NAME] the coefficient that would just do (2.100).",
+                    "[sticking.foot]\nnormal      = \"f_N\"\ntangential  = \"f_R\"\ncoefficient = \"mu_H\"", sticking_keys, ""},
+        SectionSpec{"kinetic", true, "Kinetic energy for which there is no component.",
+                    "[kinetic.gear]\nenergy = \"i_g^2*theta_m*dot(phi)^2/2\"", kinetic_keys, ""},
+        SectionSpec{"potentials", true, "Potential energy for which there is no component, or generalised forces that have one.",
+                    "[potentials.leaf]\nforces = { z_1 = \"-c*(z_1 - z_2)\", z_2 = \"-c*(z_2 - z_1)\" }", potential_keys, ""},
+        SectionSpec{"generalised_forces", true, "Forces on coordinates for which there is no component.",
+                    "[generalised_forces.load]\ncoordinate = \"phi_2\"\nforce = \"-tau_l\"", generalised_force_keys, ""},
+        section_of<Medium>(),
+        section_of<Reservoir>(),
+        section_of<Junction>(),
+        section_of<Volume>(),
+        section_of<Flow>(),
+        section_of<HeatNode>(),
+        section_of<Link>(),
+        section_of<Rod>(),
+        SectionSpec{"blocks", true,
+                    "Rectangles of one or several materials in which heat flows in two directions (4.4), cut into cells: finite volumes, in which the halves of two cells "
+                    "that touch stand in series. heat[NAME.left], right, bottom and top are the heat into it through its sides.",
+                    "[blocks.wall]\ntemperature   = \"T\"\ncolumns       = [[\"L\", 8]]\nrows          = [[\"H_1\", 4], [\"H_2\", 4]]\ndepth         = \"B\"\n"
+                    "conductivity  = [[\"lambda_1\", \"lambda_2\"]]\ndensity       = \"rho\"\nheat_capacity = \"c_p\"\n"
+                    "left          = { node = \"plate\" }\nright         = { coefficient = \"alpha\", ambient = \"T_inf\" }",
+                    block_keys, ""},
+        SectionSpec{"enclosures", true,
+                    "Radiation between grey diffuse surfaces that see each other, all reflections counted (4.42)-(4.51). Surface i gives the heat "
+                    "exchange_factor[NAME, i, j]*stefan_boltzmann*(T_i^4 - T_j^4) to surface j; a node with neither capacity nor temperature re-radiates what it takes up.",
+                    "[enclosures.furnace]\nsurfaces     = [\"floor\", \"wall\", \"roof\"]\nareas        = [\"A\", \"A\", \"A\"]\n"
+                    "emissivities = [\"eps\", 0.8, 1]\nview_factors = [[0, \"?\", \"?\"], [\"?\", 0, \"?\"], [\"?\", \"?\", 0]]",
+                    enclosure_keys, ""},
+        SectionSpec{"frictions", true,
+                    "Dry friction with stiction (2.95)-(2.99). NAME brings the modes NAME_sticks, NAME_slides_forwards, NAME_slides_backwards; constraint_force[NAME] is its force along the rate. "
+                    "With more than 128 combinations of modes in the file, and none of these named, a state instead, NAME_direction: 0 where it sticks, 1 and -1 where it slides.",
+                    "[frictions.floor]\nrate               = \"dot(x)\"\nnormal_force       = \"m*g\"\ncoefficient        = \"mu\"\nstatic_coefficient = \"mu_0\"", friction_keys, ""},
+        SectionSpec{"stops", true, "End stops that are struck, and hold where the machine leans on them. NAME brings the modes NAME_open and NAME_closed; constraint_force[NAME] is the force that opens the gap.",
+                    "[stops.floor]\ngap         = \"h\"\nrestitution = \"e\"", stop_keys, ""},
+        SectionSpec{"contacts", true, "Springs that act on one side only: ropes, contacts, the flanks of a backlash. NAME brings the modes NAME_slack and NAME_taut, with damping also NAME_released: stretched, but without force.",
+                    "[contacts.rope]\nelongation = \"x - l\"\nstiffness  = \"c\"", contact_keys, ""},
+        SectionSpec{"saturations", true, "Values within limits. NAME is what is left of the value, and brings the modes NAME_within, NAME_below, NAME_above; with more than 64 combinations of modes in the file, and none of these named, edges instead.",
+                    "[saturations.drive]\nvalue = \"k*(x_d - x)\"\nlow   = \"-f_max\"\nhigh  = \"f_max\"", saturation_keys, ""},
+        SectionSpec{"profiles", true, "Values that go through phases of time. NAME is the value, and each phase is a mode NAME_PHASE.",
+                    "[profiles.drive]\nphases = [{ name = \"runs\", value = \"a\", until = \"t_1\" }, { name = \"stands\", value = 0 }]", profile_keys, ""},
+        SectionSpec{"modes", true, "Ways in which a part of the machine can be, one at any time. The first that fits the start values is the start.",
+                    "[modes]\npump = [\"pump_on\", \"pump_off\"]", mode_keys, "modes"},
+        SectionSpec{"constraints", true, "Rates or positions that are held at zero, in some mode. constraint_force[NAME] is what holds them: the force along the rate, on the machine.",
+                    "[constraints.clutch]\nrate = \"dot(phi_1) - dot(phi_2)\"\nwhen = \"engaged\"", constraint_keys, ""},
+        SectionSpec{"events", true, "What happens where a guard goes through zero, in the modes that `when` names.",
+                    "[events.full]\nguard = \"h_max - h\"\nwhen  = \"pump_on\"\nnext  = \"pump_off\"", event_keys, ""},
+        SectionSpec{"effects", true, "Effects that a scene may call for or leave out.",
+                    "[effects]\nviscous_friction = { doc = \"friction of the cart, proportional to its speed\" }", effect_keys, ""},
+        SectionSpec{"scenes", true,
+                    "Lists of effects. What a scene does not name is gone before anything is derived. `default` names the scene that is "
+                    "meant when none is chosen. Without [scenes] there is one, `full`, with all effects.",
+                    "[scenes]\nlab     = [\"viscous_friction\"]\nideal   = []\ndefault = \"lab\"", scene_keys, "effects"},
+        SectionSpec{"printed", true, "Equations as a text prints them, to be checked against the derivation.",
+                    "[printed.\"2.160\"]\nequation = \"m*l^2*ddot(phi) = -m*g*l*sin(phi)\"", printed_keys, ""},
+        SectionSpec{"runs", true, "Simulations: `simulate` takes the run `reference`, or the one named with --run.",
+                    "[runs.reference]\nuntil = 10\nplots = [[\"s\"], [\"phi\"]]", run_keys, ""},
+    };
+    return rows;
+}
 
+std::string key_line(const KeySpec& key, const std::string& indent) {
+    return fmt::format("{}{:<{}} {:<23} {} {}\n", indent, key.name, 19 - indent.size(), describe(key.type), key.required ? "required." : "optional.", key.doc);
+}
+
+/// A key with those of the table that stands for its value.
 std::string key_reference(const KeySpec& key) {
-    return fmt::format("  {:<17} {:<23} {} {}\n", key.name, describe(key.type), key.required ? "required." : "optional.", key.doc);
+    std::string text = key_line(key, "  ");
+    if (key.parts == nullptr) return text;
+    for (const KeySpec& part : key.parts()) text += key_line(part, "      ");
+    return text;
 }
 
 }  // namespace
@@ -547,20 +497,23 @@ std::string section_reference(const SectionSpec& section) {
     std::string example;
     for (const char* c = section.example; *c != '\0'; ++c) example += *c == '\n' ? std::string("\n    ") : std::string(1, *c);
     std::string text = fmt::format("[{}{}]  {}\n\n    {}\n\n", section.name, section.is_collection ? ".NAME" : "", section.doc, example);
-    for (const KeySpec& key : section.keys) text += key_reference(key);
+    for (std::size_t i = 0; i < section.keys.size(); ++i) {
+        const bool is_like_last = i > 0 && section.keys[i].parts == section.keys[i - 1].parts;  // "likewise at the last end"
+        text += is_like_last ? key_line(section.keys[i], "  ") : key_reference(section.keys[i]);
+    }
     if (*section.short_form != '\0')
         text += fmt::format("  A bare value stands for `{}`.\n", section.short_form);
     return text;
 }
 
-std::span<const SectionSpec> sections() { return table; }
+std::span<const SectionSpec> sections() { return table(); }
 const SectionSpec& phase_section() { return phase_spec; }
 const SectionSpec& load_part_section() { return load_part_spec; }
 const SectionSpec& unknown_section() { return unknown_spec; }
 
 const SectionSpec* find_section(std::string_view name) {
-    const auto found = std::find_if(table.begin(), table.end(), [&](const SectionSpec& s) { return name == s.name; });
-    return found == table.end() ? nullptr : &*found;
+    const auto found = std::find_if(table().begin(), table().end(), [&](const SectionSpec& s) { return name == s.name; });
+    return found == table().end() ? nullptr : &*found;
 }
 
 const KeySpec* find_key(const SectionSpec& section, std::string_view name) {
@@ -615,25 +568,31 @@ const char* describe(ValueType type) {
 std::string language_reference(std::string_view word) {
     std::string text;
     if (word.empty()) {
-        for (const SectionSpec& section : table) text += section_reference(section) + "\n";
+        for (const SectionSpec& section : table()) text += section_reference(section) + "\n";
         return text;
     }
     if (const SectionSpec* section = find_section(word)) return section_reference(*section);
     const std::size_t point = word.find('.');
     const std::string_view key_name = point == std::string_view::npos ? word : word.substr(point + 1);
-    for (const SectionSpec& section : table) {
+    for (const SectionSpec& section : table()) {
         if (point != std::string_view::npos && word.substr(0, point) != section.name) continue;
-        if (const KeySpec* key = find_key(section, key_name))
-            text += fmt::format("[{}{}]\n{}", section.name, section.is_collection ? ".NAME" : "", key_reference(*key));
+        const std::string place = fmt::format("[{}{}]", section.name, section.is_collection ? ".NAME" : "");
+        if (const KeySpec* key = find_key(section, key_name)) text += place + "\n" + key_reference(*key);
+        for (const KeySpec& key : section.keys)
+            for (const KeySpec& part : key.parts == nullptr ? std::span<const KeySpec>() : key.parts())
+                if (part.name == key_name) text += fmt::format("{} in {}\n{}", place, key.name, key_line(part, "  "));
     }
     return text;
 }
 
 std::vector<std::string> language_words() {
     std::vector<std::string> words;
-    for (const SectionSpec& section : table) {
+    for (const SectionSpec& section : table()) {
         words.emplace_back(section.name);
-        for (const KeySpec& key : section.keys) words.emplace_back(key.name);
+        for (const KeySpec& key : section.keys) {
+            words.emplace_back(key.name);
+            for (const KeySpec& part : key.parts == nullptr ? std::span<const KeySpec>() : key.parts()) words.emplace_back(part.name);
+        }
     }
     return words;
 }

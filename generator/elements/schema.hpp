@@ -56,6 +56,7 @@ struct KeySpec {
     ValueType type;
     bool required;
     const char* doc;
+    std::span<const KeySpec> (*parts)() = nullptr;  ///< the keys of a table that stands for the value
 };
 
 struct SectionSpec {

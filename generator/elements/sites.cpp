@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "elements/describe_fluids.hpp"
+#include "elements/describe_heat.hpp"
+#include "elements/kinds.hpp"
+
 namespace dalembert {
 
 namespace {
@@ -47,16 +51,6 @@ public:
         if (entry.index) visitor_({entry.index.get(), constant_only, fmt::format("the index of '{}'", entry.coordinate), bound_, true});
         (*this)(entry.value, allowed, part);
     }
-    void operator()(const std::optional<Boundary>& boundary, const char* what) const {
-        if (!boundary) return;
-        const auto part = [&](const ExpressionPtr& expression, const char* name) { (*this)(expression, on_plain_states_and_inputs, fmt::format("{} {}", what, name).c_str()); };
-        part(boundary->temperature, "temperature");
-        part(boundary->flux, "flux");
-        part(boundary->coefficient, "coefficient");
-        part(boundary->emissivity, "emissivity");
-        part(boundary->ambient, "ambient");
-        (*this)(boundary->node);
-    }
     void operator()(const std::vector<RunEntry>& resets) const {
         for (const RunEntry& entry : resets) {
             (*this)(entry.variable, on_coordinates | on_velocities | on_states, "reset");
@@ -73,6 +67,42 @@ public:
     std::string owner_;
     std::vector<std::string> bound_;
 };
+
+/// Visits the expressions of an item by its description.
+class DescribedSites {
+public:
+    DescribedSites(const Visit& each, std::string prefix) : each_(each), prefix_(std::move(prefix)) {}
+
+    void operator()(const char* name, const ExpressionPtr& expression, const Key& key) const {
+        if (!expression) return;
+        each_.visitor_({expression.get(), key.depends, fmt::format("the {}{} of {}", prefix_, words_of(name, key), each_.owner_), each_.bound_, false, key.may_be_absent});
+    }
+    void operator()(const char*, const Reference& reference, const Key&) const { each_(reference); }
+    void operator()(const char*, const std::optional<bool>&, const Key&) const {}
+    void operator()(const char* name, const std::optional<Law>& law, const Key& key) const { each_(law, key.depends, words_of(name, key).c_str()); }
+    void operator()(const char* name, const std::optional<Property>& property, const Key& key) const {
+        each_(property, key.depends, words_of(name, key).c_str());
+    }
+    void choice(const char*, const Key&) const {}
+    template <class Part>
+    void table(const char*, const std::optional<Part>& part, const Key& key) const {
+        if (!part) return;
+        const DescribedSites inside(each_, key.words == nullptr ? "" : std::string(key.words) + " ");
+        describe(inside, *part);
+    }
+    void item(const ItemKeys&) const {}
+
+private:
+    const Visit& each_;
+    std::string prefix_;
+};
+
+template <class Described>
+void visit_described(const Described& item, const SiteVisitor& visitor) {
+    const Visit each(item, kind_of<Described>.word, visitor);
+    const DescribedSites sites(each, "");
+    describe(sites, item);
+}
 
 }  // namespace
 
@@ -235,114 +265,14 @@ void visit(const GeneralisedForce& item, const SiteVisitor& visitor) {
     Visit(item, "generalised force", visitor)(item.coordinate, on_state_and_inputs | on_places, "force");
 }
 
-void visit(const Medium& item, const SiteVisitor& visitor) {
-    const Visit each(item, "medium", visitor);
-    each(item.gas_constant, constant_only, "gas constant");
-    each(item.density, constant_only, "density");
-    each(item.bulk_modulus, constant_only, "bulk modulus");
-    each(item.expansion, constant_only, "expansion");
-    each(item.isochoric_heat, constant_only, "isochoric heat");
-    each(item.energy, constant_only, "energy");
-    each(item.pressure, constant_only, "pressure");
-    each(item.reference_pressure, constant_only, "reference pressure");
-    each(item.reference_temperature, constant_only, "reference temperature");
-}
-
-void visit(const Reservoir& item, const SiteVisitor& visitor) {
-    const Visit each(item, "reservoir", visitor);
-    each(item.pressure, on_parameters | on_inputs | on_time, "pressure");
-    each(item.temperature, on_parameters | on_inputs | on_time, "temperature");
-    each(item.potential, on_parameters | on_time, "potential");
-}
-
-void visit(const Junction& item, const SiteVisitor& visitor) {
-    Visit(item, "junction", visitor)(item.potential, constant_only, "potential");
-}
-
-void visit(const Volume& item, const SiteVisitor& visitor) {
-    const Visit each(item, "volume", visitor);
-    each(item.volume, item.filling ? on_configuration | on_states : on_configuration, "size");
-    each(item.pressure, item.filling ? on_plain_states_and_inputs : on_states, "pressure");
-    each(item.density, on_states, "density");
-    each(item.mass, on_states, "mass");
-    each(item.filling, on_states, "filling");
-    if (item.temperature) visitor({item.temperature.get(), on_states, "the temperature of " + each.owner_, each.bound_, false, true});
-    each(item.isothermal, constant_only, "temperature");
-    if (item.polytropic) {
-        each(item.polytropic->exponent, constant_only, "polytropic exponent");
-        each(item.polytropic->pressure, constant_only, "polytropic pressure");
-        each(item.polytropic->temperature, constant_only, "polytropic temperature");
-    }
-    each(item.head, on_parameters | on_states, "head");
-    each(item.gravity, constant_only, "gravity");
-    each(item.potential, constant_only, "potential");
-    each(item.heat, on_state_and_inputs | on_losses, "heat");
-    each(item.shaft_power, on_state_and_inputs, "shaft power");
-    each(item.smallest, constant_only, "smallest size");
-}
-
-void visit(const Flow& item, const SiteVisitor& visitor) {
-    const Visit each(item, "flow", visitor);
-    each(item.from);
-    each(item.to);
-    each(item.mass_flow, on_state_and_inputs, "mass flow");
-    each(item.volume_flow, on_state_and_inputs, "volume flow");
-    each(item.area, item.law == Flow::Law::pipe ? constant_only : on_state_and_inputs, "area");
-    each(item.coefficient, on_state_and_inputs, "coefficient");
-    each(item.width, constant_only, "width");
-    each(item.conductance, on_state_and_inputs, "conductance");
-    each(item.cracking_pressure, on_state_and_inputs, "cracking pressure");
-    each(item.displacement, on_state_and_inputs, "displacement");
-    each(item.speed, on_state_and_inputs, "speed");
-    each(item.velocity, on_states, "velocity");
-    each(item.length, constant_only, "length");
-    each(item.loss, constant_only, "loss");
-}
-
-void visit(const HeatNode& item, const SiteVisitor& visitor) {
-    const Visit each(item, "node", visitor);
-    if (item.temperature && item.capacity) visitor({item.temperature.get(), on_states, "the temperature of " + each.owner_, each.bound_, false, true});
-    else each(item.temperature, on_plain_states_and_inputs, "temperature");
-    each(item.capacity, item.boiling ? constant_only | on_states : constant_only, "capacity");
-    each(item.heat, on_state_and_inputs | on_losses, "heat");
-    if (!item.boiling) return;
-    each(item.boiling->temperature, constant_only, "boiling temperature");
-    each(item.boiling->enthalpy, constant_only, "enthalpy of evaporation");
-    each(item.boiling->mass, on_parameters | on_states, "mass");
-}
-
-void visit(const Link& item, const SiteVisitor& visitor) {
-    const Visit each(item, "link", visitor);
-    each(item.from);
-    each(item.to);
-    each(item.heat, on_state_and_inputs, "heat");
-    each(item.conductance, on_state_and_inputs, "conductance");
-    each(item.resistance, on_state_and_inputs, "resistance");
-    each(item.conductivity, constant_only, "conductivity");
-    each(item.area, on_state_and_inputs, "area");
-    each(item.length, on_state_and_inputs, "length");
-    each(item.coefficient, on_state_and_inputs, "coefficient");
-    each(item.emissivity, on_state_and_inputs, "emissivity");
-}
-
-void visit(const Rod& item, const SiteVisitor& visitor) {
-    const Visit each(item, "rod", visitor);
-    each(item.length, constant_only, "length");
-    each(item.area, constant_only, "area");
-    each(item.inner, constant_only, "inner radius");
-    each(item.outer, constant_only, "outer radius");
-    each(item.height, constant_only, "height");
-    each(item.grid, constant_only, "grid");
-    each(item.conductivity, constant_only, "conductivity");
-    each(item.density, constant_only, "density");
-    each(item.heat_capacity, constant_only, "heat capacity");
-    each(item.source, on_plain_states_and_inputs, "source");
-    each(item.perimeter, constant_only, "perimeter");
-    each(item.side_coefficient, on_plain_states_and_inputs, "side coefficient");
-    each(item.side_emissivity, constant_only, "side emissivity");
-    each(item.ambient, on_plain_states_and_inputs, "ambient");
-    for (const auto* end : {&item.first, &item.last}) each(*end, "end");
-}
+void visit(const Medium& item, const SiteVisitor& visitor) { visit_described(item, visitor); }
+void visit(const Reservoir& item, const SiteVisitor& visitor) { visit_described(item, visitor); }
+void visit(const Junction& item, const SiteVisitor& visitor) { visit_described(item, visitor); }
+void visit(const Volume& item, const SiteVisitor& visitor) { visit_described(item, visitor); }
+void visit(const Flow& item, const SiteVisitor& visitor) { visit_described(item, visitor); }
+void visit(const HeatNode& item, const SiteVisitor& visitor) { visit_described(item, visitor); }
+void visit(const Link& item, const SiteVisitor& visitor) { visit_described(item, visitor); }
+void visit(const Rod& item, const SiteVisitor& visitor) { visit_described(item, visitor); }
 
 void visit(const Block& item, const SiteVisitor& visitor) {
     const Visit each(item, "block", visitor);
@@ -356,7 +286,12 @@ void visit(const Block& item, const SiteVisitor& visitor) {
         for (const auto& column : *table)
             for (const ExpressionPtr& value : column) each(value, constant_only, part);
     each(item.source, on_plain_states_and_inputs, "source");
-    for (const auto* side : {&item.left, &item.right, &item.bottom, &item.top}) each(*side, "side");
+    const DescribedSites sides(each, "side ");
+    for (const auto* side : {&item.left, &item.right, &item.bottom, &item.top}) {
+        if (!*side) continue;
+        describe(sides, **side);
+        each((*side)->node);
+    }
 }
 
 void visit(const Enclosure& item, const SiteVisitor& visitor) {
@@ -467,54 +402,18 @@ void visit(const Run& item, const SiteVisitor& visitor) {
 }
 
 void visit(const Model& model, const SiteVisitor& visitor) {
-    const auto all = [&](const auto& items) {
-        for (const auto& item : items) {
-            if constexpr (requires { item.is_made; })
-                if (item.is_made) continue;
-            visit(item, visitor);
-        }
+    const auto walk = [&](const auto& item) {
+        if constexpr (requires { item.is_made; })
+            if (item.is_made) return;
+        visit(item, visitor);
     };
-    all(model.sizes);
-    all(model.parameters);
-    all(model.definitions);
-    all(model.coordinates);
-    all(model.inputs);
-    all(model.states);
-    all(model.outputs);
-    if (model.gravity) visit(*model.gravity, visitor);
-    all(model.attitudes);
-    all(model.solids);
-    all(model.bodies);
-    all(model.springs);
-    all(model.dampers);
-    all(model.forces);
-    all(model.torques);
-    all(model.jets);
-    all(model.cuts);
-    all(model.loads);
-    all(model.stickings);
-    all(model.kinetic);
-    all(model.potentials);
-    all(model.generalised_forces);
-    all(model.media);
-    all(model.reservoirs);
-    all(model.junctions);
-    all(model.volumes);
-    all(model.flows);
-    all(model.nodes);
-    all(model.links);
-    all(model.rods);
-    all(model.blocks);
-    all(model.enclosures);
-    all(model.frictions);
-    all(model.stops);
-    all(model.contacts);
-    all(model.saturations);
-    all(model.profiles);
-    all(model.constraints);
-    all(model.events);
-    all(model.printed);
-    all(model.runs);
+    for_each_kind(model, [&]<class Items>(const char*, const Items& items) {
+        if constexpr (std::is_same_v<Items, std::optional<Gravity>>) {
+            if (items) walk(*items);
+        } else if constexpr (!std::is_same_v<Items, std::vector<ModeGroup>>) {
+            for (const auto& item : items) walk(item);
+        }
+    });
 }
 
 }  // namespace dalembert

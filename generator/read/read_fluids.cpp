@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "elements/describe_fluids.hpp"
+#include "read/described.hpp"
 #include "read/law_keys.hpp"
 
 namespace dalembert {
@@ -51,15 +53,7 @@ void check_given(const Entry& e, const Medium& medium) {
 }  // namespace
 
 void read(const Entry& e, Medium& medium) {
-    medium.gas_constant = e.expression("gas_constant");
-    medium.density = e.property("density");
-    medium.bulk_modulus = e.expression("bulk_modulus");
-    medium.expansion = e.expression("expansion");
-    medium.isochoric_heat = e.property("isochoric_heat");
-    medium.energy = e.property("energy");
-    medium.pressure = e.property("pressure");
-    medium.reference_pressure = e.expression("reference_pressure");
-    medium.reference_temperature = e.expression("reference_temperature");
+    read_described(e, medium);
     const auto* law = find_law(e, "medium", medium_laws(),
                                {"gas_constant", "density", "bulk_modulus", "expansion", "isochoric_heat", "energy", "pressure", "reference_pressure", "reference_temperature"});
     if (law == nullptr) return;
@@ -72,51 +66,15 @@ void read(const Entry& e, Medium& medium) {
         e.error(Id::missing_key, e.span_of("expansion"), fmt::format("medium '{}' has a thermal expansion and needs the reference_temperature from which it counts", e.name()));
 }
 
-void read(const Entry& e, Reservoir& reservoir) {
-    if (auto medium = e.part("medium")) reservoir.medium = *medium;
-    reservoir.pressure = e.expression("pressure");
-    reservoir.temperature = e.expression("temperature");
-    reservoir.potential = e.expression("potential");
-}
+void read(const Entry& e, Reservoir& reservoir) { read_described(e, reservoir); }
 
-void read(const Entry& e, Junction& junction) {
-    if (auto medium = e.part("medium")) junction.medium = *medium;
-    junction.potential = e.expression("potential");
-}
+void read(const Entry& e, Junction& junction) { read_described(e, junction); }
 
 void read(const Entry& e, Volume& volume) {
-    if (auto medium = e.part("medium")) volume.medium = *medium;
-    volume.volume = e.expression("volume");
-    volume.pressure = e.expression("pressure");
-    volume.density = e.expression("density");
-    volume.mass = e.expression("mass");
-    volume.filling = e.expression("filling");
-    volume.temperature = e.expression("temperature");
-    volume.isothermal = e.expression("isothermal");
-    volume.head = e.expression("head");
-    volume.gravity = e.expression("gravity");
-    volume.potential = e.expression("potential");
-    volume.heat = e.expression("heat");
-    volume.shaft_power = e.expression("shaft_power");
-    volume.smallest = e.expression("smallest");
-    if (e.has("polytropic")) {
-        Volume::Polytropic course;
-        course.span = e.span_of("polytropic");
-        for (const RunEntry& entry : e.by_name("polytropic")) {
-            ExpressionPtr* part = entry.variable->name == "exponent" ? &course.exponent
-                                  : entry.variable->name == "pressure" ? &course.pressure
-                                  : entry.variable->name == "temperature" ? &course.temperature
-                                                                          : nullptr;
-            if (part == nullptr) e.error(Id::unknown_key, entry.span, fmt::format("a polytropic course has an exponent, a pressure and a temperature, but no '{}'", entry.variable->written()));
-            else *part = entry.value;
-        }
-        if (!course.exponent || !course.pressure || !course.temperature)
-            e.error(Id::missing_key, course.span, fmt::format("the polytropic course of volume '{}' needs an exponent, a pressure and a temperature", e.name()));
-        volume.polytropic = std::move(course);
-        if (e.has("isothermal"))
-            e.error(Id::doubly_determined, e.span_of("polytropic"), fmt::format("volume '{}' is isothermal and polytropic; both fix its temperature", e.name()),
-                    {{e.span_of("isothermal"), "it is isothermal here"}});
-    }
+    read_described(e, volume);
+    if (e.has("polytropic") && e.has("isothermal"))
+        e.error(Id::doubly_determined, e.span_of("polytropic"), fmt::format("volume '{}' is isothermal and polytropic; both fix its temperature", e.name()),
+                {{e.span_of("isothermal"), "it is isothermal here"}});
     std::vector<std::string> chosen;
     for (const char* key : {"pressure", "density", "mass"})
         if (e.has(key)) chosen.emplace_back(key);
@@ -131,28 +89,13 @@ void read(const Entry& e, Volume& volume) {
                     {{e.span_of(chosen[0]), fmt::format("the {} stands here", chosen[0])}});
     }
     if (e.has("head") != e.has("gravity")) e.error(Id::missing_key, e.span(), fmt::format("volume '{}' needs head and gravity together, or neither", e.name()));
-    volume.empties = e.boolean("empties");
     if (volume.empties && !e.has("filling")) e.error(Id::missing_key, e.span_of("empties"), fmt::format("volume '{}' has no filling that could run out", e.name()));
     if (volume.empties && e.has("for")) e.error(Id::not_allowed_here, e.span_of("empties"), fmt::format("volume '{}' is a family, whose members cannot have modes of their own", e.name()));
     if (e.has("head") && !e.has("filling")) e.error(Id::missing_key, e.span_of("head"), fmt::format("volume '{}' has a head, but no filling that it depends on", e.name()));
 }
 
 void read(const Entry& e, Flow& flow) {
-    if (auto from = e.part("from")) flow.from = *from;
-    if (auto to = e.part("to")) flow.to = *to;
-    flow.mass_flow = e.expression("mass_flow");
-    flow.volume_flow = e.expression("volume_flow");
-    flow.area = e.expression("area");
-    flow.coefficient = e.expression("coefficient");
-    flow.width = e.expression("width");
-    flow.conductance = e.expression("conductance");
-    flow.cracking_pressure = e.expression("cracking_pressure");
-    flow.switches = e.boolean("switches");
-    flow.displacement = e.expression("displacement");
-    flow.speed = e.expression("speed");
-    flow.velocity = e.expression("velocity");
-    flow.length = e.expression("length");
-    flow.loss = e.law("loss");
+    read_described(e, flow);
     const std::vector<const char*> keys{"mass_flow", "volume_flow", "area", "coefficient", "width", "conductance", "cracking_pressure", "switches", "displacement", "speed", "velocity", "length", "loss"};
     const auto either = [&](bool first, bool second, const char* sentence) {
         if (first == second) e.error(first ? Id::doubly_determined : Id::missing_key, e.span(), fmt::format("flow '{}' {}", e.name(), sentence));

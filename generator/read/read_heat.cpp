@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "read/read_heat.hpp"
 
+#include "elements/describe_heat.hpp"
+#include "read/described.hpp"
 #include "read/law_keys.hpp"
 
 namespace dalembert {
@@ -18,14 +20,6 @@ const std::vector<LawKeys<Link::Law>>& link_laws() {
     return laws;
 }
 
-/// A law of more than one variable makes no sense here.
-std::optional<Property> dependent(const Entry& e, const char* key) {
-    auto property = e.property(key);
-    if (property && property->variables.size() > 1)
-        e.error(Id::wrong_type, property->span, fmt::format("the {} of '{}' may be a law of one variable, as in \"T -> ...\", not of two", key, e.name()));
-    return property;
-}
-
 void needs(const Entry& e, const char* what, const char* key, const char* because) {
     if (!e.has(key)) e.error(Id::missing_key, e.span(), fmt::format("{} '{}' needs the key '{}'{}", what, e.name(), key, because));
 }
@@ -34,50 +28,34 @@ void useless(const Entry& e, const char* what, const char* key, const char* beca
     if (e.has(key)) e.error(Id::unknown_key, e.span_of(key), fmt::format("{} '{}' has no use for '{}'{}", what, e.name(), key, because));
 }
 
-/// An end of a rod, or a side of a block: "the last end of rod 'bar'".
-std::optional<Boundary> boundary(const Entry& e, const char* key, const char* what, bool takes_node) {
-    if (!e.has(key)) return std::nullopt;
-    Boundary end;
-    end.span = e.span_of(key);
-    const std::string place = fmt::format("the {} {} '{}'", key, what, e.name());
-    for (const RunEntry& entry : e.by_name(key)) {
-        const std::string& name = entry.variable->name;
-        if (takes_node && name == "node") {
-            const Expression& node = *entry.value;
-            if (node.kind == Expression::Kind::name && node.children.size() <= 1) end.node = Reference{node.name, node.children.empty() ? nullptr : node.children[0], node.span};
-            else e.error(Id::wrong_type, node.span, fmt::format("'{}' is not the name of a node", node.written()));
-            continue;
-        }
-        ExpressionPtr* part = name == "temperature"   ? &end.temperature
-                              : name == "flux"        ? &end.flux
-                              : name == "coefficient" ? &end.coefficient
-                              : name == "emissivity"  ? &end.emissivity
-                              : name == "ambient"     ? &end.ambient
-                                                      : nullptr;
-        if (part == nullptr)
-            e.error(Id::unknown_key, entry.span, fmt::format("{} has a temperature, {}flux, coefficient, emissivity and ambient, but no '{}'", place, takes_node ? "node, " : "", entry.variable->written()));
-        else
-            *part = entry.value;
-    }
-    const bool exchanges = end.coefficient || end.emissivity;
-    if ((end.temperature || end.node) && (end.flux || exchanges || (end.temperature && end.node)))
-        e.error(Id::doubly_determined, end.span, fmt::format("{} has a {}, so that nothing else can be said of it", place, end.temperature ? "temperature" : "node"));
-    if (exchanges != (end.ambient != nullptr))
-        e.error(Id::missing_key, end.span, fmt::format("{} needs an ambient together with a coefficient or an emissivity", place));
-    return end;
+/// Of an end of a rod, or a side of a block: "the last end of rod 'bar'".
+void check_boundary(const Entry& e, const std::optional<Boundary>& end, const std::string& place) {
+    if (!end) return;
+    const bool exchanges = end->coefficient || end->emissivity;
+    if ((end->temperature || end->node) && (end->flux || exchanges || (end->temperature && end->node)))
+        e.error(Id::doubly_determined, end->span,
+                fmt::format("{} has a {}, so that nothing else can be said of it", place, end->temperature ? "temperature" : "node"));
+    if (exchanges != (end->ambient != nullptr))
+        e.error(Id::missing_key, end->span, fmt::format("{} needs an ambient together with a coefficient or an emissivity", place));
 }
 
-Boiling boiling(const Entry& e) {
-    Boiling boiling;
-    for (const RunEntry& entry : e.by_name("boiling")) {
-        const std::string& name = entry.variable->name;
-        ExpressionPtr* part = name == "temperature" ? &boiling.temperature : name == "enthalpy" ? &boiling.enthalpy : name == "mass" ? &boiling.mass : nullptr;
-        if (part == nullptr) e.error(Id::unknown_key, entry.span, fmt::format("the boiling of node '{}' has a temperature, an enthalpy and a mass, but no '{}'", e.name(), entry.variable->written()));
-        else *part = entry.value;
-    }
-    for (const auto& [part, name] : {std::pair(&boiling.temperature, "temperature"), std::pair(&boiling.enthalpy, "enthalpy"), std::pair(&boiling.mass, "mass")})
-        if (!*part) e.error(Id::missing_key, e.span_of("boiling"), fmt::format("the boiling of node '{}' needs the {}", e.name(), name));
-    return boiling;
+/// A side of a block, which may also touch a node.
+std::optional<Boundary> side(const Entry& e, const char* key) {
+    if (!e.has(key)) return std::nullopt;
+    std::optional<Boundary> end(std::in_place);
+    end->span = e.span_of(key);
+    const std::string place = fmt::format("the {} side of block '{}'", key, e.name());
+    ExpressionPtr node;
+    PartKeys keys;
+    describe(keys, *end);
+    keys("node", node, {});
+    keys.read(e, key, place);
+    if (node && node->kind == Expression::Kind::name && node->children.size() <= 1)
+        end->node = Reference{node->name, node->children.empty() ? nullptr : node->children[0], node->span};
+    else if (node)
+        e.error(Id::wrong_type, node->span, fmt::format("'{}' is not the name of a node", node->written()));
+    check_boundary(e, end, place);
+    return end;
 }
 
 /// Cells take all members, so an index has no place.
@@ -102,13 +80,10 @@ void read_shape(const Entry& e, Rod& rod) {
 }  // namespace
 
 void read(const Entry& e, HeatNode& node) {
-    node.temperature = e.expression("temperature");
-    node.capacity = dependent(e, "capacity");
-    node.heat = e.expression("heat");
+    read_described(e, node);
     if (e.has("boiling")) {
         needs(e, "node", "capacity", ", because it boils");
         if (e.has("for")) e.error(Id::not_allowed_here, e.span_of("boiling"), fmt::format("node '{}' is a family, whose members cannot have modes of their own", e.name()));
-        node.boiling = boiling(e);
     }
     if (e.has("capacity")) needs(e, "node", "temperature", ": the state that its capacity belongs to");
     if (node.is_held() && e.has("heat"))
@@ -116,16 +91,7 @@ void read(const Entry& e, HeatNode& node) {
 }
 
 void read(const Entry& e, Link& link) {
-    if (auto from = e.part("from")) link.from = *from;
-    if (auto to = e.part("to")) link.to = *to;
-    link.heat = e.expression("heat");
-    link.conductance = e.expression("conductance");
-    link.resistance = e.expression("resistance");
-    link.conductivity = dependent(e, "conductivity");
-    link.area = e.expression("area");
-    link.length = e.expression("length");
-    link.coefficient = e.expression("coefficient");
-    link.emissivity = e.expression("emissivity");
+    read_described(e, link);
     const std::vector<const char*> keys{"heat", "conductance", "resistance", "conductivity", "area", "length", "coefficient", "emissivity"};
     if (e.has("law")) {
         if (const auto* law = find_law(e, "link", link_laws(), keys)) link.law = law->law;
@@ -141,29 +107,14 @@ void read(const Entry& e, Link& link) {
 }
 
 void read(const Entry& e, Rod& rod) {
-    if (auto temperature = e.part("temperature")) rod.temperature = *temperature;
+    read_described(e, rod);
     const std::string scheme = e.text("scheme");
     rod.scheme = scheme == "cells" ? Rod::Scheme::cells : Rod::Scheme::points;
     if (!scheme.empty() && scheme != "cells" && scheme != "points")
         e.error(Id::wrong_type, e.span_of("scheme"), fmt::format("'{}' is not a scheme of a rod; the schemes are 'points' and 'cells'", scheme));
     read_shape(e, rod);
-    rod.length = e.expression("length");
-    rod.area = dependent(e, "area");
-    rod.inner = e.expression("inner");
-    rod.outer = e.expression("outer");
-    rod.height = e.expression("height");
-    rod.grid = e.law("grid");
-    rod.conductivity = dependent(e, "conductivity");
-    rod.density = e.expression("density");
-    rod.heat_capacity = dependent(e, "heat_capacity");
-    rod.source = dependent(e, "source");
-    rod.perimeter = e.expression("perimeter");
-    rod.side_coefficient = e.expression("side_coefficient");
-    rod.side_emissivity = e.expression("side_emissivity");
-    rod.ambient = e.expression("ambient");
-    if (e.has("loops")) rod.loops = e.boolean("loops");
-    rod.first = boundary(e, "first", "end of rod", false);
-    rod.last = boundary(e, "last", "end of rod", false);
+    for (const auto& [end, key] : {std::pair(&rod.first, "first"), std::pair(&rod.last, "last")})
+        check_boundary(e, *end, fmt::format("the {} end of rod '{}'", key, e.name()));
     if (e.has("side_coefficient") || e.has("side_emissivity"))
         for (const char* key : {"perimeter", "ambient"}) needs(e, "rod", key, ", because heat leaves through its side");
     else
@@ -185,10 +136,10 @@ void read(const Entry& e, Block& block) {
     block.source = e.property("source");
     if (block.source && block.source->variables.size() == 1)
         e.error(Id::wrong_type, block.source->span, fmt::format("the source of block '{}' may be a law of two variables, as in \"(x, y) -> ...\", not of one", e.name()));
-    block.left = boundary(e, "left", "side of block", true);
-    block.right = boundary(e, "right", "side of block", true);
-    block.bottom = boundary(e, "bottom", "side of block", true);
-    block.top = boundary(e, "top", "side of block", true);
+    block.left = side(e, "left");
+    block.right = side(e, "right");
+    block.bottom = side(e, "bottom");
+    block.top = side(e, "top");
     whole_family(e, "block", block.temperature);
 }
 
