@@ -16,7 +16,8 @@ namespace {
 
 /// From below. A layer is a folder of `generator` with all its subfolders, or a file beside them.
 const std::vector<std::string> order{"text",    "language", "elements", "check", "read",  "scene", "printed",  "symbolic", "mechanics", "balance",
-                                     "form",    "prove",    "graph",    "emit",  "pipeline", "book", "run", "report", "command",   "main"};
+                                     "form",    "prove",    "graph",    "program",  "cpp",   "emit", "pipeline", "book",     "run",
+                                     "report",  "command",  "main"};
 
 std::size_t rank(const std::string& layer) {
     return std::size_t(std::find(order.begin(), order.end(), layer) - order.begin());
