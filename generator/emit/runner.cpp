@@ -64,20 +64,15 @@ std::string input_statements(Code& code, const std::vector<ex>& inputs) {
     ProgramBuilder builder(code.atoms, code.cache, ParameterParts::in_place, f.program, code.passes);
     builder.prepare(polynomials);
     for (std::size_t i = 0; i < polynomials.size(); ++i) f.results.push_back(builder.root(i));
-    const CachedTexts none;
+    const CachedValues none;
     CppFunction cpp(code, f, none, {"x", "t", "u", "p_"});
-    std::string statements = cpp.compute(f.results);
+    Statements statements = cpp.compute(f.results);
     for (std::size_t i = 0; i < f.results.size(); ++i) {
         if (f.is_zero(f.results[i])) continue;
-        std::string before;
-        const std::string value = cpp.value(f.results[i], before);
-        statements += before + fmt::format("        u[{}] = {};\n", i, value);
+        const Value value = cpp.value(f.results[i], statements);
+        statements.push_back(Assignment{Value::element(Value::name("u"), i), value});
     }
-    std::string scope;
-    for (const std::string& name : cpp.called()) {
-        if (!is_helper(name)) scope += fmt::format("        using std::{};\n", name);
-    }
-    return scope + statements;
+    return cpp_body(statements);
 }
 
 /// What makes inputs of a function, given as a lambda, and series of them: texts that stand before and behind it.
