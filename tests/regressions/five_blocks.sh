@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+# tier: full
 # Frictions with a state in place of modes, beside a contact and a saturation: the first row of a run had what holds a block that cannot be held.
 dalembert 0 simulate "$model" --no-plot
 near 'energy error' "$(number 'energy error: .* = ')" 0 1e-12

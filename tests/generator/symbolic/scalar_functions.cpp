@@ -51,7 +51,8 @@ TEST_CASE("slopes of scalar functions are those of differences, and meanings the
             ++with_meaning;
         }
         if (row.fills_gap) {
-            REQUIRE(row.meaning != nullptr);
+            const bool has_meaning = row.meaning != nullptr;
+            REQUIRE(has_meaning);
             CHECK(is_close(applied(row, {0}), at_point(applied(row, {first}), GiNaC::pow(numeric(10), numeric(-25)), b)));
         }
         if (row.symmetry == ScalarFunction::Symmetry::odd) CHECK(is_close(at_point(applied(row, {-first}), a, b), -at_point(applied(row, {first}), a, b)));
