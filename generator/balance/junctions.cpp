@@ -41,7 +41,7 @@ struct Edge {
     ex carries() const { return mass_flow ? *mass_flow : factor * drive; }
 };
 
-struct Row {
+struct JunctionRow {
     JunctionState* state;
     ex source = 0;  ///< kg/s into it that no pressure of a junction changes
     ex pressure = 0;
@@ -113,7 +113,7 @@ private:
     }
 
     bool has_letter(const ex& e) const {
-        return std::any_of(rows_.begin(), rows_.end(), [&](const Row& row) { return e.has(row.state->letter); });
+        return std::any_of(rows_.begin(), rows_.end(), [&](const JunctionRow& row) { return e.has(row.state->letter); });
     }
 
     void gather() {
@@ -228,7 +228,7 @@ private:
     }
 
     void put_back_linear(const Step& step) {
-        Row& row = rows_[step.junction];
+        JunctionRow& row = rows_[step.junction];
         const ex all = conductance(step);
         ex sum = row.source;
         for (const Arm& arm : step.arms) sum += arm.edge->factor * pressure(arm);
@@ -243,7 +243,7 @@ private:
     ex difference(const Arm& a, const Arm& b) const { return whole((pressure(a) - pressure(b)).expand()); }
 
     void put_back_orifices(const Step& step) {
-        Row& row = rows_[step.junction];
+        JunctionRow& row = rows_[step.junction];
         const Arm &a = step.arms[0], &b = step.arms[1];
         const ex root = step.made->drive * in_series(step);
         a.edge->drive = a.sign() * b.edge->factor * root;
@@ -256,7 +256,7 @@ private:
 
     /// All other ends are known, and at least one flow goes like a root. Of that one's law the pressure follows, and of the balance what it carries.
     void put_back_known(const Step& step) {
-        Row& row = rows_[step.junction];
+        JunctionRow& row = rows_[step.junction];
         std::vector<const Arm*> roots, linear;
         for (const Arm& arm : step.arms) (arm.edge->is_root ? roots : linear).push_back(&arm);
         const Arm& first = *roots[0];
@@ -289,7 +289,7 @@ private:
 
     void put_in() {
         GiNaC::exmap solved;
-        for (const Row& row : rows_) solved[row.state->letter] = row.pressure - row.state->medium->reference_density() * row.state->fluid.potential;
+        for (const JunctionRow& row : rows_) solved[row.state->letter] = row.pressure - row.state->medium->reference_density() * row.state->fluid.potential;
         for (const Edge& edge : edges_) {
             if (edge.flow == nullptr) continue;
             edge.flow->mass_flow = edge.carries();
@@ -301,12 +301,12 @@ private:
             std::for_each(f.torque.begin(), f.torque.end(), in);
             if (f.from_junction != nullptr || f.to_junction != nullptr) f.demand = f.mass_flow;
         }
-        for (Row& row : rows_) row.state->take_pressure(solved.at(row.state->letter));
+        for (JunctionRow& row : rows_) row.state->take_pressure(solved.at(row.state->letter));
     }
 
     std::vector<FlowState>& flows_;
     const Scene& scene_;
-    std::vector<Row> rows_;
+    std::vector<JunctionRow> rows_;
     mutable std::deque<Edge> edges_;  // addresses are kept
     std::vector<Step> steps_;
 };

@@ -6,6 +6,7 @@
 #include "symbolic/derivative.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/heat_formulas.hpp"
+#include "symbolic/scalar_functions.hpp"
 
 using namespace dalembert;
 using namespace GiNaC;
@@ -16,7 +17,10 @@ const realsymbol x("x"), y("y"), z("z");
 const possymbol p("p"), q("q"), r("r");
 bool zero(const ex& e) { return NormalForm().is_zero(e); }
 
-ex f(const char* name, const std::vector<ex>& arguments) { return heat_function(name, arguments).value(); }
+ex f(const char* name, const std::vector<ex>& arguments) {
+    if (const ScalarFunction* row = scalar_function_named(name)) return applied(*row, {arguments.begin(), arguments.end()});
+    return heat_function(name, arguments).value();
+}
 
 /// A model with positive parameters and nothing but an equation to be checked.
 Verdict verdict(const std::string& equation) {
