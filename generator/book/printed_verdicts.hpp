@@ -25,9 +25,9 @@ struct PrintedRow {
 
     Verdict verdict() const { return found.value_or(Verdict::not_checkable); }
     bool as_expected() const;
-    /// "proven", or of what it is said where not all is read: "proven; 3 of 4 equations are read".
+    /// The verdict in words; if some equations could not be read, with their number: "proven; 3 of 4 equations are read".
     std::string verdict_text() const;
-    /// "equation 2: ...", of each that is not read.
+    /// A sentence for each equation that could not be read: "equation 2: ...".
     std::vector<std::string> not_read() const;
 };
 

@@ -11,7 +11,7 @@ std::string cpp_text(const Value& value);
 std::string cpp_text(const Statements& statements);
 /// The same behind declarations that put the functions of <cmath> that they call into scope.
 std::string cpp_body(const Statements& statements);
-/// "const State& x, const Input& /*u*/": names of what is not used are commented out.
+/// "const State& x, const Input& /*u*/". The name of an unused argument becomes a comment.
 std::string cpp_text(const std::vector<Argument>& arguments);
 
 /// Breaks a long statement at its operators.

@@ -20,7 +20,7 @@ void describe(Visitor& v, E& medium) {
         .doc = "of an ideal gas: the specific gas constant R"});
     v("density", medium.density, {.dimension = dimension::density(), .depends = on_parameters,
         .variables = {Dimension::pressure(), Dimension::temperature()},
-        .doc = "of a liquid at the reference, of what is incompressible; given: \"(p, T) -> ...\""});
+        .doc = "density of a liquid at the reference state, or of an incompressible medium; a law of one's own: \"(p, T) -> ...\""});
     v("bulk_modulus", medium.bulk_modulus, {.dimension = Dimension::pressure(), .depends = on_parameters,
         .doc = "of a liquid: beta (3.41)"});
     v("expansion", medium.expansion, {.dimension = Dimension::none() / Dimension::temperature(), .depends = on_parameters,

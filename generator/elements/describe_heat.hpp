@@ -90,7 +90,7 @@ void describe(Visitor& v, End& end) {
     v("emissivity", end.emissivity, {.dimension = Dimension::none(), .depends = on_plain_states_and_inputs,
         .doc = "radiation to the ambient"});
     v("ambient", end.ambient, {.dimension = Dimension::temperature(), .depends = on_plain_states_and_inputs,
-        .doc = "temperature of what surrounds it"});
+        .doc = "ambient temperature"});
 }
 
 template <class Visitor, ElementOf<Rod> E>

@@ -229,8 +229,9 @@ struct FunctionBody {
     std::set<std::string> called = {};  ///< functions of the library, and helpers
 };
 
-/// Whether some statement gives a value back, or a call or value mentions the name.
+/// Whether some statement returns a value.
 bool returns(const Statements& statements);
+/// Whether some value or call of a plant function contains the name.
 bool mentions(const Statements& statements, const std::string& name);
 
 /// Functions of the language's mathematics that statements call; those in braces and of modes count for themselves.
