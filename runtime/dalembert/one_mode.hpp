@@ -2,6 +2,8 @@
 // A generated system that switches, seen in one of its modes as a system that does not: for its equilibria, its linearisation, an observer.
 #pragma once
 
+#include <cstddef>
+
 namespace dalembert {
 inline namespace v1 {
 
