@@ -86,7 +86,20 @@ private:
         if (f.operations) text += "/// Operations: " + *f.operations + "\n";
         const std::string result = f.result == PlantFunction::Result::none ? "void" : f.result == PlantFunction::Result::truth ? "bool" : name_ + "_real";
         const std::string arguments = print_.text(f.body.arguments);
-        return text + equations(f) + fmt::format("static inline {} {}_{}(const {}* plant_{}{}) {{\n", result, name_, f.name, name_, arguments.empty() ? "" : ", ", arguments) + print_.body(f.body) + "}\n\n";
+        const std::string head = fmt::format("static inline {} {}_{}(const {}* plant_{}{}) {{", result, name_, f.name, name_, arguments.empty() ? "" : ", ", arguments);
+        return text + equations(f) + broken_at_commas(head) + print_.body(f.body) + "}\n\n";
+    }
+
+    static std::string broken_at_commas(std::string line) {
+        constexpr std::size_t longest = 128;
+        std::string text;
+        while (line.size() > longest) {
+            const std::size_t comma = line.rfind(", ", longest - 2);
+            if (comma == std::string::npos) break;
+            text += line.substr(0, comma + 1) + "\n";
+            line = "    " + line.substr(comma + 2);
+        }
+        return text + line + "\n";
     }
 
     std::string functions() {

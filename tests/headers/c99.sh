@@ -3,6 +3,7 @@
 # C headers: every scene of systems/ compiles without a warning as C99 and as C++, in double and in float, and computes the same as its C++ header.
 # Needs the program (PROGRAM) and the sources (SOURCE). Arguments: models, by name; all if there are none. COMPILERS: of C, more than one in quotes.
 set -euo pipefail
+: "${PROGRAM:?the program}" "${SOURCE:?the sources}"
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
 warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Wfloat-conversion -Werror)
@@ -31,6 +32,9 @@ for model in "${@:-}"; do
       ! grep -q "^    ${name}_mode_count" "$c" || has+=(-DMODES)
       ! grep -q "^    ${name}_constraint_count" "$c" || has+=(-DCONSTRAINTS)
       ! grep -q "^    ${name}_constraint_rank" "$c" || has+=(-DCHOICE)
+      for letter in x u p; do
+        ! grep -q "_jacobian_${letter}_column_starts(void)" "$c" || has+=("-DPATTERN_${letter^^}")
+      done
       space=$(sed -n 's/^namespace \(.*::.*\) {$/\1/p' "$cpp" | tail -1)
       "${CC:-gcc}" -std=c99 -O1 -ffp-contract=off -DHEADER="\"$c\"" -DNAME="$name" "${has[@]}" -c "$SOURCE/tests/headers/c_side.c" -o "$here/c.o" || failed "$name.h"
       "${CXX:-g++}" -std=c++17 -O1 -ffp-contract=off -DHEADER="\"$cpp\"" -DSPACE="$space" "$SOURCE/tests/headers/c_and_cpp.cpp" "$here/c.o" -o "$here/both" || failed "$name"
