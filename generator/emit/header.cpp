@@ -122,10 +122,10 @@ private:
     void series() {
         values("SERIES", "");
         if (!code_.series_of) return;
-        const CppBody body = merged(each([](CppBodies& b) { return b.series(); }));
+        const FunctionBody body = merged(each([](CppBodies& b) { return b.series(); }));
         std::size_t rows = 0;
         for (const CppBodies& bodies : bodies_) rows = std::max(rows, bodies.series_rows());
-        values("SERIES", fill_template(embedded_file("series.hpp.in"), {{"SERIES_ROWS", std::to_string(rows)}, {"SERIES_ARGUMENTS", body.arguments}, {"SERIES", body.statements}}));
+        values("SERIES", fill_template(embedded_file("series.hpp.in"), {{"SERIES_ROWS", std::to_string(rows)}, {"SERIES_ARGUMENTS", cpp_text(body.arguments)}, {"SERIES", cpp_body(body.statements)}}));
     }
 
     /// Nothing where it was not asked for.

@@ -8,8 +8,6 @@ namespace dalembert {
 
 /// The bodies of a function in the modes of a scene as one, with the mode as first argument: where they differ, a switch.
 FunctionBody by_mode(const Scene& scene, const std::vector<FunctionBody>& bodies);
-/// The same of series, whose statements are text.
-CppBody by_mode(const Scene& scene, const std::vector<CppBody>& bodies);
 
 /// The enumeration of modes, names, and what is watched in which mode and where it leads.
 std::string mode_tables(const std::vector<const Code*>& modes);

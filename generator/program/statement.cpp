@@ -16,6 +16,7 @@ struct Value::Content {
     std::vector<bool> negative = {};
     std::size_t factors = 0;
     std::vector<std::size_t> sizes = {};
+    Comparison comparison = Comparison::equal;
     friend bool operator==(const Content&, const Content&) = default;
 };
 
@@ -29,12 +30,19 @@ Value Value::whole(std::size_t number) { return Value({.kind = Kind::whole, .num
 Value Value::name(std::string text) { return Value({.kind = Kind::name, .text = std::move(text)}); }
 Value Value::whole_array(std::string name) { return Value({.kind = Kind::whole_array, .text = std::move(name)}); }
 Value Value::event(std::string name) { return Value({.kind = Kind::event, .text = std::move(name)}); }
+Value Value::interface_size(std::string name) { return Value({.kind = Kind::interface_size, .text = std::move(name)}); }
 Value Value::member(Object object, std::string text) { return Value({.kind = Kind::member, .object = object, .text = std::move(text)}); }
 Value Value::element(Value array, Value index) { return with_parts(Kind::element, {std::move(array), std::move(index)}); }
 Value Value::part_from(Value array, std::size_t first) { return with_parts(Kind::part_from, {std::move(array), whole(first)}); }
+Value Value::room_from(Value array, Value first) { return with_parts(Kind::room_from, {std::move(array), std::move(first)}); }
+Value Value::real(Value index) { return with_parts(Kind::real, {std::move(index)}); }
+Value Value::signed_index(Value index) { return with_parts(Kind::signed_index, {std::move(index)}); }
 Value Value::list(std::vector<Value> parts) { return with_parts(Kind::list, std::move(parts)); }
 Value Value::parenthesised(Value value) { return with_parts(Kind::parenthesised, {std::move(value)}); }
 Value Value::all_of(std::vector<Value> conditions) { return with_parts(Kind::all_of, std::move(conditions)); }
+
+Value Value::choice(Value condition, Value then, Value otherwise) { return with_parts(Kind::choice, {std::move(condition), std::move(then), std::move(otherwise)}); }
+Value Value::comparison(Comparison holds, Value a, Value b) { return Value({.kind = Kind::comparison, .parts = {std::move(a), std::move(b)}, .comparison = holds}); }
 
 Value Value::sum(std::vector<Value> terms, std::vector<bool> negative) {
     negative.resize(terms.size());
@@ -61,6 +69,7 @@ const std::vector<Value>& Value::parts() const { return content_->parts; }
 const std::vector<bool>& Value::negative() const { return content_->negative; }
 std::size_t Value::factors() const { return content_->factors; }
 const std::vector<std::size_t>& Value::sizes() const { return content_->sizes; }
+Value::Comparison Value::comparison() const { return content_->comparison; }
 
 bool operator==(const Value& a, const Value& b) {
     if (a.content_ == b.content_) return true;
@@ -168,7 +177,8 @@ std::size_t width(const Value& value) {
         case Value::Kind::constant: return width(written_out(value.exact()));
         case Value::Kind::pi: return std::string("detail::pi<Scalar>()").size();
         case Value::Kind::whole: return std::to_string(value.number()).size();
-        case Value::Kind::name: return value.text().size();
+        case Value::Kind::name:
+        case Value::Kind::interface_size: return value.text().size();
         case Value::Kind::member: return (value.object() == Value::Object::energies ? 9 : 3) + value.text().size();
         case Value::Kind::element: return width(value.parts()[0]) + width(value.parts()[1]) + 2;
         case Value::Kind::whole_array: return value.text().size() + std::string(".data()").size();
@@ -180,6 +190,11 @@ std::size_t width(const Value& value) {
         case Value::Kind::call: return width_of_call(value);
         case Value::Kind::all_of: return value.parts().empty() ? 4 : width_of_list(value.parts()) + 2 * (value.parts().size() - 1);
         case Value::Kind::event: return std::string("event::").size() + value.text().size();
+        case Value::Kind::room_from: return width_of_list(value.parts()) + 1;
+        case Value::Kind::real: return std::string("Scalar()").size() + width(value.parts()[0]);
+        case Value::Kind::signed_index: return std::string("static_cast<int>()").size() + width(value.parts()[0]);
+        case Value::Kind::comparison: return width_of_list(value.parts()) + (value.comparison() == Value::Comparison::equal ? 2 : 1);
+        case Value::Kind::choice: return width_of_list(value.parts()) + 2;
     }
     return 0;
 }
@@ -207,6 +222,8 @@ bool operator==(const Loop& a, const Loop& b) { return a.index == b.index && a.f
 bool operator==(const OnEvent& a, const OnEvent& b) { return a.event == b.event && a.body == b.body; }
 bool operator==(const ByMode::Case& a, const ByMode::Case& b) { return a.modes == b.modes && a.body == b.body; }
 bool operator==(const ByMode& a, const ByMode& b) { return a.cases == b.cases; }
+bool operator==(const If& a, const If& b) { return a.condition == b.condition && a.body == b.body; }
+bool operator==(const IfRoomForWork& a, const IfRoomForWork& b) { return a.body == b.body; }
 bool operator==(const Braces& a, const Braces& b) { return a.body == b.body; }
 
 namespace {
@@ -216,9 +233,7 @@ bool any_statement(const Statements& statements, const auto& is_it) {
     return std::any_of(statements.begin(), statements.end(), [&](const Statement& statement) {
         if (is_it(statement)) return true;
         return std::visit(Overloaded{
-            [&](const Loop& s) { return any_statement(s.body, is_it); },
-            [&](const OnEvent& s) { return any_statement(s.body, is_it); },
-            [&](const Braces& s) { return any_statement(s.body, is_it); },
+            [&](const auto& s) requires requires { s.body; } { return any_statement(s.body, is_it); },
             [&](const ByMode& s) { return std::any_of(s.cases.begin(), s.cases.end(), [&](const ByMode::Case& c) { return any_statement(c.body, is_it); }); },
             [](const auto&) { return false; }}, statement.content);
     });
@@ -243,6 +258,10 @@ void each_value(const Statements& statements, const auto& visit) {
             [&](const Loop& s) { visit(s.end), each_value(s.body, visit); },
             [&](const OnEvent& s) { each_value(s.body, visit); },
             [&](const Return& s) { visit(s.value); },
+            [&](const If& s) { visit(s.condition), each_value(s.body, visit); },
+            [&](const IfRoomForWork& s) { each_value(s.body, visit); },
+            [&](const FirstInputs& s) { visit(s.states), visit(s.time), visit(s.room); },
+            [&](const NextInputs& s) { visit(s.order); },
             [](const auto&) {}}, statement.content);
 }
 
@@ -269,6 +288,9 @@ bool mentions(const Statements& statements, const std::string& name) {
             [&](const Filling& s) { return s.array == name || mentions(s.value, name); },
             [&](const Loop& s) { return mentions(s.end, name); },
             [&](const Return& s) { return mentions(s.value, name); },
+            [&](const If& s) { return mentions(s.condition, name); },
+            [&](const FirstInputs& s) { return mentions(s.states, name) || mentions(s.time, name) || mentions(s.room, name); },
+            [&](const NextInputs& s) { return mentions(s.order, name); },
             [](const auto&) { return false; }}, statement.content);
     });
 }
