@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "emit/helpers.hpp"
+#include "cpp/helpers.hpp"
 
 namespace dalembert {
 

@@ -8,10 +8,10 @@
 
 #include "emit/banner.hpp"
 #include "emit/field_bodies.hpp"
-#include "emit/helpers.hpp"
+#include "cpp/helpers.hpp"
 #include "emit/notation.hpp"
-#include "emit/safe_text.hpp"
-#include "emit/template.hpp"
+#include "text/safe_text.hpp"
+#include "text/template.hpp"
 #include "form/state_places.hpp"
 
 namespace dalembert {

@@ -265,8 +265,8 @@ struct Argument {
         result,  ///< an array that is written
         room,    ///< several of `type`, which the caller lends and the function reads and writes
     };
-    /// "Scalar", "Mode", "Index", a vector's name in the plant's interface: "State", "JacobianX", ..., or "StateOrMore", of which IfRoomForWork
-    /// tells, or "Inputs", which gives Taylor series of inputs.
+    /// "Scalar", "Mode", "EventNumber", "Index", a vector's name in the plant's interface: "State", "JacobianX", ..., or "StateOrMore", of which
+    /// IfRoomForWork tells, or "Inputs", which gives Taylor series of inputs.
     std::string type;
     std::string name;
     Passing passing = Passing::read;
@@ -284,6 +284,9 @@ struct FunctionBody {
 bool returns(const Statements& statements);
 /// Whether some value or call of a plant function contains the name.
 bool mentions(const Statements& statements, const std::string& name);
+
+/// Whether members or functions of the plant occur.
+bool uses_plant(const Statements& statements);
 
 /// Functions of the language's mathematics that statements call; those in braces and of modes count for themselves.
 std::set<std::string> library_calls(const Statements& statements);
