@@ -103,8 +103,19 @@ std::string CPrinter::text(const Value& value) {
         case Value::Kind::call: return call(value);
         case Value::Kind::all_of: return value.parts().empty() ? "true" : listed(value.parts(), " && ");
         case Value::Kind::event: return name_ + "_e_" + value.text();
+        case Value::Kind::interface_size: return name_ + "_" + value.text();
+        case Value::Kind::room_from: return listed(value.parts(), " + ");
+        case Value::Kind::real: return fmt::format("({}_real)({})", name_, text(value.parts()[0]));
+        case Value::Kind::signed_index: return fmt::format("(int)({})", text(value.parts()[0]));
+        case Value::Kind::comparison: return comparison(value);
+        case Value::Kind::choice: return fmt::format("{} ? {} : {}", text(value.parts()[0]), text(value.parts()[1]), text(value.parts()[2]));
     }
     return {};
+}
+
+std::string CPrinter::comparison(const Value& value) {
+    static constexpr const char* signs[]{" == ", " < ", " > "};
+    return listed(value.parts(), signs[static_cast<std::size_t>(value.comparison())]);
 }
 
 std::string CPrinter::declaration(const Declaration& d) {
@@ -112,9 +123,11 @@ std::string CPrinter::declaration(const Declaration& d) {
     const bool has_value = d.value.kind() != Value::Kind::none;
     const char* zeros = !d.is_zeroed ? "" : d.type.sizes.size() > 1 ? " = {{0}}" : " = {0}";
     switch (d.type.kind) {
-        case Storage::Kind::scalar: return has_value ? fmt::format("const {}_real {} = {};", name_, names, text(d.value)) : fmt::format("{}_real {};", name_, names);
+        case Storage::Kind::scalar:
+            return has_value ? fmt::format("{}{}_real {} = {};", d.changes ? "" : "const ", name_, names, text(d.value)) : fmt::format("{}_real {};", name_, names);
         case Storage::Kind::index: return fmt::format("const size_t {} = {};", names, text(d.value));
         case Storage::Kind::indices: return fmt::format("static const size_t {}[{}] = {{{}}};", names, d.numbers.size(), fmt::join(d.numbers, ", "));
+        case Storage::Kind::room: return fmt::format("{}_real* const {} = {};", name_, names, text(d.value));
         case Storage::Kind::vector: return fmt::format("{}_real {}[{}]{};", name_, names, size_of(plant_, d.type.name), zeros);
         case Storage::Kind::array:
         case Storage::Kind::table: break;
@@ -175,6 +188,11 @@ std::string CPrinter::one(const Statement& statement) {
         std::string operator()(const ByMode& s) const { return print.modes(s); }
         std::string operator()(const Return& s) const { return line_of(fmt::format("return {};", print.text(s.value))); }
         std::string operator()(const Braces& s) const { return print.braced("", s.body); }
+        std::string operator()(const If& s) const { return print.braced(fmt::format("if ({}) ", print.text(s.condition)), s.body); }
+        // States of C headers have no room for more, and inputs are no series there.
+        std::string operator()(const IfRoomForWork&) const { return {}; }
+        std::string operator()(const FirstInputs&) const { throw std::logic_error("series of inputs have no interface in C"); }
+        std::string operator()(const NextInputs&) const { throw std::logic_error("series of inputs have no interface in C"); }
         std::string operator()(const Unused& s) const { return fmt::format("{}(void){};\n", indent_of_body, s.name); }
     };
     return std::visit(Cases{*this, line}, statement.content);

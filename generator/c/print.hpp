@@ -35,6 +35,7 @@ private:
     std::string product(const Value& value);
     std::string call(const Value& value);
     std::string member(const Value& value) const;
+    std::string comparison(const Value& value);
     std::string declaration(const Declaration& d);
     std::string filled_by_call(const Declaration& d);
     std::string assignment(const Assignment& a);

@@ -112,9 +112,8 @@ struct PlantFunction {
 
 /// Taylor series of the motion.
 struct PlantSeries {
-    std::size_t rows;        ///< pairs of series that are multiplied
-    std::string arguments;
-    std::string statements;
+    std::size_t rows;  ///< pairs of series that are multiplied
+    FunctionBody body;
 };
 
 struct Plant {
