@@ -19,7 +19,7 @@ class HeaderPrinter {
 public:
     HeaderPrinter(const Plant& plant, const std::string& name) : plant_(plant), name_(name), print_(plant, name) {}
 
-    std::string run(const std::string& banner) {
+    std::string run() {
         std::map<std::string, std::string> values = c_tables(plant_, name_);
         const auto number = [&](const char* key, std::size_t value) { values[key] = std::to_string(value); };
         number("API_VERSION", c_api_version);
@@ -33,9 +33,7 @@ public:
         number("SIZE_X", plant_.by_state.size());
         number("SIZE_U", plant_.by_input.size());
         number("SIZE_P", plant_.by_parameter.size());
-        values["BANNER"] = banner;
         values["NAME"] = name_;
-        values["GUARD"] = upper(name_) + "_H";
         values["MODEL"] = cpp_string(plant_.model);
         values["SCENE"] = cpp_string(plant_.scene);
         values["TITLE"] = cpp_string(plant_.title);
@@ -49,11 +47,6 @@ public:
     }
 
 private:
-    static std::string upper(std::string text) {
-        for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-        return text;
-    }
-
     void parameters(std::map<std::string, std::string>& values) {
         std::string members, defaults, cached;
         for (const PlantParameter& p : plant_.parameter_members) {
@@ -107,12 +100,23 @@ private:
         for (const PlantFunction& f : plant_.functions) {
             if (f.name == "together") text += fmt::format("typedef struct {0}_energies {{\n    {0}_real kinetic, potential, internal;  ///< J\n}} {0}_energies;\n\n", name_);
             text += function(f);
+            if (f.name == "rhs") text += series();
         }
         for (const PlantFunction& f : plant_.constraint_functions) {
             if (f.name == "move_back") text += choice(*plant_.constraints);
             text += function(f);
         }
         return text + meet_constraints();
+    }
+
+    /// Nothing where none were asked for.
+    std::string series() {
+        if (!plant_.series) return {};
+        const FunctionBody& body = plant_.series->body;
+        return fill_template(embedded_file("series.h.in"), {{"NAME", name_},
+                                                            {"STATES_AND_WORK", std::to_string(plant_.states.size() + 1)},
+                                                            {"ARGUMENTS", fmt::format("const {}* plant_, {}", name_, print_.text(body.arguments))},
+                                                            {"SERIES", print_.body(body)}});
     }
 
     std::string choice(const PlantConstraints& constraints) const {
@@ -152,6 +156,12 @@ private:
 
 }  // namespace
 
-std::string c_plant(const Plant& plant, const std::string& name, const std::string& banner) { return HeaderPrinter(plant, name).run(banner); }
+std::string c_plant(const Plant& plant, const std::string& name) { return HeaderPrinter(plant, name).run(); }
+
+std::string c_file(const std::string& content, const std::string& name, const std::string& banner) {
+    std::string guard = name + "_h";
+    for (char& c : guard) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return fill_template(embedded_file("header.h.in"), {{"BANNER", banner}, {"GUARD", guard}, {"CONTENT", content}});
+}
 
 }  // namespace dalembert

@@ -156,6 +156,8 @@ std::string CPrinter::filling(const Filling& f) {
 
 std::string CPrinter::braced(const std::string& head, const Statements& body) { return indent_of_body + head + "{\n" + shifted(text(body)) + indent_of_body + "}\n"; }
 
+std::string CPrinter::inputs(const std::string& name) const { return fmt::format("{}{}_real {}[{}];\n", indent_of_body, name_, name, size_of(plant_, "Input")); }
+
 std::string CPrinter::loop(const Loop& loop) {
     return braced(fmt::format("for (size_t {0} = {1}; {0} < {2}; ++{0}) ", loop.index, loop.first, text(loop.end)), loop.body);
 }
@@ -189,10 +191,13 @@ std::string CPrinter::one(const Statement& statement) {
         std::string operator()(const Return& s) const { return line_of(fmt::format("return {};", print.text(s.value))); }
         std::string operator()(const Braces& s) const { return print.braced("", s.body); }
         std::string operator()(const If& s) const { return print.braced(fmt::format("if ({}) ", print.text(s.condition)), s.body); }
-        // States of C headers have no room for more, and inputs are no series there.
-        std::string operator()(const IfRoomForWork&) const { return {}; }
-        std::string operator()(const FirstInputs&) const { throw std::logic_error("series of inputs have no interface in C"); }
-        std::string operator()(const NextInputs&) const { throw std::logic_error("series of inputs have no interface in C"); }
+        std::string operator()(const IfRoomForWork& s) const { return print.text(s.body); }  // in C there always is
+        std::string operator()(const FirstInputs& s) const {
+            return print.inputs(s.input) + line_of(fmt::format("inputs->first(inputs->data, {}[0], {}, {});", print.text(s.states), print.text(s.time), s.input));
+        }
+        std::string operator()(const NextInputs& s) const {
+            return print.inputs(s.input) + line_of(fmt::format("inputs->next(inputs->data, {}, x, {});", print.text(s.order), s.input));
+        }
         std::string operator()(const Unused& s) const { return fmt::format("{}(void){};\n", indent_of_body, s.name); }
     };
     return std::visit(Cases{*this, line}, statement.content);
@@ -208,9 +213,12 @@ std::string CPrinter::text(const std::vector<Argument>& arguments) {
     std::string result;
     for (const Argument& a : arguments) {
         result += result.empty() ? "" : ", ";
-        if (a.type == "Scalar") result += fmt::format("{}_real {}", name_, a.name);
+        if (a.type == "Scalar" && a.passing == Argument::Passing::room) result += fmt::format("{}_real* {}", name_, a.name);
+        else if (a.type == "Scalar") result += fmt::format("{}_real {}", name_, a.name);
         else if (a.type == "Mode") result += fmt::format("{}_mode {}", name_, a.name);
-        else if (a.type == "EventNumber") result += "size_t " + a.name;
+        else if (a.type == "EventNumber" || a.type == "Index") result += "size_t " + a.name;
+        else if (a.type == "Inputs") result += fmt::format("const {}_input_series* {}", name_, a.name);
+        else if (a.type == "StateOrMore") result += fmt::format("{}_real (*{})[{}]", name_, a.name, size_of(plant_, "State") + 1);
         else if (a.type == "Energies") result += fmt::format("{}_energies* {}", name_, a.name);
         else {
             const char* before = a.passing == Argument::Passing::read ? "const " : "";

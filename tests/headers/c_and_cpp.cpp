@@ -53,6 +53,7 @@ VECTOR(constraint_forces)
 void c_correction(unsigned mode, const double* x, double t, const double* residual, double* step);
 void c_move_back(double* x, const double* step);
 void c_solve_for(const bool* chosen);
+void c_series(unsigned mode, double* inputs, double t, std::size_t order, double* x, double* rows);
 const char* c_text(std::size_t i);
 double c_number(std::size_t i);
 std::size_t c_pattern(int by, std::size_t i);
@@ -95,6 +96,22 @@ double value_of(const plant::Quantity& q, double about) {
     return about + between(-size, size);
 }
 
+/// As the series of a function with a constant value.
+template <class S>
+struct HeldInputs {
+    typename S::Input value;
+    static constexpr std::size_t series_rows = 0;
+    auto series(const typename S::State&, double, typename S::Input& u, double*) const {
+        u = value;
+        return [](std::size_t) { return typename S::Input{}; };
+    }
+    template <class X>
+    auto series(const X*, double, typename S::Input& u, double*) const {
+        u = value;
+        return [](std::size_t) { return typename S::Input{}; };
+    }
+};
+
 template <class S>
 void compare_all(const S& system, std::size_t points) {
     typename S::State start = system.start_state(), other_start{};
@@ -106,11 +123,11 @@ void compare_all(const S& system, std::size_t points) {
         const unsigned mode = static_cast<unsigned>(n % modes);
         typename S::State x{};
         typename S::Input u{};
-        for (std::size_t i = 0; i < x.size(); ++i) x[i] = value_of(S::state_table()[i], plant::start_values[i]);
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] = value_of(S::state_table()[i], start[i]);
         for (std::size_t i = 0; i < u.size(); ++i) u[i] = value_of(S::input_table()[i], 0.0);
         const double t = between(0, 10);
         // A member with the mode before its arguments, where the system has modes.
-        const auto call = [&](auto member, auto&... arguments) {
+        const auto call = [&](auto member, auto&&... arguments) {
             if constexpr (has_modes<S>) return (system.*member)(static_cast<typename S::Mode>(mode), arguments...);
             else return (system.*member)(arguments...);
         };
@@ -168,6 +185,17 @@ void compare_all(const S& system, std::size_t points) {
         } else {
             CHECK_VECTOR(guards, Guards)
         }
+#ifdef SERIES
+        constexpr std::size_t order = 7;
+        using WithWork = std::array<double, std::tuple_size<typename S::State>::value + 1>;
+        std::array<WithWork, order + 1> here{}, there{};
+        std::copy(x.begin(), x.end(), here[0].begin());
+        there = here;
+        std::vector<double> rows(2 * S::series_rows * order + 1), other_rows(rows);
+        call(&S::template series<WithWork, HeldInputs<S>>, HeldInputs<S>{u}, t, order, here.data(), rows.data());
+        c_series(mode, u.data(), t, order, there[0].data(), other_rows.data());
+        compare("series", mode, here[0].data(), there[0].data(), (order + 1) * std::tuple_size<WithWork>::value);
+#endif
         if constexpr (has_constraints<S>) {
             CHECK_VECTOR_OF_STATE(constraint_positions, Constraints)
             CHECK_VECTOR_OF_STATE(constraint_rates, Constraints)
@@ -232,9 +260,9 @@ void compare_tables() {
         for (std::size_t e = 0; e < S::event_table().size(); ++e)
             for (unsigned m = 0; m < S::mode_table().size(); ++m) {
                 const auto mode = static_cast<typename S::Mode>(m);
-                if (S::is_watched(e, mode) != (c_transition(e, m, 0, 0) != -1)) differ("watch of event", e);
+                if (S::is_watched(mode, e) != (c_transition(e, m, 0, 0) != -1)) differ("watch of event", e);
                 const decltype(&S::next_modes(e, mode)) lists[]{&S::next_modes(e, mode), &S::modes_beside(e, mode), &S::after_accumulation(e, mode)};
-                for (int list = 0; list < 3 && S::is_watched(e, mode); ++list)
+                for (int list = 0; list < 3 && S::is_watched(mode, e); ++list)
                     for (std::size_t i = 0; i <= lists[list]->count; ++i)
                         if (c_transition(e, m, list, i) != (i < lists[list]->count ? static_cast<int>(lists[list]->modes[i]) : -2)) differ("transition of event", e);
             }

@@ -163,3 +163,27 @@ int c_transition(size_t event, unsigned mode, int list, size_t i) {
     return !to->is_watched ? -1 : i < modes->count ? (int)modes->modes[i] : -2;
 }
 #endif
+
+#ifdef SERIES
+static void set_inputs(void* data, const double* x, double t, double* u) {
+    (void)x;
+    (void)t;
+    for (size_t i = 0; i < N(input_count); ++i) u[i] = ((const double*)data)[i];
+}
+static void no_slopes(void* data, size_t k, double (*x)[N(state_count) + 1], double* u) {
+    (void)data;
+    (void)k;
+    (void)x;
+    for (size_t i = 0; i < N(input_count); ++i) u[i] = 0;
+}
+/* With inputs that stay as they are. */
+void c_series(unsigned mode, double* inputs, double t, size_t order, double* x, double* rows);
+void c_series(unsigned mode, double* inputs, double t, size_t order, double* x, double* rows) {
+    N(input_series) series;
+    series.data = inputs;
+    series.first = set_inputs;
+    series.next = no_slopes;
+    (void)mode;
+    N(series) WITH_MODE(&series, t, order, (double (*)[N(state_count) + 1])x, rows);
+}
+#endif
