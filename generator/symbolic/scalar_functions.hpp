@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The one table of scalar functions that the graph computes: a row says what derivation, proof, code, Taylor series, operation counts and
-// LaTeX need to know of one. To add a function: a row here, its values in functions.cpp (or a file of its domain), its formula in the runtime with a row in
-// cpp/helpers.cpp and, where models may call it, a row of language/vocabulary.cpp under the same name.
+// LaTeX need to know of one. To add a function: a row here, its values in functions.cpp (or a file of its domain), its formula in the
+// runtime with a row in cpp/helpers.cpp and, where models may call it, a row of language/vocabulary.cpp under the same name.
 #pragma once
 
 #include <ginac/ginac.h>
