@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/statement.hpp"
 
-#include <algorithm>
-
 namespace dalembert {
 
 struct Value::Content {
