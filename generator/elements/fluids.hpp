@@ -199,7 +199,7 @@ void describe(Visitor& v, E& volume) {
 
 /// What goes from one volume, reservoir or junction to another.
 struct Flow : Item {
-    enum class Law { given_mass, given_volume, hydraulic_orifice, pneumatic_orifice, laminar, check_valve, pump, pipe };
+    enum class Law { given_mass, given_volume, hydraulic_orifice, pneumatic_orifice, laminar, check_valve, relief_valve, pump, pipe };
     Law law = Law::given_mass;
     Reference from;
     Reference to;
@@ -210,6 +210,7 @@ struct Flow : Item {
     ExpressionPtr width;
     ExpressionPtr conductance;
     ExpressionPtr cracking_pressure;
+    ExpressionPtr override_pressure;
     bool switches = false;   ///< of a check valve being open or shut, of a pneumatic orifice being choked and the direction, are modes
     ExpressionPtr displacement;
     ExpressionPtr speed;
@@ -230,6 +231,8 @@ inline const KeyChoices<Flow::Law>& flow_laws() {
         {"pneumatic_orifice", L::pneumatic_orifice, {"area", "coefficient"}, {"width", "switches"}, " (3.156)"},
         {"laminar", L::laminar, {"conductance"}},
         {"check_valve", L::check_valve, {}, {"conductance", "area", "coefficient", "width", "cracking_pressure", "switches"}},
+        {"relief_valve", L::relief_valve, {"area", "coefficient", "cracking_pressure", "override_pressure"}, {},
+            " (3.150), with an area that grows linearly with the pressure difference"},
         {"pump", L::pump, {}, {"volume_flow", "displacement", "speed"}},
         {"pipe", L::pipe, {"velocity", "area", "length"}, {"loss"}},
         {"", L::given_mass, {}, {"mass_flow", "volume_flow"}},
@@ -257,7 +260,10 @@ void describe(Visitor& v, E& flow) {
     v("conductance", flow.conductance, {.dimension = dimension::volume_flow() / Dimension::pressure(), .depends = on_state_and_inputs,
         .sign = not_below_zero("m^3/(s*Pa)"), .doc = "of a laminar leak or check valve: volume flow over pressure difference"});
     v("cracking_pressure", flow.cracking_pressure, {.dimension = Dimension::pressure(), .depends = on_state_and_inputs,
-        .sign = not_below_zero("Pa"), .doc = "of a check valve: the pressure difference at which it opens; 0 if left out"});
+        .sign = SignRule{flow.law == Flow::Law::relief_valve, "Pa"},
+        .doc = "of a check or relief valve: the pressure difference at which it opens; of a check valve 0 if left out"});
+    v("override_pressure", flow.override_pressure, {.dimension = Dimension::pressure(), .depends = on_state_and_inputs,
+        .sign = above_zero("Pa"), .doc = "of a relief valve: how far above the cracking pressure it is open with its whole area"});
     v("switches", flow.switches, {.excludes = {no_family(), {"width", "is smooth, and has no modes then"}},
         .doc = "true: what switches is a mode of the machine, else an edge that is located: of a check valve NAME_shut and NAME_open; of a "
                "pneumatic orifice NAME_subsonic, NAME_choked, NAME_subsonic_back, NAME_choked_back. With more than 64 combinations of modes in "
