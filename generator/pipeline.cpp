@@ -294,7 +294,7 @@ Header generate(Machine& machine, SeriesWish wish) {
         watch.lap("prove code", proofs.all_proven() ? "everything proven" : "something only numerically equal");
         const auto effects_out = sizes_of_effects_out(*machine.system, {machine.system->scene.sizes.begin(), machine.system->scene.sizes.end()});
         if (!effects_out.empty()) watch.lap("effects out", fmt::format("{} compared at the start", effects_out.size()));
-        Header header = make_header(modes, machine.fields.get(), proofs, effects_out, normalised_command(machine));
+        Header header = make_header(modes, machine.fields.get(), proofs, effects_out, normalised_command(machine), *machine.language);
         watch.lap("emit", fmt::format("{} bytes", header.text.size()));
         return header;
     });
@@ -304,6 +304,7 @@ std::string normalised_command(const Machine& machine) {
     const Scene& scene = machine.system->scene;
     const std::string file = std::filesystem::path(scene.model->source->name()).filename().string();
     std::string command = fmt::format("dalembert generate {} --scene {}", file, scene.wish);
+    if (machine.language != &languages().front()) command += fmt::format(" --language {}", machine.language->name);
     std::string without;
     for (const Pass& pass : all_passes)
         if (!(machine.passes.*pass.is_on)) without += (without.empty() ? " --without " : ",") + std::string(pass.name);

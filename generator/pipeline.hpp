@@ -46,6 +46,7 @@ struct Machine {
     std::vector<StageReport> stages;
     Passes passes;                       ///< that generate makes
     Trig trig = Trig::library;
+    const Language* language = &languages().front();
     bool together = false;               ///< rates, Jacobian, outputs and energies in one function, too
 };
 

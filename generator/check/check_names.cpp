@@ -113,7 +113,7 @@ private:
             return false;
         }
         if (!is_header_) return true;
-        const char* what = is_cpp_keyword(name) ? "a word of C++" : is_cpp_macro(name) ? "a macro of C++" : name == "std" ? "the namespace of C++" : nullptr;
+        const char* what = name == "restrict" ? "a word of C" : is_cpp_keyword(name) ? "a word of C++" : is_cpp_macro(name) ? "a macro of C++" : name == "std" ? "the namespace of C++" : nullptr;
         if (what != nullptr) diagnostics_.error(Id::reserved_name, span, fmt::format("'{}' is {} and cannot be a name in the header", name, what));
         return what == nullptr;
     }

@@ -11,7 +11,7 @@ file(WRITE ${OUTPUT}
 #include <stdexcept>
 #include <string>
 
-#include \"emit/template.hpp\"
+#include \"text/template.hpp\"
 
 namespace dalembert {
 

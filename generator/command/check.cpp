@@ -9,7 +9,7 @@
 #include "report/json_output.hpp"
 #include "report/printed_report.hpp"
 #include "run/shared.hpp"
-#include "emit/safe_text.hpp"
+#include "text/safe_text.hpp"
 #include "elements/verdict.hpp"
 #include "text/files.hpp"
 

@@ -75,6 +75,7 @@ public:
         format(generate, "text or json", {"text", "json"});
         explain(generate);
         rewriting(generate);
+        language(generate);
         CLI::App* check = add_verb(check_command, "check", "prove derivations and check printed equations: of models, in every scene unless one is chosen, and of catalogues of texts");
         check->add_option("FILES", options_.models, "model files and catalogues")->required();
         check->add_option("-o,--output", options_.pages, "folder for book.html, every equation with its verdict, and errata.html; none are written, if left out");
@@ -262,6 +263,15 @@ private:
         verb->add_option("--without", options_.without, docs)->delimiter(',')->check(CLI::IsMember(names));
         verb->add_option("--trig", options_.trig, "combined: sine and cosine in float from one reduction, as fast for every angle")
             ->check(CLI::IsMember({"library", "combined"}));
+    }
+    void language(CLI::App* verb) {
+        std::vector<std::string> names;
+        std::string docs = "of the header:";
+        for (const Language& one : languages()) {
+            names.emplace_back(one.name);
+            docs += fmt::format("{} {} ({})", names.size() == 1 ? "" : ",", one.name, one.doc);
+        }
+        verb->add_option("--language", options_.language, docs)->check(CLI::IsMember(names));
     }
     void explain(CLI::App* verb) {
         verb->add_flag("--explain", options_.explain, "time and result of each stage, and what was rewritten to keep digits");

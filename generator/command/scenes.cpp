@@ -6,7 +6,7 @@
 
 #include "report/json_output.hpp"
 #include "run/shared.hpp"
-#include "emit/safe_text.hpp"
+#include "text/safe_text.hpp"
 
 namespace dalembert {
 

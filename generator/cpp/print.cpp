@@ -8,7 +8,6 @@ namespace dalembert {
 
 namespace {
 
-constexpr std::size_t longest_line = 128;
 const std::string indent_of_body = "        ";
 
 std::string operand(const Value& value, int least_precedence) {
@@ -158,48 +157,10 @@ std::string cpp_text(const std::vector<Argument>& arguments) {
     for (const Argument& a : arguments) {
         const char* before = a.passing == Argument::Passing::read ? "const " : "";
         const char* after = a.passing == Argument::Passing::value ? "" : "&";
-        text += fmt::format("{}{}{}{} {}", text.empty() ? "" : ", ", before, a.type, after, a.is_used ? a.name : "/*" + a.name + "*/");
+        const std::string type = a.type == "EventNumber" ? "std::size_t" : a.type;
+        text += fmt::format("{}{}{}{} {}", text.empty() ? "" : ", ", before, type, after, a.is_used ? a.name : "/*" + a.name + "*/");
     }
     return text;
-}
-
-std::string shifted(const std::string& text) {
-    std::string result;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = text.find('\n', at);
-        result += "    " + text.substr(at, end - at) + "\n";
-        at = end + 1;
-    }
-    return result;
-}
-
-std::string wrapped(const std::string& statement, std::size_t column) {
-    const std::string blanks(column, ' ');
-    std::string result;
-    std::string rest = statement;
-    bool first = true;
-    while (true) {
-        const std::size_t room = longest_line - column - (first ? 0 : 4);
-        if (rest.size() <= room) break;
-        // The last operator at the shallowest depth that still fits.
-        std::size_t best = std::string::npos;
-        int best_depth = 1000;
-        int depth = 0;
-        for (std::size_t i = 0; i + 2 < rest.size() && i < room; ++i) {
-            if (rest[i] == '(' || rest[i] == '[') ++depth;
-            if (rest[i] == ')' || rest[i] == ']') --depth;
-            const bool is_operator = rest[i] == ' ' && (rest[i + 1] == '+' || rest[i + 1] == '-' || rest[i + 1] == '*' || rest[i + 1] == '/') && rest[i + 2] == ' ';
-            if (is_operator && i > room / 3 && depth <= best_depth) {
-                best = i;
-                best_depth = depth;
-            }
-        }
-        if (best == std::string::npos) break;
-        result += blanks + (first ? "" : "    ") + rest.substr(0, best) + "\n";
-        rest = rest.substr(best + 1);
-        first = false;
-    }
-    return result + blanks + (first ? "" : "    ") + rest + "\n";
 }
 
 }  // namespace dalembert

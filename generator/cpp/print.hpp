@@ -3,6 +3,7 @@
 #pragma once
 
 #include "program/statement.hpp"
+#include "text/wrap.hpp"
 
 namespace dalembert {
 
@@ -13,10 +14,5 @@ std::string cpp_text(const Statements& statements);
 std::string cpp_body(const Statements& statements);
 /// "const State& x, const Input& /*u*/". The name of an unused argument becomes a comment.
 std::string cpp_text(const std::vector<Argument>& arguments);
-
-/// Breaks a long statement at its operators.
-std::string wrapped(const std::string& statement, std::size_t column);
-/// Every line by four blanks.
-std::string shifted(const std::string& text);
 
 }  // namespace dalembert

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "emit/cpp_constant.hpp"
-#include "emit/safe_text.hpp"
+#include "emit/constants.hpp"
+#include "text/safe_text.hpp"
 #include "elements/verdict.hpp"
 
 namespace dalembert {

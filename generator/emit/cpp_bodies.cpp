@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "emit/helpers.hpp"
+#include "cpp/helpers.hpp"
 
 namespace dalembert {
 
@@ -233,6 +233,14 @@ FunctionBody CppBodies::rhs_and_jacobian() {
     CppFunction cpp(code_, f, cached_values_, arguments_);
     Statements statements = motion_and_jacobian(cpp, f);
     return finish(cpp, std::move(statements), {result_of("State", "dxdt", n_ + m_ > 0), result_of("JacobianX", "J", n_ + m_ > 0)}, {.state = n_ > 0});
+}
+
+FunctionBody CppBodies::jacobian_x() const {
+    FunctionBody body;
+    if (!mode_.empty()) body.arguments.push_back({"Mode", "mode", Argument::Passing::value});
+    body.arguments.insert(body.arguments.end(), {{"State", "x"}, {"Input", "u"}, {"Scalar", "t", Argument::Passing::value}, result_of("JacobianX", "J", true)});
+    body.statements = {vector_of("State", "dxdt"), Invocation{call_of("rhs_and_jacobian", {"dxdt", "J"})}};
+    return body;
 }
 
 FunctionBody CppBodies::together() {

@@ -34,6 +34,7 @@ public:
     FunctionBody start_state();
     FunctionBody rhs();
     FunctionBody rhs_and_jacobian();
+    FunctionBody jacobian_x() const;
     /// Rates, Jacobian, outputs and energies.
     FunctionBody together();
     /// Taylor series of the motion. Afterwards series_rows() is known.

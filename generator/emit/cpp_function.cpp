@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "emit/helpers.hpp"
+#include "cpp/helpers.hpp"
 
 namespace dalembert {
 
@@ -75,7 +75,8 @@ void CppFunction::declare(NodeId id, Value value, Statements& statements) {
     const std::string unique = names_.unique(suggested_name(id));
     const Node& node = function_.program[id];
     const bool is_an_array = node.kind == Node::Kind::function && is_array(node.op);
-    const Storage type = is_an_array ? Storage{Storage::Kind::array, {order_of_network(node)}} : Storage();
+    const std::size_t order = is_an_array ? order_of_network(node) : 0;
+    const Storage type = is_an_array ? Storage{Storage::Kind::array, {node.op == Op::network_inverse ? order * order : order}} : Storage();
     statements.push_back(Declaration{type, {unique}, std::move(value)});
     known_[id] = Value::name(unique);
 }

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "cpp/print.hpp"
-#include "emit/cpp_constant.hpp"
+#include "emit/constants.hpp"
 #include "emit/cpp_names.hpp"
 #include "graph/code.hpp"
 #include "program/statement.hpp"

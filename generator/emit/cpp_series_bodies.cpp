@@ -4,7 +4,7 @@
 
 #include "emit/cpp_bodies.hpp"
 #include "emit/cpp_series.hpp"
-#include "emit/helpers.hpp"
+#include "cpp/helpers.hpp"
 #include "graph/lower.hpp"
 
 namespace dalembert {

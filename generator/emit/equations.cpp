@@ -10,7 +10,7 @@
 #include "form/linear_system.hpp"
 #include "prove/definiteness.hpp"
 
-#include "emit/safe_text.hpp"
+#include "text/safe_text.hpp"
 
 namespace dalembert {
 

@@ -9,10 +9,10 @@
 #include "emit/banner.hpp"
 #include "emit/cpp_bodies.hpp"
 #include "emit/cpp_function.hpp"
-#include "emit/helpers.hpp"
+#include "cpp/helpers.hpp"
 #include "emit/notation.hpp"
-#include "emit/safe_text.hpp"
-#include "emit/template.hpp"
+#include "text/safe_text.hpp"
+#include "text/template.hpp"
 #include "form/state_places.hpp"
 
 namespace dalembert {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The equations that stand above the functions of a header, for people.
+// The equations that stand above the functions of a plant, for people.
 #pragma once
 
 #include <map>
@@ -10,10 +10,10 @@
 
 namespace dalembert {
 
-/// Texts for the placeholders *_EQUATIONS of system.hpp.in; where modes differ, mode by mode.
-std::map<std::string, std::string> header_equations(const std::vector<const Code*>& modes);
+/// By function; where modes differ, mode by mode. Of more than eight coordinates none but those of outputs: they would drown the code.
+std::map<Function, std::vector<std::string>> header_equations(const std::vector<const Code*>& modes);
 
-/// Comment lines, or a hint where they would drown the code.
-std::string comment_lines(const std::vector<std::string>& equations);
+/// The guard of each event, in the first mode that watches it.
+std::vector<std::string> event_equations(const std::vector<const Code*>& modes);
 
 }  // namespace dalembert

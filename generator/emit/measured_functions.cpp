@@ -7,7 +7,7 @@
 
 #include "emit/cpp_names.hpp"
 #include "emit/shared_members.hpp"
-#include "emit/template.hpp"
+#include "text/template.hpp"
 #include "prove/constraint_validity.hpp"
 
 namespace dalembert {

@@ -9,10 +9,10 @@
 #include <numbers>
 
 #include "emit/cpp_bodies.hpp"
-#include "emit/helpers.hpp"
-#include "emit/safe_text.hpp"
+#include "cpp/helpers.hpp"
+#include "text/safe_text.hpp"
 #include "balance/steps.hpp"
-#include "emit/template.hpp"
+#include "text/template.hpp"
 #include "form/state_places.hpp"
 #include "graph/lower.hpp"
 #include "language/parser.hpp"

@@ -260,16 +260,36 @@ std::set<std::string> library_calls(const Statements& statements) {
     return names;
 }
 
-bool mentions(const Statements& statements, const std::string& name) {
+namespace {
+
+/// Whether some value of the statements is wanted, also in braces and of modes.
+bool any_value(const Statements& statements, const auto& is_it) {
     return any_statement(statements, [&](const Statement& statement) {
         return std::visit(Overloaded{
-            [&](const Declaration& s) { return mentions(s.value, name); },
-            [&](const Assignment& s) { return mentions(s.target, name) || mentions(s.value, name); },
-            [&](const Invocation& s) { return mentions(s.call, name); },
-            [&](const Filling& s) { return s.array == name || mentions(s.value, name); },
-            [&](const Loop& s) { return mentions(s.end, name); },
-            [&](const Return& s) { return mentions(s.value, name); },
+            [&](const Declaration& s) { return any_part(s.value, is_it); },
+            [&](const Assignment& s) { return any_part(s.target, is_it) || any_part(s.value, is_it); },
+            [&](const Invocation& s) { return any_part(s.call, is_it); },
+            [&](const Filling& s) { return any_part(s.value, is_it); },
+            [&](const Loop& s) { return any_part(s.end, is_it); },
+            [&](const Return& s) { return any_part(s.value, is_it); },
             [](const auto&) { return false; }}, statement.content);
+    });
+}
+
+}  // namespace
+
+bool mentions(const Statements& statements, const std::string& name) {
+    const bool is_filled = any_statement(statements, [&](const Statement& s) {
+        const auto* filling = std::get_if<Filling>(&s.content);
+        return filling != nullptr && filling->array == name;
+    });
+    return is_filled || any_value(statements, [&](const Value& v) { return v.kind() == Value::Kind::name && v.text() == name; });
+}
+
+bool uses_plant(const Statements& statements) {
+    return any_value(statements, [](const Value& v) {
+        const bool is_member = v.kind() == Value::Kind::member && v.object() != Value::Object::energies;
+        return is_member || (v.kind() == Value::Kind::call && v.where() == Value::Where::plant);
     });
 }
 

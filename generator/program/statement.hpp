@@ -216,7 +216,7 @@ struct Argument {
         read,    ///< an array that is read
         result,  ///< an array that is written
     };
-    std::string type;  ///< "Scalar", "Mode", or a vector's name in the plant's interface: "State", "JacobianX", ...
+    std::string type;  ///< "Scalar", "Mode", "EventNumber", or a vector's name in the plant's interface: "State", "JacobianX", ...
     std::string name;
     Passing passing = Passing::read;
     bool is_used = true;
@@ -233,6 +233,9 @@ struct FunctionBody {
 bool returns(const Statements& statements);
 /// Whether some value or call of a plant function contains the name.
 bool mentions(const Statements& statements, const std::string& name);
+
+/// Whether members or functions of the plant occur.
+bool uses_plant(const Statements& statements);
 
 /// Functions of the language's mathematics that statements call; those in braces and of modes count for themselves.
 std::set<std::string> library_calls(const Statements& statements);

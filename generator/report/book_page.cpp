@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "emit/mathml.hpp"
-#include "emit/template.hpp"
+#include "text/template.hpp"
 #include "elements/verdict.hpp"
 
 namespace dalembert {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "emit/safe_text.hpp"
+#include "text/safe_text.hpp"
 #include "elements/verdict.hpp"
 #include "text/source.hpp"
 

@@ -56,6 +56,7 @@ struct Options {
     std::uint64_t seed = 1;
     std::vector<std::string> without;     ///< names of passes
     std::string fix;                      ///< parameters that become numbers
+    std::string language = languages().front().name;
     std::string trig = "library";         ///< whose sine and cosine the header calls
     double ulp_limit = 8;                 ///< of errors in double
 };

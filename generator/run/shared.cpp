@@ -38,6 +38,7 @@ void ask_of_code(Machine& machine, const Options& options) {
     for (const Pass& pass : all_passes) machine.passes.*pass.is_on = std::find(options.without.begin(), options.without.end(), pass.name) == options.without.end();
     machine.trig = options.trig == "combined" ? Trig::combined : Trig::library;
     machine.together = options.together;
+    machine.language = &language_named(options.language);
 }
 
 const Machine& in_chosen_mode(const Machine& machine, const Options& options) {

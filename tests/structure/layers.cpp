@@ -16,7 +16,7 @@ namespace {
 
 /// From below. A layer is a folder of `generator` with all its subfolders, or a file beside them.
 const std::vector<std::string> order{"text",    "language", "elements", "check", "read",  "scene", "printed",  "symbolic", "mechanics", "balance",
-                                     "form",    "prove",    "graph",    "program",  "cpp",   "emit", "pipeline", "book",     "run",
+                                     "form",    "prove",    "graph",    "program",  "cpp", "c", "emit", "pipeline", "book",     "run",
                                      "report",  "command",  "main"};
 
 std::size_t rank(const std::string& layer) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/helpers.hpp"
+#include "cpp/helpers.hpp"
 
 #include <algorithm>
 #include <vector>
 
-#include "emit/template.hpp"
+#include "text/template.hpp"
 
 namespace dalembert {
 

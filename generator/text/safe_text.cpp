@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/safe_text.hpp"
+#include "text/safe_text.hpp"
 
 #include <vector>
 

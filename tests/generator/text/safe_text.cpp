@@ -2,8 +2,8 @@
 // Text from a model cannot break out of a comment, a string, a file name or a plot script.
 #include "emit/cpp_function.hpp"
 #include "emit/notation.hpp"
-#include "emit/safe_text.hpp"
-#include "emit/template.hpp"
+#include "text/safe_text.hpp"
+#include "text/template.hpp"
 #include "generator/machine.hpp"
 
 using namespace dalembert;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/template.hpp"
+#include "text/template.hpp"
 
 #include <set>
 #include <stdexcept>

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A plant as data: names, units, sizes, start values, patterns, modes, events, constraints and functions. Printers of languages make their text
+// of it, and need nothing else.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "program/statement.hpp"
+
+namespace dalembert {
+
+/// An entry of a vector. Its place in the list is its place in the vector.
+struct PlantQuantity {
+    std::string identifier;            ///< unique among those of the vector
+    std::string name;                  ///< in the model
+    std::string unit;                  ///< SI
+    std::string doc;
+    std::optional<double> low, high;   ///< of the declared range, in SI
+};
+
+/// A parameter, or a family of them: an array.
+struct PlantParameter {
+    std::string identifier;
+    std::string unit;                  ///< SI
+    std::string doc;
+    bool is_array = false;
+    std::vector<Value> defaults;       ///< in SI; one where it is no array
+};
+
+/// What depends on parameters alone and is kept when they are set.
+struct PlantCached {
+    std::string identifier;
+    std::string doc;
+    std::size_t size = 0;              ///< of an array; 0: a number
+};
+
+/// See Guard of the form: a function whose sign matters to who integrates.
+struct PlantGuard {
+    std::string name;
+    std::string doc;
+    bool ends;
+};
+
+/// Which entries of a Jacobian are stored: all, column by column, or those of compressed columns (CSC).
+struct PlantPattern {
+    bool is_sparse = false;
+    std::size_t rows = 0;
+    std::size_t columns = 0;
+    std::vector<std::size_t> column_starts;  ///< of what is not zero for every motion, also where all are stored
+    std::vector<std::size_t> row_indices;
+    std::size_t size() const { return is_sparse ? row_indices.size() : rows * columns; }
+};
+
+struct PlantEvent {
+    std::string identifier;
+    std::string name;
+    bool at_once = false;              ///< see Event
+    bool at_start = false;
+};
+
+/// Where an event leads in a mode; numbers of modes.
+struct PlantTransition {
+    bool is_watched = false;
+    std::vector<std::size_t> next, beside, rest;
+};
+
+struct PlantModes {
+    std::vector<std::string> modes;    ///< names, which are identifiers
+    std::vector<PlantEvent> events;
+    std::vector<std::vector<PlantTransition>> transitions;  ///< [event][mode]
+    std::size_t most_modes() const;    ///< in one list of a transition; at least 1
+};
+
+struct PlantConstraint {
+    std::string identifier;
+    std::string name;
+    std::string unit;                  ///< SI: of the position, or of the rate where there is none
+    std::string doc;
+    bool has_position;
+};
+
+/// Where only some of the constraints are solved for, see note [choice].
+struct PlantChoice {
+    std::size_t rank;
+    std::vector<bool> can_be_left_out, at_start;              ///< by constraint
+    std::vector<std::pair<std::string, std::size_t>> chosen;  ///< cached members that are 1 where the constraint is chosen, else 0
+};
+
+struct PlantConstraints {
+    std::vector<PlantConstraint> list;
+    std::vector<bool> starts_to_find;  ///< of coordinates, then of velocities: those that constraints determine; empty: no start is looked for
+    std::optional<PlantChoice> choice;
+};
+
+struct PlantFunction {
+    enum class Result {
+        none,       ///< or in arrays that are arguments
+        number,
+        truth,
+    };
+    std::string name;
+    Result result = Result::none;
+    std::vector<std::string> doc;
+    std::optional<std::string> operations;
+    std::vector<std::string> equations = {};  ///< for the reader; too many of them are not printed
+    bool is_large = false;                    ///< equations would drown the code
+    FunctionBody body;
+};
+
+/// Taylor series of the motion.
+struct PlantSeries {
+    std::size_t rows;        ///< pairs of series that are multiplied
+    std::string arguments;
+    std::string statements;
+};
+
+struct Plant {
+    std::string model, scene, title;
+    std::size_t degrees = 0;
+    std::size_t plain_states = 0;             ///< behind coordinates and velocities
+    bool is_separable = false;                ///< accelerations depend on coordinates alone
+    std::vector<PlantQuantity> states, inputs, outputs, parameters;
+    std::vector<PlantParameter> parameter_members;
+    std::vector<PlantCached> cached;
+    std::vector<PlantGuard> guards;
+    std::vector<double> start_values;         ///< for the default parameters
+    PlantPattern by_state, by_input, by_parameter;
+    std::optional<PlantModes> modes;
+    std::optional<PlantConstraints> constraints;
+    FunctionBody update;                      ///< fills what is cached
+    std::string update_operations;
+    FunctionBody start_state;                 ///< of `x`, which begins with zeros
+    /// Functions of motion, energies and guards, in the order in which they are printed.
+    std::vector<PlantFunction> functions;
+    std::vector<PlantFunction> constraint_functions;
+    std::optional<PlantSeries> series;
+    bool has_together = false;                ///< a function for all at once, with a structure of energies
+    std::set<std::string> helpers;            ///< functions of the runtime that are called
+};
+
+}  // namespace dalembert
