@@ -1,217 +1,220 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
+#include "report/check.hpp"
 
 #include <algorithm>
-#include <ostream>
 
-#include "report/book_page.hpp"
 #include "book/entry_process.hpp"
-#include "report/json_output.hpp"
-#include "report/printed_report.hpp"
+#include "command/write_result.hpp"
 #include "run/shared.hpp"
 #include "text/safe_text.hpp"
-#include "elements/verdict.hpp"
-#include "text/files.hpp"
 
 namespace dalembert {
 
 namespace {
 
-/// What was found of one file.
-struct FileResult {
-    nlohmann::ordered_json json;
-    BookPart part;
-    bool failed = false;
-    std::vector<Diagnostic> unreadable = {};  ///< of entries that have no verdict for that
-};
-
-nlohmann::ordered_json as_json(const std::string& id, const Diagnostic& d) {
-    nlohmann::ordered_json json{{"id", id}, {"error", name_of(d.id)}, {"message", d.message}};
-    if (d.span) {
-        const Position place = d.span.source->position(d.span.begin);
-        json.update({{"file", d.span.source->name()}, {"line", place.line}, {"column", place.column}});
-    }
-    return json;
-}
-
-class Check {
+/// Where texts of parts go as they are ready; nothing is written with `--format json`.
+class PartsAsText {
 public:
-    Check(const Options& options, Streams streams) : options_(options), streams_(streams), model_(loaded(options, streams)) {}
-
-    FileResult run() {
-        json_ = json_result("check", model_->model);
-        json_["scenes"] = nlohmann::ordered_json::array();
-        const std::vector<std::string> scenes =
-            options_.choice.scene.empty() ? scene_names(model_->model) : std::vector<std::string>{resolve_scene(model_->model, options_.choice.scene)};
-        for (const std::string& scene : scenes) check_scene(scene);
-        report_printed();
-        return {std::move(json_), {model_->model.title, model_->model.reference, verdicts_.rows(), counts_}, failed_};
+    PartsAsText(const Options& options, Streams streams) : out_(is_json(options) ? nullptr : &streams.out) {}
+    void operator()(const std::string& text) const {
+        if (out_ != nullptr) *out_ << text << std::flush;
     }
 
 private:
-    void say(const std::string& text) {
-        if (options_.format != "json") streams_.out << text;
+    std::ostream* out_;
+};
+
+std::size_t column_of(const std::vector<PrintedRow>& rows) {
+    std::vector<std::string> names;
+    for (const PrintedRow& row : rows) names.push_back(row.id);
+    return column_width(names);
+}
+
+/// One model, scene by scene.
+class ModelCheck {
+public:
+    ModelCheck(const Options& options, Streams streams) : options_(options), streams_(streams), write_(options, streams), model_(loaded(options, streams)) {}
+
+    CheckedFile run() {
+        const Model& model = model_->model;
+        file_.name = model.name;
+        file_.part.title = model.title;
+        file_.part.about = model.reference;
+        const std::string& wanted = options_.choice.scene;
+        for (const std::string& scene : wanted.empty() ? scene_names(model) : std::vector<std::string>{resolve_scene(model, wanted)}) check_scene(scene);
+        judge_printed();
+        write_(end_of_text(file_));
+        return std::move(file_);
     }
 
+private:
     void check_scene(const std::string& name) {
         Machine machine = derive_machine(model_, name, options_.choice.sizes);
         show_warnings(machine, streams_);
         show_doubts(machine, streams_);
         generate(machine);
-        const System& system = *machine.system;
-        const Proofs proofs = proofs_of(machine);
-        nlohmann::ordered_json scene{{"scene", name}, {"proofs", nlohmann::ordered_json::array()}};
-        say(fmt::format("{}, scene {}\n", system.scene.sized_name(), name));
-        const auto group = [&](const char* title, const std::vector<const AuditEntry*>& entries) {
-            if (entries.empty()) return;
-            say(fmt::format("  {:<52} {}\n", title, summary(entries)));
-            for (const AuditEntry* entry : entries) {
-                scene["proofs"].push_back({{"name", entry->name}, {"verdict", to_string(entry->result.verdict)}});
-                if (entry->result.verdict != Verdict::proven) say(fmt::format("    {}: {}\n", entry->name, to_string(entry->result.verdict)));
-                failed_ = failed_ || entry->result.verdict == Verdict::wrong;
-            }
-        };
-        group("d'Alembert = Euler-Lagrange", pointers(proofs.derivation.derivations));
-        group("force = -d(energy)/dq", pointers(proofs.derivation.potentials));
-        group("media: (3.11), (3.21), (3.31), (3.41), (3.43)", pointers(proofs.derivation.media));
-        group("balances of mass and energy", pointers(proofs.derivation.balances));
-        group("forces of constraints do no virtual work", pointers(proofs.derivation.constraints));
-        group("solids: integrals, and Steiner's theorem", pointers(proofs.derivation.solids));
-        group("loads: equilibrium with the solution inserted", pointers(proofs.derivation.loads));
-        group(Audit::power_balance_name(system), {&proofs.derivation.power_balance});
-        group("passive network: eigenvalues real, not positive", pointers(proofs.derivation.eigenvalues));
-        group("emitted code = derivation", pointers(proofs.emitted));
-        json_["scenes"].push_back(std::move(scene));
-        verdicts_.add(system);
+        file_.scenes.push_back(proven(machine, name));
+        file_.failed = file_.failed || file_.scenes.back().failed();
+        write_(as_text(file_.scenes.back()));
+        verdicts_.add(*machine.system);
         for (const Machine& other : machine.other_modes) verdicts_.add(*other.system);
     }
 
-    void report_printed() {
-        json_["printed"] = nlohmann::ordered_json::array();
-        if (!verdicts_.rows().empty()) say("printed equations\n");
-        std::vector<std::string> names;
-        for (const PrintedRow& row : verdicts_.rows()) names.push_back(row.id);
-        for (const PrintedRow& row : verdicts_.rows()) {
+    static CheckedScene proven(const Machine& machine, const std::string& name) {
+        CheckedScene scene{machine.system->scene.sized_name(), name, {}};
+        const auto add = [&](const std::string& title, const std::vector<AuditEntry>& entries) {
+            if (entries.empty()) return;
+            scene.groups.push_back({title, {}});
+            for (const AuditEntry& entry : entries) scene.groups.back().proofs.push_back({entry.name, entry.result.verdict});
+        };
+        const Proofs proofs = proofs_of(machine);
+        add("d'Alembert = Euler-Lagrange", proofs.derivation.derivations);
+        add("force = -d(energy)/dq", proofs.derivation.potentials);
+        add("media: (3.11), (3.21), (3.31), (3.41), (3.43)", proofs.derivation.media);
+        add("balances of mass and energy", proofs.derivation.balances);
+        add("forces of constraints do no virtual work", proofs.derivation.constraints);
+        add("solids: integrals, and Steiner's theorem", proofs.derivation.solids);
+        add("loads: equilibrium with the solution inserted", proofs.derivation.loads);
+        add(Audit::power_balance_name(*machine.system), {proofs.derivation.power_balance});
+        add("passive network: eigenvalues real, not positive", proofs.derivation.eigenvalues);
+        add("emitted code = derivation", proofs.emitted);
+        return scene;
+    }
+
+    void judge_printed() {
+        file_.part.rows = verdicts_.rows();
+        if (!file_.part.rows.empty()) write_("printed equations\n");
+        const std::size_t width = column_of(file_.part.rows);
+        for (const PrintedRow& row : file_.part.rows) {
             const bool is_of_another_scene = !row.found && !options_.choice.scene.empty();  // what was not asked for does not fail
-            failed_ = failed_ || (!row.as_expected() && !is_of_another_scene);
-            counts_.add(row.verdict());
-            json_["printed"].push_back(report_json(row, model_->model.reference));
-            say(report_text(row, column_width(names)));
+            file_.failed = file_.failed || (!row.as_expected() && !is_of_another_scene);
+            file_.part.counts.add(row.verdict());
+            write_(report_text(row, width));
         }
-        json_["passed"] = !failed_;
-        if (!verdicts_.rows().empty()) say(counts_.line() + (failed_ ? "; not all as expected\n" : "\n"));
     }
 
     const Options& options_;
     Streams streams_;
+    PartsAsText write_;
     std::shared_ptr<const LoadedModel> model_;
-    nlohmann::ordered_json json_;
+    CheckedFile file_;
     PrintedVerdicts verdicts_{!options_.pages.empty()};
-    VerdictCounts counts_;
-    bool failed_ = false;
 };
 
-FileResult check_catalogue(const SourcePtr& source, const Options& options, Streams streams) {
-    Diagnostics diagnostics;
-    const Catalogue catalogue = read_catalogue(source, diagnostics);
-    const bool as_text = options.format != "json";
-    FileResult result{{{"schema", "dalembert/check"}, {"version", json_version}, {"catalogue", catalogue.title}, {"edition", catalogue.edition}, {"printed", nlohmann::ordered_json::array()}}, {catalogue.title, catalogue.edition, {}, {}}};
-    if (as_text) streams.out << safe_line(catalogue.title) << std::endl;
-    std::vector<std::string> names;
-    for (const CatalogueEntry& entry : catalogue.entries) names.push_back(entry.name);
-    const std::size_t width = column_width(names);
-    std::size_t unread = 0, unchecked = 0, half_read = 0;
-    const auto has_no_verdict = [&](const CatalogueEntry& entry, const char* verdict, const std::string& reason) {
-        result.part.problems.push_back({entry.name, verdict, reason});
-        if (as_text) streams.out << fmt::format("  {:<{}} {}: {}\n", safe_line(entry.name), width, verdict, safe_line(reason)) << std::flush;
-    };
-    const auto note_error = [&](const CatalogueEntry& entry, const Diagnostic& d) {
-        result.json["errors"].push_back(as_json(entry.name, d));
-        const auto is_same = [&](const Diagnostic& other) { return other.message == d.message && other.span.source == d.span.source && other.span.begin == d.span.begin; };
-        if (std::none_of(result.unreadable.begin(), result.unreadable.end(), is_same)) result.unreadable.push_back(d);
-    };
-    check_entries(catalogue, !options.pages.empty(), [&](const CatalogueEntry& entry, const EntryOutcome& outcome) {
-        for (const Diagnostic& d : outcome.errors) note_error(entry, d);
+/// One catalogue, entry by entry.
+class CatalogueCheck {
+public:
+    CatalogueCheck(const Catalogue& catalogue, const Options& options, Streams streams) : catalogue_(catalogue), for_pages_(!options.pages.empty()), write_(options, streams) {
+        file_.kind = CheckedFile::Kind::catalogue;
+        file_.part.title = catalogue.title;
+        file_.part.about = catalogue.edition;
+        std::vector<std::string> names;
+        for (const CatalogueEntry& entry : catalogue.entries) names.push_back(entry.name);
+        width_ = column_width(names);
+    }
+
+    CheckedFile run() {
+        write_(safe_line(catalogue_.title) + "\n");
+        check_entries(catalogue_, for_pages_, [&](const CatalogueEntry& entry, const EntryOutcome& outcome) { add(entry.name, outcome); });
+        write_(end_of_text(file_));
+        return std::move(file_);
+    }
+
+private:
+    void add(const std::string& name, const EntryOutcome& outcome) {
+        for (const Diagnostic& d : outcome.errors) note(name, d);
         if (!outcome.rows.empty()) {
             const std::vector<RefusedEquation>& refused = outcome.rows.front().parts.refused;
-            for (const RefusedEquation& one : refused) note_error(entry, one.why);
-            half_read += refused.empty() ? 0 : 1;
+            for (const RefusedEquation& one : refused) note(name, one.why);
+            file_.read_in_part += refused.empty() ? 0 : 1;
         }
         if (!outcome.errors.empty()) {
-            ++unread;
-            has_no_verdict(entry, "not read", outcome.errors.front().message);
+            ++file_.unread;
+            has_no_verdict({name, "not read", outcome.errors.front().message});
         } else if (!outcome.stopped.empty()) {
-            ++unchecked;
-            result.failed = true;
-            result.json["errors"].push_back({{"id", entry.name}, {"error", "stopped"}, {"message", outcome.stopped}});
-            has_no_verdict(entry, "not checked", outcome.stopped);
+            ++file_.unchecked;
+            file_.failed = true;
+            file_.errors.push_back({name, "stopped", outcome.stopped});
+            has_no_verdict({name, "not checked", outcome.stopped});
         }
         for (const PrintedRow& row : outcome.rows) {
-            result.failed = result.failed || !row.as_expected();
-            result.part.counts.add(row.verdict());
-            result.json["printed"].push_back(report_json(row, catalogue.title));
-            if (as_text) streams.out << report_text(row, width) << std::flush;
-            result.part.rows.push_back(row);
+            file_.failed = file_.failed || !row.as_expected();
+            file_.part.counts.add(row.verdict());
+            file_.part.rows.push_back(row);
+            write_(report_text(row, width_));
         }
-    });
-    if (as_text)
-        streams.out << result.part.counts.line() << (half_read > 0 ? fmt::format("; {} of them could not be read in full", half_read) : "") << (unread > 0 ? fmt::format("; {} more could not be read", unread) : "")
-                    << (unchecked > 0 ? fmt::format("; {} more could not be checked", unchecked) : "")
-                    << (result.failed ? "; not all as expected\n" : "\n");
-    result.json["summary"] = result.part.counts.json();
-    result.json["passed"] = !result.failed && unread == 0 && half_read == 0;
-    return result;
+    }
+
+    void note(const std::string& name, const Diagnostic& d) {
+        file_.errors.push_back(check_error(name, d));
+        const auto is_same = [&](const Diagnostic& other) {
+            return other.message == d.message && other.span.source == d.span.source && other.span.begin == d.span.begin;
+        };
+        if (std::none_of(file_.unreadable.begin(), file_.unreadable.end(), is_same)) file_.unreadable.push_back(d);
+    }
+
+    void has_no_verdict(const BookProblem& problem) {
+        file_.part.problems.push_back(problem);
+        write_(as_text(problem, width_));
+    }
+
+    const Catalogue& catalogue_;
+    bool for_pages_;
+    PartsAsText write_;
+    std::size_t width_ = 0;
+    CheckedFile file_;
+};
+
+CheckedFile check_catalogue(const SourcePtr& source, const Options& options, Streams streams) {
+    Diagnostics diagnostics;
+    const Catalogue catalogue = read_catalogue(source, diagnostics);
+    return CatalogueCheck(catalogue, options, streams).run();
+}
+
+CheckedFile unreadable_file(const std::string& path, const std::vector<Diagnostic>& diagnostics) {
+    CheckedFile file;
+    file.kind = CheckedFile::Kind::unreadable;
+    file.name = path;
+    file.part.title = path;
+    for (const Diagnostic& d : diagnostics) {
+        if (d.severity != Severity::error) continue;
+        file.errors.push_back(check_error("", d));
+        file.part.problems.push_back({"the file", "not read", d.message});
+        file.unreadable.push_back(d);
+    }
+    return file;
 }
 
 /// What is wrong with one of several files takes nothing from the others.
-FileResult check_file(const std::string& path, const Options& options, Streams streams) {
+CheckedFile check_file(const std::string& path, const Options& options, Streams streams) {
     Options one = options;
     one.choice.model = path;
     try {
         const SourcePtr source = read_text_file(path);
-        return is_catalogue(source) ? check_catalogue(source, one, streams) : Check(one, streams).run();
+        return is_catalogue(source) ? check_catalogue(source, one, streams) : ModelCheck(one, streams).run();
     } catch (const Failure& failure) {
         if (options.models.size() == 1 || failure.exit_code() != ExitCode::bad_input) throw;
-        FileResult result{{{"schema", "dalembert/check"}, {"version", json_version}, {"file", path}, {"errors", nlohmann::ordered_json::array()}, {"passed", false}}, {path, "", {}, {}}};
-        for (const Diagnostic& d : failure.diagnostics()) {
-            if (d.severity != Severity::error) continue;
-            result.json["errors"].push_back(as_json("", d));
-            result.part.problems.push_back({"the file", "not read", d.message});
-            result.unreadable.push_back(d);
-        }
-        if (options.format != "json") streams.out << fmt::format("{}\n  not read: {}\n", safe_line(path), safe_line(failure.diagnostics().front().message));
-        return result;
+        CheckedFile file = unreadable_file(path, failure.diagnostics());
+        PartsAsText(options, streams)(end_of_text(file));
+        return file;
     }
 }
 
 }  // namespace
 
 ExitCode check_command(const Options& options, Streams streams) {
-    std::vector<FileResult> results;
-    for (const std::string& path : options.models) results.push_back(check_file(path, options, streams));
-    VerdictCounts counts;
-    bool failed = false;
-    std::vector<BookPart> parts;
+    CheckResult result;
+    for (const std::string& path : options.models) result.files.push_back(check_file(path, options, streams));
+    if (!options.pages.empty()) {
+        std::vector<BookPart> parts;
+        for (const CheckedFile& file : result.files) parts.push_back(file.part);
+        write_files(book_pages(parts, options.pages));
+    }
+    write_result(result, options, streams);
     std::vector<Diagnostic> unreadable;
-    nlohmann::ordered_json files = nlohmann::ordered_json::array();
-    for (FileResult& result : results) {
-        counts.add(result.part.counts);
-        failed = failed || result.failed;
-        files.push_back(std::move(result.json));
-        parts.push_back(std::move(result.part));
-        unreadable.insert(unreadable.end(), result.unreadable.begin(), result.unreadable.end());
-    }
-    const bool is_whole = unreadable.empty();
-    if (!options.pages.empty()) write_files(book_pages(parts, options.pages));
-    if (options.format != "json") {
-        if (results.size() > 1) streams.out << counts.line(fmt::format("printed equations in {} files", results.size()).c_str()) << (is_whole ? "" : "; not all could be read") << (failed ? "; not all as expected\n" : "\n");
-    } else if (results.size() == 1) {
-        streams.out << printed(files[0]);
-    } else {
-        streams.out << printed({{"schema", "dalembert/check"}, {"version", json_version}, {"files", files}, {"summary", counts.json()}, {"passed", !failed && is_whole}});
-    }
-    if (!is_whole) throw Failure(std::move(unreadable));
-    return failed ? ExitCode::check_failed : ExitCode::good;
+    for (const CheckedFile& file : result.files) unreadable.insert(unreadable.end(), file.unreadable.begin(), file.unreadable.end());
+    if (!unreadable.empty()) throw Failure(std::move(unreadable));
+    return result.failed() ? ExitCode::check_failed : ExitCode::good;
 }
 
 }  // namespace dalembert

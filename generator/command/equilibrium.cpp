@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/equilibrium.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ostream>
 
-#include "report/json_output.hpp"
-#include "report/number_lists.hpp"
+#include "command/write_result.hpp"
+#include "run/number_lists.hpp"
 #include "run/run_header.hpp"
 #include "run/settings.hpp"
 #include "run/shared.hpp"
@@ -32,7 +33,9 @@ void mark(const std::vector<std::string>& names, const std::vector<const Variabl
             flags[i] = value;
             found = true;
         }
-        if (!found) throw Failure(Diagnostic{Id::unknown_name, {}, fmt::format("--{}: there is no '{}'{}; there are {}", option, name, did_you_mean(name, known), quoted_list(known))});
+        if (!found)
+            throw Failure(Diagnostic{Id::unknown_name, {}, fmt::format("--{}: there is no '{}'{}; there are {}", option, name,
+                                                                       did_you_mean(name, known), quoted_list(known))});
     }
 }
 
@@ -43,7 +46,8 @@ void hold_positions(const System& system, std::vector<GiNaC::ex>& x, const Value
     for (const ConstraintEquation& constraint : system.constraints) {
         if (constraint.item->share)
             throw Failure(Diagnostic{Id::not_allowed_here, constraint.item->span,
-                                     fmt::format("friction '{}' has a state in place of modes, and sticks anywhere in a range: there are no equilibria to be found of it. A run shows where it stays", constraint.name)});
+                                     fmt::format("friction '{}' has a state in place of modes, and sticks anywhere in a range: there are no "
+                                                 "equilibria to be found of it. A run shows where it stays", constraint.name)});
         if (!constraint.holds || !constraint.position) continue;
         const auto held = coordinate_at_zero(*constraint.position, system.symbols);
         const GiNaC::ex place = held ? system.symbols.without_definitions(held->second) : GiNaC::ex(0);
@@ -52,7 +56,9 @@ void hold_positions(const System& system, std::vector<GiNaC::ex>& x, const Value
         if (!is_one && finds_positions) continue;  // with the equations of motion
         if (!is_one)
             throw Failure(Diagnostic{Id::not_allowed_here, constraint.item->span,
-                                     fmt::format("constraint '{}' holds a position that is made of several coordinates, or not linear in one; equilibria are found there only where positions are projected and nothing turns by a quaternion", constraint.name)});
+                                     fmt::format("constraint '{}' holds a position that is made of several coordinates, or not linear in one; equilibria "
+                                                 "are found there only where positions are projected and nothing turns by a quaternion",
+                                                 constraint.name)});
         const std::size_t in_x = system.symbols.place(SymbolKind::coordinate, held->first);
         x[in_x] = place.subs(at, GiNaC::subs_options::no_pattern).evalf();
         free_states[in_x] = false;
@@ -70,24 +76,25 @@ std::vector<bool> moving_coordinates(const Options& options, const std::vector<c
     mark(options.moving, states, moving, true, "moving");
     for (std::size_t i = 0; i < states.size(); ++i) {
         if (!moving[i]) continue;
-        if (states[i]->kind != SymbolKind::coordinate) throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("--moving: '{}' is no coordinate", states[i]->name)});
+        if (states[i]->kind != SymbolKind::coordinate)
+            throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("--moving: '{}' is no coordinate", states[i]->name)});
         for (std::size_t k = 0; k < states.size(); ++k)
             if (states[k]->kind == SymbolKind::velocity && states[k]->position == states[i]->position) free_states[k] = false;
     }
     return moving;
 }
 
-/// The state that changes fastest, where nothing came to rest: ", of 'dot(y)' at 3 m/s".
-std::string restless_state(const std::vector<const Variable*>& states, const std::vector<bool>& moving, const std::vector<double>& x, const std::vector<double>& rates, double residual) {
+/// The state that changes fastest, of those that shall not; nothing where it is not a state that leaves the residual.
+std::optional<Restless> restless_state(const std::vector<const Variable*>& states, const std::vector<bool>& moving, const std::vector<double>& x,
+                                       const std::vector<double>& rates, double residual) {
     std::size_t worst = states.size();
     for (std::size_t i = 0; i < states.size(); ++i) {
         if (moving[i]) continue;
-        if (!std::isfinite(rates[i])) return fmt::format("; the rate of '{}' has no value, where it is {:.6g} {}", states[i]->name, x[i], states[i]->unit);
+        if (!std::isfinite(rates[i])) return Restless{states[i]->name, states[i]->unit, rates[i], x[i]};
         if (worst == states.size() || std::abs(rates[i]) > std::abs(rates[worst])) worst = i;
     }
-    if (worst == states.size() || !(std::abs(rates[worst]) >= 0.99 * residual)) return ", by which a constraint is not met";
-    const std::string unit = states[worst]->unit == "1" ? "" : " " + states[worst]->unit;
-    return fmt::format(": '{}' changes by {:.6g}{} a second, where it is {:.6g}{}", states[worst]->name, rates[worst], unit, x[worst], unit);
+    if (worst == states.size() || !(std::abs(rates[worst]) >= 0.99 * residual)) return std::nullopt;
+    return Restless{states[worst]->name, states[worst]->unit, rates[worst], x[worst]};
 }
 
 /// Names of states by the places that the program printed.
@@ -95,6 +102,60 @@ std::vector<std::string> names_at(const std::string& places, const std::vector<c
     std::vector<std::string> names;
     for (const double place : number_list(places, ',')) names.push_back(states[static_cast<std::size_t>(place)]->name);
     return names;
+}
+
+/// What the command line says of the start. Throws Failure, also where an input is neither given nor free.
+Values start_values(const Options& options, const System& system) {
+    Values values(system.scene, system.translate);
+    apply_settings(values, parse_settings(options.parameters, "parameter"), on_parameters, system);
+    apply_settings(values, parse_settings(options.states, "state"), on_states, system);
+    apply_settings(values, parse_settings(options.inputs, "input"), on_inputs, system);
+    const auto is_free = [&](const std::string& name) { return std::find(options.free.begin(), options.free.end(), name) != options.free.end(); };
+    std::vector<bool> is_given;
+    for (const Variable& input : system.symbols.all(SymbolKind::input))
+        is_given.push_back(values.is_written(SymbolKind::input, input.position) || is_free(input.base) || is_free(input.name));
+    check_inputs_given(is_given, system);
+    return values;
+}
+
+void refuse_time(const Code& code, const System& system) {
+    const FunctionCode& by_time = code[Function::jacobian_t];
+    const auto moves = [&](const CodeMatrix& matrix) {
+        return std::any_of(matrix.entries.begin(), matrix.entries.end(), [&](NodeId id) { return !by_time.is_zero(id); });
+    };
+    if (moves(by_time.right) || moves(by_time.below))
+        throw Failure(Diagnostic{Id::bad_option, system.scene.model->name_span,
+                                 fmt::format("the equations of scene '{}' depend on the time, so that nothing stays at rest in them", system.scene.name)});
+}
+
+/// Parts of a heat network without a link to a temperature that is given need one that is held, or their level is arbitrary and their heat has
+/// nowhere to go.
+void refuse_floating_parts(const System& system, const std::vector<bool>& free_states) {
+    const auto& plain = system.symbols.all(SymbolKind::state);
+    const std::size_t first_plain = system.symbols.positions() + system.symbols.degrees();
+    for (const std::vector<std::size_t>& floating : system.heat.floating_parts()) {
+        if (std::any_of(floating.begin(), floating.end(), [&](std::size_t state) { return !free_states[first_plain + state]; })) continue;
+        std::vector<std::string> names;
+        for (const std::size_t state : floating) names.push_back(plain[state].name);
+        throw Failure(Diagnostic{Id::undetermined, plain[floating[0]].declared->span,
+                                 fmt::format("no link leads from {} to a temperature that is given, so that heat that flows in has nowhere to go and "
+                                             "their level is arbitrary; hold one with --hold {}, or link them", quoted_list(names), names[0])});
+    }
+}
+
+using PrintedValues = std::map<std::string, std::string>;
+
+EquilibriumLinearisation linearisation_of(const PrintedValues& printed, const std::vector<const Variable*>& states) {
+    EquilibriumLinearisation linear{matrix(printed.at("A")), matrix(printed.at("B")), matrix(printed.at("C")), matrix(printed.at("D")),
+                                    names_at(printed.at("free"), states), names_at(printed.at("ignorable"), states), {}};
+    for (const auto& pair : matrix(printed.at("eigenvalues"))) linear.eigenvalues.emplace_back(pair[0], pair[1]);
+    return linear;
+}
+
+std::vector<ResultValue> with_values(const std::vector<const Variable*>& variables, const std::vector<double>& numbers) {
+    std::vector<ResultValue> values;
+    for (std::size_t i = 0; i < variables.size(); ++i) values.push_back({variables[i]->name, numbers[i], variables[i]->unit});
+    return values;
 }
 
 }  // namespace
@@ -106,20 +167,9 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     const System& system = *chosen.system;
     refuse_fields(system, "equilibrium");
     refuse_rest(system, "equilibrium");
-    Values values(system.scene, system.translate);
-    apply_settings(values, parse_settings(options.parameters, "parameter"), on_parameters, system);
-    apply_settings(values, parse_settings(options.states, "state"), on_states, system);
-    apply_settings(values, parse_settings(options.inputs, "input"), on_inputs, system);
-    std::vector<bool> is_given;
-    for (const Variable& input : system.symbols.all(SymbolKind::input)) is_given.push_back(values.is_written(SymbolKind::input, input.position) || std::find(options.free.begin(), options.free.end(), input.base) != options.free.end() || std::find(options.free.begin(), options.free.end(), input.name) != options.free.end());
-    check_inputs_given(is_given, system);
+    Values values = start_values(options, system);
     streams.err << doubts_of_start(values, system);
-
-    const FunctionCode& by_time = (*chosen.code)[Function::jacobian_t];
-    const auto moves = [&](const CodeMatrix& matrix) { return std::any_of(matrix.entries.begin(), matrix.entries.end(), [&](NodeId id) { return !by_time.is_zero(id); }); };
-    if (moves(by_time.right) || moves(by_time.below))
-        throw Failure(Diagnostic{Id::bad_option, system.scene.model->name_span,
-                                 fmt::format("the equations of scene '{}' depend on the time, so that nothing stays at rest in them", system.scene.name)});
+    refuse_time(*chosen.code, system);
 
     const std::vector<const Variable*> states = system.symbols.state_variables();
     std::vector<const Variable*> inputs;
@@ -130,76 +180,25 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     mark(options.free, inputs, free_inputs, true, "free");
     const std::vector<bool> moving = moving_coordinates(options, states, free_states);
     if (!options.moving.empty()) meet_constraints(system, values);
-
-    // Each needs a temperature that is held, or its level is arbitrary and its heat has nowhere to go.
-    const std::size_t first_plain = system.symbols.positions() + system.symbols.degrees();
-    for (const std::vector<std::size_t>& floating : system.heat.floating_parts()) {
-        if (std::any_of(floating.begin(), floating.end(), [&](std::size_t state) { return !free_states[first_plain + state]; })) continue;
-        std::vector<std::string> names;
-        for (const std::size_t state : floating) names.push_back(system.symbols.all(SymbolKind::state)[state].name);
-        throw Failure(Diagnostic{Id::undetermined, system.symbols.all(SymbolKind::state)[floating[0]].declared->span,
-                                 fmt::format("no link leads from {} to a temperature that is given, so that heat that flows in has nowhere to go and their level is arbitrary; hold one with --hold {}, or link them", quoted_list(names), names[0])});
-    }
-
+    refuse_floating_parts(system, free_states);
     auto start = values.state();
     hold_positions(system, start, values, free_states, !options.moving.empty());
-    const ScratchFolder scratch;
-    const auto result = run_with_header(scratch, header, equilibrium_source(*chosen.code, header, values, start, free_states, free_inputs, moving), {}, "-O0");  // compiling takes longer than running
-    const bool found = result.at("status") == "success";
-    const auto x = number_list(result.at("x"), ',');
-    const auto u = number_list(result.at("u"), ',');
 
-    nlohmann::ordered_json json = json_result("equilibrium", system.scene);
-    json["status"] = result.at("status");
-    json["kind"] = result.at("kind");
-    json["dimension"] = std::stoul(result.at("dimension"));
-    json["residual"] = std::stod(result.at("residual"));
-    json["iterations"] = std::stoul(result.at("iterations"));
-    if (system.scene.mode) json["mode"] = system.scene.modes[*system.scene.mode].name;
-    std::string text = title_of(system.scene) + ": ";
-    if (!found)
-        text += fmt::format("no equilibrium found ({}{}), largest |dx/dt| left {}{}\n  try another start with --state, keep a state with --hold, let an input change with --free, or see by simulate where it goes\n", result.at("status"),
-                            result.at("status") == "not finite" ? ": dx/dt or its Jacobian has no value" : "", result.at("residual"), restless_state(states, moving, x, number_list(result.at("rates"), ','), std::stod(result.at("residual"))));
-    else if (result.at("kind") == "family") text += fmt::format("one of a family of equilibria of dimension {}\n", result.at("dimension"));
-    else text += options.moving.empty() ? "an isolated equilibrium\n" : "a steady motion\n";
-    const auto list = [&](const char* key, const std::vector<const Variable*>& variables, const std::vector<double>& numbers_of) {
-        json[key] = nlohmann::ordered_json::object();
-        for (std::size_t i = 0; i < variables.size(); ++i) {
-            json[key][variables[i]->name] = numbers_of[i];
-            text += fmt::format("  {:<16} {:>22} {}\n", variables[i]->name, numbers_of[i], variables[i]->unit);
-        }
-    };
-    list("state", states, x);
-    list("input", inputs, u);
-    if (found) {
-        for (const char* name : {"A", "B", "C", "D"}) {
-            json[name] = matrix(result.at(name));
-            if (matrix(result.at(name)).empty()) continue;
-            text += fmt::format("{}\n", name);
-            for (const auto& row : matrix(result.at(name))) {
-                text += " ";
-                for (const double value : row) text += fmt::format(" {:>12.5g}", value + 0.0);  // no -0
-                text += "\n";
-            }
-        }
-        const auto free = names_at(result.at("free"), states), ignorable = names_at(result.at("ignorable"), states);
-        json["free_states"] = free;
-        json["ignorable_states"] = ignorable;
-        json["eigenvalues"] = nlohmann::ordered_json::array();
-        if (free.size() < states.size()) {
-            text += fmt::format("free to be chosen where constraints hold: {}; the other states follow from them\n", quoted_list(free));
-            if (!ignorable.empty()) text += fmt::format("nothing depends on {}: an eigenvalue 0 for each\n", quoted_list(ignorable));
-            text += "eigenvalues of the motions that constraints allow [1/s]\n";
-        } else {
-            text += "eigenvalues of A [1/s]\n";
-        }
-        for (const auto& pair : matrix(result.at("eigenvalues"))) {
-            json["eigenvalues"].push_back({{"real", pair[0]}, {"imaginary", pair[1]}});
-            text += fmt::format("  {:>12.6g} {:+.6g} i\n", pair[0] + 0.0, pair[1] + 0.0);
-        }
-    }
-    streams.out << (options.format == "json" ? printed(json) : text);
-    return found ? ExitCode::good : ExitCode::run_stopped;
+    const ScratchFolder scratch;
+    const std::string source = equilibrium_source(*chosen.code, header, values, start, free_states, free_inputs, moving);
+    const PrintedValues printed = run_with_header(scratch, header, source, {}, "-O0");  // compiling takes longer than running
+    const auto x = number_list(printed.at("x"), ',');
+    EquilibriumResult result{.subject = subject_of(system.scene), .status = printed.at("status"), .kind = printed.at("kind")};
+    result.dimension = std::stoul(printed.at("dimension"));
+    result.residual = std::stod(printed.at("residual"));
+    result.iterations = std::stoul(printed.at("iterations"));
+    result.is_motion = !options.moving.empty();
+    result.states = with_values(states, x);
+    result.inputs = with_values(inputs, number_list(printed.at("u"), ','));
+    if (result.status == "success") result.linearisation = linearisation_of(printed, states);
+    else result.restless = restless_state(states, moving, x, number_list(printed.at("rates"), ','), result.residual);
+    write_result(result, options, streams);
+    return result.found() ? ExitCode::good : ExitCode::run_stopped;
 }
 
 }  // namespace dalembert

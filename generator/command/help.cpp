@@ -5,7 +5,7 @@
 #include <array>
 #include <ostream>
 
-#include "command/command_line.hpp"
+#include "run/options.hpp"
 #include "report/json_fields.hpp"
 #include "printed/catalogue_schema.hpp"
 #include "elements/schema.hpp"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/optimise.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <ostream>
 
-#include "report/json_output.hpp"
-#include "run/optimum.hpp"
+#include "command/write_result.hpp"
 #include "run/repeated_run.hpp"
 #include "run/shared.hpp"
 
@@ -39,7 +39,8 @@ SearchRange read_over(const std::string& text, const System& system) {
 const Variable& parameter_of(const Expression& named, const System& system) {
     const int index = named.children.empty() ? 0 : index_value(*named.children[0], system.scene, {});
     const Variable* found = system.symbols.find(SymbolKind::parameter, named.name, index);
-    if (found == nullptr) throw Failure(Diagnostic{Id::unknown_name, named.span, fmt::format("'{}' is a family; one of its members can be varied", named.written())});
+    if (found == nullptr)
+        throw Failure(Diagnostic{Id::unknown_name, named.span, fmt::format("'{}' is a family; one of its members can be varied", named.written())});
     return *found;
 }
 
@@ -50,12 +51,13 @@ double number_of(const Expression& e, const System& system) {
     return cln::double_approx(*value);
 }
 
-/// "0.7423 rad (42.53 deg)": in SI, and as the model gives the parameter.
-std::string with_units(double value, const Variable& parameter, int digits) {
+VariedParameter shown(const Variable& parameter) {
+    VariedParameter result{parameter.name, parameter.unit == "1" ? "" : parameter.unit};
     const Unit& unit = parameter.declared->unit;
-    std::string text = fmt::format("{:.{}g}{}{}", value, digits, parameter.unit == "1" ? "" : " ", parameter.unit == "1" ? "" : parameter.unit);
-    if (unit.is_coherent() || !is_zero(unit.offset)) return text;
-    return text + fmt::format(" ({:.{}g} {})", value / (cln::double_approx(unit.factor) * std::pow(std::numbers::pi, unit.pi_power)), digits, unit.written);
+    if (unit.is_coherent() || !is_zero(unit.offset)) return result;
+    result.declared_unit = unit.written;
+    result.of_declared = cln::double_approx(unit.factor) * std::pow(std::numbers::pi, unit.pi_power);
+    return result;
 }
 
 std::string unit_of(const std::string& wanted, const System& system) {
@@ -67,86 +69,80 @@ std::string unit_of(const std::string& wanted, const System& system) {
     return "";
 }
 
-const char* name_of(Optimum::Place place) {
-    return place == Optimum::Place::inside ? "inside" : place == Optimum::Place::at_low ? "low" : "high";
+/// What was found, and the run there: at usual care and at less, which shows the error.
+struct OptimumFound {
+    OptimumSearch search;
+    RepeatedRun::End end, coarser;
+};
+
+OptimumFound search(const RepeatedRun& run, const Expression& parameter, const OptimiseResult& wanted) {
+    const auto value = [&](double p) { return (wanted.is_largest ? 1 : -1) * run(parameter, p).value; };
+    OptimumSearch found = find_maximum(value, wanted.low, wanted.high, static_cast<std::size_t>(wanted.points));
+    const double at = found.best.at;
+    return {std::move(found), run(parameter, at), run(parameter, at, RepeatedRun::Care::coarse)};
+}
+
+void fill(OptimiseResult& result, const OptimumFound& found) {
+    const int sign = result.is_largest ? 1 : -1;
+    const RepeatedRun::End& end = found.end;
+    result.value = end.value;
+    // Of every step a rounding, which do not all add up.
+    const double rounding = 4 * std::sqrt(end.steps) * std::numeric_limits<double>::epsilon() * std::fabs(end.value);
+    result.value_error = std::fabs(end.value - found.coarser.value) + rounding;
+    const OptimumSearch& search = found.search;
+    result.at = search.best.at;
+    result.at_error = search.resolution;
+    if (search.curvature && *search.curvature < 0) {
+        const double curvature = sign * *search.curvature;
+        result.second_derivative = curvature;
+        // A slope is known to the error of two values by the step between them.
+        result.at_error = search.step ? search.last_shift + 2 * result.value_error / (*search.step * std::fabs(curvature))
+                                      : std::max(result.at_error, std::sqrt(2 * result.value_error / std::fabs(curvature)));
+        result.loses_a_percent = std::sqrt(0.02 * std::fabs(end.value / curvature));
+    }
+    result.place = search.best.place;
+    if (result.place != Optimum::Place::inside) result.at_error = 0;
+    result.t = end.t;
+    result.event = end.event;
+    result.evaluations = search.evaluations;
+    for (const Optimum& other : search.others) result.others.push_back({other.at, sign * other.value, other.place});
 }
 
 }  // namespace
 
 ExitCode optimise_command(const Options& options, Streams streams) {
-    if (options.maximise.empty() == options.minimise.empty()) throw Failure(Diagnostic{Id::bad_option, {}, "what is to be found? Give either --maximise OUTPUT or --minimise OUTPUT"});
-    const bool largest = !options.maximise.empty();
-    const std::string& wanted = largest ? options.maximise : options.minimise;
+    if (options.maximise.empty() == options.minimise.empty())
+        throw Failure(Diagnostic{Id::bad_option, {}, "what is to be found? Give either --maximise OUTPUT or --minimise OUTPUT"});
+    const bool is_largest = !options.maximise.empty();
+    const std::string& wanted = is_largest ? options.maximise : options.minimise;
     RepeatedRun run(loaded(options, streams), options, wanted);
     show_warnings(run.machine(), streams);
     const System& system = *run.machine().system;
     const SearchRange over = read_over(options.over, system);
-    const Variable& parameter = parameter_of(*over.parameter, system);
-    const double low = number_of(*over.low, system), high = number_of(*over.high, system);
-    if (!(low < high))
-        throw Failure(Diagnostic{Id::bad_option, over.low->span, fmt::format("the search for '{}' would begin at {} and end at {}; it begins at the smaller one", parameter.name, with_units(low, parameter, 6), with_units(high, parameter, 6))});
-
+    OptimiseResult result{.subject = subject_of(system.scene), .is_largest = is_largest, .output = wanted, .unit = unit_of(wanted, system),
+                          .parameter = shown(parameter_of(*over.parameter, system))};
+    result.low = number_of(*over.low, system);
+    result.high = number_of(*over.high, system);
+    result.points = options.points;
+    if (!(result.low < result.high))
+        throw Failure(Diagnostic{Id::bad_option, over.low->span,
+                                 fmt::format("the search for '{}' would begin at {} and end at {}; it begins at the smaller one", result.parameter.name,
+                                             with_units(result.low, result.parameter, 6), with_units(result.high, result.parameter, 6))});
     run.compile();
-    OptimumSearch found{};
-    RepeatedRun::End end{}, coarser{};
+    std::optional<OptimumFound> found;
     try {
-        const auto value = [&](double p) { return (largest ? 1 : -1) * run(*over.parameter, p).value; };
-        found = find_maximum(value, low, high, static_cast<std::size_t>(options.points));
-        end = run(*over.parameter, found.best.at);
-        coarser = run(*over.parameter, found.best.at, RepeatedRun::Care::coarse);
+        found = search(run, *over.parameter, result);
     } catch (const RunStopped& stopped) {
-        streams.err << fmt::format("dalembert: {}, scene {}: {}\n", system.scene.sized_name(), system.scene.name, stopped.what());
+        streams.err << fmt::format("dalembert: {}, scene {}: {}\n", result.subject.sized_name, result.subject.scene, stopped.what());
         return ExitCode::run_stopped;
     }
-    if (found.is_constant)
-        throw Failure(Diagnostic{Id::bad_option, over.parameter->span, fmt::format("'{}' at the end of the run is {:.6g} for every '{}' of the scan, so that none is best", wanted, end.value, parameter.name)});
-
-    // Of every step a rounding, which do not all add up.
-    const double rounding = 4 * std::sqrt(end.steps) * std::numeric_limits<double>::epsilon() * std::fabs(end.value);
-    const double error = std::fabs(end.value - coarser.value) + rounding;
-    std::optional<double> curvature, loses_a_percent;
-    double accuracy = found.resolution;
-    if (found.curvature && *found.curvature < 0) {
-        curvature = (largest ? 1 : -1) * *found.curvature;
-        // A slope is known to the error of two values by the step between them.
-        accuracy = found.step ? found.last_shift + 2 * error / (*found.step * std::fabs(*curvature)) : std::max(accuracy, std::sqrt(2 * error / std::fabs(*curvature)));
-        loses_a_percent = std::sqrt(0.02 * std::fabs(end.value / *curvature));
-    }
-    if (found.best.place != Optimum::Place::inside) accuracy = 0;
-    const char* superlative = largest ? "largest" : "smallest";
-    if (found.best.place != Optimum::Place::inside)
-        streams.err << fmt::format("dalembert: warning: '{}' is {} at the {} end of the range of '{}'; beyond it there may be better ones\n", wanted, superlative, found.best.place == Optimum::Place::at_low ? "lower" : "upper", parameter.name);
-    for (const Optimum& other : found.others)
-        streams.err << fmt::format("dalembert: warning: '{}' has another local optimum, {:.6g} at {} = {}\n", wanted, (largest ? 1 : -1) * other.value, parameter.name, with_units(other.at, parameter, 6));
-
-    if (options.format == "json") {
-        nlohmann::ordered_json json = json_result("optimise", system.scene);
-        json["goal"] = largest ? "maximise" : "minimise";
-        json["output"] = wanted;
-        json["parameter"] = parameter.name;
-        json["low"] = low;
-        json["high"] = high;
-        json["value"] = end.value;
-        json["value_error"] = error;
-        json["at"] = found.best.at;
-        json["at_error"] = accuracy;
-        json["place"] = name_of(found.best.place);
-        json["second_derivative"] = curvature ? nlohmann::ordered_json(*curvature) : nlohmann::ordered_json();
-        json["t"] = end.t;
-        json["event"] = end.event;
-        json["evaluations"] = found.evaluations;
-        json["others"] = nlohmann::ordered_json::array();
-        for (const Optimum& other : found.others) json["others"].push_back({{"at", other.at}, {"value", (largest ? 1 : -1) * other.value}, {"place", name_of(other.place)}});
-        streams.out << printed(json);
-        return ExitCode::good;
-    }
-    const std::string unit = unit_of(wanted, system), spaced = unit.empty() ? "" : " " + unit;
-    std::string text = fmt::format("{}, scene {}: {} is {} with\n", system.scene.sized_name(), system.scene.name, wanted, superlative);
-    text += fmt::format("  {:<12} {}, {}\n", parameter.name, with_units(found.best.at, parameter, 10), accuracy > 0 ? fmt::format("within {:.1e}", accuracy) : "an end of the range");
-    text += fmt::format("  {:<12} {:.15g}{}, within {:.1e}; at t = {:.6g} s, {}\n", wanted, end.value, spaced, error, end.t, end.event.empty() ? "the end of the run" : fmt::format("where '{}' ends the run", end.event));
-    if (curvature) text += fmt::format("  {:<12} its second derivative by {} is {:.6g}; a percent is lost {} away\n", "", parameter.name, *curvature, with_units(*loses_a_percent, parameter, 3));
-    text += fmt::format("  {:<12} {} runs, {} of them at steps from {} to {}\n", "", found.evaluations, options.points, with_units(low, parameter, 6), with_units(high, parameter, 6));
-    streams.out << text;
+    if (found->search.is_constant)
+        throw Failure(Diagnostic{Id::bad_option, over.parameter->span,
+                                 fmt::format("'{}' at the end of the run is {:.6g} for every '{}' of the scan, so that none is best", wanted,
+                                             found->end.value, result.parameter.name)});
+    fill(result, *found);
+    streams.err << warnings_of(result);
+    write_result(result, options, streams);
     return ExitCode::good;
 }
 

@@ -33,9 +33,10 @@ std::vector<Curve> curves_of(const std::vector<WorkPoint>& measured, double unti
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> precision_plot(const WorkPrecision& work, const std::vector<WorkPoint>& measured, const std::vector<Level>& levels, const std::string& title) {
+std::vector<std::pair<std::string, std::string>> precision_plot(const std::vector<WorkPoint>& measured, double until, const std::vector<Level>& levels,
+                                                                const std::string& title) {
     constexpr double floor = 1e-18;
-    const std::vector<Curve> curves = curves_of(measured, work.run().settings.until, floor);
+    const std::vector<Curve> curves = curves_of(measured, until, floor);
     if (curves.empty()) return {};
     std::vector<std::string> methods;
     for (const Curve& curve : curves)

@@ -2,7 +2,6 @@
 #include "report/precision_table.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <sstream>
@@ -22,12 +21,14 @@ std::vector<std::string> measured_methods(const std::vector<std::string>& wanted
 bool is_wanted(const std::vector<std::string>& wanted, const std::string& name) { return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end(); }
 
 std::string csv_titles() {
-    return "scene,size,arithmetic,method,tolerance,step [s],status,end [s],steps,rejected,rhs_calls,time [us],time_lowest [us],time_highest [us],error_at_end,error_on_the_way,energy_error,constraint_error,good\n";
+    return "scene,size,arithmetic,method,tolerance,step [s],status,end [s],steps,rejected,rhs_calls,time [us],time_lowest [us],time_highest [us],"
+           "error_at_end,error_on_the_way,energy_error,constraint_error,good\n";
 }
 
 std::string csv_line(const std::string& scene, const std::string& size, const WorkPoint& p) {
-    return fmt::format("{},{},{},{},{:g},{:.9g},{},{:.9g},{},{},{},{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g},{:.4g},{}\n", scene, size, p.plan.arithmetic, p.plan.method, p.plan.tolerance, p.plan.step, p.status, p.t, p.steps, p.rejected,
-                       p.rhs_calls, p.microseconds, p.fastest, p.slowest, p.error_at_end, p.error, p.energy_error, p.constraint_error, p.is_good ? 1 : 0);
+    return fmt::format("{},{},{},{},{:g},{:.9g},{},{:.9g},{},{},{},{:.6g},{:.6g},{:.6g},{:.4g},{:.4g},{:.4g},{:.4g},{}\n", scene, size,
+                       p.plan.arithmetic, p.plan.method, p.plan.tolerance, p.plan.step, p.status, p.t, p.steps, p.rejected, p.rhs_calls, p.microseconds,
+                       p.fastest, p.slowest, p.error_at_end, p.error, p.energy_error, p.constraint_error, p.is_good ? 1 : 0);
 }
 
 std::optional<WorkPoint> read_csv_line(const std::string& line) {
@@ -38,7 +39,8 @@ std::optional<WorkPoint> read_csv_line(const std::string& line) {
     if (cells.size() != columns) return std::nullopt;
     const auto number = [&](std::size_t i) { return std::strtod(cells[i].c_str(), nullptr); };
     const auto whole = [&](std::size_t i) { return static_cast<std::size_t>(std::strtoull(cells[i].c_str(), nullptr, 10)); };
-    return WorkPoint{{cells[2], cells[3], number(4), number(5)}, cells[6], number(7), whole(8), whole(9), whole(10), number(11), number(12), number(13), number(14), number(15), number(16), number(17), cells[18] == "1"};
+    return WorkPoint{{cells[2], cells[3], number(4), number(5)}, cells[6], number(7), whole(8), whole(9), whole(10), number(11), number(12), number(13),
+                     number(14), number(15), number(16), number(17), cells[18] == "1"};
 }
 
 const WorkPoint* cheapest(const std::vector<WorkPoint>& points, double error, const std::string& arithmetic, const std::string& method) {
@@ -63,33 +65,5 @@ std::string name_of(const RunPlan& plan) {
 }
 
 std::string error_text(const ReferenceRun& reference) { return reference.error > 1e-18 ? fmt::format("{:.1e}", reference.error) : "below 1e-18"; }
-
-std::string advice(const WorkPrecision& work, const std::vector<WorkPoint>& points) {
-    const ReferenceRun& reference = work.reference();
-    const double until = work.run().settings.until;
-    std::string text = fmt::format("reference: {}, its own error {}{}; {}{}\n", name_of(reference.plan), error_text(reference), reference.closed_forms.empty() ? "" : fmt::format("; of {} closed forms", fmt::join(reference.closed_forms, ", ")), reference.growth ? fmt::format("a disturbance of the start grows {:.2g}-fold", *reference.growth) : "how a disturbance of the start grows is not known",
-                                   reference.is_sensitive() ? fmt::format(": errors are counted up to t = {:.4g} s, where it is not yet lost", reference.until()) : "");
-    const auto times = [&](const WorkPoint& p) { return fmt::format("{:.3g} us per simulated second (up to {:.3g}), {} right-hand sides", p.fastest / until, p.slowest / until, p.rhs_calls); };
-    for (const double error : wanted_errors) {
-        const WorkPoint* best = cheapest(points, error);
-        if (best == nullptr) {
-            text += fmt::format("{:.0e} in what is compared: not reached\n", error);
-            continue;
-        }
-        text += fmt::format("{:.0e} in what is compared: {}: {}", error, name_of(best->plan), times(*best));
-        const WorkPoint* usual = cheapest(points, error, "double", work.run().settings.method);
-        if (usual != nullptr && usual != best) text += fmt::format("; {} takes {:.2g} times as long", name_of(usual->plan), usual->fastest / best->fastest);
-        text += "\n";
-    }
-    for (const char* arithmetic : arithmetics)
-        if (const WorkPoint* best = most_accurate(points, arithmetic)) {
-            const std::string name = name_of(best->plan);
-            const std::size_t comma = name.find(',');
-            text += fmt::format("{} no better than {:.1e}:{}\n", name.substr(0, comma), best->error, name.substr(comma + 1));
-        }
-    if (reference.is_sensitive())
-        if (const WorkPoint* best = cheapest(points, 1e-6, "double")) text += fmt::format("over the whole run, up to t = {:.4g} s, {} keeps the energy to {:.1e}\n", best->t, name_of(best->plan), best->energy_error);
-    return text;
-}
 
 }  // namespace dalembert

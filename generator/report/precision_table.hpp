@@ -12,8 +12,10 @@ std::string csv_line(const std::string& scene, const std::string& size, const Wo
 /// What csv_line wrote; nothing where the line is not whole.
 std::optional<WorkPoint> read_csv_line(const std::string& line);
 
-/// The point that takes least time, by its fastest repetition as others are slowed down by the rest of the machine, for an error on the way that is not larger; null where there is none.
-const WorkPoint* cheapest(const std::vector<WorkPoint>& points, double error, const std::string& arithmetic = {}, const std::string& method = {});
+/// The point that takes least time for an error on the way that is not larger; null where there is none. Times are those of the fastest
+/// repetition, as others are slowed down by the rest of the machine.
+const WorkPoint* cheapest(const std::vector<WorkPoint>& points, double error, const std::string& arithmetic = {},
+                          const std::string& method = {});
 /// The least error that is reached.
 const WorkPoint* most_accurate(const std::vector<WorkPoint>& points, const std::string& arithmetic);
 
@@ -22,9 +24,6 @@ std::string name_of(const RunPlan& plan);
 
 /// That of a reference: "3.6e-15", or where it is beyond the digits that are kept "below 1e-18".
 std::string error_text(const ReferenceRun& reference);
-
-/// Which method to take for which accuracy, for people.
-std::string advice(const WorkPrecision& work, const std::vector<WorkPoint>& points);
 
 /// What was asked for; everything, where nothing was said.
 bool is_wanted(const std::vector<std::string>& wanted, const std::string& name);

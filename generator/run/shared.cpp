@@ -7,7 +7,6 @@
 #include <ostream>
 
 #include "run/settings.hpp"
-#include "elements/verdict.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -50,35 +49,6 @@ const Machine& in_chosen_mode(const Machine& machine, const Options& options) {
     const auto found = std::find(names.begin(), names.end(), options.mode);
     if (found == names.end()) throw Failure(Diagnostic{Id::unknown_name, scene.model->name_span, fmt::format("scene '{}' has no mode '{}'; its modes are {}", scene.name, options.mode, quoted_list(names))});
     return found == names.begin() ? machine : machine.other_modes[static_cast<std::size_t>(found - names.begin()) - 1];
-}
-
-std::string title_of(const Scene& scene) {
-    return fmt::format("{}, scene {}{}", scene.sized_name(), scene.name, scene.mode ? ", mode " + scene.modes[*scene.mode].name : "");
-}
-
-std::string rewritten_text(const Machine& machine) {
-    std::string text;
-    const auto add = [&](const Machine& one) {
-        for (const Rewriting& r : one.code->rewritten)
-            text += fmt::format("  rewritten   {}: {} in {} place{}{}, from {:.3g} to {:.3g} ulp beyond the condition\n", r.rule, r.where, r.places, r.places == 1 ? "" : "s", one.system->scene.mode ? " of " + one.system->scene.modes[*one.system->scene.mode].name : "", r.before, r.after);
-    };
-    add(machine);
-    for (const Machine& other : machine.other_modes) add(other);
-    return text;
-}
-
-std::string summary(const std::vector<const AuditEntry*>& entries) {
-    std::map<Verdict, int> counts;
-    for (const AuditEntry* entry : entries) ++counts[entry->result.verdict];
-    std::string text;
-    for (const auto& [verdict, count] : counts) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, to_string(verdict));
-    return text.empty() ? "none" : text;
-}
-
-std::vector<const AuditEntry*> pointers(const std::vector<AuditEntry>& entries) {
-    std::vector<const AuditEntry*> result;
-    for (const AuditEntry& entry : entries) result.push_back(&entry);
-    return result;
 }
 
 void refuse_fields(const System& system, const char* verb) {

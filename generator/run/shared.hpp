@@ -21,15 +21,6 @@ void ask_of_code(Machine& machine, const Options& options);
 
 /// The machine in the mode of the command line. Throws Failure (unknown-name).
 const Machine& in_chosen_mode(const Machine& machine, const Options& options);
-/// "NAME, scene S", with the mode where there are some.
-std::string title_of(const Scene& scene);
-
-/// What was rewritten to keep digits, a line each; nothing where nothing was.
-std::string rewritten_text(const Machine& machine);
-
-/// "proven", or "12 proven, 1 numerically equal".
-std::string summary(const std::vector<const AuditEntry*>& entries);
-std::vector<const AuditEntry*> pointers(const std::vector<AuditEntry>& entries);
 
 /// Throws Failure (too-large) where cells of rods are computed in loops, so that they have no equations of their own.
 void refuse_fields(const System& system, const char* verb);

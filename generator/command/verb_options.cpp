@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command/verb_options.hpp"
+
+#include <fmt/format.h>
+
+#include "elements/methods.hpp"
+#include "graph/passes.hpp"
+#include "text/budgets.hpp"
+
+namespace dalembert {
+
+namespace {
+
+/// "of the header: cpp (C++20), c (C99)": a name with its description for each row of a table.
+template <class Rows>
+std::pair<std::vector<std::string>, std::string> names_and_docs(const Rows& rows, std::string docs) {
+    std::vector<std::string> names;
+    for (const auto& row : rows) {
+        docs += fmt::format("{} {} ({})", names.empty() ? "" : ",", row.name, row.doc);
+        names.emplace_back(row.name);
+    }
+    return {names, docs};
+}
+
+}  // namespace
+
+void VerbOptions::model_alone() { verb_.add_option("MODEL", given_.model, "model file")->required(); }
+
+void VerbOptions::model() {
+    model_alone();
+    verb_.add_option("--scene", options.choice.scene,
+                     "the scene, if the model has several; NAME+EFFECT and NAME-EFFECT add one effect or leave one out");
+    sizes("size of a family, as N=5");
+}
+
+void VerbOptions::sizes(const char* doc) { verb_.add_option("--size", given_.sizes, doc)->delimiter(','); }
+
+void VerbOptions::output() { verb_.add_option("-o,--output", options.output, "folder for results; made if it is not there")->default_val("."); }
+
+void VerbOptions::format(std::vector<std::string> choices) {
+    std::string doc;
+    for (std::size_t i = 0; i < choices.size(); ++i) doc += (i == 0 ? "" : i + 1 == choices.size() ? " or " : ", ") + choices[i];
+    verb_.add_option("--format", options.format, doc)->check(CLI::IsMember(std::move(choices)));
+}
+
+void VerbOptions::settings() {
+    verb_.add_option("--parameter", options.parameters, "as m_W=1.2 or p=5bar, comma separated; without a unit, a value counts in the declared one");
+    verb_.add_option("--state", options.states, "as s=0.55,dot(s)=-0.3");
+    verb_.add_option("--input", options.inputs, "as f_e=4.5; for simulate an expression of t and the states");
+}
+
+void VerbOptions::mode() { verb_.add_option("--mode", options.mode, "of a machine that switches, the mode; the first, if left out"); }
+void VerbOptions::run(const char* doc) { verb_.add_option("--run", options.run, doc); }
+void VerbOptions::until(const char* doc) { verb_.add_option("--until", options.until, doc); }
+
+void VerbOptions::integration() {
+    run();
+    verb_.add_option("--tolerance", options.tolerance, "relative tolerance of a step")->check(CLI::Range(1e-16, 0.5));
+    verb_.add_option("--method", options.method, methods_text())->check(CLI::IsMember(method_names()));
+    verb_.add_option("--step", options.step, "step of methods with a fixed one, in seconds")->check(CLI::PositiveNumber);
+    verb_.add_option("--samples", options.samples, "number of intervals at which results are written")->check(CLI::Range(1, budget::samples));
+    verb_.add_option("--periods", options.periods, "length of the run in periods, where the run names a period")->check(CLI::PositiveNumber);
+}
+
+void VerbOptions::plots() {
+    verb_.add_flag("--no-plot", options.no_plot, "write the CSV only");
+    verb_.add_option("--units", options.units,
+                     "of CSV and plots: declared, as in the model, or si; if left out, CSV is in SI and plots are in declared units")
+        ->check(CLI::IsMember({"declared", "si"}));
+}
+
+void VerbOptions::explain(const char* doc) { verb_.add_flag("--explain", options.explain, doc); }
+
+void VerbOptions::dump() {
+    verb_.add_option("--dump", options.dump, "print a stage instead: scene, equations, atoms or code")
+        ->check(CLI::IsMember({"scene", "equations", "atoms", "code"}));
+}
+
+void VerbOptions::rewriting() {
+    const auto [names, docs] = names_and_docs(all_passes, "passes to leave out, comma separated:");
+    verb_.add_option("--without", options.without, docs)->delimiter(',')->check(CLI::IsMember(names));
+    verb_.add_option("--trig", options.trig, "combined: sine and cosine in float from one reduction, as fast for every angle")
+        ->check(CLI::IsMember({"library", "combined"}));
+}
+
+void VerbOptions::language() {
+    const auto [names, docs] = names_and_docs(languages(), "of the header:");
+    verb_.add_option("--language", options.language, docs)->check(CLI::IsMember(names));
+}
+
+}  // namespace dalembert
