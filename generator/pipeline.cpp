@@ -51,24 +51,31 @@ auto guarded(const Model& model, Work work) {
         throw;
     } catch (const TooManyTerms&) {
         throw Failure(Diagnostic{Id::too_large, model.name_span,
-                                 fmt::format("an expression in the code of model '{}', or a derivative of one, takes more than {:g} products of terms; shorter expressions, or a lower degree, need less", model.name, budget::code_work)});
+                                 fmt::format("an expression in the code of model '{}', or a derivative of one, takes more than {:g} "
+                                             "products of terms; shorter expressions, or a lower degree, need less",
+                                             model.name, budget::code_work)});
     } catch (const std::bad_alloc&) {
-        throw Failure(Diagnostic{Id::too_large, model.name_span, fmt::format("the derivation of model '{}' needs more memory than there is", model.name)});
+        throw Failure(Diagnostic{Id::too_large, model.name_span,
+                                 fmt::format("the derivation of model '{}' needs more memory than there is", model.name)});
     } catch (const std::exception& error) {
-        throw Failure(Diagnostic{Id::division_by_zero, model.name_span,
-                                 fmt::format("the derivation of model '{}' meets an expression that has no value: {}", model.name, error.what())});
+        throw Failure(
+            Diagnostic{Id::division_by_zero, model.name_span,
+                       fmt::format("the derivation of model '{}' meets an expression that has no value: {}", model.name, error.what())});
     }
 }
 
 /// Measured: the derivation of a heat exchanger of 180 states takes a second, and grows with their square; that of mechanics grows faster.
 void check_size(const Scene& scene) {
-    const std::size_t states = 2 * scene.coordinates.size() + scene.states.size();  // cells of fields are not counted: they are derived once
+    const std::size_t states =
+        2 * scene.coordinates.size() + scene.states.size();  // cells of fields are not counted: they are derived once
     if (scene.coordinates.size() > budget::coordinates)
         throw Failure(Diagnostic{Id::too_large, scene.model->name_span,
-                                 fmt::format("scene '{}' has {} coordinates; this version derives at most {}", scene.name, scene.coordinates.size(), budget::coordinates)});
+                                 fmt::format("scene '{}' has {} coordinates; this version derives at most {}", scene.name,
+                                             scene.coordinates.size(), budget::coordinates)});
     if (states > budget::states)
         throw Failure(Diagnostic{Id::too_large, scene.model->name_span,
-                                 fmt::format("scene '{}' has {} states; this version derives at most {}{}", scene.name, states, budget::states, scene.rods.empty() ? "" : ", not counting the cells of rods in loops")});
+                                 fmt::format("scene '{}' has {} states; this version derives at most {}{}", scene.name, states,
+                                             budget::states, scene.rods.empty() ? "" : ", not counting the cells of rods in loops")});
 }
 
 void stop_on_unbalanced_mass(const System& system) {
@@ -78,7 +85,9 @@ void stop_on_unbalanced_mass(const System& system) {
     const Body& item = *mass->body->member.item;
     const std::string change = fmt::format("the mass of body '{}' changes by '{}'", mass->body->member.name(), write(mass->change));
     throw Failure(Diagnostic{Id::mass_not_balanced, item.mass ? item.mass->span : item.span,
-                             mass->jets.empty() ? change + ", but no jet takes any away" : fmt::format("{}, but its jets take away '{}'", change, write(mass->lost)), mass->jets});
+                             mass->jets.empty() ? change + ", but no jet takes any away"
+                                                : fmt::format("{}, but its jets take away '{}'", change, write(mass->lost)),
+                             mass->jets});
 }
 
 /// What must hold before anything is made of a derivation.
@@ -90,10 +99,11 @@ void stop_on_failed_audit(const System& system, const Audit& audit) {
         if (potential.origin == Potential::Origin::forces) {
             if (const auto problem = integrability(system, potential.force)) {
                 const auto& q = system.symbols.all(SymbolKind::coordinate);
-                throw Failure(Diagnostic{Id::not_integrable, potential.span,
-                                         fmt::format("the forces of {} have no potential: d(force on {})/d({}) is '{}', but d(force on {})/d({}) is '{}'",
-                                                     potential.name, q[problem->i].name, q[problem->j].name, write(problem->slope_ij), q[problem->j].name,
-                                                     q[problem->i].name, write(problem->slope_ji))});
+                throw Failure(Diagnostic{
+                    Id::not_integrable, potential.span,
+                    fmt::format("the forces of {} have no potential: d(force on {})/d({}) is '{}', but d(force on {})/d({}) is '{}'",
+                                potential.name, q[problem->i].name, q[problem->j].name, write(problem->slope_ij), q[problem->j].name,
+                                q[problem->i].name, write(problem->slope_ji))});
             }
         }
         if (potential.origin != Potential::Origin::given_energy) continue;
@@ -103,19 +113,27 @@ void stop_on_failed_audit(const System& system, const Audit& audit) {
             const GiNaC::ex slope = -system.symbols.along(potential.energy, j);
             if (prover.equal(potential.force[j], slope).verdict != Verdict::wrong) continue;
             throw Failure(Diagnostic{Id::wrong_integral, potential.span,
-                                     fmt::format("the energy of {} gives the force '{}' on '{}', but its law gives '{}'", potential.name, write(slope), q.name, write(potential.force[j]))});
+                                     fmt::format("the energy of {} gives the force '{}' on '{}', but its law gives '{}'", potential.name,
+                                                 write(slope), q.name, write(potential.force[j]))});
         }
     }
     for (const AuditEntry& entry : audit.media)
         if (entry.result.verdict == Verdict::wrong)
-            throw Failure(Diagnostic{Id::inconsistent_medium, entry.of->span, fmt::format("the laws of medium '{}' contradict each other; {}", entry.of->name, entry.result.reason)});
+            throw Failure(
+                Diagnostic{Id::inconsistent_medium, entry.of->span,
+                           fmt::format("the laws of medium '{}' contradict each other; {}", entry.of->name, entry.result.reason)});
     for (const AuditEntry* entry : audit.all())
         if (entry->result.verdict == Verdict::wrong)
-            throw Failure(Diagnostic{Id::not_equal, system.scene.model->name_span, fmt::format("two derivations disagree: {}. This is a defect of the program; please report it with the model", entry->name)});
+            throw Failure(
+                Diagnostic{Id::not_equal, system.scene.model->name_span,
+                           fmt::format("two derivations disagree: {}. This is a defect of the program; please report it with the model",
+                                       entry->name)});
     if (const auto j = singular_coordinate(system)) {
         const Variable& q = system.symbols.all(SymbolKind::coordinate)[*j];
         throw Failure(Diagnostic{Id::singular_mass, q.declared->span,
-                                 fmt::format("the mass matrix is singular: the acceleration of '{}' is not determined by the others; give what moves with it mass or inertia{}", q.name, system.constraints.empty() ? "" : ", or constraints that determine it")});
+                                 fmt::format("the mass matrix is singular: the acceleration of '{}' is not determined by the others; give "
+                                             "what moves with it mass or inertia{}",
+                                             q.name, system.constraints.empty() ? "" : ", or constraints that determine it")});
     }
 }
 
@@ -153,7 +171,9 @@ bool all_derivations_proven(const Machine& machine) {
     return machine.audit.all_proven() && std::all_of(machine.other_modes.begin(), machine.other_modes.end(), all_derivations_proven);
 }
 
-CodeWish wish_of(const Machine& machine, bool with_series) { return {.passes = machine.passes, .series = with_series, .together = machine.together, .trig = machine.trig}; }
+CodeWish wish_of(const Machine& machine, bool with_series) {
+    return {.passes = machine.passes, .series = with_series, .together = machine.together, .trig = machine.trig};
+}
 
 /// Rewritten code has to be proven as well as code in the form of the derivation is; else it is not taken.
 void keep_proofs(Machine& machine, bool with_series) {
@@ -163,7 +183,9 @@ void keep_proofs(Machine& machine, bool with_series) {
     without_rewriting.passes.rewriting = false;
     auto plain = make_code(*machine.system, without_rewriting);
     std::vector<AuditEntry> of_plain = verify(*plain);
-    if (std::count_if(of_plain.begin(), of_plain.end(), is_proven) <= std::count_if(machine.emitted.begin(), machine.emitted.end(), is_proven)) return;
+    if (std::count_if(of_plain.begin(), of_plain.end(), is_proven) <=
+        std::count_if(machine.emitted.begin(), machine.emitted.end(), is_proven))
+        return;
     machine.code = std::move(plain);
     machine.emitted = std::move(of_plain);
 }
@@ -184,7 +206,9 @@ void make_and_prove_code(Machine& machine, Stopwatch& watch, bool with_series) {
     }
     for (const AuditEntry& entry : machine.emitted)
         if (entry.result.verdict == Verdict::wrong)
-            throw Failure(Diagnostic{Id::not_equal, machine.loaded->model.name_span, fmt::format("{} fails. This is a defect of the program; please report it with the model", entry.name)});
+            throw Failure(
+                Diagnostic{Id::not_equal, machine.loaded->model.name_span,
+                           fmt::format("{} fails. This is a defect of the program; please report it with the model", entry.name)});
 }
 
 }  // namespace
@@ -195,11 +219,17 @@ namespace {
 void keep_series(Machine& machine, const std::vector<Code*>& modes, SeriesWish wish) {
     constexpr int most_operations = 1000;  // beyond, compiling takes minutes
     std::optional<Diagnostic> why;
-    if (machine.fields) why = Diagnostic{Id::no_series, machine.loaded->model.name_span, "no series are made of rods whose cells are computed in loops; a smaller size has code for each of them"};
+    if (machine.fields)
+        why = Diagnostic{Id::no_series, machine.loaded->model.name_span,
+                         "no series are made of rods whose cells are computed in loops; a smaller size has code for each of them"};
     for (const Code* code : modes) {
         if (why) break;
         if (const auto missing = missing_series(*code)) why = *missing;
-        else if (wish == SeriesWish::if_possible && code->count(Function::rhs).total() > most_operations) why = Diagnostic{Id::too_large, {}, fmt::format("its right-hand side has more than {} operations, and series of it would take long to compile", most_operations)};
+        else if (wish == SeriesWish::if_possible && code->count(Function::rhs).total() > most_operations)
+            why = Diagnostic{Id::too_large,
+                             {},
+                             fmt::format("its right-hand side has more than {} operations, and series of it would take long to compile",
+                                         most_operations)};
     }
     if (!why) return;
     if (wish == SeriesWish::wanted) throw Failure(*why);
@@ -209,7 +239,8 @@ void keep_series(Machine& machine, const std::vector<Code*>& modes, SeriesWish w
 
 }  // namespace
 
-Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::string& scene_name, const std::map<std::string, int>& sizes, const FixWish& fixed) {
+Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::string& scene_name, const std::map<std::string, int>& sizes,
+                       const FixWish& fixed) {
     const Model& model = loaded->model;
     return guarded(model, [&] {
         Machine machine;
@@ -217,12 +248,15 @@ Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::str
         Scene scene = select_scene(model, loaded->names, resolve_scene(model, scene_name), sizes);
         fix_parameters(scene, loaded->names, fixed);
         check_size(scene);
-        watch.lap("scene", fmt::format("{} coordinates, {} states, {} inputs, {} parameters{}", scene.coordinates.size(), scene.states.size(), scene.inputs.size(), scene.parameters.size(),
-                                       scene.modes.empty() ? "" : fmt::format(", {} modes, {} events", scene.modes.size(), scene.events.size())));
+        watch.lap("scene",
+                  fmt::format("{} coordinates, {} states, {} inputs, {} parameters{}", scene.coordinates.size(), scene.states.size(),
+                              scene.inputs.size(), scene.parameters.size(),
+                              scene.modes.empty() ? "" : fmt::format(", {} modes, {} events", scene.modes.size(), scene.events.size())));
         enter_stage(fmt::format("the derivation of scene '{}'", scene.name));
         auto modes = derive_modes(loaded->names, scene);
         const System& first = *modes.front();
-        watch.lap("derive", fmt::format("{} bodies, {} potentials, {} resistances, {} supplies{}", first.bodies.size(), first.potentials.size(), first.resistances.size(), first.supplies.size(),
+        watch.lap("derive", fmt::format("{} bodies, {} potentials, {} resistances, {} supplies{}", first.bodies.size(),
+                                        first.potentials.size(), first.resistances.size(), first.supplies.size(),
                                         modes.size() == 1 ? "" : fmt::format(" in the first of {} modes", modes.size())));
         enter_stage(fmt::format("the proof of scene '{}'", first.scene.name));
         prove(machine, loaded, std::move(modes.front()));
@@ -239,7 +273,8 @@ std::vector<std::unique_ptr<System>> derive_systems(const LoadedModel& loaded, c
         check_size(scene);
         for (std::size_t i = first_letter; i < model.parameters.size(); ++i) {
             const Parameter& letter = model.parameters[i];
-            if (std::any_of(scene.parameters.begin(), scene.parameters.end(), [&](const auto& member) { return member.item == &letter; })) continue;
+            if (std::any_of(scene.parameters.begin(), scene.parameters.end(), [&](const auto& member) { return member.item == &letter; }))
+                continue;
             const auto [from, to] = letter.family ? bounds(*letter.family, scene) : std::pair(0, 0);
             for (int k = from; k <= to; ++k) scene.parameters.push_back({&letter, k});
         }
@@ -250,7 +285,9 @@ std::vector<std::unique_ptr<System>> derive_systems(const LoadedModel& loaded, c
 Proofs proofs_of(const Machine& machine) {
     Proofs proofs{machine.audit, machine.emitted};
     for (const Machine& other : machine.other_modes) {
-        const auto add = [](std::vector<AuditEntry>& all, const std::vector<AuditEntry>& more) { all.insert(all.end(), more.begin(), more.end()); };
+        const auto add = [](std::vector<AuditEntry>& all, const std::vector<AuditEntry>& more) {
+            all.insert(all.end(), more.begin(), more.end());
+        };
         add(proofs.derivation.derivations, other.audit.derivations);
         add(proofs.derivation.potentials, other.audit.potentials);
         add(proofs.derivation.media, other.audit.media);
@@ -258,7 +295,8 @@ Proofs proofs_of(const Machine& machine) {
         add(proofs.derivation.constraints, other.audit.constraints);
         add(proofs.derivation.loads, other.audit.loads);
         add(proofs.emitted, other.emitted);
-        if (is_worse(other.audit.power_balance.result.verdict, proofs.derivation.power_balance.result.verdict)) proofs.derivation.power_balance = other.audit.power_balance;
+        if (is_worse(other.audit.power_balance.result.verdict, proofs.derivation.power_balance.result.verdict))
+            proofs.derivation.power_balance = other.audit.power_balance;
     }
     return proofs;
 }
@@ -289,10 +327,14 @@ Header generate(Machine& machine, SeriesWish wish) {
         modes.assign(all.begin(), all.end());
         if (wish != SeriesWish::none) keep_series(machine, all, wish);
         if (machine.together && machine.fields)
-            throw Failure(Diagnostic{Id::bad_option, machine.loaded->model.name_span, fmt::format("--together: '{}' has rods whose cells are computed in loops, one function after the other; a smaller size has code for each of them", machine.loaded->model.name)});
+            throw Failure(Diagnostic{Id::bad_option, machine.loaded->model.name_span,
+                                     fmt::format("--together: '{}' has rods whose cells are computed in loops, one function after the "
+                                                 "other; a smaller size has code for each of them",
+                                                 machine.loaded->model.name)});
         const Proofs proofs = proofs_of(machine);
         watch.lap("prove code", proofs.all_proven() ? "everything proven" : "something only numerically equal");
-        const auto effects_out = sizes_of_effects_out(*machine.system, {machine.system->scene.sizes.begin(), machine.system->scene.sizes.end()});
+        const auto effects_out =
+            sizes_of_effects_out(*machine.system, {machine.system->scene.sizes.begin(), machine.system->scene.sizes.end()});
         if (!effects_out.empty()) watch.lap("effects out", fmt::format("{} compared at the start", effects_out.size()));
         Header header = make_header(modes, machine.fields.get(), proofs, effects_out, normalised_command(machine), *machine.language);
         watch.lap("emit", fmt::format("{} bytes", header.text.size()));
@@ -309,7 +351,8 @@ std::string normalised_command(const Machine& machine) {
     for (const Pass& pass : all_passes)
         if (!(machine.passes.*pass.is_on)) without += (without.empty() ? " --without " : ",") + std::string(pass.name);
     command += without;
-    if (!scene.fix_text.empty()) command += " --fix " + (scene.fix_text.find(' ') == std::string::npos ? scene.fix_text : "'" + scene.fix_text + "'");
+    if (!scene.fix_text.empty())
+        command += " --fix " + (scene.fix_text.find(' ') == std::string::npos ? scene.fix_text : "'" + scene.fix_text + "'");
     if (machine.trig == Trig::combined) command += " --trig combined";
     for (const auto& [name, value] : scene.sizes) command += fmt::format(" --size {}={}", name, value);
     if (machine.code && has_series(machine)) command += " --taylor";

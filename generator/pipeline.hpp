@@ -54,10 +54,11 @@ struct Machine {
 std::shared_ptr<const LoadedModel> load(const std::filesystem::path& path, Diagnostics& diagnostics);
 
 /// model -> symbolic -> mechanics -> form -> prove. Throws Failure.
-Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::string& scene, const std::map<std::string, int>& sizes, const FixWish& fixed = {});
+Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::string& scene, const std::map<std::string, int>& sizes,
+                       const FixWish& fixed = {});
 
-/// model -> form, in all modes, without proofs of the derivation: for what is checked against it. Parameters of the model from `first_letter` on
-/// are in the scene although nothing of it needs them. Throws Failure.
+/// model -> form, in all modes, without proofs of the derivation: for what is checked against it. Parameters of the model from
+/// `first_letter` on are in the scene although nothing of it needs them. Throws Failure.
 std::vector<std::unique_ptr<System>> derive_systems(const LoadedModel& loaded, const std::string& scene, std::size_t first_letter);
 
 /// Whether a header has Taylor series.

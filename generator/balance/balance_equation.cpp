@@ -50,11 +50,13 @@ VolumeBalance with_walls(const ControlVolume& v, const Ports& ports, const Symbo
     const ex density_rate = (b.inflow - m.density * b.size_rate) / v.size;
     const ex stretching = b.size_rate - b.inflow / m.density;  // m*d(nu)/dt
     if (v.is_thermal()) {
-        b.temperature_rate = (ports.excess + v.heat + v.shaft_power - m.temperature * m.pressure_by_temperature * stretching) / (v.mass() * m.isochoric_heat);
+        b.temperature_rate = (ports.excess + v.heat + v.shaft_power - m.temperature * m.pressure_by_temperature * stretching) /
+                             (v.mass() * m.isochoric_heat);
         b.heat = v.heat;
     } else {
         b.temperature_rate = v.exponent ? (*v.exponent - 1) * m.temperature * density_rate / m.density : ex(0);
-        b.heat = v.mass() * m.isochoric_heat * b.temperature_rate + m.temperature * m.pressure_by_temperature * stretching - ports.excess - v.shaft_power;
+        b.heat = v.mass() * m.isochoric_heat * b.temperature_rate + m.temperature * m.pressure_by_temperature * stretching - ports.excess -
+                 v.shaft_power;
     }
     switch (v.primary) {
         case Primary::mass: b.rate = b.inflow; break;
@@ -72,7 +74,8 @@ VolumeBalance with_filling(const ControlVolume& v, const Ports& ports, const Sym
     const MediumState& m = v.medium_state;
     VolumeBalance b;
     b.inflow = GiNaC::add(ports.inflow);
-    const ex thermal_density = v.medium->is_compressible() ? -m.pressure_by_temperature / m.pressure_by_density : ex(0);  // drho/dT at constant p
+    const ex thermal_density =
+        v.medium->is_compressible() ? -m.pressure_by_temperature / m.pressure_by_density : ex(0);  // drho/dT at constant p
     const ex isobaric_heat = m.isochoric_heat - m.temperature * m.pressure_by_temperature * thermal_density / pow(m.density, 2);
     b.heat = v.heat;
     // What flows in flows out again; where nothing would take it the volume fills at once, and is never in this mode.
@@ -92,7 +95,8 @@ VolumeBalance with_filling(const ControlVolume& v, const Ports& ports, const Sym
 }
 
 /// Where the model ends and where its right-hand side has edges.
-void guard_volume(const ControlVolume& v, const ex& smallest, const std::vector<FlowState>& flows, const Symbols& symbols, std::vector<Guard>& guards) {
+void guard_volume(const ControlVolume& v, const ex& smallest, const std::vector<FlowState>& flows, const Symbols& symbols,
+                  std::vector<Guard>& guards) {
     const std::string name = v.member.name();
     const bool moves = !symbols.time_derivative(v.size).is_zero();
     if (v.primary == Primary::filling) {
@@ -101,16 +105,19 @@ void guard_volume(const ControlVolume& v, const ex& smallest, const std::vector<
         const bool is_drained = std::any_of(flows.begin(), flows.end(), [&](const FlowState& f) {
             if (f.from_volume != &v && f.to_volume != &v) return false;
             const Flow::Law law = f.member.item->law;
-            const bool is_forced = law == Flow::Law::given_mass || law == Flow::Law::given_volume || law == Flow::Law::pump || law == Flow::Law::pipe;
+            const bool is_forced =
+                law == Flow::Law::given_mass || law == Flow::Law::given_volume || law == Flow::Law::pump || law == Flow::Law::pipe;
             return is_forced || !(f.from->pressure - f.to->pressure).subs(filling == 0, GiNaC::subs_options::no_pattern).expand().is_zero();
         });
         if (v.member.item->empties && !v.member.item->smallest) return;
-        if (is_drained || v.medium->is_compressible() || v.member.item->smallest) guards.push_back({name, "volume " + name + " is empty", true, v.size - smallest});
+        if (is_drained || v.medium->is_compressible() || v.member.item->smallest)
+            guards.push_back({name, "volume " + name + " is empty", true, v.size - smallest});
         return;
     }
     if (moves) guards.push_back({name, "volume " + name + " is about to vanish", true, v.size - smallest});
     guards.push_back({name, "the pressure in volume " + name + " is about to become negative", true, v.medium_state.pressure});
-    if (v.is_thermal()) guards.push_back({name, "the temperature in volume " + name + " is about to become negative", true, *v.fluid.temperature});
+    if (v.is_thermal())
+        guards.push_back({name, "the temperature in volume " + name + " is about to become negative", true, *v.fluid.temperature});
 }
 
 }  // namespace
@@ -136,7 +143,8 @@ ex Fluids::power_over_border() const {
 }
 
 const FlowState* Fluids::find_flow(const std::string& name, int index) const {
-    const auto found = std::find_if(flows.begin(), flows.end(), [&](const FlowState& f) { return f.member.item->name == name && f.member.index == index; });
+    const auto found = std::find_if(flows.begin(), flows.end(),
+                                    [&](const FlowState& f) { return f.member.item->name == name && f.member.index == index; });
     return found == flows.end() ? nullptr : &*found;
 }
 

@@ -58,7 +58,9 @@ private:
         for (std::size_t p = 0; p < pieces.size(); ++p) {
             const int cells = index_value(*pieces[p].cells, scene_, {});
             if (cells < 1)
-                throw Failure(Diagnostic{Id::value_out_of_range, pieces[p].cells->span, fmt::format("{} {} of block '{}' has {} cells, but needs at least 1", what, p + 1, block_.name, cells)});
+                throw Failure(
+                    Diagnostic{Id::value_out_of_range, pieces[p].cells->span,
+                               fmt::format("{} {} of block '{}' has {} cells, but needs at least 1", what, p + 1, block_.name, cells)});
             sum += cells;
         }
         return sum;
@@ -67,16 +69,20 @@ private:
     std::vector<const Variable*> states_of_cells() const {
         std::vector<const Variable*> states;
         for (const auto& member : scene_.states)
-            if (member.item->name == block_.temperature.name) states.push_back(symbols_.find(SymbolKind::state, member.item->name, member.index));
+            if (member.item->name == block_.temperature.name)
+                states.push_back(symbols_.find(SymbolKind::state, member.item->name, member.index));
         const long long along_x = count(block_.columns, "column"), along_y = count(block_.rows, "row");
         const Span& place = block_.temperature.span;
         const bool has_none = along_x == 0 || along_y == 0;
         if (has_none || (along_x == 1 && along_y == 1))
-            throw Failure(Diagnostic{Id::value_out_of_range, place, fmt::format("block '{}' has {}, but needs at least 2", block_.name, has_none ? "no cells" : "1 cell")});
+            throw Failure(
+                Diagnostic{Id::value_out_of_range, place,
+                           fmt::format("block '{}' has {}, but needs at least 2", block_.name, has_none ? "no cells" : "1 cell")});
         const auto members = static_cast<long long>(states.size());
         if (members % along_x != 0 || members / along_x != along_y)  // the product may be too large for any number
             throw Failure(Diagnostic{Id::value_out_of_range, place,
-                                     fmt::format("block '{}' has {} times {} cells along x and y, but '{}' has {} members", block_.name, along_x, along_y, block_.temperature.name, members)});
+                                     fmt::format("block '{}' has {} times {} cells along x and y, but '{}' has {} members", block_.name,
+                                                 along_x, along_y, block_.temperature.name, members)});
         return states;
     }
 
@@ -86,7 +92,8 @@ private:
         for (std::size_t p = 0; p < pieces.size(); ++p) {
             const ex length = value(pieces[p].length);
             const int cells = index_value(*pieces[p].cells, scene_, {});
-            for (int k = 0; k < cells; ++k) result.push_back({p, length / cells, (from + length * GiNaC::numeric(2 * k + 1, 2 * cells)).expand()});
+            for (int k = 0; k < cells; ++k)
+                result.push_back({p, length / cells, (from + length * GiNaC::numeric(2 * k + 1, 2 * cells)).expand()});
             from += length;
         }
         return result;
@@ -94,8 +101,8 @@ private:
 
     Cell cell(const Variable& state, const Band& column, const Band& row) {
         const auto of_piece = [&](const Block::Table& table) -> const ExpressionPtr& { return Block::at(table, column.piece, row.piece); };
-        NodeState& node = network_.nodes.emplace_back(
-            NodeState{NodeState::Kind::storing, fmt::format("{}[{}]", block_.name, state.index), &block_, block_.temperature.span, warmth_of(state.symbol), state.position});
+        NodeState& node = network_.nodes.emplace_back(NodeState{NodeState::Kind::storing, fmt::format("{}[{}]", block_.name, state.index),
+                                                                &block_, block_.temperature.span, warmth_of(state.symbol), state.position});
         const ex volume = column.width * row.width * depth_;
         const ExpressionPtr& heat_capacity = of_piece(block_.heat_capacity);
         store(node, {{}, heat_capacity, heat_capacity->span}, value(of_piece(block_.density)) * volume, translate_, symbols_, {});
@@ -109,7 +116,8 @@ private:
     }
 
     void join(const Cell& a, const Cell& b, Direction along) {
-        add_link(network_, block_, *a.node, *b.node, exchange(a.face[along] / (a.half[along] + b.half[along]), a.node->warmth, b.node->warmth));
+        add_link(network_, block_, *a.node, *b.node,
+                 exchange(a.face[along] / (a.half[along] + b.half[along]), a.node->warmth, b.node->warmth));
     }
 
     /// The cells of a side lie across a direction, in the column or row `number`.
@@ -120,7 +128,8 @@ private:
             const std::size_t count = across == x ? rows_.size() : columns_.size();
             for (std::size_t k = 0; k < count; ++k) {
                 const Cell& nearest = across == x ? at(number, k) : at(k, number);
-                border.heat += neighbour != nullptr ? from_neighbour(*neighbour, nearest, across) : from_around(*what, nearest, across, fmt::format("{}[{}]", border.name, k + 1));
+                border.heat += neighbour != nullptr ? from_neighbour(*neighbour, nearest, across)
+                                                    : from_around(*what, nearest, across, fmt::format("{}[{}]", border.name, k + 1));
             }
         }
         network_.borders.push_back(std::move(border));
@@ -129,9 +138,11 @@ private:
     /// What holds the whole side at its temperature, if anything does.
     const NodeState* neighbour_at(const Side& what, const std::string& name) {
         if (what.temperature)
-            return &network_.nodes.emplace_back(NodeState{NodeState::Kind::held, name, &block_, what.temperature->span, warmth_of(value(what.temperature)), {}});
+            return &network_.nodes.emplace_back(
+                NodeState{NodeState::Kind::held, name, &block_, what.temperature->span, warmth_of(value(what.temperature)), {}});
         if (!what.node) return nullptr;
-        const std::string node = what.node->index ? fmt::format("{}[{}]", what.node->name, index_value(*what.node->index, scene_, {})) : what.node->name;
+        const std::string node =
+            what.node->index ? fmt::format("{}[{}]", what.node->name, index_value(*what.node->index, scene_, {})) : what.node->name;
         if (const NodeState* found = network_.find_node(node)) return found;
         throw Failure(Diagnostic{Id::index_out_of_range, what.node->span, fmt::format("the scene has no '{}'", node)});
     }
@@ -154,7 +165,9 @@ private:
             return surface.source;
         }
         ex heat = flux;
-        if (what.coefficient) heat = (flux + taken_up(cell.node->warmth, area, what.coefficient, nullptr, what.ambient, translate_)) / (1 + value(what.coefficient) * cell.half[across]);
+        if (what.coefficient)
+            heat = (flux + taken_up(cell.node->warmth, area, what.coefficient, nullptr, what.ambient, translate_)) /
+                   (1 + value(what.coefficient) * cell.half[across]);
         cell.node->source += heat;
         return heat;
     }
@@ -171,6 +184,8 @@ private:
 
 }  // namespace
 
-void add_block(HeatNetwork& network, const Block& block, const Scene& scene, const Translator& translate, Symbols& symbols) { BlockMaking(network, block, scene, translate, symbols).run(); }
+void add_block(HeatNetwork& network, const Block& block, const Scene& scene, const Translator& translate, Symbols& symbols) {
+    BlockMaking(network, block, scene, translate, symbols).run();
+}
 
 }  // namespace dalembert

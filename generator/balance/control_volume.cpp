@@ -18,13 +18,15 @@ namespace {
 
 template <class State>
 const State* find(const std::vector<State>& states, const std::string& name, int index) {
-    const auto found = std::find_if(states.begin(), states.end(), [&](const State& s) { return s.member.item->name == name && s.member.index == index; });
+    const auto found =
+        std::find_if(states.begin(), states.end(), [&](const State& s) { return s.member.item->name == name && s.member.index == index; });
     return found == states.end() ? nullptr : &*found;
 }
 
 class Containing {
 public:
-    Containing(const Scene& scene, const Translator& translate, Symbols& symbols) : scene_(scene), translate_(translate), symbols_(symbols) {}
+    Containing(const Scene& scene, const Translator& translate, Symbols& symbols)
+        : scene_(scene), translate_(translate), symbols_(symbols) {}
 
     Containers run() {
         for (const auto& member : scene_.media) result_.media.emplace_back(*member.item, scene_, translate_);
@@ -41,7 +43,8 @@ private:
         const Reservoir& item = *member.item;
         const Indices indices = Translator::indices_of(member);
         const MediumModel& medium = *result_.find_medium(item.medium.name);
-        const std::optional<ex> T = item.temperature ? std::optional(translate_(item.temperature, indices)) : medium.reference_temperature(item);
+        const std::optional<ex> T =
+            item.temperature ? std::optional(translate_(item.temperature, indices)) : medium.reference_temperature(item);
         const MediumState state = medium.at_pressure(translate_(item.pressure, indices), T.value_or(0));
         return {member, &medium, {state.pressure, T, state.density, state.energy, state.enthalpy, value(item.potential, indices)}};
     }
@@ -49,7 +52,11 @@ private:
     JunctionState junction(const Member<Junction>& member) const {
         const Junction& item = *member.item;
         if (scene_.thermal_media.contains(item.medium.name))
-            throw Failure(Diagnostic{Id::not_allowed_here, item.span, fmt::format("junction '{}' holds '{}', whose temperature scene '{}' gives or balances somewhere; this version does not mix in junctions. Leave the temperatures out, or make the junction a small volume with a temperature", member.name(), item.medium.name, scene_.name)});
+            throw Failure(Diagnostic{
+                Id::not_allowed_here, item.span,
+                fmt::format("junction '{}' holds '{}', whose temperature scene '{}' gives or balances somewhere; this version does not mix "
+                            "in junctions. Leave the temperatures out, or make the junction a small volume with a temperature",
+                            member.name(), item.medium.name, scene_.name)});
         JunctionState j{member, result_.find_medium(item.medium.name), symbols_.letter("pressure[" + member.name() + "]"), {}};
         j.fluid.temperature = j.medium->reference_temperature(item);
         j.fluid.potential = value(item.potential, Translator::indices_of(member));
@@ -77,14 +84,19 @@ private:
         v.is_empty = item.empties && scene_.modes[*scene_.mode].is_in(item.name + "_empty");
         v.size = translate_(item.volume, indices);
         if (v.size.expand().is_zero())
-            throw Failure(Diagnostic{Id::value_out_of_range, item.volume->span, fmt::format("the size of volume '{}' is zero whatever the parameters are", v.member.name())});
+            throw Failure(Diagnostic{Id::value_out_of_range, item.volume->span,
+                                     fmt::format("the size of volume '{}' is zero whatever the parameters are", v.member.name())});
         check_size(v);
 
         std::optional<ex> T;
         if (scene_.has_temperature(item, translate_.names())) {
             if (!item_has_heat(v.medium->item()))
-                throw Failure(Diagnostic{Id::missing_key, v.medium->item().span, fmt::format("the temperature of volume '{}' is a state, which needs the isochoric_heat of medium '{}'", v.member.name(), v.medium->item().name),
-                                         {{item.temperature->span, "the temperature stands here"}}});
+                throw Failure(
+                    Diagnostic{Id::missing_key,
+                               v.medium->item().span,
+                               fmt::format("the temperature of volume '{}' is a state, which needs the isochoric_heat of medium '{}'",
+                                           v.member.name(), v.medium->item().name),
+                               {{item.temperature->span, "the temperature stands here"}}});
             v.temperature_state = state(item.temperature, indices);
             T = translate_(item.temperature, indices);
         } else if (!item.polytropic) {
@@ -94,7 +106,8 @@ private:
         if (item.polytropic && !T) polytropic(v, primary, T, indices);
         else v.medium_state = medium_state(v, primary, T.value_or(0), indices);
         v.surface_pressure = v.medium_state.pressure;
-        v.fluid = {v.surface_pressure, T, v.medium_state.density, v.medium_state.energy, v.medium_state.enthalpy, value(item.potential, indices)};
+        v.fluid = {
+            v.surface_pressure, T, v.medium_state.density, v.medium_state.energy, v.medium_state.enthalpy, value(item.potential, indices)};
         if (item.head) column(v, indices);
         return v;
     }
@@ -113,9 +126,11 @@ private:
     ex surface_pressure(const ControlVolume& v, const Indices& indices) const {
         ex pressure = translate_(v.member.item->pressure, indices);
         if (v.medium->is_compressible() && !symbols_.is_constant(pressure))
-            throw Failure(Diagnostic{Id::not_allowed_here, v.member.item->pressure->span,
-                                     fmt::format("volume '{}' follows its filling and holds '{}', which is compressible: its pressure must be constant, but '{}' is not",
-                                                 v.member.name(), v.medium->item().name, v.member.item->pressure->written())});
+            throw Failure(Diagnostic{
+                Id::not_allowed_here, v.member.item->pressure->span,
+                fmt::format(
+                    "volume '{}' follows its filling and holds '{}', which is compressible: its pressure must be constant, but '{}' is not",
+                    v.member.name(), v.medium->item().name, v.member.item->pressure->written())});
         return pressure;
     }
 
@@ -147,13 +162,15 @@ private:
                 const bool is_own = fills && kind == SymbolKind::state && variable.position == v.state;
                 const bool is_allowed = is_own || (!fills && kind != SymbolKind::state);
                 if (is_allowed || !v.size.has(variable.symbol)) continue;
-                throw Failure(Diagnostic{Id::not_allowed_here, v.member.item->volume->span,
-                                         fmt::format("the size of volume '{}' follows {}, so it must not depend on '{}'", v.member.name(),
-                                                     fills ? fmt::format("its filling '{}'", v.member.item->filling->written()) : "walls", variable.name)});
+                throw Failure(Diagnostic{
+                    Id::not_allowed_here, v.member.item->volume->span,
+                    fmt::format("the size of volume '{}' follows {}, so it must not depend on '{}'", v.member.name(),
+                                fills ? fmt::format("its filling '{}'", v.member.item->filling->written()) : "walls", variable.name)});
             }
         if (fills && !v.size.has(symbols_.get(SymbolKind::state, v.state)))
             throw Failure(Diagnostic{Id::undetermined, v.member.item->volume->span,
-                                     fmt::format("the size of volume '{}' does not depend on its filling '{}'", v.member.name(), v.member.item->filling->written())});
+                                     fmt::format("the size of volume '{}' does not depend on its filling '{}'", v.member.name(),
+                                                 v.member.item->filling->written())});
     }
 
     /// Pressure rho*g*head more at the outlets; the column stores the integral of rho*g*head over the volume.
@@ -163,13 +180,18 @@ private:
         const ex head = translate_(item.head, indices);
         for (const Variable& state : symbols_.all(SymbolKind::state))
             if (state.position != v.state && head.has(state.symbol))
-                throw Failure(Diagnostic{Id::not_allowed_here, item.head->span, fmt::format("the head of volume '{}' follows its filling '{}', so it must not depend on '{}'", v.member.name(), item.filling->written(), state.name)});
+                throw Failure(Diagnostic{Id::not_allowed_here, item.head->span,
+                                         fmt::format("the head of volume '{}' follows its filling '{}', so it must not depend on '{}'",
+                                                     v.member.name(), item.filling->written(), state.name)});
         v.fluid.pressure = v.surface_pressure + weight * head;
         v.fluid.enthalpy = v.fluid.energy + v.fluid.pressure / v.fluid.density;
         const ex& filling = symbols_.get(SymbolKind::state, v.state);
         const auto energy = integrate((weight * head * partial(v.size, filling)).expand(), GiNaC::ex_to<GiNaC::symbol>(filling));
         if (!energy)
-            throw Failure(Diagnostic{Id::cannot_integrate, item.head->span, fmt::format("the potential energy of the column in volume '{}' is an integral that the program cannot find", v.member.name())});
+            throw Failure(
+                Diagnostic{Id::cannot_integrate, item.head->span,
+                           fmt::format("the potential energy of the column in volume '{}' is an integral that the program cannot find",
+                                       v.member.name())});
         v.column = *energy - energy->subs(filling == 0, GiNaC::subs_options::no_pattern);
     }
 
@@ -199,6 +221,8 @@ void JunctionState::take_pressure(const ex& pressure) {
     fluid.enthalpy = state.enthalpy;
 }
 
-Containers make_containers(const Scene& scene, const Translator& translate, Symbols& symbols) { return Containing(scene, translate, symbols).run(); }
+Containers make_containers(const Scene& scene, const Translator& translate, Symbols& symbols) {
+    return Containing(scene, translate, symbols).run();
+}
 
 }  // namespace dalembert

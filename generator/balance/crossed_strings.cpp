@@ -22,7 +22,8 @@ using Piece = std::pair<std::size_t, std::size_t>;
 
 class Strings {
 public:
-    Strings(const std::vector<Corner>& corners, const std::vector<PlanePoint>& numbers, Steps& steps) : corners_(corners), numbers_(numbers), steps_(steps) {}
+    Strings(const std::vector<Corner>& corners, const std::vector<PlanePoint>& numbers, Steps& steps)
+        : corners_(corners), numbers_(numbers), steps_(steps) {}
 
     /// Half of what some pieces are longer than others. What occurs on both sides is gone.
     ex half_excess(const std::map<Piece, int>& count) {
@@ -51,7 +52,9 @@ public:
     static Piece piece(std::size_t a, std::size_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 private:
-    std::pair<ex, ex> between(std::size_t a, std::size_t b) const { return {whole(corners_[b].x - corners_[a].x), whole(corners_[b].y - corners_[a].y)}; }
+    std::pair<ex, ex> between(std::size_t a, std::size_t b) const {
+        return {whole(corners_[b].x - corners_[a].x), whole(corners_[b].y - corners_[a].y)};
+    }
     ex dot(std::size_t a, std::size_t b, std::size_t c, std::size_t d) const {
         const auto [x, y] = between(a, b);
         const auto [u, v] = between(c, d);
@@ -63,11 +66,13 @@ private:
         return whole(x * v - y * u);
     }
     bool is_acute(std::size_t a, std::size_t b, std::size_t c, std::size_t d) const {
-        const cl_R product = (numbers_[b][0] - numbers_[a][0]) * (numbers_[d][0] - numbers_[c][0]) + (numbers_[b][1] - numbers_[a][1]) * (numbers_[d][1] - numbers_[c][1]);
+        const cl_R product = (numbers_[b][0] - numbers_[a][0]) * (numbers_[d][0] - numbers_[c][0]) +
+                             (numbers_[b][1] - numbers_[a][1]) * (numbers_[d][1] - numbers_[c][1]);
         return !cln::minusp(product);
     }
     int side(std::size_t a, std::size_t b, std::size_t c) const {
-        const cl_R area = (numbers_[b][0] - numbers_[a][0]) * (numbers_[c][1] - numbers_[a][1]) - (numbers_[b][1] - numbers_[a][1]) * (numbers_[c][0] - numbers_[a][0]);
+        const cl_R area = (numbers_[b][0] - numbers_[a][0]) * (numbers_[c][1] - numbers_[a][1]) -
+                          (numbers_[b][1] - numbers_[a][1]) * (numbers_[c][0] - numbers_[a][0]);
         return cln::zerop(area) ? 0 : cln::minusp(area) ? -1 : 1;
     }
 
@@ -118,7 +123,8 @@ private:
 
 }  // namespace
 
-PrismAreas crossed_strings(const std::vector<Corner>& corners, const Polygon& polygon, const std::vector<PlanePoint>& numbers, const ex& height, Steps& steps) {
+PrismAreas crossed_strings(const std::vector<Corner>& corners, const Polygon& polygon, const std::vector<PlanePoint>& numbers,
+                           const ex& height, Steps& steps) {
     const std::size_t n = corners.size();
     const auto courses = polygon.strings();
     Strings strings(corners, numbers, steps);
@@ -145,11 +151,15 @@ PrismAreas crossed_strings(const std::vector<Corner>& corners, const Polygon& po
         left.push_back(pair);
         if (left.size() > n || solve_rows(result.areas, result.direct, left).undetermined) left.pop_back();
     }
-    const auto set = [&](const Pair& pair, const ex& e) { result.direct[pair.first][pair.second] = result.direct[pair.second][pair.first] = e; };
+    const auto set = [&](const Pair& pair, const ex& e) {
+        result.direct[pair.first][pair.second] = result.direct[pair.second][pair.first] = e;
+    };
     for (const auto& [pair, value] : values)
-        if (std::find(left.begin(), left.end(), pair) == left.end()) set(pair, steps.staying("view_area", {pair.first, pair.second}, value));
+        if (std::find(left.begin(), left.end(), pair) == left.end())
+            set(pair, steps.staying("view_area", {pair.first, pair.second}, value));
     const SolvedRows solved = solve_rows(result.areas, result.direct, left);
-    for (std::size_t u = 0; u < left.size(); ++u) set(left[u], steps.staying("view_area", {left[u].first, left[u].second}, values.at(left[u]), solved.values[u]));
+    for (std::size_t u = 0; u < left.size(); ++u)
+        set(left[u], steps.staying("view_area", {left[u].first, left[u].second}, values.at(left[u]), solved.values[u]));
     return result;
 }
 

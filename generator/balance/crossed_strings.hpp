@@ -19,6 +19,7 @@ struct PrismAreas {
 
 /// `polygon` holds the same corners in numbers; the course of the strings is decided by them, and so is which of two equal forms
 /// loses no digits.
-PrismAreas crossed_strings(const std::vector<Corner>& corners, const Polygon& polygon, const std::vector<PlanePoint>& numbers, const GiNaC::ex& height, Steps& steps);
+PrismAreas crossed_strings(const std::vector<Corner>& corners, const Polygon& polygon, const std::vector<PlanePoint>& numbers,
+                           const GiNaC::ex& height, Steps& steps);
 
 }  // namespace dalembert

@@ -19,7 +19,13 @@ namespace {
 class EnclosureMaking {
 public:
     EnclosureMaking(HeatNetwork& network, const Enclosure& item, const Scene& scene, const Translator& translate, Symbols& symbols)
-        : network_(network), item_(item), scene_(scene), translate_(translate), symbols_(symbols), value_(scene, translate), n_(item.surfaces.size()) {}
+        : network_(network),
+          item_(item),
+          scene_(scene),
+          translate_(translate),
+          symbols_(symbols),
+          value_(scene, translate),
+          n_(item.surfaces.size()) {}
 
     void run() {
         for (const Reference& surface : item_.surfaces) nodes_.push_back(&node(surface));
@@ -27,14 +33,16 @@ public:
         for (std::size_t i = 0; i < n_; ++i) surroundings.emissivities.push_back(emissivity(i));
         item_.is_prism() ? see_in_prism(surroundings) : see_as_given(surroundings);
         Steps steps = steps_for(surroundings.emissivities);
-        EnclosureState& state = network_.enclosures.emplace_back(EnclosureState{item_.name, nodes_, view_factors_, surroundings, net_radiation(surroundings, steps)});
+        EnclosureState& state = network_.enclosures.emplace_back(
+            EnclosureState{item_.name, nodes_, view_factors_, surroundings, net_radiation(surroundings, steps)});
         for (std::size_t i = 0; i < n_; ++i)
             for (std::size_t j = i + 1; j < n_; ++j) join(i, j, state.radiation.exchange[i][j]);
     }
 
 private:
     const NodeState& node(const Reference& surface) const {
-        const std::string name = surface.index ? fmt::format("{}[{}]", surface.name, index_value(*surface.index, scene_, {})) : surface.name;
+        const std::string name =
+            surface.index ? fmt::format("{}[{}]", surface.name, index_value(*surface.index, scene_, {})) : surface.name;
         if (const NodeState* found = network_.find_node(name)) return *found;
         throw Failure(Diagnostic{Id::index_out_of_range, surface.span, fmt::format("the scene has no '{}'", name)});
     }
@@ -44,16 +52,22 @@ private:
         const ex e = translate_(written, {});
         const auto number = value_(e);
         if (number && (sign_of_value(*number) < 0 || sign_of_value(*number - 1) > 0))
-            throw Failure(Diagnostic{Id::value_out_of_range, written->span, fmt::format("the emissivity of surface {} is {}, but must lie between 0 and 1", surface_name(item_, i), shown(*number))});
+            throw Failure(Diagnostic{
+                Id::value_out_of_range, written->span,
+                fmt::format("the emissivity of surface {} is {}, but must lie between 0 and 1", surface_name(item_, i), shown(*number))});
         return e;
     }
 
     /// With letters where all depends on parameters alone; written out the exchange factors grow exponentially.
     Steps steps_for(const std::vector<ex>& expressions) {
-        const bool with_letters = of_parameters_ && std::all_of(expressions.begin(), expressions.end(), [&](const ex& e) { return is_of_parameters(e, symbols_); });
+        const bool with_letters = of_parameters_ && std::all_of(expressions.begin(), expressions.end(),
+                                                                [&](const ex& e) { return is_of_parameters(e, symbols_); });
         constexpr std::size_t most = 3;
         if (!with_letters && n_ > most)
-            throw Failure(Diagnostic{Id::too_large, item_.span, fmt::format("enclosure '{}' has {} surfaces, but can have at most {} where emissivities, areas or view factors depend on more than parameters", item_.name, n_, most)});
+            throw Failure(Diagnostic{Id::too_large, item_.span,
+                                     fmt::format("enclosure '{}' has {} surfaces, but can have at most {} where emissivities, areas or "
+                                                 "view factors depend on more than parameters",
+                                                 item_.name, n_, most)});
         return {symbols_, item_.name, with_letters};
     }
 
@@ -62,7 +76,9 @@ private:
             s.areas.push_back(translate_(item_.areas[i], {}));
             const auto number = value_(s.areas[i]);
             if (number && sign_of_value(*number) <= 0)
-                throw Failure(Diagnostic{Id::value_out_of_range, item_.areas[i]->span, fmt::format("the area of surface {} is {} m^2, but must be above zero", surface_name(item_, i), shown(*number))});
+                throw Failure(Diagnostic{
+                    Id::value_out_of_range, item_.areas[i]->span,
+                    fmt::format("the area of surface {} is {} m^2, but must be above zero", surface_name(item_, i), shown(*number))});
         }
         std::vector<std::vector<std::optional<ex>>> factors(n_, std::vector<std::optional<ex>>(n_));
         std::vector<ex> all = s.areas;
@@ -101,21 +117,32 @@ private:
             corners.push_back({translate_(x, {}), translate_(y, {})});
             const auto x_number = value_(corners.back().x);
             const auto y_number = value_(corners.back().y);
-            if (!x_number || !y_number) throw Failure(Diagnostic{Id::division_by_zero, (x_number ? y : x)->span, fmt::format("'{}' has no value at the default parameters", (x_number ? y : x)->written())});
+            if (!x_number || !y_number)
+                throw Failure(Diagnostic{Id::division_by_zero, (x_number ? y : x)->span,
+                                         fmt::format("'{}' has no value at the default parameters", (x_number ? y : x)->written())});
             numbers.push_back({*x_number, *y_number});
         }
         const ex height = translate_(item_.height, {});
         const auto length = value_(height);
         if (!length || sign_of_value(*length) <= 0)
-            throw Failure(Diagnostic{Id::value_out_of_range, item_.height->span, fmt::format("the height of enclosure '{}' is {} m, but must be above zero", item_.name, length ? shown(*length) : "no number")});
+            throw Failure(Diagnostic{Id::value_out_of_range, item_.height->span,
+                                     fmt::format("the height of enclosure '{}' is {} m, but must be above zero", item_.name,
+                                                 length ? shown(*length) : "no number")});
         const Polygon polygon(numbers);
         if (const auto problem = polygon.problem()) {
             const auto [i, j] = *problem;
             const Span place = item_.polygon[j][0]->span;
-            if (i == j) throw Failure(Diagnostic{Id::wrong_enclosure, place, fmt::format("surface {} of enclosure '{}' has no length: it ends at the corner where it begins", surface_name(item_, i), item_.name)});
-            throw Failure(Diagnostic{Id::wrong_enclosure, place,
-                                     fmt::format("the polygon of enclosure '{}' crosses or touches itself: surfaces {} and {} meet away from a corner that they share", item_.name, surface_name(item_, i), surface_name(item_, j)),
-                                     {{item_.polygon[i][0]->span, fmt::format("surface {} begins here", surface_name(item_, i))}}});
+            if (i == j)
+                throw Failure(Diagnostic{Id::wrong_enclosure, place,
+                                         fmt::format("surface {} of enclosure '{}' has no length: it ends at the corner where it begins",
+                                                     surface_name(item_, i), item_.name)});
+            throw Failure(Diagnostic{
+                Id::wrong_enclosure,
+                place,
+                fmt::format(
+                    "the polygon of enclosure '{}' crosses or touches itself: surfaces {} and {} meet away from a corner that they share",
+                    item_.name, surface_name(item_, i), surface_name(item_, j)),
+                {{item_.polygon[i][0]->span, fmt::format("surface {} begins here", surface_name(item_, i))}}});
         }
         Steps steps = steps_for({});
         PrismAreas prism = crossed_strings(corners, polygon, numbers, height, steps);
@@ -128,7 +155,12 @@ private:
 
     void join(std::size_t i, std::size_t j, const ex& exchange) {
         if (exchange.is_zero() || nodes_[i] == nodes_[j]) return;
-        LinkState link{fmt::format("{}, {} - {}", item_.name, nodes_[i]->name, nodes_[j]->name), item_.span, {}, {}, radiate(exchange, nodes_[i]->warmth, nodes_[j]->warmth), true};
+        LinkState link{fmt::format("{}, {} - {}", item_.name, nodes_[i]->name, nodes_[j]->name),
+                       item_.span,
+                       {},
+                       {},
+                       radiate(exchange, nodes_[i]->warmth, nodes_[j]->warmth),
+                       true};
         link.from.node = nodes_[i];
         link.to.node = nodes_[j];
         network_.links.push_back(std::move(link));
@@ -156,7 +188,8 @@ void add_enclosure(HeatNetwork& network, const Enclosure& enclosure, const Scene
 ex EnclosureState::irradiation(std::size_t j) const {
     ex sum = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i)
-        sum += radiation.reach[j][i] * surroundings.emissivities[i] / surroundings.areas[j] * GiNaC::numeric(stefan_boltzmann()) * nodes[i]->warmth.fourth;
+        sum += radiation.reach[j][i] * surroundings.emissivities[i] / surroundings.areas[j] * GiNaC::numeric(stefan_boltzmann()) *
+               nodes[i]->warmth.fourth;
     return sum;
 }
 

@@ -16,7 +16,8 @@ using GiNaC::pow;
 
 namespace {
 
-// A flow says itself where its law has an edge, and where a width makes it smooth enough: what else changes with its direction is not located.
+// A flow says itself where its law has an edge, and where a width makes it smooth enough: what else changes with its direction is not
+// located.
 
 /// a where the direction is positive, b where it is negative.
 ex upstream(const ex& direction, const ex& a, const ex& b) {
@@ -36,7 +37,9 @@ public:
         f.from = end(item.from, f.from_volume, f.from_junction);
         f.to = end(item.to, f.to_volume, f.to_junction);
         if (f.from == f.to)
-            throw Failure(Diagnostic{Id::not_allowed_here, item.to.span, fmt::format("flow '{}' goes from '{}' to itself", member.name(), (f.from_volume != nullptr ? f.from_volume->member.name() : item.from.name))});
+            throw Failure(Diagnostic{Id::not_allowed_here, item.to.span,
+                                     fmt::format("flow '{}' goes from '{}' to itself", member.name(),
+                                                 (f.from_volume != nullptr ? f.from_volume->member.name() : item.from.name))});
         if (f.from_junction != nullptr || f.to_junction != nullptr) return at_junction(f);
         switch (item.law) {
             case Flow::Law::given_mass:
@@ -68,14 +71,17 @@ private:
             case Flow::Law::hydraulic_orifice: f.law_at_junction = {true, by_orifice()}; break;
             case Flow::Law::check_valve:
                 if (!is_in(f, "_open")) break;
-                f.law_at_junction = {!item.conductance, item.conductance ? f.density * value(item.conductance) : by_orifice(), value(item.cracking_pressure)};
+                f.law_at_junction = {!item.conductance, item.conductance ? f.density * value(item.conductance) : by_orifice(),
+                                     value(item.cracking_pressure)};
                 break;
             case Flow::Law::pump: pump(f); break;
             case Flow::Law::pipe: pipe(f); break;
             case Flow::Law::pneumatic_orifice: break;  // was refused
             case Flow::Law::relief_valve:
                 throw Failure(Diagnostic{Id::not_allowed_here, item.span,
-                                         fmt::format("relief valve '{}' ends at a junction, whose pressure this version does not solve with one; make the junction a small volume", f.member.name())});
+                                         fmt::format("relief valve '{}' ends at a junction, whose pressure this version does not solve "
+                                                     "with one; make the junction a small volume",
+                                                     f.member.name())});
         }
         if (!f.law_at_junction) return f;
         const PressureLaw& law = *f.law_at_junction;
@@ -93,7 +99,8 @@ private:
         junction = containers_.find_junction(reference.name, index);
         if (junction != nullptr) return &junction->fluid;
         if (const ReservoirState* reservoir = containers_.find_reservoir(reference.name, index)) return &reservoir->fluid;
-        throw Failure(Diagnostic{Id::index_out_of_range, reference.span, fmt::format("the scene has no '{}'", std::string(reference.span.text()))});
+        throw Failure(
+            Diagnostic{Id::index_out_of_range, reference.span, fmt::format("the scene has no '{}'", std::string(reference.span.text()))});
     }
 
     /// What drives a flow between its ends, Pa: p_from - p_to + rho*(potential_from - potential_to) less what opens it, where the column
@@ -109,7 +116,9 @@ private:
         f.mass_flow = f.density * volume_flow;
     }
 
-    void edge(FlowState& f, const char* what, const ex& guard) const { f.edges.push_back({f.member.name(), fmt::format("flow {} {}", f.member.name(), what), false, guard}); }
+    void edge(FlowState& f, const char* what, const ex& guard) const {
+        f.edges.push_back({f.member.name(), fmt::format("flow {} {}", f.member.name(), what), false, guard});
+    }
 
     /// sqrt(2/rho)*sign(dp)*sqrt(|dp|), the velocity behind (3.150); with a width the smooth law. Where dp is the head of a level that
     /// is integrated as its root, the root is the level's own and ends where the tank is empty.
@@ -125,7 +134,9 @@ private:
             if (!z.is_root || square.has(z.symbol)) continue;
             if (!square.info(GiNaC::info_flags::positive))
                 throw Failure(Diagnostic{Id::not_allowed_here, f.member.item->span,
-                                         fmt::format("flow '{}' goes like the root of '{}', which is integrated as its root; that needs ranges by which density and gravity are positive", f.member.name(), z.base)});
+                                         fmt::format("flow '{}' goes like the root of '{}', which is integrated as its root; that needs "
+                                                     "ranges by which density and gravity are positive",
+                                                     f.member.name(), z.base)});
             edge(f, fmt::format("ends, {} is zero", z.base).c_str(), z.symbol);
             return GiNaC::sqrt(square) * z.symbol * unit_step(unlocated(z.symbol));
         }
@@ -147,7 +158,8 @@ private:
         f.density = f.from->density;
         if (item.switches) {
             const bool is_open = scene_.mode && scene_.modes[*scene_.mode].is_in(item.name + "_open");
-            const ex volume_flow = item.conductance ? ex(value(item.conductance) * dp) : value(item.coefficient) * value(item.area) * forward_root(2 * dp / f.density);
+            const ex volume_flow = item.conductance ? ex(value(item.conductance) * dp)
+                                                    : value(item.coefficient) * value(item.area) * forward_root(2 * dp / f.density);
             f.mass_flow = is_open ? ex(f.density * volume_flow) : ex(0);
         } else if (item.conductance) {
             edge(f, "opens or closes", dp);
@@ -167,7 +179,8 @@ private:
         edge(f, "is open with its whole area", remaining);
         const ex opening = minimum(maximum(unlocated(excess), 0) / value(item.override_pressure), 1);
         f.density = f.from->density;
-        f.mass_flow = f.density * value(item.coefficient) * value(item.area) * opening * GiNaC::sqrt(2 * maximum(unlocated(dp), cracking) / f.density);
+        f.mass_flow = f.density * value(item.coefficient) * value(item.area) * opening *
+                      GiNaC::sqrt(2 * maximum(unlocated(dp), cracking) / f.density);
     }
 
     /// (3.156) in both directions. With d = |p_1 - p_2|/p_u and p_u the higher pressure: p_u*Psi = sqrt(p_u*|p_1 - p_2|)*outflow_factor(d).
@@ -175,7 +188,9 @@ private:
         const Flow& item = *f.member.item;
         if (!(f.from->potential - f.to->potential).expand().is_zero())
             throw Failure(Diagnostic{Id::not_allowed_here, item.span,
-                                     fmt::format("the law of the pneumatic orifice '{}' knows no height, but the potentials of '{}' and '{}' differ; give both ends the same potential", f.member.name(), std::string(item.from.span.text()), std::string(item.to.span.text()))});
+                                     fmt::format("the law of the pneumatic orifice '{}' knows no height, but the potentials of '{}' and "
+                                                 "'{}' differ; give both ends the same potential",
+                                                 f.member.name(), std::string(item.from.span.text()), std::string(item.to.span.text()))});
         const MediumModel& gas = *(f.from_volume != nullptr ? f.from_volume->medium : reservoir_medium(item.from));
         const ex k = gas.isentropic_exponent();
         const ex dp = difference(f);
@@ -188,10 +203,13 @@ private:
         else edge(f, "changes its direction", dp);
         edge(f, "changes between choked and subsonic", magnitude(dp) - (1 - pow(2 / (k + 1), k / (k - 1))) * higher);
         f.density = upstream(dp, f.from->density, f.to->density);
-        f.mass_flow = value(item.coefficient) * value(item.area) * GiNaC::sqrt(2 / gas.gas_constant()) * temperature_root * outflow_factor(relative, k) * root;
+        f.mass_flow = value(item.coefficient) * value(item.area) * GiNaC::sqrt(2 / gas.gas_constant()) * temperature_root *
+                      outflow_factor(relative, k) * root;
     }
 
-    bool is_in(const FlowState& f, const char* mode) const { return scene_.mode && scene_.modes[*scene_.mode].is_in(f.member.item->name + mode); }
+    bool is_in(const FlowState& f, const char* mode) const {
+        return scene_.mode && scene_.modes[*scene_.mode].is_in(f.member.item->name + mode);
+    }
 
     /// The same in one of its modes: the direction is known, and whether it is choked, where the outflow function has its largest value.
     void switched_orifice(FlowState& f, const ex& k, const ex& gas_constant, const ex& dp) const {
@@ -203,7 +221,8 @@ private:
         const bool is_choked = is_in(f, "_choked") || is_in(f, "_choked_back");
         const ex outflow = is_choked ? choked : outflow_factor(drop / upstream.pressure, k) * forward_root(upstream.pressure * drop);
         f.density = upstream.density;
-        f.mass_flow = (is_back ? -1 : 1) * value(item.coefficient) * value(item.area) * GiNaC::sqrt(2 / gas_constant) * pow(*upstream.temperature, numeric(-1, 2)) * outflow;
+        f.mass_flow = (is_back ? -1 : 1) * value(item.coefficient) * value(item.area) * GiNaC::sqrt(2 / gas_constant) *
+                      pow(*upstream.temperature, numeric(-1, 2)) * outflow;
     }
 
     const MediumModel* reservoir_medium(const Reference& reference) const {
@@ -232,16 +251,20 @@ private:
         const Flow& item = *f.member.item;
         const int index = item.velocity->children.empty() ? 0 : index_value(*item.velocity->children[0], scene_, indices_);
         const Variable* state = symbols_.find(SymbolKind::state, item.velocity->name, index);
-        if (state == nullptr) throw Failure(Diagnostic{Id::index_out_of_range, item.velocity->span, fmt::format("the scene has no state '{}'", item.velocity->written())});
+        if (state == nullptr)
+            throw Failure(Diagnostic{Id::index_out_of_range, item.velocity->span,
+                                     fmt::format("the scene has no state '{}'", item.velocity->written())});
         f.velocity_state = state->position;
         const ex v = translate_(item.velocity, indices_);
         const ex area = value(item.area);
         const ex length = value(item.length);
-        if (f.from_junction == nullptr) f.density = (f.from_volume != nullptr ? f.from_volume->medium : reservoir_medium(item.from))->reference_density();
+        if (f.from_junction == nullptr)
+            f.density = (f.from_volume != nullptr ? f.from_volume->medium : reservoir_medium(item.from))->reference_density();
         ex loss = 0;
         if (item.loss) {
             const ex letter = symbols_.letter(item.loss->variable);
-            loss = translate_(*item.loss->body, indices_, {{item.loss->variable, letter}}).subs(letter == v, GiNaC::subs_options::no_pattern);
+            loss =
+                translate_(*item.loss->body, indices_, {{item.loss->variable, letter}}).subs(letter == v, GiNaC::subs_options::no_pattern);
         }
         const ex drive = f.from->pressure - f.to->pressure + f.density * (f.from->potential - f.to->potential) - loss;
         f.mass_flow = f.density * area * v;
@@ -321,11 +344,16 @@ void share_inflows(std::vector<FlowState>& flows, const Scene& scene, const Symb
     const auto is_pending = [&](const ControlVolume* volume) { return std::find(pending.begin(), pending.end(), volume) != pending.end(); };
     while (!pending.empty()) {
         const auto next = std::find_if(pending.begin(), pending.end(), [&](const ControlVolume* volume) {
-            return std::none_of(flows.begin(), flows.end(), [&](const FlowState& f) { return f.to_volume == volume && is_pending(f.from_volume); });
+            return std::none_of(flows.begin(), flows.end(),
+                                [&](const FlowState& f) { return f.to_volume == volume && is_pending(f.from_volume); });
         });
         if (next == pending.end()) {
             const Volume& one = *pending.front()->member.item;
-            throw Failure(Diagnostic{Id::undetermined, one.span, fmt::format("in mode '{}' volume '{}' and volumes that feed it in a ring are all empty, so that nothing determines what flows", scene.modes[*scene.mode].name, one.name)});
+            throw Failure(Diagnostic{
+                Id::undetermined, one.span,
+                fmt::format(
+                    "in mode '{}' volume '{}' and volumes that feed it in a ring are all empty, so that nothing determines what flows",
+                    scene.modes[*scene.mode].name, one.name)});
         }
         share_inflow(flows, **next, symbols);
         pending.erase(next);

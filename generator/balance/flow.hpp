@@ -18,8 +18,8 @@ struct Guard {
     bool is_same(const Guard& other) const { return name == other.name && doc == other.doc && ends == other.ends; }
 };
 
-/// How the mass flow at a junction follows from pressures: factor*d or factor*signed_root(d), where d = p_from - p_to + density*(potential_from -
-/// potential_to) - opening.
+/// How the mass flow at a junction follows from pressures: factor*d or factor*signed_root(d), where d = p_from - p_to +
+/// density*(potential_from - potential_to) - opening.
 struct PressureLaw {
     bool is_root;
     GiNaC::ex factor;

@@ -34,7 +34,9 @@ ex primitive(const Property& property, const ex& letter, const Translator& trans
     const ex law = law_of(property, letter, translate, indices);
     for (const ex& form : {law, law.expand()})
         if (const auto found = integrate(form, GiNaC::ex_to<GiNaC::symbol>(letter))) return *found;
-    throw Failure(Diagnostic{Id::cannot_integrate, property.span, fmt::format("'{}' has an integral over '{}' that the program cannot find", property.body->written(), property.variables[0])});
+    throw Failure(Diagnostic{
+        Id::cannot_integrate, property.span,
+        fmt::format("'{}' has an integral over '{}' that the program cannot find", property.body->written(), property.variables[0])});
 }
 
 ex at(const ex& law, const ex& letter, const ex& temperature) { return law.subs(letter == temperature, GiNaC::subs_options::no_pattern); }
@@ -57,7 +59,8 @@ public:
         const Warmth a = end(item.from, link.from);
         const Warmth b = end(item.to, link.to);
         if (link.from.node == link.to.node && link.from.volume == link.to.volume && link.from.reservoir == link.to.reservoir)
-            throw Failure(Diagnostic{Id::not_allowed_here, item.to.span, fmt::format("link '{}' goes from '{}' to itself", link.name, std::string(item.to.span.text()))});
+            throw Failure(Diagnostic{Id::not_allowed_here, item.to.span,
+                                     fmt::format("link '{}' goes from '{}' to itself", link.name, std::string(item.to.span.text()))});
         link.heat = heat(item, a, b);
         link.radiates = item.law == Link::Law::radiation;
         network_.links.push_back(std::move(link));
@@ -70,7 +73,8 @@ private:
         switch (item.law) {
             case Link::Law::given: return value(item.heat);
             case Link::Law::linear: return exchange(item.conductance ? value(item.conductance) : 1 / value(item.resistance), a, b);
-            case Link::Law::conduction: return conduct(*item.conductivity, value(item.area) / value(item.length), a, b, translate_, symbols_, indices_);
+            case Link::Law::conduction:
+                return conduct(*item.conductivity, value(item.area) / value(item.length), a, b, translate_, symbols_, indices_);
             case Link::Law::convection: return exchange(value(item.coefficient) * value(item.area), a, b);
             case Link::Law::radiation: break;
         }
@@ -89,7 +93,9 @@ private:
         if (link_end.volume == nullptr && link_end.reservoir == nullptr)
             throw Failure(Diagnostic{Id::index_out_of_range, reference.span, fmt::format("the scene has no '{}'", name)});
         const FluidState& fluid = link_end.volume != nullptr ? link_end.volume->fluid : link_end.reservoir->fluid;
-        if (!fluid.temperature) throw Failure(Diagnostic{Id::needs_absent, reference.span, fmt::format("scene '{}' gives '{}' no temperature", scene_.name, name)});
+        if (!fluid.temperature)
+            throw Failure(
+                Diagnostic{Id::needs_absent, reference.span, fmt::format("scene '{}' gives '{}' no temperature", scene_.name, name)});
         return warmth_of(*fluid.temperature);
     }
 
@@ -101,15 +107,20 @@ private:
     Indices indices_;
 };
 
-BoilingState boiling_of(const HeatNode& item, const NodeState& node, const Scene& scene, const Translator& translate, const Symbols& symbols) {
+BoilingState boiling_of(const HeatNode& item, const NodeState& node, const Scene& scene, const Translator& translate,
+                        const Symbols& symbols) {
     const Expression& named = *item.boiling->mass;
     const Variable* mass = symbols.find(SymbolKind::state, named.name, 0);
-    if (mass == nullptr) throw Failure(Diagnostic{Id::needs_absent, named.span, fmt::format("scene '{}' has no state '{}'", scene.name, named.written())});
+    if (mass == nullptr)
+        throw Failure(Diagnostic{Id::needs_absent, named.span, fmt::format("scene '{}' has no state '{}'", scene.name, named.written())});
     for (const Variable& state : symbols.all(SymbolKind::state)) {
         const bool may_depend = state.position == mass->position || (state.position == *node.state && !item.capacity->variables.empty());
         if (!may_depend && node.capacity.has(state.symbol))
-            throw Failure(Diagnostic{Id::not_allowed_here, item.capacity->span, fmt::format("the capacity of node '{}' may depend on its mass '{}' and on no other state, but it depends on '{}'{}", item.name, mass->name, state.name,
-                                                                                            state.position == *node.state ? "; of the temperature it is a law, \"T -> ...\"" : "")});
+            throw Failure(Diagnostic{
+                Id::not_allowed_here, item.capacity->span,
+                fmt::format("the capacity of node '{}' may depend on its mass '{}' and on no other state, but it depends on '{}'{}",
+                            item.name, mass->name, state.name,
+                            state.position == *node.state ? "; of the temperature it is a law, \"T -> ...\"" : "")});
     }
     return {mass->position, translate(item.boiling->enthalpy, {}), scene.modes[*scene.mode].is_in(item.name + "_boiling")};
 }
@@ -124,7 +135,8 @@ NodeState node_of(const Member<HeatNode>& member, const Scene& scene, const Tran
     const Expression& named = *item.temperature;
     const int index = named.children.empty() ? 0 : index_value(*named.children[0], scene, indices);
     const Variable* state = symbols.find(SymbolKind::state, named.name, index);
-    if (state == nullptr) throw Failure(Diagnostic{Id::index_out_of_range, named.span, fmt::format("the scene has no state '{}'", named.written())});
+    if (state == nullptr)
+        throw Failure(Diagnostic{Id::index_out_of_range, named.span, fmt::format("the scene has no state '{}'", named.written())});
     node.state = state->position;
     store(node, *item.capacity, 1, translate, symbols, indices);
     if (item.boiling) node.boiling = boiling_of(item, node, scene, translate, symbols);
@@ -143,7 +155,8 @@ ex radiate(const ex& area, const Warmth& a, const Warmth& b) {
     return factor * fourth_power_difference(a.temperature, b.temperature);
 }
 
-ex taken_up(const Warmth& surface, const ex& size, const ExpressionPtr& coefficient, const ExpressionPtr& emissivity, const ExpressionPtr& ambient, const Translator& translate) {
+ex taken_up(const Warmth& surface, const ex& size, const ExpressionPtr& coefficient, const ExpressionPtr& emissivity,
+            const ExpressionPtr& ambient, const Translator& translate) {
     const Warmth around = warmth_of(translate(ambient, {}));
     ex heat = 0;
     if (coefficient) heat += exchange(translate(coefficient, {}) * size, around, surface);
@@ -151,14 +164,16 @@ ex taken_up(const Warmth& surface, const ex& size, const ExpressionPtr& coeffici
     return heat;
 }
 
-ex conduct(const Property& conductivity, const ex& shape, const Warmth& a, const Warmth& b, const Translator& translate, Symbols& symbols, const Indices& indices) {
+ex conduct(const Property& conductivity, const ex& shape, const Warmth& a, const Warmth& b, const Translator& translate, Symbols& symbols,
+           const Indices& indices) {
     if (conductivity.variables.empty()) return exchange(translate(conductivity.body, indices) * shape, a, b);
     const ex letter = symbols.letter(conductivity.variables[0]);
     const ex integral = primitive(conductivity, letter, translate, indices);
     return shape * (at(integral, letter, a.temperature) - at(integral, letter, b.temperature));
 }
 
-void store(NodeState& node, const Property& capacity, const ex& amount, const Translator& translate, Symbols& symbols, const Indices& indices) {
+void store(NodeState& node, const Property& capacity, const ex& amount, const Translator& translate, Symbols& symbols,
+           const Indices& indices) {
     node.capacity = amount * law_of(capacity, node.warmth.temperature, translate, indices);
     if (capacity.variables.empty()) {
         node.stored_energy = node.capacity * node.warmth.temperature;
@@ -242,7 +257,9 @@ std::vector<std::vector<std::size_t>> HeatNetwork::floating_parts() const {
     std::set<const NodeState*> anchored;
     for (const NodeState& node : nodes) {
         part[&node] = &node;
-        if (node.kind == NodeState::Kind::held || node.is_surface || (node.state && !partial(node.source, node.warmth.temperature).is_zero())) anchored.insert(&node);
+        if (node.kind == NodeState::Kind::held || node.is_surface ||
+            (node.state && !partial(node.source, node.warmth.temperature).is_zero()))
+            anchored.insert(&node);
     }
     const auto root = [&](const NodeState* node) {
         while (part[node] != node) node = part[node];
@@ -270,7 +287,9 @@ HeatNetwork make_nodes(const Scene& scene, const Translator& translate, Symbols&
     for (const auto& member : scene.nodes) {
         const bool is_sought = !member.item->is_held() && !scene.has_capacity(*member.item, translate.names());
         if (is_sought && member.item->boiling)
-            throw Failure(Diagnostic{Id::needs_absent, member.item->span, fmt::format("node '{}' boils, but scene '{}' leaves out the state that is its temperature", member.item->name, scene.name)});
+            throw Failure(Diagnostic{Id::needs_absent, member.item->span,
+                                     fmt::format("node '{}' boils, but scene '{}' leaves out the state that is its temperature",
+                                                 member.item->name, scene.name)});
         if (is_sought) add_sought(network, member.name(), *member.item, member.item->span, symbols);
         else network.nodes.push_back(node_of(member, scene, translate, symbols));
     }

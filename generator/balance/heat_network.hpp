@@ -92,7 +92,8 @@ struct HeatNetwork {
     GiNaC::ex stored_energy = 0;    ///< J
     GiNaC::ex exchanged_power = 0;  ///< W, from sources, held nodes and reservoirs
     GiNaC::exmap solved;            ///< the letters of sought temperatures, with what they are
-    std::map<const NodeState*, GiNaC::ex> defined;  ///< W into nodes that hold each other in balance: zero by definition of their temperatures
+    std::map<const NodeState*, GiNaC::ex>
+        defined;  ///< W into nodes that hold each other in balance: zero by definition of their temperatures
 
     bool empty() const { return nodes.empty() && links.empty(); }
     /// Null where the scene has none of that name: "plate", "bar[3]".
@@ -103,7 +104,9 @@ struct HeatNetwork {
     GiNaC::ex heat_into(const NodeState& node) const;
     GiNaC::ex heat_into(const ControlVolume& volume) const;
     /// dT/dt of a node that stores: none while it boils.
-    GiNaC::ex rate(const NodeState& node) const { return node.boiling && node.boiling->boils ? GiNaC::ex(0) : heat_into(node) / node.capacity; }
+    GiNaC::ex rate(const NodeState& node) const {
+        return node.boiling && node.boiling->boils ? GiNaC::ex(0) : heat_into(node) / node.capacity;
+    }
     /// kg/s that evaporate, of one that boils, in any of its modes.
     GiNaC::ex steam(const NodeState& node) const { return node.boiling->boils ? heat_into(node) / node.boiling->enthalpy : GiNaC::ex(0); }
     /// W that the steam takes along: its enthalpy of evaporation, and what was stored in it; zero of what does not boil.
@@ -123,17 +126,20 @@ void complete_heat(HeatNetwork& network, const Scene& scene, const Translator& t
 // For rods and blocks, which are made of nodes and links too.
 
 /// A node that stores: capacity as an expression (no variables) or law of its temperature, times `amount`.
-void store(NodeState& node, const Property& capacity, const GiNaC::ex& amount, const Translator& translate, Symbols& symbols, const Indices& indices);
+void store(NodeState& node, const Property& capacity, const GiNaC::ex& amount, const Translator& translate, Symbols& symbols,
+           const Indices& indices);
 NodeState& add_sought(HeatNetwork& network, std::string name, const Item& item, const Span& place, Symbols& symbols);
 /// shape*(integral of the conductivity from T_b to T_a): W.
-GiNaC::ex conduct(const Property& conductivity, const GiNaC::ex& shape, const Warmth& a, const Warmth& b, const Translator& translate, Symbols& symbols, const Indices& indices);
+GiNaC::ex conduct(const Property& conductivity, const GiNaC::ex& shape, const Warmth& a, const Warmth& b, const Translator& translate,
+                  Symbols& symbols, const Indices& indices);
 /// factor*(T_a - T_b), W.
 GiNaC::ex exchange(const GiNaC::ex& factor, const Warmth& a, const Warmth& b);
 /// area*stefan_boltzmann*(T_a^4 - T_b^4), W; the area times what emissivities and reflections leave of it.
 GiNaC::ex radiate(const GiNaC::ex& area, const Warmth& a, const Warmth& b);
 Warmth warmth_of(const GiNaC::ex& temperature);
 /// What a surface of a size (m^2) takes up from what surrounds it, by convection and radiation where they are given; W.
-GiNaC::ex taken_up(const Warmth& surface, const GiNaC::ex& size, const ExpressionPtr& coefficient, const ExpressionPtr& emissivity, const ExpressionPtr& ambient, const Translator& translate);
+GiNaC::ex taken_up(const Warmth& surface, const GiNaC::ex& size, const ExpressionPtr& coefficient, const ExpressionPtr& emissivity,
+                   const ExpressionPtr& ambient, const Translator& translate);
 /// Heat from `a` to `b`, W.
 void add_link(HeatNetwork& network, const Item& item, const NodeState& a, const NodeState& b, const GiNaC::ex& heat);
 

@@ -94,7 +94,9 @@ private:
 
     [[noreturn]] void fail(std::size_t k, const std::string& why) const {
         const std::string mode = scene_.mode ? fmt::format("in mode '{}' ", scene_.modes[*scene_.mode].name) : "";
-        throw Failure(Diagnostic{Id::undetermined, rows_[k].state->member.item->span, fmt::format("junction '{}' stores nothing, so that its pressure follows from its flows; {}{}", rows_[k].state->member.name(), mode, why)});
+        throw Failure(Diagnostic{Id::undetermined, rows_[k].state->member.item->span,
+                                 fmt::format("junction '{}' stores nothing, so that its pressure follows from its flows; {}{}",
+                                             rows_[k].state->member.name(), mode, why)});
     }
 
     [[noreturn]] void fail_linked(std::size_t k) const {
@@ -103,7 +105,9 @@ private:
             if (arm.other().junction) others.push_back(rows_[*arm.other().junction].state->member.name());
         std::sort(others.begin(), others.end());
         others.erase(std::unique(others.begin(), others.end()), others.end());
-        fail(k, fmt::format("but orifices join it to {}, too, and both have more flows than this version solves at once. Give one of them a small volume", quoted_list(others)));
+        fail(k, fmt::format("but orifices join it to {}, too, and both have more flows than this version solves at once. Give one of them "
+                            "a small volume",
+                            quoted_list(others)));
     }
 
     std::optional<std::size_t> row_of(const JunctionState* junction) const {
@@ -131,13 +135,18 @@ private:
             }
             const PressureLaw& law = *f.law_at_junction;
             if (has_letter(law.factor) || has_letter(law.opening)) fail_dependent(f);
-            const auto end = [&](std::optional<std::size_t> row, const FluidState& fluid) { return row ? End{row, 0} : End{std::nullopt, fluid.pressure + f.density * fluid.potential}; };
+            const auto end = [&](std::optional<std::size_t> row, const FluidState& fluid) {
+                return row ? End{row, 0} : End{std::nullopt, fluid.pressure + f.density * fluid.potential};
+            };
             edges_.push_back({&f, law.is_root, law.factor, law.opening, end(from, *f.from), end(to, *f.to)});
         }
     }
 
     [[noreturn]] void fail_dependent(const FlowState& f) const {
-        throw Failure(Diagnostic{Id::undetermined, f.member.item->span, fmt::format("the law of flow '{}' depends on the pressure of a junction otherwise than by the pressures at its ends; the pressure of a junction follows from the flows, so that it cannot", f.member.name())});
+        throw Failure(Diagnostic{Id::undetermined, f.member.item->span,
+                                 fmt::format("the law of flow '{}' depends on the pressure of a junction otherwise than by the pressures "
+                                             "at its ends; the pressure of a junction follows from the flows, so that it cannot",
+                                             f.member.name())});
     }
 
     std::vector<Arm> arms_of(std::size_t k) const {
@@ -156,7 +165,10 @@ private:
             if (f.from_junction == rows_[k].state || f.to_junction == rows_[k].state) names.push_back(f.member.name());
         if (names.empty()) fail(k, "but no flow ends there");
         if (names.size() == 1) fail(k, fmt::format("but '{}' is the only one that ends there, through which nothing can flow", names[0]));
-        if (arms_of(k).empty()) fail(k, fmt::format("but {} are all given, of pumps, pipes or shut valves, whose flows no pressure changes at once. Put an orifice or laminar flow beside them, or make it a small volume", quoted_list(names)));
+        if (arms_of(k).empty())
+            fail(k, fmt::format("but {} are all given, of pumps, pipes or shut valves, whose flows no pressure changes at once. Put an "
+                                "orifice or laminar flow beside them, or make it a small volume",
+                                quoted_list(names)));
     }
 
     bool eliminate_next() {
@@ -180,7 +192,8 @@ private:
     }
 
     bool is_between_orifices(std::size_t k, const std::vector<Arm>& arms) const {
-        return arms.size() == 2 && arms[0].edge->is_root && arms[1].edge->is_root && rows_[k].source.is_zero() && !arms[0].other().is_same(arms[1].other());
+        return arms.size() == 2 && arms[0].edge->is_root && arms[1].edge->is_root && rows_[k].source.is_zero() &&
+               !arms[0].other().is_same(arms[1].other());
     }
 
     /// From a star to what joins its ends directly.
@@ -193,7 +206,8 @@ private:
                 const Arm& next = step.arms[b];
                 const bool is_known = !arm.other().junction && !next.other().junction;
                 if (is_known || arm.other().is_same(next.other())) continue;
-                edges_.push_back({nullptr, false, arm.edge->factor * next.edge->factor / all, next.shift() - arm.shift(), arm.other(), next.other()});
+                edges_.push_back(
+                    {nullptr, false, arm.edge->factor * next.edge->factor / all, next.shift() - arm.shift(), arm.other(), next.other()});
             }
         }
     }
@@ -218,7 +232,9 @@ private:
     static ex in_series(const Step& step) { return inverse_norm(pow(step.arms[0].edge->factor, 2) + pow(step.arms[1].edge->factor, 2)); }
 
     /// The pressure that drives nothing through an arm.
-    ex pressure(const Arm& arm) const { return (arm.other().junction ? rows_[*arm.other().junction].pressure : arm.other().pressure) + arm.shift(); }
+    ex pressure(const Arm& arm) const {
+        return (arm.other().junction ? rows_[*arm.other().junction].pressure : arm.other().pressure) + arm.shift();
+    }
 
     void put_back(const Step& step) {
         const bool has_roots = std::any_of(step.arms.begin(), step.arms.end(), [](const Arm& arm) { return arm.edge->is_root; });
@@ -254,7 +270,8 @@ private:
         row.pressure = pressure(a) - into * magnitude(into);
     }
 
-    /// All other ends are known, and at least one flow goes like a root. Of that one's law the pressure follows, and of the balance what it carries.
+    /// All other ends are known, and at least one flow goes like a root. Of that one's law the pressure follows, and of the balance what it
+    /// carries.
     void put_back_known(const Step& step) {
         JunctionRow& row = rows_[step.junction];
         std::vector<const Arm*> roots, linear;
@@ -289,11 +306,14 @@ private:
 
     void put_in() {
         GiNaC::exmap solved;
-        for (const JunctionRow& row : rows_) solved[row.state->letter] = row.pressure - row.state->medium->reference_density() * row.state->fluid.potential;
+        for (const JunctionRow& row : rows_)
+            solved[row.state->letter] = row.pressure - row.state->medium->reference_density() * row.state->fluid.potential;
         for (const Edge& edge : edges_) {
             if (edge.flow == nullptr) continue;
             edge.flow->mass_flow = edge.carries();
-            if (edge.is_root) edge.flow->edges.push_back({edge.flow->member.name(), fmt::format("flow {} changes its direction", edge.flow->member.name()), false, edge.drive});
+            if (edge.is_root)
+                edge.flow->edges.push_back(
+                    {edge.flow->member.name(), fmt::format("flow {} changes its direction", edge.flow->member.name()), false, edge.drive});
         }
         const auto in = [&](ex& e) { e = e.subs(solved, GiNaC::subs_options::no_pattern); };
         for (FlowState& f : flows_) {

@@ -35,8 +35,9 @@ MediumModel::MediumModel(const Medium& medium, const Scene& scene, const Transla
     if (has_heat && !is_thermal)
         for_each(*medium.isochoric_heat->body, [&](const Expression& e) {
             const bool is_name = e.kind == Expression::Kind::name && e.name != "pi";
-            is_there = is_there && (!is_name || translate.symbols().find(SymbolKind::parameter, e.name, 0) != nullptr || translate.symbols().find(SymbolKind::definition, e.name, 0) != nullptr ||
-                         scene.fixed.contains(e.name) || scene.folded.contains(e.name));
+            is_there = is_there && (!is_name || translate.symbols().find(SymbolKind::parameter, e.name, 0) != nullptr ||
+                                    translate.symbols().find(SymbolKind::definition, e.name, 0) != nullptr ||
+                                    scene.fixed.contains(e.name) || scene.folded.contains(e.name));
         });
     if (is_there) heat_ = translate(*medium.isochoric_heat->body, {});
     law_.pressure = p_;
@@ -65,8 +66,8 @@ void MediumModel::ideal_gas() {
     by_density_ = by_density;
 }
 
-/// (3.76) and (3.79) in x = log(rho/rho_0): rho_0*e = rho_0*c_v*(T - T_0) + (p_0 - alpha*beta*T_0)*(1 - exp(-x)) + beta*(1 - (1 + x)*exp(-x)),
-/// so that no digits are lost near the reference, where everything printed cancels.
+/// (3.76) and (3.79) in x = log(rho/rho_0): rho_0*e = rho_0*c_v*(T - T_0) + (p_0 - alpha*beta*T_0)*(1 - exp(-x)) + beta*(1 - (1 +
+/// x)*exp(-x)), so that no digits are lost near the reference, where everything printed cancels.
 void MediumModel::liquid(const Translator& translate) {
     const ex rho_0 = density_;
     const ex beta = translate(item_->bulk_modulus, {});
@@ -136,17 +137,27 @@ void MediumModel::integrate_energy(const ex& p_0, const ex& T_0) {
     const auto primitive = [&](const ex& slope, const ex& letter, const char* of) {
         for (const ex& form : {slope, slope.normal(), slope.expand().normal()})
             if (const auto found = integrate(form, GiNaC::ex_to<GiNaC::symbol>(letter))) return *found;
-        throw Failure(Diagnostic{Id::cannot_integrate, item_->density->span,
-                                 fmt::format("the internal energy of medium '{}' needs an integral over the {} that the program cannot find; give its energy", item_->name, of)});
+        throw Failure(Diagnostic{
+            Id::cannot_integrate, item_->density->span,
+            fmt::format("the internal energy of medium '{}' needs an integral over the {} that the program cannot find; give its energy",
+                        item_->name, of)});
     };
     const ex heating = primitive(by_temperature, T_, "temperature");
     const ex pressing = primitive(by_pressure, p_, "pressure");
-    law_.energy = heating - heating.subs(T_ == T_0, GiNaC::subs_options::no_pattern) + pressing - pressing.subs(p_ == p_0, GiNaC::subs_options::no_pattern);
+    law_.energy = heating - heating.subs(T_ == T_0, GiNaC::subs_options::no_pattern) + pressing -
+                  pressing.subs(p_ == p_0, GiNaC::subs_options::no_pattern);
 }
 
 MediumState MediumModel::substituted(const MediumState& law, const GiNaC::exmap& values) const {
     const auto at = [&](const ex& e) { return e.subs(values, GiNaC::subs_options::no_pattern); };
-    return {at(law.pressure), at(law.temperature), at(law.density), at(law.energy), at(law.enthalpy), at(law.isochoric_heat), at(law.pressure_by_density), at(law.pressure_by_temperature)};
+    return {at(law.pressure),
+            at(law.temperature),
+            at(law.density),
+            at(law.energy),
+            at(law.enthalpy),
+            at(law.isochoric_heat),
+            at(law.pressure_by_density),
+            at(law.pressure_by_temperature)};
 }
 
 MediumState MediumModel::at_pressure(const ex& p, const ex& T) const { return substituted(law_, {{p_, p}, {T_, T}}); }
@@ -156,13 +167,17 @@ MediumState MediumModel::at_density(const ex& rho, const ex& T) const { return s
 std::optional<ex> MediumModel::reference_temperature(const Item& asking) const {
     const bool matters = law_.density.has(T_) || law_.energy.has(T_) || law_.enthalpy.has(T_);
     if (reference_temperature_ || !matters) return reference_temperature_;
-    throw Failure(Diagnostic{Id::missing_key, asking.span, fmt::format("'{}' says no temperature, and medium '{}' has no reference_temperature", asking.name, item_->name),
-                             {{item_->span, fmt::format("medium '{}' is defined here", item_->name)}}});
+    throw Failure(
+        Diagnostic{Id::missing_key,
+                   asking.span,
+                   fmt::format("'{}' says no temperature, and medium '{}' has no reference_temperature", asking.name, item_->name),
+                   {{item_->span, fmt::format("medium '{}' is defined here", item_->name)}}});
 }
 
 ex MediumModel::isentropic_exponent() const {
     if (heat_.is_zero())
-        throw Failure(Diagnostic{Id::missing_key, item_->span, fmt::format("medium '{}' needs its isochoric_heat for the ratio of specific heats", item_->name)});
+        throw Failure(Diagnostic{Id::missing_key, item_->span,
+                                 fmt::format("medium '{}' needs its isochoric_heat for the ratio of specific heats", item_->name)});
     return (heat_ + gas_constant_) / heat_;
 }
 

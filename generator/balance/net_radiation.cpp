@@ -85,12 +85,15 @@ public:
 
     NetRadiation run() {
         for (std::size_t k = 0; k < n_; ++k) eliminate(k);
-        NetRadiation result{std::vector<std::vector<ex>>(n_, std::vector<ex>(n_, 0)), std::vector<std::vector<ex>>(n_, std::vector<ex>(n_, 0))};
+        NetRadiation result{std::vector<std::vector<ex>>(n_, std::vector<ex>(n_, 0)),
+                            std::vector<std::vector<ex>>(n_, std::vector<ex>(n_, 0))};
         for (std::size_t k = n_; k-- > 0;) put_back(k, result.reach);
         const auto slopes = std::make_shared<Slopes>(s_, rho_, result.reach);
         for (std::size_t i = 0; i < n_; ++i)
             for (std::size_t j = i + 1; j < n_; ++j) {
-                const auto slope = [slopes, i, j](const Symbols& symbols, std::size_t parameter) { return (*slopes)(i, j, symbols, parameter); };
+                const auto slope = [slopes, i, j](const Symbols& symbols, std::size_t parameter) {
+                    return (*slopes)(i, j, symbols, parameter);
+                };
                 result.exchange[i][j] = result.exchange[j][i] =
                     steps_("exchange_factor", {i, j}, s_.emissivities[i] * s_.emissivities[j] * result.reach[i][j], slope);
             }

@@ -12,7 +12,9 @@ using cln::cl_R;
 
 namespace {
 
-cl_R cross(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); }
+cl_R cross(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
 cl_R distance(const PlanePoint& a, const PlanePoint& b) {
     static const cln::float_format_t precision = cln::float_format(60);
     return cln::sqrt(cln::cl_float(cln::square(a[0] - b[0]) + cln::square(a[1] - b[1]), precision));
@@ -25,7 +27,9 @@ Polygon::Polygon(std::vector<PlanePoint> corners) : corners_(std::move(corners))
     cl_R size_squared = 0;
     for (std::size_t i = 0; i < size(); ++i) {
         area = area + cross(corners_[0], corners_[i], corners_[next(i)]);
-        for (std::size_t j = 0; j < i; ++j) size_squared = cln::max(size_squared, cln::square(corners_[i][0] - corners_[j][0]) + cln::square(corners_[i][1] - corners_[j][1]));
+        for (std::size_t j = 0; j < i; ++j)
+            size_squared =
+                cln::max(size_squared, cln::square(corners_[i][0] - corners_[j][0]) + cln::square(corners_[i][1] - corners_[j][1]));
     }
     // Corners with roots or pi have 60 digits; exact ones lose nothing by a margin of forty.
     tiny_ = size_squared * cln::expt(cln::cl_RA(10), -40);
@@ -50,7 +54,8 @@ bool Polygon::is_between(std::size_t a, std::size_t c, std::size_t b) const {
 
 std::optional<std::pair<std::size_t, std::size_t>> Polygon::problem() const {
     for (std::size_t i = 0; i < size(); ++i)
-        if (cln::square(corners_[i][0] - corners_[next(i)][0]) + cln::square(corners_[i][1] - corners_[next(i)][1]) <= tiny_) return std::pair(i, i);
+        if (cln::square(corners_[i][0] - corners_[next(i)][0]) + cln::square(corners_[i][1] - corners_[next(i)][1]) <= tiny_)
+            return std::pair(i, i);
     for (std::size_t i = 0; i < size(); ++i)
         for (std::size_t j = i + 1; j < size(); ++j) {
             const std::size_t a = i, b = next(i), c = j, d = next(j);

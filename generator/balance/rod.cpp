@@ -16,9 +16,15 @@ namespace {
 class RodMaking {
 public:
     RodMaking(HeatNetwork& network, const Rod& rod, const Scene& scene, const Translator& translate, Symbols& symbols)
-        : network_(network), rod_(rod), translate_(translate), symbols_(symbols), field_(scene.find_field(rod)), geometry_(rod, translate, cell_count(rod, scene)) {
+        : network_(network),
+          rod_(rod),
+          translate_(translate),
+          symbols_(symbols),
+          field_(scene.find_field(rod)),
+          geometry_(rod, translate, cell_count(rod, scene)) {
         for (const auto& member : scene.states)
-            if (member.item->name == rod.temperature.name) states_.push_back(symbols.find(SymbolKind::state, member.item->name, member.index));
+            if (member.item->name == rod.temperature.name)
+                states_.push_back(symbols.find(SymbolKind::state, member.item->name, member.index));
     }
 
     void run() {
@@ -28,7 +34,8 @@ public:
             for (std::size_t k = 0; k + 1 < cells_.size(); ++k)
                 join(*cells_[k], *cells_[k + 1], geometry_.shape_factor(geometry_.place(k), geometry_.place(k + 1)));
         } else {
-            for (std::size_t i = 0; i < cells_.size(); ++i) fill_tapped(*cells_[i], geometry_.place(static_cast<std::size_t>(states_[i]->index - field_->from)));
+            for (std::size_t i = 0; i < cells_.size(); ++i)
+                fill_tapped(*cells_[i], geometry_.place(static_cast<std::size_t>(states_[i]->index - field_->from)));
             network_.fields.push_back(field());
         }
         end(rod_.first, "first", cells_.front(), geometry_.place(0));
@@ -38,17 +45,20 @@ public:
 private:
     static std::size_t cell_count(const Rod& rod, const Scene& scene) {
         const Field* field = scene.find_field(rod);
-        const auto count = field != nullptr ? static_cast<std::size_t>(field->to - field->from + 1)
-                                            : static_cast<std::size_t>(std::count_if(scene.states.begin(), scene.states.end(), [&](const auto& s) { return s.item->name == rod.temperature.name; }));
+        const auto count =
+            field != nullptr ? static_cast<std::size_t>(field->to - field->from + 1)
+                             : static_cast<std::size_t>(std::count_if(scene.states.begin(), scene.states.end(),
+                                                                      [&](const auto& s) { return s.item->name == rod.temperature.name; }));
         if (count >= 2) return count;
-        throw Failure(Diagnostic{Id::value_out_of_range, rod.temperature.span, fmt::format("rod '{}' has {} cell{}, but needs at least 2", rod.name, count, count == 1 ? "" : "s")});
+        throw Failure(Diagnostic{Id::value_out_of_range, rod.temperature.span,
+                                 fmt::format("rod '{}' has {} cell{}, but needs at least 2", rod.name, count, count == 1 ? "" : "s")});
     }
 
     ex value(const ExpressionPtr& e) const { return translate_(e, {}); }
 
     NodeState& cell(const Variable& state) {
-        return network_.nodes.emplace_back(
-            NodeState{NodeState::Kind::storing, fmt::format("{}[{}]", rod_.name, state.index), &rod_, rod_.temperature.span, warmth_of(state.symbol), state.position});
+        return network_.nodes.emplace_back(NodeState{NodeState::Kind::storing, fmt::format("{}[{}]", rod_.name, state.index), &rod_,
+                                                     rod_.temperature.span, warmth_of(state.symbol), state.position});
     }
 
     ex mass(const GridPlace& place) const { return value(rod_.density) * geometry_.volume(place); }
@@ -57,10 +67,14 @@ private:
     ex source(const Warmth& warmth, const GridPlace& place) const {
         ex heat = 0;
         if (rod_.source) {
-            const ex density = rod_.source->variables.empty() ? value(rod_.source->body) : translate_(*rod_.source->body, {}, {{rod_.source->variables[0], geometry_.centre(place)}});
+            const ex density = rod_.source->variables.empty()
+                                   ? value(rod_.source->body)
+                                   : translate_(*rod_.source->body, {}, {{rod_.source->variables[0], geometry_.centre(place)}});
             heat += density * geometry_.volume(place);
         }
-        if (rod_.ambient) heat += taken_up(warmth, value(rod_.perimeter) * geometry_.width(place), rod_.side_coefficient, rod_.side_emissivity, rod_.ambient, translate_);
+        if (rod_.ambient)
+            heat += taken_up(warmth, value(rod_.perimeter) * geometry_.width(place), rod_.side_coefficient, rod_.side_emissivity,
+                             rod_.ambient, translate_);
         return heat;
     }
 
@@ -84,7 +98,21 @@ private:
         const ex beyond = letter("beyond");
         const ex right = letter("right");
         const ex middle = letter("here");
-        RodField f{&rod_, &states, field_->from, geometry_, {letter("left"), middle, right}, beyond, letter("index"), temperature("T_here"), temperature("T_next"), {}, {}, {}, {}, {}, {}};
+        RodField f{&rod_,
+                   &states,
+                   field_->from,
+                   geometry_,
+                   {letter("left"), middle, right},
+                   beyond,
+                   letter("index"),
+                   temperature("T_here"),
+                   temperature("T_next"),
+                   {},
+                   {},
+                   {},
+                   {},
+                   {},
+                   {}};
         if (!geometry_.has_points()) f.place.here = (f.place.left + f.place.right) / 2;
         const GridPlace next{f.place.right, f.place.right, f.beyond};
         const Warmth here = warmth_of(f.here);
@@ -98,7 +126,10 @@ private:
         f.tapped.assign(cells_.begin(), cells_.end());
         for (const Variable& state : symbols_.all(SymbolKind::state))
             if (f.source.has(state.symbol))
-                throw Failure(Diagnostic{Id::not_allowed_here, rod_.span, fmt::format("rod '{}' has {} cells, which are computed in a loop; what surrounds or heats it must not depend on the state '{}' then", rod_.name, geometry_.cells(), state.name)});
+                throw Failure(Diagnostic{Id::not_allowed_here, rod_.span,
+                                         fmt::format("rod '{}' has {} cells, which are computed in a loop; what surrounds or heats it must "
+                                                     "not depend on the state '{}' then",
+                                                     rod_.name, geometry_.cells(), state.name)});
         return f;
     }
 
@@ -117,7 +148,8 @@ private:
     ex enter(const Boundary& what, bool is_first, const std::string& name, NodeState* nearest, const GridPlace& place) {
         NodeState* surface = nearest;
         if (what.temperature)
-            surface = &network_.nodes.emplace_back(NodeState{NodeState::Kind::held, name, &rod_, what.temperature->span, warmth_of(value(what.temperature)), {}});
+            surface = &network_.nodes.emplace_back(
+                NodeState{NodeState::Kind::held, name, &rod_, what.temperature->span, warmth_of(value(what.temperature)), {}});
         else if (!geometry_.has_points() && what.ambient)
             surface = &add_sought(network_, name, rod_, what.span, symbols_);
         const ex area = geometry_.end_area(is_first);
@@ -145,6 +177,8 @@ private:
 
 }  // namespace
 
-void add_rod(HeatNetwork& network, const Rod& rod, const Scene& scene, const Translator& translate, Symbols& symbols) { RodMaking(network, rod, scene, translate, symbols).run(); }
+void add_rod(HeatNetwork& network, const Rod& rod, const Scene& scene, const Translator& translate, Symbols& symbols) {
+    RodMaking(network, rod, scene, translate, symbols).run();
+}
 
 }  // namespace dalembert

@@ -17,9 +17,9 @@ ex number(std::size_t n) { return numeric(static_cast<unsigned long>(n)); }
 
 ex middle(const ex& a, const ex& b) { return ((a + b) / 2).expand(); }
 
-/// The area that a bar of the same conductance has throughout, (b - a)/integral(dx/A): exact where A is linear (the logarithmic mean) or the
-/// square of something linear (the product of its values at both ends); of other laws, and of tips through which nothing could flow, by the
-/// area half way.
+/// The area that a bar of the same conductance has throughout, (b - a)/integral(dx/A): exact where A is linear (the logarithmic mean) or
+/// the square of something linear (the product of its values at both ends); of other laws, and of tips through which nothing could flow, by
+/// the area half way.
 template <class Area>
 ex mean_area(const Area& area, const ex& from, const ex& to, const ex& length) {
     const GiNaC::symbol x("x");
@@ -46,7 +46,9 @@ GridPlace RodGeometry::place(std::size_t k) const {
     return {number(here == 0 ? 0 : here - 1), number(here), number(std::min(here + 1, intervals_))};
 }
 
-ex RodGeometry::extent() const { return rod_.shape == Rod::Shape::bar ? value(rod_.length) : (value(rod_.outer) - value(rod_.inner)).expand(); }
+ex RodGeometry::extent() const {
+    return rod_.shape == Rod::Shape::bar ? value(rod_.length) : (value(rod_.outer) - value(rod_.inner)).expand();
+}
 
 ex RodGeometry::position(const ex& j) const {
     const ex s = j / number(intervals_);
@@ -67,7 +69,8 @@ ex RodGeometry::width(const GridPlace& p) const { return distance(p.left, p.righ
 
 ex RodGeometry::area(const ex& x) const {
     switch (rod_.shape) {
-        case Rod::Shape::bar: return rod_.area->variables.empty() ? value(rod_.area->body) : translate_(*rod_.area->body, {}, {{rod_.area->variables[0], x}});
+        case Rod::Shape::bar:
+            return rod_.area->variables.empty() ? value(rod_.area->body) : translate_(*rod_.area->body, {}, {{rod_.area->variables[0], x}});
         case Rod::Shape::cylinder: return 2 * GiNaC::Pi * value(rod_.height) * x;
         case Rod::Shape::sphere: break;
     }

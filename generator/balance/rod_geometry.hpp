@@ -33,8 +33,9 @@ public:
     GiNaC::ex volume(const GridPlace& place) const;
     /// Length of a cell, m.
     GiNaC::ex width(const GridPlace& place) const;
-    /// Heat flow over the integral of the conductivity, between centres of neighbouring cells; m. Exact for steady heat flow (4.68), but from
-    /// the centre of a solid cylinder or sphere, and in bars whose area is not linear nor a linear one squared: by the area half way there.
+    /// Heat flow over the integral of the conductivity, between centres of neighbouring cells; m. Exact for steady heat flow (4.68), but
+    /// from the centre of a solid cylinder or sphere, and in bars whose area is not linear nor a linear one squared: by the area half way
+    /// there.
     GiNaC::ex shape_factor(const GridPlace& a, const GridPlace& b) const;
     /// The same between an end and the centre of the cell next to it.
     GiNaC::ex end_factor(const GridPlace& nearest, bool is_first) const;

@@ -62,7 +62,9 @@ public:
 
 private:
     [[noreturn]] static void fail(const NodeState& node, const std::string& why) {
-        throw Failure(Diagnostic{Id::undetermined, node.place, fmt::format("node '{}' stores nothing, so that its temperature follows from its balance; {}", node.name, why)});
+        throw Failure(
+            Diagnostic{Id::undetermined, node.place,
+                       fmt::format("node '{}' stores nothing, so that its temperature follows from its balance; {}", node.name, why)});
     }
 
     std::optional<std::size_t> row_of(const NodeState* node) const {
@@ -82,8 +84,12 @@ private:
     ex slope(const Row& at, const ex& heat, const Row& by, const ex& letter) const {
         const ex result = partial(heat, letter);
         if (letter_in(result) == nullptr) return result;
-        fail(*at.node, &at == &by ? std::string("but this is neither linear in it nor in its fourth power. Give it a capacity")
-                                  : fmt::format("but this is neither linear in the temperature of '{}' nor in its fourth power. Give one of the two a capacity", by.node->name));
+        fail(*at.node,
+             &at == &by
+                 ? std::string("but this is neither linear in it nor in its fourth power. Give it a capacity")
+                 : fmt::format(
+                       "but this is neither linear in the temperature of '{}' nor in its fourth power. Give one of the two a capacity",
+                       by.node->name));
     }
 
     void gather(const LinkState& link) {
@@ -102,7 +108,9 @@ private:
         slope(to, link.heat, from, from.T());
         const ex rest = (link.heat - conduction * (from.T() - to.T()) - radiation * (from.fourth() - to.fourth())).expand();
         if (letter_in(rest) != nullptr)
-            fail(*from.node, fmt::format("but the heat of '{}' does not vanish where its ends are equally warm. Give one of '{}' and '{}' a capacity", link.name, from.node->name, to.node->name));
+            fail(*from.node,
+                 fmt::format("but the heat of '{}' does not vanish where its ends are equally warm. Give one of '{}' and '{}' a capacity",
+                             link.name, from.node->name, to.node->name));
         join(&Row::conduction, a, b, conduction);
         join(&Row::radiation, a, b, radiation);
         from.source -= rest;
@@ -122,7 +130,9 @@ private:
         Row& row = rows_[i];
         for (const Row& other : rows_)
             if (&other != &row && (heat.has(other.T()) || heat.has(other.fourth())))
-                fail(*row.node, fmt::format("but heat that it takes up depends on the temperature of '{}' without being exchanged with it. Give one of the two a capacity", other.node->name));
+                fail(*row.node, fmt::format("but heat that it takes up depends on the temperature of '{}' without being exchanged with it. "
+                                            "Give one of the two a capacity",
+                                            other.node->name));
         row.conduction.to_known -= slope(row, heat, row, row.T());
         row.radiation.to_known -= slope(row, heat, row, row.fourth());
         row.source += heat.subs(GiNaC::exmap{{row.T(), 0}, {row.fourth(), 0}}, no_pattern);
@@ -146,7 +156,8 @@ private:
                 return true;
             }
             if (!row.conduction.to_sought.empty() || !row.radiation.to_sought.empty()) continue;
-            const ex temperature = radiant_temperature(row.radiation.to_known / row.conduction.to_known, row.source / row.conduction.to_known);
+            const ex temperature =
+                radiant_temperature(row.radiation.to_known / row.conduction.to_known, row.source / row.conduction.to_known);
             settle(row, temperature, pow(temperature, 4));
             return true;
         }
@@ -188,14 +199,16 @@ private:
             else if (own.to_known.is_zero()) rows_[i].source += row.source * conductance / all;
             else rows_[i].source += in_series(conductance, own.to_known) * divided(row.source, own.to_known);
         }
-        if (own.to_sought.size() == 2) join(kind, own.to_sought.begin()->first, own.to_sought.rbegin()->first, in_series(own.to_sought.begin()->second, own.to_sought.rbegin()->second));
+        if (own.to_sought.size() == 2)
+            join(kind, own.to_sought.begin()->first, own.to_sought.rbegin()->first,
+                 in_series(own.to_sought.begin()->second, own.to_sought.rbegin()->second));
         const ex value = heat / all;
         put_into_heat(conducts ? row.T() : row.fourth(), heat, all);
         conducts ? settle(row, value, pow(value, 4)) : settle(row, pow(value, GiNaC::numeric(1, 4)), value);
     }
 
-    /// Heat that is linear in a temperature heat/all, over the same denominator: g*(T - heat/all) = g*(T*all - heat)/all, in which what T has of its
-    /// own in `heat` cancels here, and not in numbers.
+    /// Heat that is linear in a temperature heat/all, over the same denominator: g*(T - heat/all) = g*(T*all - heat)/all, in which what T
+    /// has of its own in `heat` cancels here, and not in numbers.
     void put_into_heat(const ex& letter, const ex& heat, const ex& all) {
         for (LinkState& link : network_.links) {
             if (!link.heat.has(letter)) continue;
@@ -206,8 +219,8 @@ private:
         }
     }
 
-    /// A sum over two conductances. Terms with both become conductances in series, 1/(1/a + 1/b), whose slopes keep their digits: by the product
-    /// rule, the slope of a*b/(a + b) is a difference, 1 - a/(a + b).
+    /// A sum over two conductances. Terms with both become conductances in series, 1/(1/a + 1/b), whose slopes keep their digits: by the
+    /// product rule, the slope of a*b/(a + b) is a difference, 1 - a/(a + b).
     static ex over(const ex& sum, const ex& all) {
         if (!GiNaC::is_a<GiNaC::add>(all) || all.nops() != 2) return sum / all;
         const ex &a = all.op(0), &b = all.op(1);
@@ -223,7 +236,8 @@ private:
     }
 
     static bool share_letters(const ex& e, const ex& with) {
-        return std::any_of(e.preorder_begin(), e.preorder_end(), [&](const ex& part) { return GiNaC::is_a<GiNaC::symbol>(part) && with.has(part); });
+        return std::any_of(e.preorder_begin(), e.preorder_end(),
+                           [&](const ex& part) { return GiNaC::is_a<GiNaC::symbol>(part) && with.has(part); });
     }
 
     std::vector<std::size_t> connected_to(std::size_t first) const {
@@ -240,7 +254,9 @@ private:
     void balance(const std::vector<std::size_t>& part) {
         const auto conducts = [&](std::size_t i) { return !rows_[i].conduction.none(); };
         const bool only_radiates = std::none_of(part.begin(), part.end(), conducts);
-        const bool is_known = std::any_of(part.begin(), part.end(), [&](std::size_t i) { return !rows_[i].conduction.to_known.is_zero() || !rows_[i].radiation.to_known.is_zero(); });
+        const bool is_known = std::any_of(part.begin(), part.end(), [&](std::size_t i) {
+            return !rows_[i].conduction.to_known.is_zero() || !rows_[i].radiation.to_known.is_zero();
+        });
         if (!is_known) fail(*rows_[part[0]].node, "but nothing links it to a temperature that is known");
         NetworkData data(part.size());
         for (std::size_t i = 0; i < part.size(); ++i) {

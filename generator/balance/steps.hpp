@@ -11,7 +11,8 @@ public:
     using Slope = std::function<GiNaC::ex(const Symbols&, std::size_t parameter)>;
 
     /// Without letters, because something depends on more than parameters, values are written out.
-    Steps(Symbols& symbols, std::string enclosure, bool with_letters) : symbols_(symbols), enclosure_(std::move(enclosure)), with_letters_(with_letters) {}
+    Steps(Symbols& symbols, std::string enclosure, bool with_letters)
+        : symbols_(symbols), enclosure_(std::move(enclosure)), with_letters_(with_letters) {}
 
     /// A letter "what[enclosure, i, j]" for a value, indices counted from 0 here; the value itself where it is as short as a letter.
     GiNaC::ex operator()(const char* what, const std::vector<std::size_t>& indices, const GiNaC::ex& value, Slope slope = {});

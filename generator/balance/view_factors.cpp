@@ -17,7 +17,8 @@ namespace {
 
 class Completion {
 public:
-    Completion(const Enclosure& enclosure, const std::vector<ex>& areas, const std::vector<std::vector<std::optional<ex>>>& factors, const Defaults& value)
+    Completion(const Enclosure& enclosure, const std::vector<ex>& areas, const std::vector<std::vector<std::optional<ex>>>& factors,
+               const Defaults& value)
         : enclosure_(enclosure), areas_(areas), factors_(factors), value_(value), n_(areas.size()), direct_(n_, std::vector<ex>(n_)) {}
 
     std::vector<std::vector<ex>> run() {
@@ -36,7 +37,9 @@ public:
 
 private:
     void set(std::size_t i, std::size_t j, const ex& e) { direct_[i][j] = direct_[j][i] = e; }
-    bool is_unknown(std::size_t i, std::size_t j) const { return std::find(unknown_.begin(), unknown_.end(), Pair(std::min(i, j), std::max(i, j))) != unknown_.end(); }
+    bool is_unknown(std::size_t i, std::size_t j) const {
+        return std::find(unknown_.begin(), unknown_.end(), Pair(std::min(i, j), std::max(i, j))) != unknown_.end();
+    }
     Span place(std::size_t i, std::size_t j) const {
         const ExpressionPtr& entry = enclosure_.view_factors[i][j];
         return entry ? entry->span : enclosure_.view_factors.span;
@@ -51,7 +54,9 @@ private:
             for (std::size_t j = 0; j < n_; ++j) {
                 const auto number = factors_[i][j] ? value_(*factors_[i][j]) : std::nullopt;
                 if (number && (sign_of_value(*number) < 0 || sign_of_value(*number - 1) > 0))
-                    fail(Id::value_out_of_range, place(i, j), fmt::format("the view factor from {} to {} is {}, but must lie between 0 and 1", name(i), name(j), shown(*number)));
+                    fail(
+                        Id::value_out_of_range, place(i, j),
+                        fmt::format("the view factor from {} to {} is {}, but must lie between 0 and 1", name(i), name(j), shown(*number)));
             }
     }
 
@@ -63,7 +68,8 @@ private:
         const auto right = value_(back);
         if (!left || !right || sign_of_value((*left - *right) / cln::max(cln::abs(*left), cln::abs(*right))) == 0) return;
         fail(Id::wrong_enclosure, place(j, i),
-             fmt::format("the view factors of enclosure '{}' break the reciprocity A_i*F_ij = A_j*F_ji (4.45): from {} to {} it is {} m^2, but back {} m^2; leave one of the two out as \"?\"",
+             fmt::format("the view factors of enclosure '{}' break the reciprocity A_i*F_ij = A_j*F_ji (4.45): from {} to {} it is {} m^2, "
+                         "but back {} m^2; leave one of the two out as \"?\"",
                          enclosure_.name, name(i), name(j), shown(*left), shown(*right)),
              {{place(i, j), "the other one stands here"}});
     }
@@ -82,10 +88,12 @@ private:
         const int sign = sign_of_value(*number - 1);
         const char* given = is_complete ? "" : " that are given";
         if (sign > 0)
-            fail(Id::wrong_enclosure, row_place(i), fmt::format("the view factors from {}{} add up to {}, beyond the 1 of (4.47)", name(i), given, shown(*number)));
+            fail(Id::wrong_enclosure, row_place(i),
+                 fmt::format("the view factors from {}{} add up to {}, beyond the 1 of (4.47)", name(i), given, shown(*number)));
         if (sign < 0 && is_complete)
             fail(Id::wrong_enclosure, row_place(i),
-                 fmt::format("enclosure '{}' is open: the view factors from {} add up to {} instead of 1 (4.47). Leave one out as \"?\", or add a black surface for the opening, held at the "
+                 fmt::format("enclosure '{}' is open: the view factors from {} add up to {} instead of 1 (4.47). Leave one out as \"?\", "
+                             "or add a black surface for the opening, held at the "
                              "temperature outside",
                              enclosure_.name, name(i), shown(*number)));
     }
@@ -99,12 +107,15 @@ private:
         const SolvedRows solved = solve_rows(areas_, direct_, unknown_);
         if (solved.undetermined)
             fail(Id::undetermined, enclosure_.view_factors.span,
-                 fmt::format("reciprocity (4.45) and the sums of rows (4.47) do not determine the view factor from {} to {}; give it", name(solved.undetermined->first), name(solved.undetermined->second)));
+                 fmt::format("reciprocity (4.45) and the sums of rows (4.47) do not determine the view factor from {} to {}; give it",
+                             name(solved.undetermined->first), name(solved.undetermined->second)));
         for (const ex& rest : solved.left_over) {
             const auto number = rest.expand().is_zero() ? std::nullopt : value_(rest);
             if (number && sign_of_value(*number) != 0)
                 fail(Id::wrong_enclosure, enclosure_.view_factors.span,
-                     fmt::format("no view factors in the places left out make all rows of enclosure '{}' add up to 1 (4.47) and keep the reciprocity (4.45): {} m^2 are left over", enclosure_.name, shown(*number)));
+                     fmt::format("no view factors in the places left out make all rows of enclosure '{}' add up to 1 (4.47) and keep the "
+                                 "reciprocity (4.45): {} m^2 are left over",
+                                 enclosure_.name, shown(*number)));
         }
         for (std::size_t u = 0; u < unknown_.size(); ++u) {
             const auto [i, j] = unknown_[u];
@@ -112,7 +123,9 @@ private:
             const auto number = value_(direct_[i][j] / areas_[i]);
             if (number && sign_of_value(*number) < 0)
                 fail(Id::wrong_enclosure, enclosure_.view_factors.span,
-                     fmt::format("the view factor from {} to {} follows as {} from reciprocity (4.45) and the sums of rows (4.47), but must not be below 0", name(i), name(j), shown(*number)));
+                     fmt::format("the view factor from {} to {} follows as {} from reciprocity (4.45) and the sums of rows (4.47), but "
+                                 "must not be below 0",
+                                 name(i), name(j), shown(*number)));
         }
     }
 
@@ -164,11 +177,13 @@ SolvedRows solve_rows(const std::vector<ex>& areas, const std::vector<std::vecto
 std::string surface_name(const Enclosure& enclosure, std::size_t i) {
     const auto name = [](const Reference& surface) { return std::string(surface.span.text()); };
     const std::string own = name(enclosure.surfaces[i]);
-    const auto same = std::count_if(enclosure.surfaces.begin(), enclosure.surfaces.end(), [&](const Reference& surface) { return name(surface) == own; });
+    const auto same =
+        std::count_if(enclosure.surfaces.begin(), enclosure.surfaces.end(), [&](const Reference& surface) { return name(surface) == own; });
     return same == 1 ? fmt::format("'{}'", own) : fmt::format("'{}' (surface {})", own, i + 1);
 }
 
-Defaults::Defaults(const Scene& scene, const Translator& translate) : symbols_(translate.symbols()), values_(Values(scene, translate).substitution()) {
+Defaults::Defaults(const Scene& scene, const Translator& translate)
+    : symbols_(translate.symbols()), values_(Values(scene, translate).substitution()) {
     for (const Variable& input : symbols_.all(SymbolKind::input)) values_.erase(input.symbol);
 }
 
@@ -189,7 +204,8 @@ int sign_of_value(const cl_R& value) {
     return cln::abs(value) <= tiny ? 0 : cln::minusp(value) ? -1 : 1;
 }
 
-std::vector<std::vector<ex>> complete_view_factors(const Enclosure& enclosure, const std::vector<ex>& areas, const std::vector<std::vector<std::optional<ex>>>& factors, const Defaults& value) {
+std::vector<std::vector<ex>> complete_view_factors(const Enclosure& enclosure, const std::vector<ex>& areas,
+                                                   const std::vector<std::vector<std::optional<ex>>>& factors, const Defaults& value) {
     return Completion(enclosure, areas, factors, value).run();
 }
 

@@ -35,10 +35,12 @@ struct SolvedRows {
     std::vector<GiNaC::ex> left_over;          ///< of rows that were not needed: zero where the rows agree
     std::optional<Pair> undetermined = {};     ///< the first for which the rows do not suffice
 };
-SolvedRows solve_rows(const std::vector<GiNaC::ex>& areas, const std::vector<std::vector<GiNaC::ex>>& direct, const std::vector<Pair>& unknown);
+SolvedRows solve_rows(const std::vector<GiNaC::ex>& areas, const std::vector<std::vector<GiNaC::ex>>& direct,
+                      const std::vector<Pair>& unknown);
 
 /// A_i*F_ij, symmetric. Throws Failure (wrong-enclosure, value-out-of-range, undetermined).
-std::vector<std::vector<GiNaC::ex>> complete_view_factors(const Enclosure& enclosure, const std::vector<GiNaC::ex>& areas, const std::vector<std::vector<std::optional<GiNaC::ex>>>& factors,
+std::vector<std::vector<GiNaC::ex>> complete_view_factors(const Enclosure& enclosure, const std::vector<GiNaC::ex>& areas,
+                                                          const std::vector<std::vector<std::optional<GiNaC::ex>>>& factors,
                                                           const Defaults& value);
 
 }  // namespace dalembert

@@ -15,7 +15,8 @@ std::shared_ptr<const LoadedModel> CatalogueVerdicts::loaded(const CatalogueEntr
     auto& known = models_[path.string()];
     if (known) return known;
     if (!std::filesystem::is_regular_file(path))
-        fail(Id::unreadable_file, entry.model_span, fmt::format("there is no model '{}' beside the catalogue, which entry '{}' is about", entry.model, entry.name));
+        fail(Id::unreadable_file, entry.model_span,
+             fmt::format("there is no model '{}' beside the catalogue, which entry '{}' is about", entry.model, entry.name));
     Diagnostics warnings;
     return known = load(path, warnings);
 }
@@ -31,9 +32,13 @@ const CatalogueVerdicts::Derived& CatalogueVerdicts::derived(const CatalogueEntr
     Model extended = with_letters(catalogue_, entry, &base->model);
     const std::size_t first = base->model.parameters.size();
     std::string key = entry.model + "\n" + scene;
-    for (std::size_t i = first; i < extended.parameters.size(); ++i) key += fmt::format("\n{}:{}:{}", extended.parameters[i].name, extended.parameters[i].span.begin, extended.parameters[i].unit.written);
+    for (std::size_t i = first; i < extended.parameters.size(); ++i)
+        key +=
+            fmt::format("\n{}:{}:{}", extended.parameters[i].name, extended.parameters[i].span.begin, extended.parameters[i].unit.written);
     if (extended.coordinates.size() > base->model.coordinates.size())
-        fail(Id::not_allowed_here, extended.coordinates.back().span, fmt::format("'{}' is a function of time, but model '{}' has no such coordinate", extended.coordinates.back().name, base->model.name));
+        fail(Id::not_allowed_here, extended.coordinates.back().span,
+             fmt::format("'{}' is a function of time, but model '{}' has no such coordinate", extended.coordinates.back().name,
+                         base->model.name));
     auto& result = derived_[key];
     if (!result.loaded) {
         const bool has_letters = extended.parameters.size() > first;
@@ -51,7 +56,9 @@ const PrintedEquation& CatalogueVerdicts::printed_in_model(const CatalogueEntry&
         if (printed.name == name) return printed;
         known.push_back(printed.name);
     }
-    fail(Id::unknown_name, entry.span, fmt::format("entry '{}' has no equation, and model '{}' prints no '{}'{}", entry.name, model.name, name, did_you_mean(name, known)));
+    fail(Id::unknown_name, entry.span,
+         fmt::format("entry '{}' has no equation, and model '{}' prints no '{}'{}", entry.name, model.name, name,
+                     did_you_mean(name, known)));
 }
 
 namespace {
@@ -104,8 +111,10 @@ void CatalogueVerdicts::each_system(const CatalogueEntry& entry, const Visit& vi
         }
     }
     if (!is_mode)
-        fail(Id::unknown_name, entry.span, known.empty() ? fmt::format("the model of entry '{}' has no modes, and so no mode '{}'", entry.name, entry.mode)
-                                                         : fmt::format("the model of entry '{}' has no mode '{}'; its modes are {}", entry.name, entry.mode, quoted_list(known)));
+        fail(Id::unknown_name, entry.span,
+             known.empty()
+                 ? fmt::format("the model of entry '{}' has no modes, and so no mode '{}'", entry.name, entry.mode)
+                 : fmt::format("the model of entry '{}' has no mode '{}'; its modes are {}", entry.name, entry.mode, quoted_list(known)));
 }
 
 std::vector<PrintedRow> CatalogueVerdicts::check(const CatalogueEntry& entry) {

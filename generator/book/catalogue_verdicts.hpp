@@ -9,11 +9,12 @@ namespace dalembert {
 
 class CatalogueVerdicts {
 public:
-    explicit CatalogueVerdicts(const Catalogue& catalogue, bool writes_derived = false) : catalogue_(catalogue), writes_derived_(writes_derived) {}
+    explicit CatalogueVerdicts(const Catalogue& catalogue, bool writes_derived = false)
+        : catalogue_(catalogue), writes_derived_(writes_derived) {}
 
     using Visit = std::function<void(const System&, const PrintedEquation&)>;
-    /// Every system that an entry is checked in, with the entry as it is checked there: none where there is nothing to check. Returns what of it is
-    /// read. Throws Failure where the entry is not about its model.
+    /// Every system that an entry is checked in, with the entry as it is checked there: none where there is nothing to check. Returns what
+    /// of it is read. Throws Failure where the entry is not about its model.
     EntryParts each(const CatalogueEntry& entry, const Visit& visit);
     /// The rows of an entry: one, or of a family one for each member. Throws as `each`.
     std::vector<PrintedRow> check(const CatalogueEntry& entry);

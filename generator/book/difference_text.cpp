@@ -38,9 +38,12 @@ struct Piece {
 
 class Pieces {
 public:
-    Pieces(const System& system, ex difference) : write_(system.symbols, Style::text), difference_(system.symbols.without_definitions(difference)) {
+    Pieces(const System& system, ex difference)
+        : write_(system.symbols, Style::text), difference_(system.symbols.without_definitions(difference)) {
         for (auto part = difference_.preorder_begin(); part != difference_.preorder_end(); ++part)
-            if (is_ex_the_function(*part, sign_of) && std::none_of(inside_.begin(), inside_.end(), [&](const ex& known) { return known.is_equal(part->op(0)); })) inside_.push_back(part->op(0));
+            if (is_ex_the_function(*part, sign_of) &&
+                std::none_of(inside_.begin(), inside_.end(), [&](const ex& known) { return known.is_equal(part->op(0)); }))
+                inside_.push_back(part->op(0));
         // The order of GiNaC changes from run to run.
         std::sort(inside_.begin(), inside_.end(), [&](const ex& a, const ex& b) { return write_(a) < write_(b); });
         if (inside_.empty() || inside_.size() > most_signs) return;
@@ -56,7 +59,10 @@ public:
         for (const Piece& piece : found_) {
             if (!piece.has_value) continue;
             if (piece.value.is_zero()) is_zero_somewhere = true;
-            else parts.push_back(std::all_of(piece.signs.begin(), piece.signs.end(), [](int s) { return s == 0; }) ? write_(piece.value) : write_(piece.value) + " where " + condition(piece));
+            else
+                parts.push_back(std::all_of(piece.signs.begin(), piece.signs.end(), [](int s) { return s == 0; })
+                                    ? write_(piece.value)
+                                    : write_(piece.value) + " where " + condition(piece));
         }
         if (parts.empty()) return {};
         if (is_zero_somewhere) parts.emplace_back("0 elsewhere");
@@ -75,7 +81,8 @@ private:
         // Also what signs alone do not show to be zero, as min(1, u) - u.
         const auto difference = value_at(difference_, system.symbols, point, 30);
         const bool vanishes = difference && cln::abs(*difference) < cln::expt(cln::cl_RA(10), -25);
-        if (const auto known = std::find_if(found_.begin(), found_.end(), [&](const Piece& one) { return one.signs == piece.signs; }); known != found_.end()) {
+        if (const auto known = std::find_if(found_.begin(), found_.end(), [&](const Piece& one) { return one.signs == piece.signs; });
+            known != found_.end()) {
             known->vanishes = known->vanishes && vanishes;
             return;
         }
@@ -101,7 +108,8 @@ private:
             if (std::any_of(shortened.begin(), shortened.end(), [&](const Piece& known) { return known.fits(piece); })) continue;
             for (int& sign : piece.signs) {
                 const int kept = std::exchange(sign, 0);
-                const bool matters = std::any_of(all.begin(), all.end(), [&](const Piece& other) { return piece.fits(other) && piece.differs(other); });
+                const bool matters =
+                    std::any_of(all.begin(), all.end(), [&](const Piece& other) { return piece.fits(other) && piece.differs(other); });
                 if (matters) sign = kept;
             }
             shortened.push_back(std::move(piece));
@@ -116,12 +124,15 @@ private:
             if (piece.signs[i] == 0) continue;
             const ex e = inside_[i].expand();
             ex above = 0, below = 0, number = 0;
-            const auto take = [&](const ex& term) { (GiNaC::is_a<GiNaC::numeric>(term) ? number : write_(term).starts_with('-') ? below : above) += term; };
+            const auto take = [&](const ex& term) {
+                (GiNaC::is_a<GiNaC::numeric>(term) ? number : write_(term).starts_with('-') ? below : above) += term;
+            };
             if (GiNaC::is_a<GiNaC::add>(e)) std::for_each(e.begin(), e.end(), take);
             else take(e);
             const bool turn = above.is_zero();  // "u < 1", not "1 > u"
             const bool is_more = (piece.signs[i] > 0) != turn;
-            parts.push_back(fmt::format("{} {} {}", write_(turn ? ex(-below) : above), is_more ? '>' : '<', write_(turn ? number : ex(-below - number))));
+            parts.push_back(fmt::format("{} {} {}", write_(turn ? ex(-below) : above), is_more ? '>' : '<',
+                                        write_(turn ? number : ex(-below - number))));
         }
         return fmt::format("{}", fmt::join(parts, " and "));
     }

@@ -36,7 +36,8 @@ public:
     Span span_of(const Json& json) {
         if (json.is_null()) return {};
         SourcePtr& source = sources_[json["name"]];
-        if (!source || source->text() != json["text"].get<std::string>()) source = std::make_shared<const Source>(json["name"].get<std::string>(), json["text"].get<std::string>());
+        if (!source || source->text() != json["text"].get<std::string>())
+            source = std::make_shared<const Source>(json["name"].get<std::string>(), json["text"].get<std::string>());
         return {source, json["begin"].get<std::size_t>(), json["end"].get<std::size_t>()};
     }
 
@@ -57,11 +58,26 @@ Diagnostic diagnostic_of(const Json& json, Sources& sources) {
 }
 
 Json as_json(const PrintedRow& row) {
-    Json json{{"id", row.id}, {"source", row.source}, {"doc", row.doc}, {"scenes", row.scenes}, {"equation", row.equation}, {"reason", row.reason}, {"difference", row.difference}, {"formulas", row.formulas}, {"derived", row.derived}};
+    Json json{{"id", row.id},
+              {"source", row.source},
+              {"doc", row.doc},
+              {"scenes", row.scenes},
+              {"equation", row.equation},
+              {"reason", row.reason},
+              {"difference", row.difference},
+              {"formulas", row.formulas},
+              {"derived", row.derived}};
     if (row.expected) json["expected"] = static_cast<int>(*row.expected);
     if (row.found) json["found"] = static_cast<int>(*row.found);
-    if (row.counterexample) json["counterexample"] = {{"values", row.counterexample->values}, {"left", row.counterexample->left}, {"right", row.counterexample->right}};
-    if (row.suggestion) json["suggestion"] = {{"words", row.suggestion->words}, {"equation", row.suggestion->equation}, {"printed", row.suggestion->printed}, {"begin", row.suggestion->begin}, {"end", row.suggestion->end}};
+    if (row.counterexample)
+        json["counterexample"] = {
+            {"values", row.counterexample->values}, {"left", row.counterexample->left}, {"right", row.counterexample->right}};
+    if (row.suggestion)
+        json["suggestion"] = {{"words", row.suggestion->words},
+                              {"equation", row.suggestion->equation},
+                              {"printed", row.suggestion->printed},
+                              {"begin", row.suggestion->begin},
+                              {"end", row.suggestion->end}};
     json["equations"] = row.parts.equations;
     for (const RefusedEquation& one : row.parts.refused) json["refused"].push_back({{"number", one.number}, {"why", as_json(one.why)}});
     return json;
@@ -84,7 +100,9 @@ PrintedRow row_of(const Json& json, Sources& sources) {
         const Json& c = json["counterexample"];
         row.counterexample = CounterExample{c["values"].get<std::vector<std::pair<std::string, std::string>>>(), c["left"], c["right"]};
     }
-    if (json.contains("suggestion")) row.suggestion = Suggestion{json["suggestion"]["words"], json["suggestion"]["equation"], json["suggestion"]["printed"], json["suggestion"]["begin"], json["suggestion"]["end"]};
+    if (json.contains("suggestion"))
+        row.suggestion = Suggestion{json["suggestion"]["words"], json["suggestion"]["equation"], json["suggestion"]["printed"],
+                                    json["suggestion"]["begin"], json["suggestion"]["end"]};
     return row;
 }
 
@@ -160,9 +178,11 @@ void set_processor_time(double seconds) {
 }
 
 std::string why_it_ended(int status) {
-    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF) return fmt::format("it needs more than {:g} s of processor time", entry_seconds());
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF)
+        return fmt::format("it needs more than {:g} s of processor time", entry_seconds());
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) return "it was ended from outside, as for lack of memory";
-    if (WIFSIGNALED(status)) return fmt::format("the program broke down at it (signal {}), which is a defect of the program", WTERMSIG(status));
+    if (WIFSIGNALED(status))
+        return fmt::format("the program broke down at it (signal {}), which is a defect of the program", WTERMSIG(status));
     return "the program ended at it, which is a defect of the program";
 }
 
@@ -176,7 +196,8 @@ EntryOutcome outcome_of(const Json& json, Sources& sources) {
 
 }  // namespace
 
-void check_entries(const Catalogue& catalogue, bool for_pages, const std::function<void(const CatalogueEntry&, const EntryOutcome&)>& done) {
+void check_entries(const Catalogue& catalogue, bool for_pages,
+                   const std::function<void(const CatalogueEntry&, const EntryOutcome&)>& done) {
     Sources sources(catalogue.source);
     for (std::size_t next = 0; next < catalogue.entries.size();) {
         std::array<int, 2> pipe_ends{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The entries of a catalogue, checked in a process of their own, so that one that crashes, or needs too much time or memory, takes nothing from
-// the others: those behind it are checked in another process.
+// The entries of a catalogue, checked in a process of their own, so that one that crashes, or needs too much time or memory, takes nothing
+// from the others: those behind it are checked in another process.
 #pragma once
 
 #include <functional>

@@ -27,7 +27,9 @@ std::string short_text(const std::string& text) {
 }
 
 bool is_of_cases(const PrintedEquation& entry) {
-    return std::any_of(entry.shown.begin(), entry.shown.end(), [](const Equation& equation) { return std::any_of(equation.sides.begin(), equation.sides.end(), [](const ExpressionPtr& side) { return has_cases(*side); }); });
+    return std::any_of(entry.shown.begin(), entry.shown.end(), [](const Equation& equation) {
+        return std::any_of(equation.sides.begin(), equation.sides.end(), [](const ExpressionPtr& side) { return has_cases(*side); });
+    });
 }
 
 }  // namespace
@@ -39,7 +41,8 @@ bool PrintedRow::as_expected() const {
 
 std::string PrintedRow::verdict_text() const {
     const std::size_t refused = parts.refused.size();
-    return refused == 0 ? to_string(verdict()) : fmt::format("{}; {} of {} equations are read", to_string(verdict()), parts.equations - refused, parts.equations);
+    return refused == 0 ? to_string(verdict())
+                        : fmt::format("{}; {} of {} equations are read", to_string(verdict()), parts.equations - refused, parts.equations);
 }
 
 std::vector<std::string> PrintedRow::not_read() const {

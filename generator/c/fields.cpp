@@ -23,7 +23,12 @@ std::size_t room(std::size_t size) { return std::max<std::size_t>(size, 1); }
 class FieldPrinter {
 public:
     FieldPrinter(const Plant& core, const PlantFields& fields, const std::string& name)
-        : core_(core), fields_(fields), name_(name), whole_(whole_plant(core, fields)), print_(whole_, name), arguments_(fmt::format("const {0}* plant_, const {0}_real* x, const {0}_real* u, {0}_real t", name)) {}
+        : core_(core),
+          fields_(fields),
+          name_(name),
+          whole_(whole_plant(core, fields)),
+          print_(whole_, name),
+          arguments_(fmt::format("const {0}* plant_, const {0}_real* x, const {0}_real* u, {0}_real t", name)) {}
 
     std::string run() {
         sizes();
@@ -77,24 +82,33 @@ private:
         texts_["POSITIONS"] = fields_.positions.empty() ? "0" : fmt::format("{}", fmt::join(fields_.positions, ", "));
         for (const std::string& line : fields_.equations) texts_["FIELD_EQUATIONS"] += cpp_comment(line, 0);
         std::string cached;
-        for (const PlantCached& member : fields_.cached) cached += fmt::format("        {}_real {}{};\n", name_, member.identifier, member.size > 0 ? fmt::format("[{}]", member.size) : "");
-        texts_["CACHED"] = cached.empty() ? "" : "    struct {\n" + cached + "    } c;  ///< depends on parameters alone; of the cells of a rod one by one\n";
+        for (const PlantCached& member : fields_.cached)
+            cached +=
+                fmt::format("        {}_real {}{};\n", name_, member.identifier, member.size > 0 ? fmt::format("[{}]", member.size) : "");
+        texts_["CACHED"] =
+            cached.empty() ? ""
+                           : "    struct {\n" + cached + "    } c;  ///< depends on parameters alone; of the cells of a rod one by one\n";
     }
 
     /// Those that cells do not change.
     std::string core_functions() const {
         std::string text;
         const auto add = [&](const char* function, const char* result) {
-            const bool is_number = *result == '\0', of_state = std::string(function) == "kinetic_energy" || std::string(function) == "potential_energy";
+            const bool is_number = *result == '\0',
+                       of_state = std::string(function) == "kinetic_energy" || std::string(function) == "potential_energy";
             const std::string arguments = of_state ? fmt::format("const {0}* plant_, const {0}_real* x, {0}_real t", name_) : arguments_;
-            text += fmt::format("static inline {0} {1}_{2}({3}{4}) {{\n    {1}_real state_[{5}];\n    {1}_core_state(x, state_);\n    {6}{1}_core_{2}(&plant_->core, state_, {7}t{8});\n}}\n",
-                                is_number ? name_ + "_real" : "void", name_, function, arguments, is_number ? "" : fmt::format(", {}_real* {}", name_, result), room(core_.states.size()),
-                                is_number ? "return " : "", of_state ? "" : "u, ", is_number ? "" : fmt::format(", {}", result));
+            text += fmt::format(
+                "static inline {0} {1}_{2}({3}{4}) {{\n    {1}_real state_[{5}];\n    {1}_core_state(x, state_);\n    "
+                "{6}{1}_core_{2}(&plant_->core, state_, {7}t{8});\n}}\n",
+                is_number ? name_ + "_real" : "void", name_, function, arguments,
+                is_number ? "" : fmt::format(", {}_real* {}", name_, result), room(core_.states.size()), is_number ? "return " : "",
+                of_state ? "" : "u, ", is_number ? "" : fmt::format(", {}", result));
         };
         add("bias", "b");
         add("generalised_force", "Q");
         add("guards", "g");
-        for (const char* number : {"kinetic_energy", "potential_energy", "supplied_power", "dissipated_power", "prescribed_power"}) add(number, "");
+        for (const char* number : {"kinetic_energy", "potential_energy", "supplied_power", "dissipated_power", "prescribed_power"})
+            add(number, "");
         return text;
     }
 
@@ -103,7 +117,10 @@ private:
         for (const char* key : {"OUTPUT_SUMS", "OUTPUT_SUMS_X", "OUTPUT_SUMS_U", "SUM_FUNCTIONS"}) texts_[key];
         if (!fields_.sums) return;
         const PlantSums& s = *fields_.sums;
-        texts_["OUTPUT_SUMS"] = fmt::format("    {{\n        {0}_real sums[{1}];\n        {0}_cell_sums(plant_, x, u, t, sums);\n        {0}_output_of_sums(plant_, state_, u, t, sums, y);\n    }}\n", name_, s.count);
+        texts_["OUTPUT_SUMS"] = fmt::format(
+            "    {{\n        {0}_real sums[{1}];\n        {0}_cell_sums(plant_, x, u, t, sums);\n        {0}_output_of_sums(plant_, "
+            "state_, u, t, sums, y);\n    }}\n",
+            name_, s.count);
         texts_["OUTPUT_SUMS_X"] = fmt::format("    {}_add_output_slopes(plant_, x, u, t, state_, C);\n", name_);
         texts_["OUTPUT_SUMS_U"] = fmt::format("    {}_add_output_slopes_by_inputs(plant_, x, u, t, state_, D);\n", name_);
         texts_["SUM_FUNCTIONS"] = fill_template(embedded_file("field_sums.h.in"), {{"NAME", name_},
@@ -130,6 +147,8 @@ private:
 
 }  // namespace
 
-std::string c_fields(const Plant& core, const PlantFields& fields, const std::string& name) { return FieldPrinter(core, fields, name).run(); }
+std::string c_fields(const Plant& core, const PlantFields& fields, const std::string& name) {
+    return FieldPrinter(core, fields, name).run();
+}
 
 }  // namespace dalembert

@@ -50,13 +50,18 @@ private:
     void parameters(std::map<std::string, std::string>& values) {
         std::string members, defaults, cached;
         for (const PlantParameter& p : plant_.parameter_members) {
-            members += fmt::format("    {}_real {}{};  ///< {}{}{}\n", name_, p.identifier, p.is_array ? fmt::format("[{}]", p.defaults.size()) : "", p.unit, p.doc.empty() ? "" : ", ", safe_line(p.doc));
+            members +=
+                fmt::format("    {}_real {}{};  ///< {}{}{}\n", name_, p.identifier,
+                            p.is_array ? fmt::format("[{}]", p.defaults.size()) : "", p.unit, p.doc.empty() ? "" : ", ", safe_line(p.doc));
             for (std::size_t i = 0; i < p.defaults.size(); ++i)
-                defaults += fmt::format("    p.{}{} = {};\n", p.identifier, p.is_array ? fmt::format("[{}]", i) : "", print_.text(p.defaults[i]));
+                defaults +=
+                    fmt::format("    p.{}{} = {};\n", p.identifier, p.is_array ? fmt::format("[{}]", i) : "", print_.text(p.defaults[i]));
         }
         // C has no structures without members.
         if (members.empty()) members = "    char none_;\n", defaults = "    p.none_ = 0;\n";
-        for (const PlantCached& c : plant_.cached) cached += fmt::format("        {}_real {}{};  ///< {}\n", name_, c.identifier, c.size == 0 ? "" : fmt::format("[{}]", c.size), c.doc);
+        for (const PlantCached& c : plant_.cached)
+            cached +=
+                fmt::format("        {}_real {}{};  ///< {}\n", name_, c.identifier, c.size == 0 ? "" : fmt::format("[{}]", c.size), c.doc);
         values["PARAMETER_MEMBERS"] = members;
         values["DEFAULTS"] = defaults;
         values["CACHED"] = cached.empty() ? "" : "    struct {\n" + cached + "    } c;  ///< depends on parameters alone\n";
@@ -77,9 +82,12 @@ private:
         std::string text;
         for (const std::string& line : f.doc) text += "/// " + line + "\n";
         if (f.operations) text += "/// Operations: " + *f.operations + "\n";
-        const std::string result = f.result == PlantFunction::Result::none ? "void" : f.result == PlantFunction::Result::truth ? "bool" : name_ + "_real";
+        const std::string result = f.result == PlantFunction::Result::none    ? "void"
+                                   : f.result == PlantFunction::Result::truth ? "bool"
+                                                                              : name_ + "_real";
         const std::string arguments = print_.text(f.body.arguments);
-        const std::string head = fmt::format("static inline {} {}_{}(const {}* plant_{}{}) {{", result, name_, f.name, name_, arguments.empty() ? "" : ", ", arguments);
+        const std::string head = fmt::format("static inline {} {}_{}(const {}* plant_{}{}) {{", result, name_, f.name, name_,
+                                             arguments.empty() ? "" : ", ", arguments);
         return text + equations(f) + broken_at_commas(head) + print_.body(f.body) + "}\n\n";
     }
 
@@ -98,7 +106,9 @@ private:
     std::string functions() {
         std::string text;
         for (const PlantFunction& f : plant_.functions) {
-            if (f.name == "together") text += fmt::format("typedef struct {0}_energies {{\n    {0}_real kinetic, potential, internal;  ///< J\n}} {0}_energies;\n\n", name_);
+            if (f.name == "together")
+                text += fmt::format(
+                    "typedef struct {0}_energies {{\n    {0}_real kinetic, potential, internal;  ///< J\n}} {0}_energies;\n\n", name_);
             text += function(f);
             if (f.name == "rhs") text += series();
         }
@@ -113,19 +123,23 @@ private:
     std::string series() {
         if (!plant_.series) return {};
         const FunctionBody& body = plant_.series->body;
-        return fill_template(embedded_file("series.h.in"), {{"NAME", name_},
-                                                            {"STATES_AND_WORK", std::to_string(plant_.states.size() + 1)},
-                                                            {"ARGUMENTS", fmt::format("const {}* plant_, {}", name_, print_.text(body.arguments))},
-                                                            {"SERIES", print_.body(body)}});
+        return fill_template(embedded_file("series.h.in"),
+                             {{"NAME", name_},
+                              {"STATES_AND_WORK", std::to_string(plant_.states.size() + 1)},
+                              {"ARGUMENTS", fmt::format("const {}* plant_, {}", name_, print_.text(body.arguments))},
+                              {"SERIES", print_.body(body)}});
     }
 
     std::string choice(const PlantConstraints& constraints) const {
         if (!constraints.choice) return {};
         std::string assignments;
-        for (const auto& [member, constraint] : constraints.choice->chosen) assignments += fmt::format("    plant_->c.{0} = chosen[{1}] ? {2}_R(1) : {2}_R(0);\n", member, constraint, name_);
-        return fmt::format("/// Chooses {0}_constraint_rank constraints, which have to be independent where the machine is, until the next call. {0}_update()\n/// takes those of the start.\n"
-                           "static inline void {0}_solve_for({0}* plant_, const bool chosen[{1}]) {{\n{2}}}\n\n",
-                           name_, constraints.list.size(), assignments);
+        for (const auto& [member, constraint] : constraints.choice->chosen)
+            assignments += fmt::format("    plant_->c.{0} = chosen[{1}] ? {2}_R(1) : {2}_R(0);\n", member, constraint, name_);
+        return fmt::format(
+            "/// Chooses {0}_constraint_rank constraints, which have to be independent where the machine is, until the next call. "
+            "{0}_update()\n/// takes those of the start.\n"
+            "static inline void {0}_solve_for({0}* plant_, const bool chosen[{1}]) {{\n{2}}}\n\n",
+            name_, constraints.list.size(), assignments);
     }
 
     bool has_starts_to_find() const { return plant_.constraints && !plant_.constraints->starts_to_find.empty(); }
@@ -134,19 +148,21 @@ private:
         if (!has_starts_to_find()) return {};
         print_.call(CHelper{"sqrt"});
         const std::size_t places = plant_.states.size() - plant_.plain_states - plant_.degrees;
-        return fill_template(embedded_file("meet_constraints.h.in"), {{"NAME", name_},
-                                                                       {"STATES", std::to_string(plant_.states.size())},
-                                                                       {"DEGREES", std::to_string(plant_.degrees)},
-                                                                       {"CONSTRAINTS", std::to_string(plant_.constraints->list.size())},
-                                                                       {"VELOCITY_PLACE", std::to_string(places)},
-                                                                       {"IS_FOUND", fmt::format("{}", fmt::join(plant_.constraints->starts_to_find, ", "))}});
+        return fill_template(embedded_file("meet_constraints.h.in"),
+                             {{"NAME", name_},
+                              {"STATES", std::to_string(plant_.states.size())},
+                              {"DEGREES", std::to_string(plant_.degrees)},
+                              {"CONSTRAINTS", std::to_string(plant_.constraints->list.size())},
+                              {"VELOCITY_PLACE", std::to_string(places)},
+                              {"IS_FOUND", fmt::format("{}", fmt::join(plant_.constraints->starts_to_find, ", "))}});
     }
 
     void start_state(std::map<std::string, std::string>& values) {
         values["START_ARGUMENTS"] = fmt::format("const {0}* plant_, {0}_real x[{1}]", name_, plant_.states.size());
         const bool meets = has_starts_to_find();
         const std::string unused = meets || uses_plant(plant_.start_state.statements) ? "" : "    (void)plant_;\n";
-        values["START_STATE"] = unused + print_.text(plant_.start_state.statements) + (meets ? fmt::format("    {}_meet_constraints(plant_, x);\n", name_) : "");
+        values["START_STATE"] = unused + print_.text(plant_.start_state.statements) +
+                                (meets ? fmt::format("    {}_meet_constraints(plant_, x);\n", name_) : "");
     }
 
     const Plant& plant_;

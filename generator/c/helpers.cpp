@@ -23,7 +23,8 @@ struct Section {
 class Library {
 public:
     Library() {
-        for (const char* file : {"math_functions", "scalar_functions", "angle_functions", "fluid_functions", "heat_functions", "heat_networks", "junctions", "series_functions", "ldlt"})
+        for (const char* file : {"math_functions", "scalar_functions", "angle_functions", "fluid_functions", "heat_functions",
+                                 "heat_networks", "junctions", "series_functions", "ldlt"})
             read(std::string(embedded_file(std::string(file) + ".h.in")));
     }
 
@@ -36,7 +37,8 @@ public:
 
 private:
     void read(const std::string& text) {
-        static const std::regex begin("// begin (\\w+):([ \\w,]*)\n"), word("\\w+"), function("static inline \\w+\\*? NAME_(\\w+?)(?:_SIZE)?\\(");
+        static const std::regex begin("// begin (\\w+):([ \\w,]*)\n"), word("\\w+"),
+            function("static inline \\w+\\*? NAME_(\\w+?)(?:_SIZE)?\\(");
         for (std::sregex_iterator at(text.begin(), text.end(), begin), end; at != end; ++at) {
             Section section{(*at)[1], {}, {}, false};
             const std::string needs = (*at)[2];
@@ -44,7 +46,8 @@ private:
             const auto from = static_cast<std::size_t>(at->position() + at->length());
             section.text = text.substr(from, text.find("// end " + section.name + "\n", from) - from);
             section.has_size = section.text.find("_SIZE(") != std::string::npos;
-            for (std::sregex_iterator one(section.text.begin(), section.text.end(), function); one != end; ++one) by_function_[(*one)[1]] = section.name;
+            for (std::sregex_iterator one(section.text.begin(), section.text.end(), function); one != end; ++one)
+                by_function_[(*one)[1]] = section.name;
             sections_[section.name] = std::move(section);
         }
     }

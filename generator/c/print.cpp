@@ -19,7 +19,8 @@ const std::string indent_of_body(column_of_body, ' ');
 }  // namespace
 
 std::size_t size_of(const Plant& plant, const std::string& vector) {
-    const std::size_t states = plant.states.size(), inputs = plant.inputs.size(), outputs = plant.outputs.size(), guards = plant.guards.size(), n = plant.degrees;
+    const std::size_t states = plant.states.size(), inputs = plant.inputs.size(), outputs = plant.outputs.size(),
+                      guards = plant.guards.size(), n = plant.degrees;
     const std::size_t constraints = plant.constraints ? plant.constraints->list.size() : 0;
     const std::map<std::string, std::size_t> sizes{
         {"State", states},        {"Input", inputs},           {"Output", outputs},
@@ -34,7 +35,9 @@ std::size_t size_of(const Plant& plant, const std::string& vector) {
     return found->second;
 }
 
-std::string CPrinter::operand(const Value& value, int least_precedence) { return precedence(value) < least_precedence ? "(" + text(value) + ")" : text(value); }
+std::string CPrinter::operand(const Value& value, int least_precedence) {
+    return precedence(value) < least_precedence ? "(" + text(value) + ")" : text(value);
+}
 
 std::string CPrinter::listed(const std::vector<Value>& parts, const char* between) {
     std::string result;
@@ -59,12 +62,14 @@ std::string CPrinter::product(const Value& value) {
     return result;
 }
 
-/// Functions that have another name or other arguments than in the statements: C has neither overloads nor references, and knows no size of an array.
+/// Functions that have another name or other arguments than in the statements: C has neither overloads nor references, and knows no size of
+/// an array.
 std::string CPrinter::call(const Value& value) {
     std::string function = value.text();
     std::vector<std::string> arguments;
     for (const Value& part : value.parts()) arguments.push_back(text(part));
-    if (value.where() == Value::Where::plant) return fmt::format("{}_{}(plant_{}{})", name_, function, arguments.empty() ? "" : ", ", fmt::join(arguments, ", "));
+    if (value.where() == Value::Where::plant)
+        return fmt::format("{}_{}(plant_{}{})", name_, function, arguments.empty() ? "" : ", ", fmt::join(arguments, ", "));
     if (function == "abs") function = "fabs";
     if (function == "compression" && arguments.size() == 2) function = "compression_by_decay";
     if (function == "sin_and_cos" || function == "combined_sin_and_cos")
@@ -108,7 +113,8 @@ std::string CPrinter::text(const Value& value) {
         case Value::Kind::real: return fmt::format("({}_real)({})", name_, text(value.parts()[0]));
         case Value::Kind::signed_index: return fmt::format("(int)({})", text(value.parts()[0]));
         case Value::Kind::comparison: return comparison(value);
-        case Value::Kind::choice: return fmt::format("{} ? {} : {}", text(value.parts()[0]), text(value.parts()[1]), text(value.parts()[2]));
+        case Value::Kind::choice:
+            return fmt::format("{} ? {} : {}", text(value.parts()[0]), text(value.parts()[1]), text(value.parts()[2]));
     }
     return {};
 }
@@ -124,9 +130,11 @@ std::string CPrinter::declaration(const Declaration& d) {
     const char* zeros = !d.is_zeroed ? "" : d.type.sizes.size() > 1 ? " = {{0}}" : " = {0}";
     switch (d.type.kind) {
         case Storage::Kind::scalar:
-            return has_value ? fmt::format("{}{}_real {} = {};", d.changes ? "" : "const ", name_, names, text(d.value)) : fmt::format("{}_real {};", name_, names);
+            return has_value ? fmt::format("{}{}_real {} = {};", d.changes ? "" : "const ", name_, names, text(d.value))
+                             : fmt::format("{}_real {};", name_, names);
         case Storage::Kind::index: return fmt::format("const size_t {} = {};", names, text(d.value));
-        case Storage::Kind::indices: return fmt::format("static const size_t {}[{}] = {{{}}};", names, d.numbers.size(), fmt::join(d.numbers, ", "));
+        case Storage::Kind::indices:
+            return fmt::format("static const size_t {}[{}] = {{{}}};", names, d.numbers.size(), fmt::join(d.numbers, ", "));
         case Storage::Kind::room: return fmt::format("{}_real* const {} = {};", name_, names, text(d.value));
         case Storage::Kind::vector: return fmt::format("{}_real {}[{}]{};", name_, names, size_of(plant_, d.type.name), zeros);
         case Storage::Kind::array:
@@ -142,7 +150,8 @@ std::string CPrinter::filled_by_call(const Declaration& d) {
     call(CHelper{d.value.text(), size});
     return wrapped(fmt::format("{}_real {}[{}];", name_, d.names[0], d.type.sizes[0]), column_of_body) + indent_of_body + "{\n" +
            wrapped(fmt::format("{}_real data_[{}] = {};", name_, list.parts().size(), text(list)), column_of_body + 4) +
-           wrapped(fmt::format("{}_{}_{}(data_, {});", name_, d.value.text(), size, d.names[0]), column_of_body + 4) + indent_of_body + "}\n";
+           wrapped(fmt::format("{}_{}_{}(data_, {});", name_, d.value.text(), size, d.names[0]), column_of_body + 4) + indent_of_body +
+           "}\n";
 }
 
 std::string CPrinter::assignment(const Assignment& a) {
@@ -151,12 +160,17 @@ std::string CPrinter::assignment(const Assignment& a) {
 }
 
 std::string CPrinter::filling(const Filling& f) {
-    return fmt::format("{0}for (size_t i_ = 0; i_ < {1}; ++i_) {2}[i_] = {3};\n", indent_of_body, size_of(plant_, f.vector), f.array, text(f.value));
+    return fmt::format("{0}for (size_t i_ = 0; i_ < {1}; ++i_) {2}[i_] = {3};\n", indent_of_body, size_of(plant_, f.vector), f.array,
+                       text(f.value));
 }
 
-std::string CPrinter::braced(const std::string& head, const Statements& body) { return indent_of_body + head + "{\n" + shifted(text(body)) + indent_of_body + "}\n"; }
+std::string CPrinter::braced(const std::string& head, const Statements& body) {
+    return indent_of_body + head + "{\n" + shifted(text(body)) + indent_of_body + "}\n";
+}
 
-std::string CPrinter::inputs(const std::string& name) const { return fmt::format("{}{}_real {}[{}];\n", indent_of_body, name_, name, size_of(plant_, "Input")); }
+std::string CPrinter::inputs(const std::string& name) const {
+    return fmt::format("{}{}_real {}[{}];\n", indent_of_body, name_, name, size_of(plant_, "Input"));
+}
 
 std::string CPrinter::loop(const Loop& loop) {
     return braced(fmt::format("for (size_t {0} = {1}; {0} < {2}; ++{0}) ", loop.index, loop.first, text(loop.end)), loop.body);
@@ -186,14 +200,17 @@ std::string CPrinter::one(const Statement& statement) {
         std::string operator()(const Invocation& s) const { return line_of(print.text(s.call) + ";"); }
         std::string operator()(const Filling& s) const { return print.filling(s); }
         std::string operator()(const Loop& s) const { return print.loop(s); }
-        std::string operator()(const OnEvent& s) const { return print.braced(fmt::format("if (event_number == {}_e_{}) ", print.name_, s.event), s.body); }
+        std::string operator()(const OnEvent& s) const {
+            return print.braced(fmt::format("if (event_number == {}_e_{}) ", print.name_, s.event), s.body);
+        }
         std::string operator()(const ByMode& s) const { return print.modes(s); }
         std::string operator()(const Return& s) const { return line_of(fmt::format("return {};", print.text(s.value))); }
         std::string operator()(const Braces& s) const { return print.braced("", s.body); }
         std::string operator()(const If& s) const { return print.braced(fmt::format("if ({}) ", print.text(s.condition)), s.body); }
         std::string operator()(const IfRoomForWork& s) const { return print.text(s.body); }  // in C there always is
         std::string operator()(const FirstInputs& s) const {
-            return print.inputs(s.input) + line_of(fmt::format("inputs->first(inputs->data, {}[0], {}, {});", print.text(s.states), print.text(s.time), s.input));
+            return print.inputs(s.input) +
+                   line_of(fmt::format("inputs->first(inputs->data, {}[0], {}, {});", print.text(s.states), print.text(s.time), s.input));
         }
         std::string operator()(const NextInputs& s) const {
             return print.inputs(s.input) + line_of(fmt::format("inputs->next(inputs->data, {}, x, {});", print.text(s.order), s.input));
@@ -223,7 +240,8 @@ std::string CPrinter::text(const std::vector<Argument>& arguments) {
         else {
             const char* before = a.passing == Argument::Passing::read ? "const " : "";
             const std::size_t size = size_of(plant_, a.type);
-            result += size == 0 ? fmt::format("{}{}_real* {}", before, name_, a.name) : fmt::format("{}{}_real {}[{}]", before, name_, a.name, size);
+            result += size == 0 ? fmt::format("{}{}_real* {}", before, name_, a.name)
+                                : fmt::format("{}{}_real {}[{}]", before, name_, a.name, size);
         }
     }
     return result;

@@ -9,22 +9,27 @@ const State* Claims::claim(const std::string& name, const Span& span, const char
     const Named* found = names_.find(name);
     if (found == nullptr || found->kind != Named::Kind::state) {
         diagnostics_.error(Id::wrong_type, span,
-                           fmt::format("the {} of {} must be the name of a state, but '{}' is {}", key, what, name, found == nullptr ? "none" : describe(found->kind)));
+                           fmt::format("the {} of {} must be the name of a state, but '{}' is {}", key, what, name,
+                                       found == nullptr ? "none" : describe(found->kind)));
         return nullptr;
     }
     claimed_.insert(name);
     const auto& state = static_cast<const State&>(*found->item);
     if (state.derivative)
-        diagnostics_.error(Id::doubly_determined, span, fmt::format("state '{}' is the {} of {} and has a derivative of its own; only one can determine it", name, key, what),
-                           {{state.derivative->span, "its derivative stands here"}});
+        diagnostics_.error(
+            Id::doubly_determined, span,
+            fmt::format("state '{}' is the {} of {} and has a derivative of its own; only one can determine it", name, key, what),
+            {{state.derivative->span, "its derivative stands here"}});
     return &state;
 }
 
 void Claims::check_all(const Model& model) const {
     for (const State& state : model.states)
         if (!state.derivative && !claimed_.contains(state.name))
-            diagnostics_.error(Id::undetermined, state.span,
-                               fmt::format("nothing determines state '{}': it has no derivative, and no volume, pipe, node, rod or block names it", state.name));
+            diagnostics_.error(
+                Id::undetermined, state.span,
+                fmt::format("nothing determines state '{}': it has no derivative, and no volume, pipe, node, rod or block names it",
+                            state.name));
 }
 
 void check_balances(const Model& model, Diagnostics& diagnostics) {

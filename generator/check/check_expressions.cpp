@@ -16,9 +16,25 @@ namespace {
 
 /// How functions of other languages are written here; empty for what none has.
 std::string foreign_function(std::string_view name) {
-    static const std::map<std::string_view, const char*> usual{{"ln", "log(x)"}, {"lg", "log(x)/log(10)"}, {"log10", "log(x)/log(10)"}, {"log2", "log(x)/log(2)"}, {"arcsin", "asin(x)"}, {"arccos", "acos(x)"},
-                                                              {"arctan", "atan(x)"}, {"arctan2", "atan2(y, x)"}, {"tg", "tan(x)"}, {"cot", "1/tan(x)"}, {"fabs", "abs(x)"}, {"sgn", "sign(x)"}, {"signum", "sign(x)"},
-                                                              {"pow", "x^y"}, {"sqr", "x^2"}, {"square", "x^2"}, {"cbrt", "x^(1/3)"}, {"root", "x^(1/n)"}, {"der", "dot(x)"}};
+    static const std::map<std::string_view, const char*> usual{{"ln", "log(x)"},
+                                                               {"lg", "log(x)/log(10)"},
+                                                               {"log10", "log(x)/log(10)"},
+                                                               {"log2", "log(x)/log(2)"},
+                                                               {"arcsin", "asin(x)"},
+                                                               {"arccos", "acos(x)"},
+                                                               {"arctan", "atan(x)"},
+                                                               {"arctan2", "atan2(y, x)"},
+                                                               {"tg", "tan(x)"},
+                                                               {"cot", "1/tan(x)"},
+                                                               {"fabs", "abs(x)"},
+                                                               {"sgn", "sign(x)"},
+                                                               {"signum", "sign(x)"},
+                                                               {"pow", "x^y"},
+                                                               {"sqr", "x^2"},
+                                                               {"square", "x^2"},
+                                                               {"cbrt", "x^(1/3)"},
+                                                               {"root", "x^(1/n)"},
+                                                               {"der", "dot(x)"}};
     const auto found = usual.find(name);
     return found == usual.end() ? std::string() : found->second;
 }
@@ -37,7 +53,8 @@ public:
         reported_ = false;
         for (const std::string& name : site.bound)
             if (!site.may_shadow && names_.find(name) != nullptr && shadowing_.insert(site.what + name).second)
-                error(Id::doubly_defined, site.expression->span, fmt::format("'{}' is defined already, and again as an index or variable in {}", name, site.what));
+                error(Id::doubly_defined, site.expression->span,
+                      fmt::format("'{}' is defined already, and again as an index or variable in {}", name, site.what));
         visit(*site.expression);
     }
 
@@ -72,14 +89,16 @@ private:
     /// Reports a dependence that the site does not allow.
     unsigned allow(const Expression& e, unsigned depends, const char* is_a) {
         if ((depends & ~site_->allowed) != 0 && !reported_)
-            error(Id::not_allowed_here, e.span, fmt::format("{} must not depend on '{}', which is {}", site_->what, e.written(), is_a), definition_of(e));
+            error(Id::not_allowed_here, e.span, fmt::format("{} must not depend on '{}', which is {}", site_->what, e.written(), is_a),
+                  definition_of(e));
         return depends;
     }
 
     /// A rate as C++ calls it, or a name like it.
     std::string hint(const std::string& name) const {
         for (const char* ending : {"_ddot", "_dot"})
-            if (const std::string base = name.substr(0, name.size() - std::min(name.size(), std::string(ending).size())); name.ends_with(ending) && names_.find(base) != nullptr)
+            if (const std::string base = name.substr(0, name.size() - std::min(name.size(), std::string(ending).size()));
+                name.ends_with(ending) && names_.find(base) != nullptr)
                 return fmt::format("; write {}({})", ending + 1, base);
         return did_you_mean(name, names_.all());
     }
@@ -124,7 +143,8 @@ private:
     }
 
     unsigned sizes_only(const Expression& e) {
-        error(Id::not_allowed_here, e.span, fmt::format("{} must be a whole number known at generation, but '{}' is not", site_->what, e.written()));
+        error(Id::not_allowed_here, e.span,
+              fmt::format("{} must be a whole number known at generation, but '{}' is not", site_->what, e.written()));
         return 0;
     }
 
@@ -145,7 +165,8 @@ private:
             return;
         }
         if (expected == 0 && !e.children.empty()) {
-            error(Id::not_indexed, e.span, fmt::format("'{}' is not a family and has no index", e.name), {{item.span, "it is defined here"}});
+            error(Id::not_indexed, e.span, fmt::format("'{}' is not a family and has no index", e.name),
+                  {{item.span, "it is defined here"}});
             return;
         }
         if (e.children.size() > 1) error(Id::not_indexed, e.span, fmt::format("'{}' has one index", e.name));
@@ -159,9 +180,11 @@ private:
                 error(Id::not_allowed_here, part.span, "an index is made of whole numbers, sizes, + - and *");
             if (part.kind != Kind::name || bound_.contains(part.name)) return;
             const Named* named = names_.find(part.name);
-            if (named == nullptr) error(Id::unknown_name, part.span, fmt::format("'{}' is not defined{}", part.name, did_you_mean(part.name, names_.all())));
+            if (named == nullptr)
+                error(Id::unknown_name, part.span, fmt::format("'{}' is not defined{}", part.name, did_you_mean(part.name, names_.all())));
             else if (named->kind != Named::Kind::size)
-                error(Id::not_allowed_here, part.span, fmt::format("an index must be known at generation, but '{}' is {}", part.name, describe(named->kind)));
+                error(Id::not_allowed_here, part.span,
+                      fmt::format("an index must be known at generation, but '{}' is {}", part.name, describe(named->kind)));
         });
     }
 
@@ -188,15 +211,21 @@ private:
         static const std::set<std::string, std::less<>> of_matrices{"transpose", "inverse", "det", "trace", "cross", "diag"};
         if (function == nullptr && of_matrices.contains(e.name)) {
             // What is known to be a matrix is gone by now, so that something in it is not.
-            if (!diagnostics_.has_errors()) error(Id::wrong_arguments, e.span, fmt::format("'{}' takes a matrix, and nothing says which one '{}' is; say it by 'with', as in A = \"matrix(row(a, b), row(c, d))\"", e.name, e.children.empty() ? e.written() : e.children[0]->written()));
+            if (!diagnostics_.has_errors())
+                error(Id::wrong_arguments, e.span,
+                      fmt::format("'{}' takes a matrix, and nothing says which one '{}' is; say it by 'with', as in A = \"matrix(row(a, "
+                                  "b), row(c, d))\"",
+                                  e.name, e.children.empty() ? e.written() : e.children[0]->written()));
         } else if (function == nullptr) {
             std::vector<std::string> known{"dot", "ddot", "sum"};
             for (const FunctionSpec& f : functions()) known.emplace_back(f.name);
             const std::string usual = foreign_function(e.name);
-            error(Id::unknown_name, e.span, fmt::format("there is no function '{}'{}", e.name, usual.empty() ? did_you_mean(e.name, known) : "; write " + usual));
+            error(Id::unknown_name, e.span,
+                  fmt::format("there is no function '{}'{}", e.name, usual.empty() ? did_you_mean(e.name, known) : "; write " + usual));
         } else if (const std::size_t count = function->count(); e.children.size() != count) {
-            error(Id::wrong_arguments, e.span, fmt::format("'{}({})' takes {} argument{}, here it has {}", e.name, function->arguments, count,
-                                                           count == 1 ? "" : "s", e.children.size()));
+            error(Id::wrong_arguments, e.span,
+                  fmt::format("'{}({})' takes {} argument{}, here it has {}", e.name, function->arguments, count, count == 1 ? "" : "s",
+                              e.children.size()));
         }
         return result;
     }
@@ -214,7 +243,8 @@ private:
         site_ = &outer;
         for (int order = e.name == "dot" ? 1 : 2; order > 0; --order) {
             if ((depends & on_inputs) != 0)
-                error(Id::not_allowed_here, e.span, fmt::format("'{}' needs the time derivative of an input, which is not known", e.written()));
+                error(Id::not_allowed_here, e.span,
+                      fmt::format("'{}' needs the time derivative of an input, which is not known", e.written()));
             depends = derivative_dependence(depends);
         }
         if (site_->sizes_only) return sizes_only(e);
@@ -224,7 +254,8 @@ private:
     unsigned partial(const Expression& e) {
         if (!derived_allowed(e)) return 0;
         if (e.children.size() != 2) {
-            error(Id::wrong_arguments, e.span, "'diff' takes an expression and what to differentiate by, as in 'diff(kinetic_energy, dot(phi))'");
+            error(Id::wrong_arguments, e.span,
+                  "'diff' takes an expression and what to differentiate by, as in 'diff(kinetic_energy, dot(phi))'");
             return 0;
         }
         return visit(*e.children[0]) | visit(*e.children[1]);
@@ -262,15 +293,18 @@ private:
         if (!derived_allowed(e)) return 0;
         const bool has_side = e.name == "limit" && e.children.size() == 4;
         if (e.children.size() != 3 && !has_side) {
-            error(Id::wrong_arguments, e.span, fmt::format("'{0}' takes an expression, its variable and a place, as in '{0}(sin(x)/x, x, 0)'", e.name));
+            error(Id::wrong_arguments, e.span,
+                  fmt::format("'{0}' takes an expression, its variable and a place, as in '{0}(sin(x)/x, x, 0)'", e.name));
             return 0;
         }
         const Expression& variable = *e.children[1];
         const Expression* side = has_side ? e.children[3].get() : nullptr;
         if (side != nullptr && side->kind == Kind::negate) side = side->children[0].get();
-        if (side != nullptr && !(side->kind == Kind::number && side->value == 1)) error(Id::wrong_arguments, e.children[3]->span, "a limit is from above, 1, or from below, -1");
+        if (side != nullptr && !(side->kind == Kind::number && side->value == 1))
+            error(Id::wrong_arguments, e.children[3]->span, "a limit is from above, 1, or from below, -1");
         if (variable.kind != Kind::name && !(variable.kind == Kind::call && (variable.name == "dot" || variable.name == "ddot")))
-            error(Id::wrong_arguments, variable.span, fmt::format("'{}' is not a variable that '{}' could be about", variable.written(), e.name));
+            error(Id::wrong_arguments, variable.span,
+                  fmt::format("'{}' is not a variable that '{}' could be about", variable.written(), e.name));
         return visit(*e.children[0]) | visit(variable) | end(*e.children[2], e.name == "limit");
     }
 
@@ -290,7 +324,8 @@ private:
         const QuantitySpec& spec = *find_quantity(e.name);
         const std::size_t given = e.children.size();
         const SubscriptSpec& shape = subscript(spec.subscript);
-        const bool is_optional = spec.subscript == Subscript::optional_body || spec.subscript == Subscript::optional_store || spec.subscript == Subscript::optional_damper;
+        const bool is_optional = spec.subscript == Subscript::optional_body || spec.subscript == Subscript::optional_store ||
+                                 spec.subscript == Subscript::optional_damper;
         if (given != shape.count && !(is_optional && given == 0) && !(spec.subscript == Subscript::fluid_or_medium && given == 3)) {
             error(Id::wrong_arguments, e.span, fmt::format("'{}' takes {} in square brackets", e.name, shape.words));
             return 0;
@@ -298,7 +333,8 @@ private:
         if (spec.subscript >= Subscript::fluid) return part_quantity(e, spec);
         if (spec.subscript == Subscript::surface || spec.subscript == Subscript::two_surfaces) return surface_quantity(e, spec);
         if (spec.subscript >= Subscript::solid && spec.subscript <= Subscript::sticking) return statics_quantity(e, spec);
-        const bool bodies = spec.subscript == Subscript::body || spec.subscript == Subscript::optional_body || spec.subscript == Subscript::body_and_axis || spec.subscript == Subscript::body_and_two_axes;
+        const bool bodies = spec.subscript == Subscript::body || spec.subscript == Subscript::optional_body ||
+                            spec.subscript == Subscript::body_and_axis || spec.subscript == Subscript::body_and_two_axes;
         const bool lines = spec.subscript == Subscript::body_and_line || spec.subscript == Subscript::body_and_three_lines;
         const bool dampers = spec.subscript == Subscript::optional_damper;
         for (std::size_t i = 0; i < given; ++i) {
@@ -311,7 +347,10 @@ private:
             else if (bodies) body(child);
             else coordinate(child);
         }
-        return allow(e, dependence(spec), spec.is_place ? "a place of a body" : spec.is_velocity ? "a velocity of a body" : "a derived quantity");
+        return allow(e, dependence(spec),
+                     spec.is_place      ? "a place of a body"
+                     : spec.is_velocity ? "a velocity of a body"
+                                        : "a derived quantity");
     }
 
     /// A quantity of a solid, a load or of what may stick.
@@ -337,10 +376,15 @@ private:
             whole_number(*e.children[1]);
         } else {
             const Expression& asked = *e.children[1];
-            if (std::none_of(load->unknowns.begin(), load->unknowns.end(), [&](const Unknown& u) { return asked.kind == Kind::name && asked.children.empty() && u.name == asked.name; })) {
+            if (std::none_of(load->unknowns.begin(), load->unknowns.end(), [&](const Unknown& u) {
+                    return asked.kind == Kind::name && asked.children.empty() && u.name == asked.name;
+                })) {
                 std::vector<std::string> known;
                 for (const Unknown& u : load->unknowns) known.push_back(u.name);
-                error(Id::unknown_name, asked.span, fmt::format("'{}' is not an unknown of load '{}'{}", asked.written(), load->name, known.empty() ? "; it has none" : "; they are " + quoted_list(known)), {{load->span, "the load is defined here"}});
+                error(Id::unknown_name, asked.span,
+                      fmt::format("'{}' is not an unknown of load '{}'{}", asked.written(), load->name,
+                                  known.empty() ? "; it has none" : "; they are " + quoted_list(known)),
+                      {{load->span, "the load is defined here"}});
                 return 0;
             }
         }
@@ -351,7 +395,9 @@ private:
         const Expression& named = *e.children[0];
         const Part* found = named.kind == Kind::name && named.children.empty() ? names_.find_part(named.name) : nullptr;
         if (found == nullptr || found->kind != Part::Kind::enclosure)
-            error(Id::unknown_name, named.span, fmt::format("'{}' is not an enclosure{}", named.written(), did_you_mean(named.name, names_.parts(parts_in(spec.subscript)))));
+            error(Id::unknown_name, named.span,
+                  fmt::format("'{}' is not an enclosure{}", named.written(),
+                              did_you_mean(named.name, names_.parts(parts_in(spec.subscript)))));
         for (std::size_t i = 1; i < e.children.size(); ++i) whole_number(*e.children[i]);
         return allow(e, dependence(spec), "a derived quantity");
     }
@@ -366,17 +412,26 @@ private:
                 std::string described;
                 for (std::size_t i = 0; i < kinds.size(); ++i) {
                     const std::string_view kind = describe(kinds[i]);
-                    described += fmt::format("{}{}", i == 0 ? "" : i + 1 == kinds.size() ? " or " : ", ", kind.substr(i == 0 ? 0 : kind.find(' ') + 1));
+                    described += fmt::format("{}{}",
+                                             i == 0                  ? ""
+                                             : i + 1 == kinds.size() ? " or "
+                                                                     : ", ",
+                                             kind.substr(i == 0 ? 0 : kind.find(' ') + 1));
                 }
-                error(Id::unknown_name, named.span, fmt::format("'{}' is not {}{}", named.written(), described, did_you_mean(named.name, names_.parts(kinds))));
+                error(Id::unknown_name, named.span,
+                      fmt::format("'{}' is not {}{}", named.written(), described, did_you_mean(named.name, names_.parts(kinds))));
             } else if (found->kind == Part::Kind::rod || found->kind == Part::Kind::block) {
                 if (named.children.size() == 1) whole_number(*named.children[0]);
-                else error(Id::index_missing, named.span, fmt::format("'{}' is a {} and needs the index of a cell, as in '{}[1]'", named.name, found->kind == Part::Kind::rod ? "rod" : "block", named.name));
+                else
+                    error(Id::index_missing, named.span,
+                          fmt::format("'{}' is a {} and needs the index of a cell, as in '{}[1]'", named.name,
+                                      found->kind == Part::Kind::rod ? "rod" : "block", named.name));
             } else {
                 index(named, *found->item);
             }
         }
-        unsigned depends = allow(e, spec.is_property ? on_properties : on_quantities, spec.is_property ? "a property of a medium" : "a derived quantity");
+        unsigned depends =
+            allow(e, spec.is_property ? on_properties : on_quantities, spec.is_property ? "a property of a medium" : "a derived quantity");
         for (std::size_t i = 1; i < e.children.size(); ++i) depends |= visit(*e.children[i]);
         return depends;
     }
@@ -408,7 +463,8 @@ private:
 
     void coordinate(const Expression& e) {
         const Named* named = e.kind == Kind::name ? names_.find(e.name) : nullptr;
-        if (named == nullptr || named->kind != Named::Kind::coordinate) error(Id::unknown_name, e.span, fmt::format("'{}' is not a coordinate", e.written()));
+        if (named == nullptr || named->kind != Named::Kind::coordinate)
+            error(Id::unknown_name, e.span, fmt::format("'{}' is not a coordinate", e.written()));
         else index(e, *named->item);
     }
 

@@ -10,7 +10,8 @@ namespace {
 
 class FluidCheck {
 public:
-    FluidCheck(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics) : model_(model), names_(names), claims_(claims), diagnostics_(diagnostics) {}
+    FluidCheck(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics)
+        : model_(model), names_(names), claims_(claims), diagnostics_(diagnostics) {}
 
     void run() {
         for (const Reservoir& reservoir : model_.reservoirs) medium_of(reservoir.medium, "reservoir", reservoir);
@@ -23,9 +24,10 @@ private:
     const Medium* medium_of(const Reference& reference, const char* kind, const Item& item) {
         const Part* part = names_.find_part(reference.name);
         if (part == nullptr || part->kind != Part::Kind::medium || reference.index) {
-            diagnostics_.error(Id::unknown_name, reference.span,
-                               fmt::format("{} '{}' holds '{}', which is not a medium{}", kind, item.name, std::string(reference.span.text()),
-                                           did_you_mean(reference.name, names_.parts({Part::Kind::medium}))));
+            diagnostics_.error(
+                Id::unknown_name, reference.span,
+                fmt::format("{} '{}' holds '{}', which is not a medium{}", kind, item.name, std::string(reference.span.text()),
+                            did_you_mean(reference.name, names_.parts({Part::Kind::medium}))));
             return nullptr;
         }
         return static_cast<const Medium*>(part->item);
@@ -33,17 +35,22 @@ private:
 
     const State* claim(const ExpressionPtr& named, const char* key, const char* kind, const Item& item) {
         if (!named) return nullptr;
-        return claims_.claim(named->kind == Expression::Kind::name ? named->name : named->written(), named->span, key, fmt::format("{} '{}'", kind, item.name));
+        return claims_.claim(named->kind == Expression::Kind::name ? named->name : named->written(), named->span, key,
+                             fmt::format("{} '{}'", kind, item.name));
     }
 
     void wrong(const Span& span, std::string message, const Medium& medium) {
-        diagnostics_.error(Id::wrong_medium, span, std::move(message), {{medium.span, fmt::format("medium '{}' is defined here", medium.name)}});
+        diagnostics_.error(Id::wrong_medium, span, std::move(message),
+                           {{medium.span, fmt::format("medium '{}' is defined here", medium.name)}});
     }
 
     void check(const Junction& junction) {
         const Medium* medium = medium_of(junction.medium, "junction", junction);
         if (medium != nullptr && medium->law != Medium::Law::liquid && medium->law != Medium::Law::incompressible)
-            wrong(junction.span, fmt::format("junction '{}' stores nothing, which this version solves for liquids, but '{}' is {}; make it a small volume", junction.name, medium->name, medium->law == Medium::Law::ideal_gas ? "a gas" : "a medium of given laws"), *medium);
+            wrong(junction.span,
+                  fmt::format("junction '{}' stores nothing, which this version solves for liquids, but '{}' is {}; make it a small volume",
+                              junction.name, medium->name, medium->law == Medium::Law::ideal_gas ? "a gas" : "a medium of given laws"),
+                  *medium);
     }
 
     /// What the pressure of a junction cannot be solved for exactly.
@@ -51,12 +58,23 @@ private:
         const Part* junction = names_.find_part(end.name);
         if (junction == nullptr || junction->kind != Part::Kind::junction) return;
         const Note defined{junction->item->span, fmt::format("junction '{}' is defined here", end.name)};
-        const auto refuse = [&](const Span& span, const std::string& why) { diagnostics_.error(Id::not_allowed_here, span, fmt::format("flow '{}' ends at junction '{}', {}", flow.name, end.name, why), {defined}); };
-        if (flow.width) refuse(flow.width->span, "whose pressure is solved with the exact root, also at balance; leave the width out, or make the junction a small volume");
-        if (flow.law == Flow::Law::check_valve && !flow.switches) refuse(flow.span, "whose pressure this version does not solve with a valve of which being open or shut is no mode; give the valve switches = true, or make the junction a small volume");
+        const auto refuse = [&](const Span& span, const std::string& why) {
+            diagnostics_.error(Id::not_allowed_here, span, fmt::format("flow '{}' ends at junction '{}', {}", flow.name, end.name, why),
+                               {defined});
+        };
+        if (flow.width)
+            refuse(
+                flow.width->span,
+                "whose pressure is solved with the exact root, also at balance; leave the width out, or make the junction a small volume");
+        if (flow.law == Flow::Law::check_valve && !flow.switches)
+            refuse(flow.span,
+                   "whose pressure this version does not solve with a valve of which being open or shut is no mode; give the valve "
+                   "switches = true, or make the junction a small volume");
         const Part* volume = names_.find_part(other.name);
         if (volume != nullptr && volume->kind == Part::Kind::volume && static_cast<const Volume*>(volume->item)->empties)
-            refuse(other.span, fmt::format("and begins or ends at volume '{}', which may run empty; this version does not solve both at once. Leave out empties, or make the junction a small volume", other.name));
+            refuse(other.span, fmt::format("and begins or ends at volume '{}', which may run empty; this version does not solve both at "
+                                           "once. Leave out empties, or make the junction a small volume",
+                                           other.name));
     }
 
     void check(const Volume& volume) {
@@ -69,35 +87,56 @@ private:
         if (medium == nullptr) return;
         if (medium->law == Medium::Law::incompressible && !volume.filling)
             diagnostics_.error(Id::undetermined, volume.span,
-                               fmt::format("volume '{}' holds '{}', which is incompressible: its pressure follows from no balance, and it can take up no flow; give it a filling", volume.name, medium->name),
+                               fmt::format("volume '{}' holds '{}', which is incompressible: its pressure follows from no balance, and it "
+                                           "can take up no flow; give it a filling",
+                                           volume.name, medium->name),
                                {{medium->span, fmt::format("medium '{}' is defined here", medium->name)}});
         if (volume.polytropic && medium->law != Medium::Law::ideal_gas)
-            wrong(volume.polytropic->span, fmt::format("volume '{}' follows a polytropic course, which is one of ideal gases, but holds '{}'", volume.name, medium->name), *medium);
+            wrong(volume.polytropic->span,
+                  fmt::format("volume '{}' follows a polytropic course, which is one of ideal gases, but holds '{}'", volume.name,
+                              medium->name),
+                  *medium);
         if (volume.empties && volume.temperature)
-            diagnostics_.error(Id::not_allowed_here, volume.temperature->span, fmt::format("volume '{}' may run empty, and nothing has no temperature; leave the temperature out, or empties", volume.name));
+            diagnostics_.error(
+                Id::not_allowed_here, volume.temperature->span,
+                fmt::format("volume '{}' may run empty, and nothing has no temperature; leave the temperature out, or empties",
+                            volume.name));
         if (volume.empties)
             for (const Flow& flow : model_.flows)
                 if (flow.law == Flow::Law::pipe && flow.from.name == volume.name)
-                    diagnostics_.error(Id::not_allowed_here, flow.from.span, fmt::format("volume '{}' may run empty, but pipe '{}', whose flow has inertia, leaves it and would have to run empty, too", volume.name, flow.name), {{volume.span, fmt::format("'{}' is defined here", volume.name)}});
+                    diagnostics_.error(
+                        Id::not_allowed_here, flow.from.span,
+                        fmt::format(
+                            "volume '{}' may run empty, but pipe '{}', whose flow has inertia, leaves it and would have to run empty, too",
+                            volume.name, flow.name),
+                        {{volume.span, fmt::format("'{}' is defined here", volume.name)}});
         if (volume.head && medium->law != Medium::Law::incompressible)
-            wrong(volume.head->span, fmt::format("volume '{}' has a head, which needs an incompressible medium, but holds '{}'", volume.name, medium->name), *medium);
+            wrong(volume.head->span,
+                  fmt::format("volume '{}' has a head, which needs an incompressible medium, but holds '{}'", volume.name, medium->name),
+                  *medium);
         if ((volume.density || volume.mass) && medium->law == Medium::Law::given && !medium->pressure)
-            wrong(volume.span, fmt::format("volume '{}' has its {} as state, so medium '{}' must say its pressure as a law \"(rho, T) -> ...\"", volume.name, volume.density ? "density" : "mass", medium->name), *medium);
+            wrong(volume.span,
+                  fmt::format("volume '{}' has its {} as state, so medium '{}' must say its pressure as a law \"(rho, T) -> ...\"",
+                              volume.name, volume.density ? "density" : "mass", medium->name),
+                  *medium);
     }
 
     /// The medium at an end of a flow, if the end is one.
     const Medium* end(const Reference& reference, const char* preposition, const Flow& flow) {
         const Part* part = names_.find_part(reference.name);
-        const bool is_end = part != nullptr && (part->kind == Part::Kind::volume || part->kind == Part::Kind::reservoir || part->kind == Part::Kind::junction);
+        const bool is_end = part != nullptr &&
+                            (part->kind == Part::Kind::volume || part->kind == Part::Kind::reservoir || part->kind == Part::Kind::junction);
         if (!is_end) {
-            diagnostics_.error(Id::unknown_name, reference.span,
-                               fmt::format("flow '{}' goes {} '{}', which is no volume, reservoir or junction{}", flow.name, preposition, reference.name,
-                                           did_you_mean(reference.name, names_.parts({Part::Kind::volume, Part::Kind::reservoir, Part::Kind::junction}))));
+            diagnostics_.error(
+                Id::unknown_name, reference.span,
+                fmt::format("flow '{}' goes {} '{}', which is no volume, reservoir or junction{}", flow.name, preposition, reference.name,
+                            did_you_mean(reference.name, names_.parts({Part::Kind::volume, Part::Kind::reservoir, Part::Kind::junction}))));
             return nullptr;
         }
         if (part->item->family.has_value() != (reference.index != nullptr))
             diagnostics_.error(part->item->family ? Id::index_missing : Id::not_indexed, reference.span,
-                               fmt::format("'{}' is {} family", reference.name, part->item->family ? "a" : "not a"), {{part->item->span, "it is defined here"}});
+                               fmt::format("'{}' is {} family", reference.name, part->item->family ? "a" : "not a"),
+                               {{part->item->span, "it is defined here"}});
         const Reference& medium = part->kind == Part::Kind::volume     ? static_cast<const Volume*>(part->item)->medium
                                   : part->kind == Part::Kind::junction ? static_cast<const Junction*>(part->item)->medium
                                                                        : static_cast<const Reservoir*>(part->item)->medium;
@@ -107,31 +146,47 @@ private:
 
     void check(const Flow& flow) {
         if (const State* state = claim(flow.velocity, "velocity", "pipe", flow); state != nullptr && state->root)
-            diagnostics_.error(Id::not_allowed_here, flow.velocity->span, fmt::format("the velocity of pipe '{}' may become negative, so that its root is no state", flow.name),
+            diagnostics_.error(Id::not_allowed_here, flow.velocity->span,
+                               fmt::format("the velocity of pipe '{}' may become negative, so that its root is no state", flow.name),
                                {{state->span, fmt::format("'{}' is declared here", state->name)}});
         const Medium* from = end(flow.from, "from", flow);
         const Medium* to = end(flow.to, "to", flow);
         if (from == nullptr || to == nullptr) return;
         if (flow.from.name == flow.to.name && !flow.from.index)
-            diagnostics_.error(Id::not_allowed_here, flow.to.span, fmt::format("flow '{}' goes from '{}' to '{}' itself", flow.name, flow.from.name, flow.to.name));
+            diagnostics_.error(Id::not_allowed_here, flow.to.span,
+                               fmt::format("flow '{}' goes from '{}' to '{}' itself", flow.name, flow.from.name, flow.to.name));
         check_at_junction(flow, flow.from, flow.to);
         check_at_junction(flow, flow.to, flow.from);
         if (from != to)
-            diagnostics_.error(Id::wrong_medium, flow.span, fmt::format("flow '{}' goes from '{}', which holds '{}', to '{}', which holds '{}'; media do not mix", flow.name, flow.from.name, from->name, flow.to.name, to->name),
-                               {{from->span, fmt::format("medium '{}' is defined here", from->name)}, {to->span, fmt::format("medium '{}' is defined here", to->name)}});
+            diagnostics_.error(Id::wrong_medium, flow.span,
+                               fmt::format("flow '{}' goes from '{}', which holds '{}', to '{}', which holds '{}'; media do not mix",
+                                           flow.name, flow.from.name, from->name, flow.to.name, to->name),
+                               {{from->span, fmt::format("medium '{}' is defined here", from->name)},
+                                {to->span, fmt::format("medium '{}' is defined here", to->name)}});
         const bool is_gas = from->law == Medium::Law::ideal_gas;
         if ((flow.law == Flow::Law::hydraulic_orifice || flow.law == Flow::Law::relief_valve) && is_gas)
             wrong(flow.span, fmt::format("flow '{}' follows the law of a {}, which is one of liquids, but '{}' is a gas{}", flow.name,
                                          flow.law == Flow::Law::relief_valve ? "relief valve" : "hydraulic orifice", from->name,
                                          flow.law == Flow::Law::relief_valve ? "" : "; take \"pneumatic_orifice\""), *from);
         if (flow.law == Flow::Law::pneumatic_orifice && !is_gas)
-            wrong(flow.span, fmt::format("flow '{}' follows the law of a pneumatic orifice, which is one of ideal gases, but '{}' is none; take \"hydraulic_orifice\"", flow.name, from->name), *from);
+            wrong(flow.span,
+                  fmt::format("flow '{}' follows the law of a pneumatic orifice, which is one of ideal gases, but '{}' is none; take "
+                              "\"hydraulic_orifice\"",
+                              flow.name, from->name),
+                  *from);
         if (flow.law == Flow::Law::check_valve && flow.area && is_gas)
-            wrong(flow.span, fmt::format("check valve '{}' follows the law of a hydraulic orifice, which is one of liquids, but '{}' is a gas; give it a conductance", flow.name, from->name), *from);
+            wrong(flow.span,
+                  fmt::format("check valve '{}' follows the law of a hydraulic orifice, which is one of liquids, but '{}' is a gas; give "
+                              "it a conductance",
+                              flow.name, from->name),
+                  *from);
         if (flow.law == Flow::Law::pneumatic_orifice && is_gas && !from->isochoric_heat)
-            wrong(flow.span, fmt::format("flow '{}' needs the ratio of specific heats of '{}', which has no isochoric_heat", flow.name, from->name), *from);
+            wrong(flow.span,
+                  fmt::format("flow '{}' needs the ratio of specific heats of '{}', which has no isochoric_heat", flow.name, from->name),
+                  *from);
         if (flow.law == Flow::Law::pipe && from->law != Medium::Law::liquid && from->law != Medium::Law::incompressible)
-            wrong(flow.span, fmt::format("pipe '{}' carries a stream of one density, but '{}' is not a liquid", flow.name, from->name), *from);
+            wrong(flow.span, fmt::format("pipe '{}' carries a stream of one density, but '{}' is not a liquid", flow.name, from->name),
+                  *from);
     }
 
     const Model& model_;
@@ -142,6 +197,8 @@ private:
 
 }  // namespace
 
-void check_fluids(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics) { FluidCheck(model, names, claims, diagnostics).run(); }
+void check_fluids(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics) {
+    FluidCheck(model, names, claims, diagnostics).run();
+}
 
 }  // namespace dalembert

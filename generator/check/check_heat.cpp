@@ -10,7 +10,8 @@ namespace {
 
 class HeatCheck {
 public:
-    HeatCheck(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics) : model_(model), names_(names), claims_(claims), diagnostics_(diagnostics) {}
+    HeatCheck(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics)
+        : model_(model), names_(names), claims_(claims), diagnostics_(diagnostics) {}
 
     void run() {
         for (const HeatNode& node : model_.nodes) {
@@ -19,7 +20,9 @@ public:
             if (node.boiling && node.boiling->mass) {
                 const State* mass = claims_.claim(node.boiling->mass->name, node.boiling->mass->span, "mass", what);
                 if (mass != nullptr && (mass->root || mass->family))
-                    diagnostics_.error(Id::not_allowed_here, node.boiling->mass->span, fmt::format("the mass of {} must be a plain state, neither a family nor integrated as its root", what));
+                    diagnostics_.error(
+                        Id::not_allowed_here, node.boiling->mass->span,
+                        fmt::format("the mass of {} must be a plain state, neither a family nor integrated as its root", what));
             }
         }
         for (const Link& link : model_.links) check(link);
@@ -32,14 +35,17 @@ private:
     void temperatures(const Reference& named, const std::string& what) {
         const State* states = temperature(named.name, named.span, what);
         if (states != nullptr && !states->family)
-            diagnostics_.error(Id::index_missing, named.span, fmt::format("the temperature of {} must be a family of states, one for each cell, but '{}' is a single one", what, states->name),
+            diagnostics_.error(Id::index_missing, named.span,
+                               fmt::format("the temperature of {} must be a family of states, one for each cell, but '{}' is a single one",
+                                           what, states->name),
                                {{states->span, fmt::format("'{}' is declared here", states->name)}});
     }
 
     const State* temperature(const std::string& name, const Span& span, const std::string& what) {
         const State* state = claims_.claim(name, span, "temperature", what);
         if (state != nullptr && state->root)
-            diagnostics_.error(Id::not_allowed_here, span, fmt::format("the temperature of {} cannot be integrated as its root", what), {{state->span, fmt::format("'{}' is declared here", name)}});
+            diagnostics_.error(Id::not_allowed_here, span, fmt::format("the temperature of {} cannot be integrated as its root", what),
+                               {{state->span, fmt::format("'{}' is declared here", name)}});
         return state;
     }
 
@@ -49,19 +55,27 @@ private:
         const auto fits = [&](const Block::Table& table, const Span& span, const char* what) {
             if (table.size() == 1 && table[0].size() == 1) return;
             if (table.size() != block.columns.size())
-                diagnostics_.error(Id::wrong_arguments, span, fmt::format("block '{}' has {}, but its {} has {} of them", block.name, count(block.columns.size(), "column"), what, table.size()));
+                diagnostics_.error(Id::wrong_arguments, span,
+                                   fmt::format("block '{}' has {}, but its {} has {} of them", block.name,
+                                               count(block.columns.size(), "column"), what, table.size()));
             for (std::size_t i = 0; i < table.size(); ++i)
                 if (table[i].size() != block.rows.size())
-                    diagnostics_.error(Id::wrong_arguments, span, fmt::format("block '{}' has {}, but in column {} its {} has {} of them", block.name, count(block.rows.size(), "row"), i + 1, what, table[i].size()));
+                    diagnostics_.error(Id::wrong_arguments, span,
+                                       fmt::format("block '{}' has {}, but in column {} its {} has {} of them", block.name,
+                                                   count(block.rows.size(), "row"), i + 1, what, table[i].size()));
         };
         fits(block.conductivity, block.conductivity.span, "conductivity");
         fits(block.density, block.density.span, "density");
         fits(block.heat_capacity, block.heat_capacity.span, "heat capacity");
-        for (const auto& [side, name] : {std::pair(&block.left, "left"), std::pair(&block.right, "right"), std::pair(&block.bottom, "bottom"), std::pair(&block.top, "top")}) {
+        for (const auto& [side, name] : {std::pair(&block.left, "left"), std::pair(&block.right, "right"),
+                                         std::pair(&block.bottom, "bottom"), std::pair(&block.top, "top")}) {
             if (!*side || !(*side)->node) continue;
             const Reference& node = *(*side)->node;
             const std::vector kinds{Part::Kind::node};
-            warm(node, kinds, [&, &name = name] { return fmt::format("the {} side of block '{}' touches '{}', which is no node{}", name, block.name, node.name, did_you_mean(node.name, names_.parts(kinds))); });
+            warm(node, kinds, [&, &name = name] {
+                return fmt::format("the {} side of block '{}' touches '{}', which is no node{}", name, block.name, node.name,
+                                   did_you_mean(node.name, names_.parts(kinds)));
+            });
         }
     }
 
@@ -69,13 +83,15 @@ private:
         end(link.from, "from", link);
         end(link.to, "to", link);
         if (link.from.name == link.to.name && !link.from.index)
-            diagnostics_.error(Id::not_allowed_here, link.to.span, fmt::format("link '{}' goes from '{}' to '{}' itself", link.name, link.from.name, link.to.name));
+            diagnostics_.error(Id::not_allowed_here, link.to.span,
+                               fmt::format("link '{}' goes from '{}' to '{}' itself", link.name, link.from.name, link.to.name));
     }
 
     void end(const Reference& reference, const char* preposition, const Link& link) {
         const auto kinds = parts_in(Subscript::warm);
         warm(reference, kinds, [&] {
-            return fmt::format("link '{}' goes {} '{}', which is no node, rod, block, volume or reservoir{}", link.name, preposition, reference.name, did_you_mean(reference.name, names_.parts(kinds)));
+            return fmt::format("link '{}' goes {} '{}', which is no node, rod, block, volume or reservoir{}", link.name, preposition,
+                               reference.name, did_you_mean(reference.name, names_.parts(kinds)));
         });
     }
 
@@ -83,29 +99,37 @@ private:
         const std::size_t n = enclosure.surfaces.size();
         const auto has_length = [&](std::size_t length, const Span& span, const char* what) {
             if (length != n)
-                diagnostics_.error(Id::wrong_arguments, span, fmt::format("enclosure '{}' has {} surface{}, but {} {}", enclosure.name, n, n == 1 ? "" : "s", length, what));
+                diagnostics_.error(
+                    Id::wrong_arguments, span,
+                    fmt::format("enclosure '{}' has {} surface{}, but {} {}", enclosure.name, n, n == 1 ? "" : "s", length, what));
         };
         constexpr std::size_t most = 32;
         if (n < 2 || n > most)
-            diagnostics_.error(Id::wrong_arguments, enclosure.span, fmt::format("enclosure '{}' has {} surface{}; there must be 2 to {}", enclosure.name, n, n == 1 ? "" : "s", most));
+            diagnostics_.error(
+                Id::wrong_arguments, enclosure.span,
+                fmt::format("enclosure '{}' has {} surface{}; there must be 2 to {}", enclosure.name, n, n == 1 ? "" : "s", most));
         has_length(enclosure.emissivities.size(), enclosure.emissivities.span, "emissivities");
         if (enclosure.is_prism()) {
             has_length(enclosure.polygon.size(), enclosure.polygon.span, "corners, each of which begins a surface");
             if (enclosure.polygon.size() < 3)
-                diagnostics_.error(Id::wrong_arguments, enclosure.polygon.span, fmt::format("the polygon of enclosure '{}' has {} corners, but needs at least 3", enclosure.name, enclosure.polygon.size()));
+                diagnostics_.error(Id::wrong_arguments, enclosure.polygon.span,
+                                   fmt::format("the polygon of enclosure '{}' has {} corners, but needs at least 3", enclosure.name,
+                                               enclosure.polygon.size()));
         } else {
             has_length(enclosure.areas.size(), enclosure.areas.span, "areas");
             has_length(enclosure.view_factors.size(), enclosure.view_factors.span, "rows of view factors");
             for (std::size_t i = 0; i < enclosure.view_factors.size(); ++i)
                 if (enclosure.view_factors[i].size() != n)
                     diagnostics_.error(Id::wrong_arguments, enclosure.view_factors.span,
-                                       fmt::format("enclosure '{}' has {} surfaces, but row {} of its view factors has {} entries", enclosure.name, n, i + 1, enclosure.view_factors[i].size()));
+                                       fmt::format("enclosure '{}' has {} surfaces, but row {} of its view factors has {} entries",
+                                                   enclosure.name, n, i + 1, enclosure.view_factors[i].size()));
         }
         using K = Part::Kind;
         const std::vector<K> kinds{K::node, K::rod, K::block};
         for (const Reference& surface : enclosure.surfaces)
             warm(surface, kinds, [&] {
-                return fmt::format("a surface of enclosure '{}' is '{}', which is no node or cell of a rod or block{}", enclosure.name, surface.name, did_you_mean(surface.name, names_.parts(kinds)));
+                return fmt::format("a surface of enclosure '{}' is '{}', which is no node or cell of a rod or block{}", enclosure.name,
+                                   surface.name, did_you_mean(surface.name, names_.parts(kinds)));
             });
     }
 
@@ -121,7 +145,11 @@ private:
         const bool has_cells = part->kind == K::rod || part->kind == K::block;
         const bool takes_index = has_cells || part->item->family.has_value();
         if (takes_index != (reference.index != nullptr))
-            diagnostics_.error(takes_index ? Id::index_missing : Id::not_indexed, reference.span, fmt::format("'{}' is {}", reference.name, has_cells ? fmt::format("a {}; name the cell", part->kind == K::rod ? "rod" : "block") : takes_index ? "a family" : "not a family"),
+            diagnostics_.error(takes_index ? Id::index_missing : Id::not_indexed, reference.span,
+                               fmt::format("'{}' is {}", reference.name,
+                                           has_cells     ? fmt::format("a {}; name the cell", part->kind == K::rod ? "rod" : "block")
+                                           : takes_index ? "a family"
+                                                         : "not a family"),
                                {{part->item->span, "it is defined here"}});
     }
 
@@ -133,6 +161,8 @@ private:
 
 }  // namespace
 
-void check_heat(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics) { HeatCheck(model, names, claims, diagnostics).run(); }
+void check_heat(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics) {
+    HeatCheck(model, names, claims, diagnostics).run();
+}
 
 }  // namespace dalembert

@@ -30,8 +30,9 @@ public:
 
     void run() {
         if (well_formed(model_.name, model_.name_span) && is_global_function(model_.name))
-            diagnostics_.error(Id::reserved_name, model_.name_span,
-                               fmt::format("'{}' has a meaning of its own in C or C++ and cannot be the namespace of the header", model_.name));
+            diagnostics_.error(
+                Id::reserved_name, model_.name_span,
+                fmt::format("'{}' has a meaning of its own in C or C++ and cannot be the namespace of the header", model_.name));
         // Names that expressions use share one namespace; a velocity gets the name NAME_dot in C++.
         std::map<std::string, const Item*> used;
         const auto shared = [&](const auto& items) {
@@ -47,9 +48,10 @@ public:
         for (const ModeGroup& group : model_.modes) shared(group.modes);
         for (const Coordinate& coordinate : model_.coordinates)
             if (const auto clash = used.find(coordinate.name + "_dot"); clash != used.end())
-                diagnostics_.error(Id::doubly_defined, clash->second->span,
-                                   fmt::format("'{}' is also the name of the velocity of '{}' in the header", clash->first, coordinate.name),
-                                   {{coordinate.span, fmt::format("'{}' is defined here", coordinate.name)}});
+                diagnostics_.error(
+                    Id::doubly_defined, clash->second->span,
+                    fmt::format("'{}' is also the name of the velocity of '{}' in the header", clash->first, coordinate.name),
+                    {{coordinate.span, fmt::format("'{}' is defined here", coordinate.name)}});
         each_separately(model_.bodies);
         each_separately(model_.springs);
         each_separately(model_.dampers);
@@ -70,8 +72,12 @@ public:
                 if (!well_formed(item.name, item.span)) continue;
                 const auto [first, is_new] = parts.emplace(item.name, &item);
                 if (!is_new)
-                    diagnostics_.error(Id::doubly_defined, item.span, fmt::format("'{}' is defined twice among media, volumes, reservoirs, flows, nodes, links, rods, blocks and enclosures", item.name),
-                                       {{first->second->span, fmt::format("'{}' is first defined here", item.name)}});
+                    diagnostics_.error(
+                        Id::doubly_defined, item.span,
+                        fmt::format(
+                            "'{}' is defined twice among media, volumes, reservoirs, flows, nodes, links, rods, blocks and enclosures",
+                            item.name),
+                        {{first->second->span, fmt::format("'{}' is first defined here", item.name)}});
             }
         };
         part(model_.media);
@@ -89,7 +95,8 @@ public:
         distinct(model_.constraints, "constraints");
         distinct(model_.events, "events");
         for (const Event& event : model_.events)
-            if (event.name == "event") diagnostics_.error(Id::reserved_name, event.span, "'event' is a name that every header with events defines itself");
+            if (event.name == "event")
+                diagnostics_.error(Id::reserved_name, event.span, "'event' is a name that every header with events defines itself");
         each_separately(model_.effects);
         each_separately(model_.scenes);
         each_separately(model_.runs);
@@ -108,13 +115,19 @@ public:
 private:
     bool well_formed(const std::string& name, const Span& span) {
         if (!is_identifier(name)) {
-            diagnostics_.error(Id::bad_name, span,
-                               fmt::format("'{}' is not a name; a name is a letter followed by at most 59 letters, digits and single underscores", name));
+            diagnostics_.error(
+                Id::bad_name, span,
+                fmt::format("'{}' is not a name; a name is a letter followed by at most 59 letters, digits and single underscores", name));
             return false;
         }
         if (!is_header_) return true;
-        const char* what = name == "restrict" ? "a word of C" : is_cpp_keyword(name) ? "a word of C++" : is_cpp_macro(name) ? "a macro of C++" : name == "std" ? "the namespace of C++" : nullptr;
-        if (what != nullptr) diagnostics_.error(Id::reserved_name, span, fmt::format("'{}' is {} and cannot be a name in the header", name, what));
+        const char* what = name == "restrict"     ? "a word of C"
+                           : is_cpp_keyword(name) ? "a word of C++"
+                           : is_cpp_macro(name)   ? "a macro of C++"
+                           : name == "std"        ? "the namespace of C++"
+                                                  : nullptr;
+        if (what != nullptr)
+            diagnostics_.error(Id::reserved_name, span, fmt::format("'{}' is {} and cannot be a name in the header", name, what));
         return what == nullptr;
     }
 
@@ -129,7 +142,8 @@ private:
                               : is_special_form(name)                 ? "an operation"
                                                                       : nullptr;
         if (meaning != nullptr) {
-            diagnostics_.error(Id::reserved_name, item.span, fmt::format("'{}' is {} in every model and cannot be defined again", name, meaning));
+            diagnostics_.error(Id::reserved_name, item.span,
+                               fmt::format("'{}' is {} in every model and cannot be defined again", name, meaning));
             return;
         }
         if (is_header_ && is_header_name(name)) {
@@ -155,7 +169,8 @@ private:
             if (!well_formed(item.name, item.span)) continue;
             const auto [first, is_new] = seen.emplace(item.name, &item);
             if (!is_new)
-                diagnostics_.error(Id::doubly_defined, item.span, fmt::format("there are two {} '{}'", what, item.name), {{first->second->span, fmt::format("'{}' is first defined here", item.name)}});
+                diagnostics_.error(Id::doubly_defined, item.span, fmt::format("there are two {} '{}'", what, item.name),
+                                   {{first->second->span, fmt::format("'{}' is first defined here", item.name)}});
         }
     }
 
@@ -170,7 +185,8 @@ public:
     CycleCheck(const Names& names, Diagnostics& diagnostics) : names_(names), diagnostics_(diagnostics) {}
 
     void follow(const Definition& definition) {
-        visit_once(definition, fmt::format("the definition of '{}' needs '{}' itself", definition.name, definition.name), [&] { names_in(*definition.value, {}); });
+        visit_once(definition, fmt::format("the definition of '{}' needs '{}' itself", definition.name, definition.name),
+                   [&] { names_in(*definition.value, {}); });
     }
     void follow(const Solid& solid) {
         visit_once(solid, fmt::format("solid '{}' needs itself", solid.name), [&] {
@@ -188,7 +204,8 @@ public:
         });
     }
     void follow(const Sticking& sticking) {
-        visit_once(sticking, fmt::format("sticking '{}' needs what it says itself", sticking.name), [&] { visit(sticking, [&](const Site& site) { names_in(*site.expression, {}); }); });
+        visit_once(sticking, fmt::format("sticking '{}' needs what it says itself", sticking.name),
+                   [&] { visit(sticking, [&](const Site& site) { names_in(*site.expression, {}); }); });
     }
 
 private:
@@ -198,9 +215,13 @@ private:
         const QuantitySpec* quantity = e.kind != Kind::name || e.children.empty() ? nullptr : find_quantity(e.name);
         if (quantity != nullptr && quantity->subscript >= Subscript::solid && quantity->subscript <= Subscript::sticking) {
             const std::string& name = e.children[0]->name;
-            if (const Solid* solid = names_.find_solid(name); solid != nullptr && quantity->subscript <= Subscript::solid_and_axes) follow(*solid);
-            else if (const Load* load = names_.find_load(name); load != nullptr && quantity->subscript <= Subscript::load_and_unknown) follow(*load);
-            else if (const Sticking* sticking = names_.find_sticking(name); sticking != nullptr && quantity->subscript == Subscript::sticking) follow(*sticking);
+            if (const Solid* solid = names_.find_solid(name); solid != nullptr && quantity->subscript <= Subscript::solid_and_axes)
+                follow(*solid);
+            else if (const Load* load = names_.find_load(name); load != nullptr && quantity->subscript <= Subscript::load_and_unknown)
+                follow(*load);
+            else if (const Sticking* sticking = names_.find_sticking(name);
+                     sticking != nullptr && quantity->subscript == Subscript::sticking)
+                follow(*sticking);
             return;
         }
         const Named* named = e.kind == Kind::name ? names_.find(e.name) : nullptr;
@@ -212,14 +233,16 @@ private:
     void visit_once(const Item& item, const std::string& sentence, Visit visit) {
         if (const auto at = std::find(path_.begin(), path_.end(), &item); at != path_.end()) {
             std::vector<Note> notes;
-            for (auto between = at + 1; between != path_.end(); ++between) notes.push_back({(*between)->span, fmt::format("by way of '{}'", (*between)->name)});
+            for (auto between = at + 1; between != path_.end(); ++between)
+                notes.push_back({(*between)->span, fmt::format("by way of '{}'", (*between)->name)});
             diagnostics_.error(Id::cyclic_definition, item.span, sentence, notes);
             return;
         }
         if (!done_.insert(&item).second) return;
         constexpr std::size_t deepest = 500;
         if (path_.size() >= deepest) {
-            diagnostics_.error(Id::too_large, item.span, fmt::format("'{}' stands behind more than {} definitions that need each other", item.name, deepest));
+            diagnostics_.error(Id::too_large, item.span,
+                               fmt::format("'{}' stands behind more than {} definitions that need each other", item.name, deepest));
             return;
         }
         path_.push_back(&item);

@@ -15,7 +15,8 @@ namespace {
 /// References that are not expressions: bodies, coordinates, effects.
 class ReferenceCheck {
 public:
-    ReferenceCheck(const Model& model, const Names& names, Diagnostics& diagnostics) : model_(model), names_(names), diagnostics_(diagnostics) {}
+    ReferenceCheck(const Model& model, const Names& names, Diagnostics& diagnostics)
+        : model_(model), names_(names), diagnostics_(diagnostics) {}
 
     void run() {
         for (const Body& item : model_.bodies) {
@@ -50,16 +51,20 @@ private:
         if (found == nullptr) {
             std::vector<std::string> known;
             for (const Body& item : model_.bodies) known.push_back(item.name);
-            diagnostics_.error(Id::unknown_name, reference->span, fmt::format("there is no body '{}'{}", reference->name, did_you_mean(reference->name, known)));
+            diagnostics_.error(Id::unknown_name, reference->span,
+                               fmt::format("there is no body '{}'{}", reference->name, did_you_mean(reference->name, known)));
             return;
         }
         if (found->family.has_value() != (reference->index != nullptr))
             diagnostics_.error(found->family ? Id::index_missing : Id::not_indexed, reference->span,
-                               fmt::format("body '{}' is {} family", reference->name, found->family ? "a" : "not a"), {{found->span, "it is defined here"}});
+                               fmt::format("body '{}' is {} family", reference->name, found->family ? "a" : "not a"),
+                               {{found->span, "it is defined here"}});
         if (needs_position && !found->position && !found->has_axes())
-            diagnostics_.error(Id::not_allowed_here, reference->span, fmt::format("body '{}' has no position", reference->name), {{found->span, "it is defined here"}});
+            diagnostics_.error(Id::not_allowed_here, reference->span, fmt::format("body '{}' has no position", reference->name),
+                               {{found->span, "it is defined here"}});
         if (needs_rotation && !found->rotation && !found->angular_velocity && !found->has_axes())
-            diagnostics_.error(Id::not_allowed_here, reference->span, fmt::format("body '{}' does not turn", reference->name), {{found->span, "it is defined here"}});
+            diagnostics_.error(Id::not_allowed_here, reference->span, fmt::format("body '{}' does not turn", reference->name),
+                               {{found->span, "it is defined here"}});
     }
 
     void attitude(const Body& item) {
@@ -67,7 +72,8 @@ private:
         std::vector<std::string> known;
         for (const Attitude& attitude : model_.attitudes) known.push_back(attitude.name);
         if (std::find(known.begin(), known.end(), item.attitude->name) == known.end())
-            diagnostics_.error(Id::unknown_name, item.attitude->span, fmt::format("there is no attitude '{}'{}", item.attitude->name, did_you_mean(item.attitude->name, known)));
+            diagnostics_.error(Id::unknown_name, item.attitude->span,
+                               fmt::format("there is no attitude '{}'{}", item.attitude->name, did_you_mean(item.attitude->name, known)));
         else if (item.attitude->index)
             diagnostics_.error(Id::not_indexed, item.attitude->span, fmt::format("attitude '{}' has no index", item.attitude->name));
     }
@@ -77,7 +83,8 @@ private:
         const Body* base = item.on ? names_.find_body(item.on->name) : nullptr;
         if (base == nullptr || !base->angular_velocity || base->rotation) return;
         diagnostics_.error(Id::not_allowed_here, item.on->span,
-                           fmt::format("body '{}' cannot be placed on '{}', of which only the angular velocity is given; give its rotation", item.name, base->name),
+                           fmt::format("body '{}' cannot be placed on '{}', of which only the angular velocity is given; give its rotation",
+                                       item.name, base->name),
                            {{base->angular_velocity->span, "it turns like this"}});
     }
 
@@ -86,7 +93,8 @@ private:
         if (named == nullptr || named->kind != Named::Kind::coordinate) {
             std::vector<std::string> known;
             for (const Coordinate& item : model_.coordinates) known.push_back(item.name);
-            diagnostics_.error(Id::unknown_name, entry.span, fmt::format("there is no coordinate '{}'{}", entry.coordinate, did_you_mean(entry.coordinate, known)));
+            diagnostics_.error(Id::unknown_name, entry.span,
+                               fmt::format("there is no coordinate '{}'{}", entry.coordinate, did_you_mean(entry.coordinate, known)));
         } else if (named->item->family.has_value() != (entry.index != nullptr)) {
             diagnostics_.error(named->item->family ? Id::index_missing : Id::not_indexed, entry.span,
                                fmt::format("coordinate '{}' is {} family", entry.coordinate, named->item->family ? "a" : "not a"));
@@ -100,7 +108,8 @@ private:
             const Body* at = &start;
             while (at != nullptr && at->on && at->on->name != at->name) {
                 if (!seen.insert(at->on->name).second) {
-                    diagnostics_.error(Id::cyclic_definition, start.on->span, fmt::format("body '{}' is placed on a body that is placed on it", start.name));
+                    diagnostics_.error(Id::cyclic_definition, start.on->span,
+                                       fmt::format("body '{}' is placed on a body that is placed on it", start.name));
                     break;
                 }
                 at = names_.find_body(at->on->name);
@@ -117,9 +126,11 @@ private:
             for (const ModeGroup& group : model_.modes)
                 for (const Mode& mode : group.modes) known.push_back(mode.name);
         if (std::find(known.begin(), known.end(), name) == known.end())
-            diagnostics_.error(Id::unknown_effect, span,
-                               fmt::format("{} '{}'{}{}", may_be_mode && !model_.modes.empty() ? "there is neither an effect nor a mode" : "[effects] does not declare", name, did_you_mean(name, known),
-                                           known.empty() ? "; there is no [effects] at all" : ""));
+            diagnostics_.error(
+                Id::unknown_effect, span,
+                fmt::format("{} '{}'{}{}",
+                            may_be_mode && !model_.modes.empty() ? "there is neither an effect nor a mode" : "[effects] does not declare",
+                            name, did_you_mean(name, known), known.empty() ? "; there is no [effects] at all" : ""));
     }
 
     /// A printed equation says when it holds, and carries nothing.
@@ -148,7 +159,10 @@ private:
             listed(item.excludes);
             listed(item.implies);
             if (!carried_.contains(item.name) && item.implies.empty())
-                diagnostics_.error(Id::unused, item.span, fmt::format("no component carries the effect '{0}': nothing says when = \"{0}\" or \"not {0}\", so that scenes with and without it are the same machine", item.name));
+                diagnostics_.error(Id::unused, item.span,
+                                   fmt::format("no component carries the effect '{0}': nothing says when = \"{0}\" or \"not {0}\", so that "
+                                               "scenes with and without it are the same machine",
+                                               item.name));
         }
         for (const SceneChoice& scene : model_.scenes) listed(scene.effects);
         for (const Run& run : model_.runs) {
@@ -156,7 +170,8 @@ private:
             for (const SceneChoice& scene : model_.scenes) known.push_back(scene.name);
             plots(run);
             if (!run.scene.empty() && std::find(known.begin(), known.end(), run.scene) == known.end())
-                diagnostics_.error(Id::unknown_scene, run.scene_span, fmt::format("there is no scene '{}'{}", run.scene, did_you_mean(run.scene, known)));
+                diagnostics_.error(Id::unknown_scene, run.scene_span,
+                                   fmt::format("there is no scene '{}'{}", run.scene, did_you_mean(run.scene, known)));
         }
     }
 
@@ -167,13 +182,17 @@ private:
             base = base.substr(0, base.find('['));
             const std::vector<std::string> energies{"t", "kinetic_energy", "potential_energy", "internal_energy", "work"};
             const Named* named = names_.find(base);
-            if (named != nullptr && (named->kind == Named::Kind::definition || named->kind == Named::Kind::parameter || named->kind == Named::Kind::size || named->kind == Named::Kind::mode))
-                return diagnostics_.error(Id::not_allowed_here, span, fmt::format("run '{}' plots '{}', which is {} and not recorded; make it an output", run.name, name, describe(named->kind)),
+            if (named != nullptr && (named->kind == Named::Kind::definition || named->kind == Named::Kind::parameter ||
+                                     named->kind == Named::Kind::size || named->kind == Named::Kind::mode))
+                return diagnostics_.error(Id::not_allowed_here, span,
+                                          fmt::format("run '{}' plots '{}', which is {} and not recorded; make it an output", run.name,
+                                                      name, describe(named->kind)),
                                           {{named->item->span, fmt::format("'{}' is defined here", base)}});
             if (named != nullptr || std::find(energies.begin(), energies.end(), base) != energies.end()) return;
             std::vector<std::string> known = names_.all();
             known.insert(known.end(), energies.begin(), energies.end());
-            diagnostics_.error(Id::unknown_name, span, fmt::format("run '{}' plots '{}', which is not defined{}", run.name, name, did_you_mean(name, known)));
+            diagnostics_.error(Id::unknown_name, span,
+                               fmt::format("run '{}' plots '{}', which is not defined{}", run.name, name, did_you_mean(name, known)));
         };
         for (const Plot& plot : run.plots) {
             if (!plot.x.empty()) check(plot.x, plot.span);

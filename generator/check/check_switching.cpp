@@ -25,12 +25,16 @@ public:
                 if constexpr (kind_of<typename Items::value_type>.is_in_all_modes) same_in_all_modes(items);
         });
         for (const ModeGroup& group : model_.modes)
-            if (const auto mode = mode_in(group.when)) wrong(mode->second, fmt::format("the modes of '{}' are there or not in all modes of the machine, not only in '{}'", group.name, mode->first));
+            if (const auto mode = mode_in(group.when))
+                wrong(mode->second, fmt::format("the modes of '{}' are there or not in all modes of the machine, not only in '{}'",
+                                                group.name, mode->first));
         for (const Event& event : model_.events) check(event);
     }
 
 private:
-    void wrong(const Span& span, std::string message, std::vector<Note> notes = {}) { diagnostics_.error(Id::wrong_modes, span, std::move(message), std::move(notes)); }
+    void wrong(const Span& span, std::string message, std::vector<Note> notes = {}) {
+        diagnostics_.error(Id::wrong_modes, span, std::move(message), std::move(notes));
+    }
 
     std::optional<std::pair<std::string, Span>> mode_in(const std::optional<Condition>& when) const {
         std::vector<std::pair<std::string, Span>> named;
@@ -45,7 +49,8 @@ private:
             const auto mode = mode_in(item.when);
             if (!mode) continue;
             wrong(mode->second,
-                  fmt::format("the states, inputs and outputs of all modes must be the same, but the {} '{}' is there or not by the mode '{}'; a mode's name in an expression is 1 in that mode and 0 in "
+                  fmt::format("the states, inputs and outputs of all modes must be the same, but the {} '{}' is there or not by the mode "
+                              "'{}'; a mode's name in an expression is 1 in that mode and 0 in "
                               "others",
                               kind_of<T>.word, item.name, mode->first),
                   {{item.span, fmt::format("'{}' is defined here", item.name)}});
@@ -55,17 +60,25 @@ private:
     void check(const Event& event) {
         // What an element watches may depend on a profile alone: it jumps where the phase ends.
         const unsigned still = on_parameters | on_modes, depends = dependence(*event.guard, names_);
-        if ((depends & ~still) == 0 && !(event.is_made && (depends & on_modes) != 0)) wrong(event.guard->span, fmt::format("the guard of event '{}' depends on nothing that moves, so that it never goes through zero", event.name));
+        if ((depends & ~still) == 0 && !(event.is_made && (depends & on_modes) != 0))
+            wrong(event.guard->span,
+                  fmt::format("the guard of event '{}' depends on nothing that moves, so that it never goes through zero", event.name));
         if (!event.ends && event.next.empty() && event.reset.empty() && !event.meets)
-            wrong(event.span, fmt::format("event '{}' neither leads to a mode nor resets anything nor ends the run, so that it would happen again at once", event.name));
+            wrong(event.span,
+                  fmt::format(
+                      "event '{}' neither leads to a mode nor resets anything nor ends the run, so that it would happen again at once",
+                      event.name));
         if (event.meets) {
             const Constraint* met = names_.find_constraint(event.meets->name);
             if (met == nullptr) {
                 std::vector<std::string> known;
                 for (const Constraint& constraint : model_.constraints) known.push_back(constraint.name);
-                diagnostics_.error(Id::unknown_name, event.meets->span, fmt::format("there is no constraint '{}'{}", event.meets->name, did_you_mean(event.meets->name, known)));
+                diagnostics_.error(Id::unknown_name, event.meets->span,
+                                   fmt::format("there is no constraint '{}'{}", event.meets->name, did_you_mean(event.meets->name, known)));
             } else if (met->family.has_value() != (event.meets->index != nullptr)) {
-                diagnostics_.error(met->family ? Id::index_missing : Id::not_indexed, event.meets->span, fmt::format("constraint '{}' is {} family", met->name, met->family ? "a" : "not a"), {{met->span, "it is defined here"}});
+                diagnostics_.error(met->family ? Id::index_missing : Id::not_indexed, event.meets->span,
+                                   fmt::format("constraint '{}' is {} family", met->name, met->family ? "a" : "not a"),
+                                   {{met->span, "it is defined here"}});
             }
         }
         for (const auto* next : {&event.next, &event.rest})
@@ -80,14 +93,19 @@ private:
             for (const Condition& part : condition.parts) {
                 target(event, part);
                 for (const ModeGroup& group : model_.modes) {
-                    const bool is_in = std::any_of(group.modes.begin(), group.modes.end(), [&](const Mode& mode) { return mode.name == part.effect; });
-                    if (is_in && !groups.insert(&group).second) wrong(condition.span, fmt::format("event '{}' leads to two modes of '{}' at once", event.name, group.name));
+                    const bool is_in =
+                        std::any_of(group.modes.begin(), group.modes.end(), [&](const Mode& mode) { return mode.name == part.effect; });
+                    if (is_in && !groups.insert(&group).second)
+                        wrong(condition.span, fmt::format("event '{}' leads to two modes of '{}' at once", event.name, group.name));
                 }
             }
             return;
         }
         if (condition.kind == Condition::Kind::effect && modes_.contains(condition.effect)) return;
-        if (condition.kind == Condition::Kind::effect) diagnostics_.error(Id::unknown_name, condition.span, fmt::format("there is no mode '{}'{}", condition.effect, did_you_mean(condition.effect, {modes_.begin(), modes_.end()})));
+        if (condition.kind == Condition::Kind::effect)
+            diagnostics_.error(
+                Id::unknown_name, condition.span,
+                fmt::format("there is no mode '{}'{}", condition.effect, did_you_mean(condition.effect, {modes_.begin(), modes_.end()})));
         else wrong(condition.span, fmt::format("event '{}' leads to a mode, or to modes of different groups joined by 'and'", event.name));
     }
 
@@ -96,19 +114,27 @@ private:
         for (const RunEntry& entry : entries) {
             const Expression& variable = *entry.variable;
             const bool is_rate = variable.kind == Expression::Kind::call && variable.name == "dot" && variable.children.size() == 1;
-            if (is_rate && event.meets) wrong(entry.span, fmt::format("event '{}' resets '{}', which the impact on '{}' sets already", event.name, variable.written(), event.meets->name), {{event.meets->span, "the impact stands here"}});
+            if (is_rate && event.meets)
+                wrong(entry.span,
+                      fmt::format("event '{}' resets '{}', which the impact on '{}' sets already", event.name, variable.written(),
+                                  event.meets->name),
+                      {{event.meets->span, "the impact stands here"}});
             const Expression& named = is_rate ? *variable.children[0] : variable;
             const Named* found = named.kind == Expression::Kind::name ? names_.find(named.name) : nullptr;
             const bool is_coordinate = found != nullptr && found->kind == Named::Kind::coordinate;
             if (!is_coordinate && (is_rate || found == nullptr || found->kind != Named::Kind::state)) {
-                wrong(entry.span, fmt::format("event '{}' cannot reset '{}', which is neither a state nor a coordinate nor the velocity of one", event.name, variable.written()));
+                wrong(entry.span,
+                      fmt::format("event '{}' cannot reset '{}', which is neither a state nor a coordinate nor the velocity of one",
+                                  event.name, variable.written()));
                 continue;
             }
             std::string key;
             for (const char c : variable.written())
                 if (c != ' ') key += c;
             const auto other = std::find_if(seen.begin(), seen.end(), [&](const auto& s) { return s.first == key; });
-            if (other != seen.end()) wrong(entry.span, fmt::format("event '{}' resets '{}' twice", event.name, variable.written()), {{other->second, "it is reset here, too"}});
+            if (other != seen.end())
+                wrong(entry.span, fmt::format("event '{}' resets '{}' twice", event.name, variable.written()),
+                      {{other->second, "it is reset here, too"}});
             seen.emplace_back(key, entry.span);
         }
     }

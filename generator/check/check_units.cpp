@@ -50,7 +50,8 @@ private:
 /// Values of what is declared in a unit are checked where they are converted, printed equations where they are proven.
 class UnitCheck {
 public:
-    UnitCheck(const Model& model, const Names& names, Diagnostics& diagnostics) : model_(model), units_(names, diagnostics), diagnostics_(diagnostics) {}
+    UnitCheck(const Model& model, const Names& names, Diagnostics& diagnostics)
+        : model_(model), units_(names, diagnostics), diagnostics_(diagnostics) {}
 
     void run() {
         for_each_kind(model_, [&](const char*, const auto& items) { for_each_item(items, [&](const auto& item) { check(item); }); });
@@ -73,17 +74,21 @@ private:
         const Measure normal = units.measure(*friction.normal_force);
         const Measure sliding = units.measure(*friction.coefficient);
         if (!normal.fits_all && !sliding.fits_all && normal.dimension * sliding.dimension != force)
-            diagnostics_.error(Id::unit_mismatch, friction.coefficient->span,
-                               fmt::format("along its rate, friction '{}' acts with its coefficient times its normal force, which must be in '{}', but is in '{}'", friction.name, force.described(),
-                                           (normal.dimension * sliding.dimension).described()),
-                               {{friction.normal_force->span, fmt::format("the normal force is in '{}'", normal.dimension.described())}});
+            diagnostics_.error(
+                Id::unit_mismatch, friction.coefficient->span,
+                fmt::format(
+                    "along its rate, friction '{}' acts with its coefficient times its normal force, which must be in '{}', but is in '{}'",
+                    friction.name, force.described(), (normal.dimension * sliding.dimension).described()),
+                {{friction.normal_force->span, fmt::format("the normal force is in '{}'", normal.dimension.described())}});
     }
 
     void agree(const Profile& profile, const ItemUnits& units) {
         Measure value{Dimension::none(), true};
         for (const Phase& phase : profile.phases) {
             if (value.fits_all) value = units.measure(*phase.value);
-            else units_.expect(*phase.value, value.dimension, fmt::format("the value in phase '{}', as in those before, of profile '{}'", phase.name, profile.name));
+            else
+                units_.expect(*phase.value, value.dimension,
+                              fmt::format("the value in phase '{}', as in those before, of profile '{}'", phase.name, profile.name));
         }
     }
 

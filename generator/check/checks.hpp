@@ -30,7 +30,8 @@ class Claims {
 public:
     Claims(const Names& names, Diagnostics& diagnostics) : names_(names), diagnostics_(diagnostics) {}
 
-    /// The state that a key of an item names, which nothing else may determine. `what` is "volume 'tank'". Null, with an error, if it names none.
+    /// The state that a key of an item names, which nothing else may determine. `what` is "volume 'tank'". Null, with an error, if it names
+    /// none.
     const State* claim(const std::string& name, const Span& span, const char* key, const std::string& what);
     /// Reports states that nothing determines.
     void check_all(const Model& model) const;

@@ -77,8 +77,11 @@ Measure Units::agreeing(const Expression& whole, const Expression& a, const Meas
     if (ma.fits_all) return mb;
     if (mb.fits_all || ma.dimension == mb.dimension) return ma;
     const bool lacks_unit = is_plain_number(a) || is_plain_number(b);
-    return mismatch(whole, fmt::format("'{}' is in '{}' while '{}' is in '{}'; the two must agree{}", a.written(), ma.dimension.described(),
-                                       b.written(), mb.dimension.described(), lacks_unit ? "; a number takes its unit with it, as in '(5 bar)'" : ""), {&a, &b});
+    return mismatch(
+        whole,
+        fmt::format("'{}' is in '{}' while '{}' is in '{}'; the two must agree{}", a.written(), ma.dimension.described(), b.written(),
+                    mb.dimension.described(), lacks_unit ? "; a number takes its unit with it, as in '(5 bar)'" : ""),
+        {&a, &b});
 }
 
 void Units::dimensionless(const Expression& e, const std::string& what, const Bound& bound) {
@@ -135,7 +138,8 @@ Measure Units::name(const Expression& e, const Bound& bound) {
     if (const auto found = bound.find(e.name); found != bound.end()) return {found->second};
     if (e.name == "pi") return {};
     if (e.name == "infinity") return anything;
-    if (e.name == "stefan_boltzmann") return {Dimension::power() / Dimension::length().raised({2, 1}) / Dimension::temperature().raised({4, 1})};
+    if (e.name == "stefan_boltzmann")
+        return {Dimension::power() / Dimension::length().raised({2, 1}) / Dimension::temperature().raised({4, 1})};
     if (e.name == "t") return {is_time_plain_ ? Dimension::none() : Dimension::time()};
     if (find_quantity(e.name) != nullptr) return quantity(e, bound);
     const Named* named = names_.find(e.name);
@@ -155,7 +159,9 @@ Measure Units::name(const Expression& e, const Bound& bound) {
     definitions_[&definition] = anything;
     // Disagreements within an element that switches are told of its entries.
     Diagnostics silent;
-    const Measure measure = definition.unit ? Measure{definition.unit->dimension} : definition.is_made ? Units(names_, silent).of(*definition.value, {}) : of(*definition.value, {});
+    const Measure measure = definition.unit      ? Measure{definition.unit->dimension}
+                            : definition.is_made ? Units(names_, silent).of(*definition.value, {})
+                                                 : of(*definition.value, {});
     return definitions_[&definition] = measure;
 }
 

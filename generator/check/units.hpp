@@ -21,7 +21,8 @@ public:
     using Bound = std::map<std::string, Dimension, std::less<>>;
 
     /// The time is a number of seconds without a unit where `is_time_plain`.
-    Units(const Names& names, Diagnostics& diagnostics, bool is_time_plain = false) : names_(names), diagnostics_(diagnostics), is_time_plain_(is_time_plain) {}
+    Units(const Names& names, Diagnostics& diagnostics, bool is_time_plain = false)
+        : names_(names), diagnostics_(diagnostics), is_time_plain_(is_time_plain) {}
 
     /// Reports disagreements inside the expression (unit-mismatch).
     Measure of(const Expression& expression, const Bound& bound);

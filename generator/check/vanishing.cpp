@@ -92,7 +92,8 @@ private:
     static std::optional<Interval> bounded_product(const Interval& a, const Interval& b) {
         if (!a.low || !a.high || !b.low || !b.high) return std::nullopt;
         const Rational corners[]{*a.low * *b.low, *a.low * *b.high, *a.high * *b.low, *a.high * *b.high};
-        return Interval{*std::min_element(std::begin(corners), std::end(corners)), *std::max_element(std::begin(corners), std::end(corners))};
+        return Interval{*std::min_element(std::begin(corners), std::end(corners)),
+                        *std::max_element(std::begin(corners), std::end(corners))};
     }
     /// A factor that is known and positive keeps a bound where the other side has one.
     static Interval product(const Interval& a, const Interval& b) {
@@ -123,10 +124,11 @@ void warn_of_vanishing(const Model& model, Diagnostics& diagnostics) {
         Bounding bounds(names);
         const auto size = bounds(*volume.volume);
         if (size && size->low && cln::plusp(*size->low)) continue;
-        const std::string why = !size              ? "its form does not show how small it gets"
-                                : size->low        ? fmt::format("within the declared ranges it gets down to {} m^3", decimal(*size->low, 3))
-                                                   : fmt::format("'{}' has no range that keeps it away from zero", bounds.unbounded());
-        diagnostics.warning(Id::can_vanish, volume.volume->span, fmt::format("volume '{}' can reach zero: {}; a run stops before it does", volume.name, why));
+        const std::string why = !size       ? "its form does not show how small it gets"
+                                : size->low ? fmt::format("within the declared ranges it gets down to {} m^3", decimal(*size->low, 3))
+                                            : fmt::format("'{}' has no range that keeps it away from zero", bounds.unbounded());
+        diagnostics.warning(Id::can_vanish, volume.volume->span,
+                            fmt::format("volume '{}' can reach zero: {}; a run stops before it does", volume.name, why));
     }
 }
 

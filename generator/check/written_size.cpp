@@ -44,7 +44,8 @@ public:
             case Kind::divide: whole.degree = parts[0].degree + parts[1].degree; break;
             case Kind::power: {
                 const auto exponent = number_in(*e.children[1]);
-                whole.degree = exponent ? parts[0].degree * std::max(1.0, cln::double_approx(cln::abs(*exponent))) : std::max(1.0, parts[0].degree);
+                whole.degree =
+                    exponent ? parts[0].degree * std::max(1.0, cln::double_approx(cln::abs(*exponent))) : std::max(1.0, parts[0].degree);
                 break;
             }
             case Kind::call: whole.degree = std::min(1.0, whole.degree); break;
@@ -76,7 +77,8 @@ private:
 
 class SizeCheck {
 public:
-    SizeCheck(const Names& names, const std::vector<PrintedLetter>& letters, double most, Diagnostics& diagnostics) : size_(names, letters), most_(most), diagnostics_(diagnostics) {}
+    SizeCheck(const Names& names, const std::vector<PrintedLetter>& letters, double most, Diagnostics& diagnostics)
+        : size_(names, letters), most_(most), diagnostics_(diagnostics) {}
 
     /// The first that is too large: what is made of it is, too.
     void check(const Site& site) {
@@ -84,10 +86,13 @@ public:
         const Extent extent = size_.of(*site.expression);
         const auto tell = [&](const char* counted, double value, double most) {
             is_told_ = true;
-            diagnostics_.error(Id::too_large, site.expression->span, fmt::format("with all definitions written out, {} {} is {:.4g}; the limit is {:.0f}", counted, site.what, value, most));
+            diagnostics_.error(
+                Id::too_large, site.expression->span,
+                fmt::format("with all definitions written out, {} {} is {:.4g}; the limit is {:.0f}", counted, site.what, value, most));
         };
         if (extent.size > most_) tell("the number of operations in", extent.size, most_);
-        else if (extent.depth > budget::written_depth) tell("the number of operations in each other in", extent.depth, budget::written_depth);
+        else if (extent.depth > budget::written_depth)
+            tell("the number of operations in each other in", extent.depth, budget::written_depth);
         else if (extent.degree > budget::exponent) tell("the degree of", extent.degree, budget::exponent);
     }
 

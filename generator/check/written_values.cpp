@@ -19,7 +19,9 @@ const Unit second{Dimension::time(), 1, 0, 0, "s"};
 Unit in_si_of(const Dimension& dimension) { return {dimension, 1, 0, 0, dimension.in_base_units()}; }
 
 /// An angle in rad, whatever it is made of.
-bool is_angle(const Expression& e) { return e.kind == Kind::call && (e.name == "asin" || e.name == "acos" || e.name == "atan" || e.name == "atan2"); }
+bool is_angle(const Expression& e) {
+    return e.kind == Kind::call && (e.name == "asin" || e.name == "acos" || e.name == "atan" || e.name == "atan2");
+}
 
 /// What is declared in deg or percent has no dimension that would tell a number of these from an angle in rad or a share.
 class Share {
@@ -42,7 +44,9 @@ public:
         if (e.kind != Kind::add && e.kind != Kind::subtract) return result;
         // beta + 10 is neither in deg nor in rad; beta + pi/2 is in rad.
         for (const ExpressionPtr& child : e.children)
-            if (result == measured && is_plain_number(*child) && !mentions_pi(*child) && !(child->kind == Kind::number && is_zero(child->value))) return unclear;
+            if (result == measured && is_plain_number(*child) && !mentions_pi(*child) &&
+                !(child->kind == Kind::number && is_zero(child->value)))
+                return unclear;
         return result;
     }
 
@@ -58,7 +62,8 @@ private:
         if (e.name == "pi" || e.name == "t" || (named == nullptr && find_quantity(e.name) == nullptr)) return number;
         if (named == nullptr) return measured;
         if (named->kind == Named::Kind::size || named->kind == Named::Kind::mode) return number;
-        if (named->kind == Named::Kind::definition && !named->definition().unit) return depth_++ > 50 ? unclear : (*this)(*named->definition().value);
+        if (named->kind == Named::Kind::definition && !named->definition().unit)
+            return depth_++ > 50 ? unclear : (*this)(*named->definition().value);
         const auto unit = declared_unit(e, names_);
         return unit && unit->written == "1" ? unclear : measured;
     }
@@ -116,11 +121,13 @@ public:
         }
         for (Attitude& attitude : model_.attitudes) {
             for (ExpressionPtr& part : attitude.start) value_of(part, {}, "the start", "attitude", attitude);
-            for (ExpressionPtr& rate : attitude.start_rate) value_of(rate, in_si_of(Dimension::none() / Dimension::time()), "the start rate", "attitude", attitude);
+            for (ExpressionPtr& rate : attitude.start_rate)
+                value_of(rate, in_si_of(Dimension::none() / Dimension::time()), "the start rate", "attitude", attitude);
         }
         for (PotentialTerm& term : model_.potentials)
             for (CoordinateEntry& entry : term.reference)
-                if (const Named* named = names_.find(entry.coordinate); named != nullptr) written(entry.value, named->quantity().unit, fmt::format("the reference of potential '{}'", term.name));
+                if (const Named* named = names_.find(entry.coordinate); named != nullptr)
+                    written(entry.value, named->quantity().unit, fmt::format("the reference of potential '{}'", term.name));
         for (Run& run : model_.runs) convert(run);
     }
 
@@ -167,7 +174,8 @@ private:
             if (*value && !is_plain_number(**value)) written(*value, second, fmt::format("the {} of run '{}'", part, run.name));
         for (auto* entries : {&run.start, &run.inputs, &run.parameters, &run.exact})
             for (RunEntry& entry : *entries)
-                if (const auto unit = declared_unit(*entry.variable, names_)) written(entry.value, *unit, fmt::format("the value of '{}' in run '{}'", entry.variable->written(), run.name));
+                if (const auto unit = declared_unit(*entry.variable, names_))
+                    written(entry.value, *unit, fmt::format("the value of '{}' in run '{}'", entry.variable->written(), run.name));
     }
 
     Model& model_;
@@ -198,7 +206,8 @@ std::optional<Unit> declared_unit(const Expression& variable, const Names& names
     }
     const Named* named = variable.kind == Kind::name ? names.find(variable.name) : nullptr;
     if (named == nullptr || named->kind == Named::Kind::size || named->kind == Named::Kind::mode) return std::nullopt;
-    if (named->kind == Named::Kind::output && static_cast<const Output*>(named->item)->unit) return static_cast<const Output*>(named->item)->unit;
+    if (named->kind == Named::Kind::output && static_cast<const Output*>(named->item)->unit)
+        return static_cast<const Output*>(named->item)->unit;
     if (named->kind == Named::Kind::definition && named->definition().unit) return named->definition().unit;
     if (named->kind != Named::Kind::output && named->kind != Named::Kind::definition) return named->quantity().unit;
     Diagnostics silent;
@@ -206,7 +215,8 @@ std::optional<Unit> declared_unit(const Expression& variable, const Names& names
     return measure.fits_all ? std::nullopt : std::optional(in_si_of(measure.dimension));
 }
 
-ExpressionPtr in_si(const ExpressionPtr& value, const Unit& declared, const std::string& what, const Names& names, Diagnostics& diagnostics) {
+ExpressionPtr in_si(const ExpressionPtr& value, const Unit& declared, const std::string& what, const Names& names,
+                    Diagnostics& diagnostics) {
     if (is_plain_number(*value)) return to_si(value, declared);
     // The time is 1 s or the number 1, whichever fits: v*t is a length, and sin(3*t) a number.
     bool disagrees = false;
@@ -220,12 +230,15 @@ ExpressionPtr in_si(const ExpressionPtr& value, const Unit& declared, const std:
         }
         if (measure.dimension == declared.dimension && !measure.dimension.is_none()) return value;
         if (!measure.dimension.is_none() && !measure.fits_all) continue;
-        const Share::Sort sort = declared.is_coherent() ? Share::number : declared.dimension.is_none() || measure.fits_all ? Share(names)(*value) : Share::number;
+        const Share::Sort sort = declared.is_coherent()                             ? Share::number
+                                 : declared.dimension.is_none() || measure.fits_all ? Share(names)(*value)
+                                                                                    : Share::number;
         if (sort == Share::number) return to_si(value, declared);
         if (sort == Share::measured || measure.fits_all) return value;
-        diagnostics.error(Id::unit_mismatch, value->span,
-                          fmt::format("{} is declared in '{}', and nothing says whether '{}' counts in that or in '{}'; multiply it by (1 {}) or (1 {})", what, declared.written, value->written(), declared.si(),
-                                      declared.written, declared.si()));
+        diagnostics.error(
+            Id::unit_mismatch, value->span,
+            fmt::format("{} is declared in '{}', and nothing says whether '{}' counts in that or in '{}'; multiply it by (1 {}) or (1 {})",
+                        what, declared.written, value->written(), declared.si(), declared.written, declared.si()));
         return value;
     }
     const std::size_t before = diagnostics.all().size();

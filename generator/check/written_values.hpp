@@ -16,7 +16,8 @@ bool is_plain_number(const Expression& expression);
 std::optional<Unit> declared_unit(const Expression& variable, const Names& names);
 
 /// The value in SI. `what` stands in the sentence when units disagree (unit-mismatch); the value comes back unchanged then.
-ExpressionPtr in_si(const ExpressionPtr& value, const Unit& declared, const std::string& what, const Names& names, Diagnostics& diagnostics);
+ExpressionPtr in_si(const ExpressionPtr& value, const Unit& declared, const std::string& what, const Names& names,
+                    Diagnostics& diagnostics);
 /// The same; throws Failure.
 ExpressionPtr in_si(const ExpressionPtr& value, const Unit& declared, const std::string& what, const Names& names);
 

@@ -29,13 +29,18 @@ std::string function_reference() {
     for (const FunctionSpec& function : functions())
         text += fmt::format("  {:<48} {}\n", fmt::format("{}({})", function.name, function.arguments), function.doc);
     return text +
-           "Kinks and jumps of abs, sign, min, max, step, ramp, pulse, mod and if are located in runs, wherever they stand: at known times where the time alone decides,\n"
-           "  else as guards of the header; unlocated(x) says that those in x are smooth enough. What jumps in its second derivative or higher, as abs(v)*v, is smooth enough by itself\n"
+           "Kinks and jumps of abs, sign, min, max, step, ramp, pulse, mod and if are located in runs, wherever they stand: at known times "
+           "where the time alone decides,\n"
+           "  else as guards of the header; unlocated(x) says that those in x are smooth enough. What jumps in its second derivative or "
+           "higher, as abs(v)*v, is smooth enough by itself\n"
            "Operations: + - * / ^, dot(x) and ddot(x) (total time derivatives), sum(k, 1, N, term)\n"
-           "In outputs and printed equations also: diff(expression, variable), integral(function, x, from, to), limit(expression, x, place), at(expression, x, place),\n"
+           "In outputs and printed equations also: diff(expression, variable), integral(function, x, from, to), limit(expression, x, "
+           "place), at(expression, x, place),\n"
            "  quantity(9.81, m/s^2); limits and integrals may go to infinity; limit(e, x, place, 1) is from above, with -1 from below\n"
-           "In printed equations also: vector(a, b, c), matrix(row(a, b), row(c, d)), diag(a, b), transpose(A), det(A), trace(A), inverse(A), cross(v, w); position[BODY] without an axis\n"
-           "Names: t is the time, pi the number, stefan_boltzmann the constant of radiation (4.35), 5.670374419e-8 W/(m^2*K^4). Everything else is defined in the file.\n";
+           "In printed equations also: vector(a, b, c), matrix(row(a, b), row(c, d)), diag(a, b), transpose(A), det(A), trace(A), "
+           "inverse(A), cross(v, w); position[BODY] without an axis\n"
+           "Names: t is the time, pi the number, stefan_boltzmann the constant of radiation (4.35), 5.670374419e-8 W/(m^2*K^4). Everything "
+           "else is defined in the file.\n";
 }
 
 std::string quantity_reference() {
@@ -57,7 +62,8 @@ std::string catalogue_reference() {
 }
 
 std::string json_reference() {
-    std::string text = "Fields of the JSON results; [] stands for the elements of an array, <NAME> for names of the model. Numbers are SI.\n";
+    std::string text =
+        "Fields of the JSON results; [] stands for the elements of an array, <NAME> for names of the model. Numbers are SI.\n";
     const auto list = [&](const char* title, std::span<const JsonField> fields) {
         text += fmt::format("\n{}\n", title);
         for (const JsonField& field : fields) text += fmt::format("  {:<42} {}", field.path, field.doc).append("\n");
@@ -78,17 +84,21 @@ std::string limit_reference() {
 ExitCode help_command(const Options& options, Streams streams) {
     const std::string& topic = options.topic;
     if (topic.empty()) {
-        streams.out << "The model language: sections and their keys.\n\n" << language_reference("") << function_reference() << "\n" << quantity_reference();
+        streams.out << "The model language: sections and their keys.\n\n"
+                    << language_reference("") << function_reference() << "\n"
+                    << quantity_reference();
         return ExitCode::good;
     }
     static const std::map<std::string, std::string (*)()> references{
-        {"errors", error_reference}, {"functions", function_reference}, {"quantities", quantity_reference}, {"json", json_reference}, {"limits", limit_reference}, {"units", unit_reference}, {"catalogue", catalogue_reference}};
+        {"errors", error_reference}, {"functions", function_reference}, {"quantities", quantity_reference}, {"json", json_reference},
+        {"limits", limit_reference}, {"units", unit_reference},         {"catalogue", catalogue_reference}};
     const auto reference = references.find(topic);
     const std::string text = reference != references.end() ? reference->second() : language_reference(topic);
     if (text.empty()) {
         std::vector<std::string> words = language_words();
         for (const auto& [name, write] : references) words.push_back(name);
-        throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the model language has no word '{}'{}", topic, did_you_mean(topic, words))});
+        throw Failure(
+            Diagnostic{Id::bad_option, {}, fmt::format("the model language has no word '{}'{}", topic, did_you_mean(topic, words))});
     }
     streams.out << text;
     return ExitCode::good;

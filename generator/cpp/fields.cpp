@@ -21,8 +21,11 @@ using Texts = std::map<std::string, std::string>;
 std::string cached_members(const PlantFields& fields) {
     std::string text;
     for (const PlantCached& member : fields.cached)
-        text += member.size > 0 ? fmt::format("        std::array<Scalar, {}> {};\n", member.size, member.identifier) : fmt::format("        Scalar {};\n", member.identifier);
-    return text.empty() ? text : "    /// What depends on parameters alone; of the cells of a rod one by one.\n    struct Cached {\n" + text + "    };\n    Cached c_{};\n";
+        text += member.size > 0 ? fmt::format("        std::array<Scalar, {}> {};\n", member.size, member.identifier)
+                                : fmt::format("        Scalar {};\n", member.identifier);
+    return text.empty() ? text
+                        : "    /// What depends on parameters alone; of the cells of a rod one by one.\n    struct Cached {\n" + text +
+                              "    };\n    Cached c_{};\n";
 }
 
 void functions(const PlantFields& fields, Texts& texts) {
@@ -57,9 +60,12 @@ void sums(const PlantFields& fields, Texts& texts) {
 
 /// ", low, high", where a range is declared.
 std::string range_text(const PlantRod& rod) {
-    const auto bound = [](const std::optional<double>& value, const char* otherwise) { return value ? fmt::format("{}", *value) : otherwise; };
+    const auto bound = [](const std::optional<double>& value, const char* otherwise) {
+        return value ? fmt::format("{}", *value) : otherwise;
+    };
     if (!rod.has_range) return {};
-    return fmt::format(", {}, {}", bound(rod.states.low, "-std::numeric_limits<double>::infinity()"), bound(rod.states.high, "std::numeric_limits<double>::infinity()"));
+    return fmt::format(", {}, {}", bound(rod.states.low, "-std::numeric_limits<double>::infinity()"),
+                       bound(rod.states.high, "std::numeric_limits<double>::infinity()"));
 }
 
 void tables(const PlantFields& fields, Texts& texts) {
@@ -72,8 +78,9 @@ void tables(const PlantFields& fields, Texts& texts) {
         longest = std::max(longest, q.name.size() + std::to_string(static_cast<std::size_t>(rod.first_number) + rod.cells).size() + 3);
         rods += fmt::format("{}Cells{{{}, {}}}", rods.empty() ? "" : ", ", rod.first, rod.cells);
         names += fmt::format("inline constexpr CellNames<{}> {}_names({}, {});\n", rod.cells, q.name, cpp_string(q.name), rod.first_number);
-        quantities += fmt::format("    for (std::size_t k = 0; k < {}; ++k) table[{}] = Quantity{{{}_names.names[k].data(), {}, {}{}}};\n", rod.cells,
-                                  rod.first == 0 ? "k" : fmt::format("{} + k", rod.first), q.name, cpp_string(q.unit), cpp_string(q.doc), range_text(rod));
+        quantities += fmt::format("    for (std::size_t k = 0; k < {}; ++k) table[{}] = Quantity{{{}_names.names[k].data(), {}, {}{}}};\n",
+                                  rod.cells, rod.first == 0 ? "k" : fmt::format("{} + k", rod.first), q.name, cpp_string(q.unit),
+                                  cpp_string(q.doc), range_text(rod));
     }
     texts["STATE_INDICES"] = fmt::format(" enum : std::size_t {{ {} }}; ", fmt::join(indices, ", "));
     texts["POSITIONS"] = fmt::format("{}", fmt::join(fields.positions, ", "));

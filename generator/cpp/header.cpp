@@ -32,7 +32,9 @@ std::string function_text(const PlantFunction& f) {
     std::string text;
     for (const std::string& line : f.doc) text += "    /// " + line + "\n";
     if (f.operations) text += "    /// Operations: " + *f.operations + "\n";
-    return text + equations(f) + fmt::format("    {} {}({}) const noexcept {{\n", results[static_cast<std::size_t>(f.result)], f.name, cpp_text(f.body.arguments)) +
+    return text + equations(f) +
+           fmt::format("    {} {}({}) const noexcept {{\n", results[static_cast<std::size_t>(f.result)], f.name,
+                       cpp_text(f.body.arguments)) +
            cpp_body(f.body.statements) + "    }\n";
 }
 
@@ -56,7 +58,8 @@ std::string choice(const PlantConstraints& constraints) {
     if (!constraints.choice) return {};
     const PlantChoice& c = *constraints.choice;
     std::string assignments;
-    for (const auto& [member, constraint] : c.chosen) assignments += fmt::format("        c_.{} = chosen[{}] ? Scalar(1) : Scalar(0);\n", member, constraint);
+    for (const auto& [member, constraint] : c.chosen)
+        assignments += fmt::format("        c_.{} = chosen[{}] ? Scalar(1) : Scalar(0);\n", member, constraint);
     return fill_template(embedded_file("constraint_choice.hpp.in"), {{"RANK", std::to_string(c.rank)},
                                                                      {"CAN_BE_LEFT_OUT", listed(c.can_be_left_out)},
                                                                      {"SOLVED_FOR_AT_START", listed(c.at_start)},
@@ -91,7 +94,8 @@ std::string cached_members(const Plant& plant) {
     if (plant.cached.empty()) return {};
     std::string text = "    /// What depends on parameters alone.\n    struct Cached {\n";
     for (const PlantCached& c : plant.cached)
-        text += fmt::format("        {} {};  ///< {}\n", c.size == 0 ? "Scalar" : fmt::format("std::array<Scalar, {}>", c.size), c.identifier, c.doc);
+        text += fmt::format("        {} {};  ///< {}\n", c.size == 0 ? "Scalar" : fmt::format("std::array<Scalar, {}>", c.size),
+                            c.identifier, c.doc);
     return text + "    };\n    Cached c_{};\n";
 }
 

@@ -43,7 +43,8 @@ std::string call_text(const Value& call) {
     std::string sizes;
     for (const std::size_t size : call.sizes()) sizes += fmt::format(", {}", size);
     const std::string arguments = listed(call.parts(), ", ");
-    return call.where() == Value::Where::helper ? fmt::format("detail::{}<Scalar{}>({})", call.text(), sizes, arguments) : fmt::format("{}({})", call.text(), arguments);
+    return call.where() == Value::Where::helper ? fmt::format("detail::{}<Scalar{}>({})", call.text(), sizes, arguments)
+                                                : fmt::format("{}({})", call.text(), arguments);
 }
 
 std::string member_text(const Value& member) {
@@ -66,11 +67,14 @@ std::string declaration_text(const Declaration& d) {
     const std::string zeros = d.is_zeroed ? "{}" : "";
     switch (d.type.kind) {
         case Storage::Kind::scalar:
-            return has_value ? fmt::format("{}Scalar {} = {};", d.changes ? "" : "const ", names, cpp_text(d.value)) : fmt::format("Scalar {};", names);
+            return has_value ? fmt::format("{}Scalar {} = {};", d.changes ? "" : "const ", names, cpp_text(d.value))
+                             : fmt::format("Scalar {};", names);
         case Storage::Kind::index: return fmt::format("const std::size_t {} = {};", names, cpp_text(d.value));
         case Storage::Kind::array:
-            return has_value ? fmt::format("const auto {} = {};", names, cpp_text(d.value)) : fmt::format("std::array<Scalar, {}> {}{};", d.type.sizes[0], names, zeros);
-        case Storage::Kind::indices: return fmt::format("constexpr std::array<std::size_t, {}> {}{{{}}};", d.numbers.size(), names, fmt::join(d.numbers, ", "));
+            return has_value ? fmt::format("const auto {} = {};", names, cpp_text(d.value))
+                             : fmt::format("std::array<Scalar, {}> {}{};", d.type.sizes[0], names, zeros);
+        case Storage::Kind::indices:
+            return fmt::format("constexpr std::array<std::size_t, {}> {}{{{}}};", d.numbers.size(), names, fmt::join(d.numbers, ", "));
         case Storage::Kind::room: return fmt::format("Scalar* const {} = {};", names, cpp_text(d.value));
         case Storage::Kind::vector: return fmt::format("{} {}{};", d.type.name, names, zeros);
         case Storage::Kind::table: break;
@@ -94,7 +98,8 @@ std::string conditional_text(const std::string& head, const Statements& body) {
 }
 
 std::string first_inputs_text(const FirstInputs& first) {
-    const std::string arguments = fmt::format("{}, {}, {}, {}", cpp_text(first.states), cpp_text(first.time), first.input, cpp_text(first.room));
+    const std::string arguments =
+        fmt::format("{}, {}, {}, {}", cpp_text(first.states), cpp_text(first.time), first.input, cpp_text(first.room));
     return fmt::format("{0}Input {1}{{}};\n{0}const auto next_inputs = inputs.series({2});\n", indent_of_body, first.input, arguments);
 }
 
@@ -104,8 +109,8 @@ std::string loop_text(const Loop& loop) {
     const auto* inner = loop.body.size() == 1 ? std::get_if<Loop>(&loop.body[0].content) : nullptr;
     if (inner == nullptr) return braced(head, loop.body);
     const std::string body = cpp_text(inner->body);
-    return fmt::format("{0}{1}\n{0}    for (std::size_t {2} = {3}; {2} < {4}; ++{2}) {5}", indent_of_body, head.substr(0, head.size() - 1), inner->index, inner->first,
-                       cpp_text(inner->end), body.substr(body.find_first_not_of(' ')));
+    return fmt::format("{0}{1}\n{0}    for (std::size_t {2} = {3}; {2} < {4}; ++{2}) {5}", indent_of_body, head.substr(0, head.size() - 1),
+                       inner->index, inner->first, cpp_text(inner->end), body.substr(body.find_first_not_of(' ')));
 }
 
 std::string modes_text(const ByMode& by_mode) {
@@ -114,14 +119,17 @@ std::string modes_text(const ByMode& by_mode) {
         std::string labels;
         for (const std::string& mode : one.modes) labels += fmt::format("{}            case Mode::{}:", labels.empty() ? "" : "\n", mode);
         if (&one == &by_mode.cases.back()) labels += "\n            default:";
-        text += labels + " {\n" + shifted(shifted(cpp_body(one.body))) + (returns(one.body) ? "" : "                break;\n") + "            }\n";
+        text += labels + " {\n" + shifted(shifted(cpp_body(one.body))) + (returns(one.body) ? "" : "                break;\n") +
+                "            }\n";
     }
     return text + indent_of_body + "}\n";
 }
 
 struct Printer {
     static constexpr std::size_t column = 8;
-    std::string operator()(const Declaration& s) const { return wrapped(declaration_text(s) + (s.comment.empty() ? "" : "  // " + s.comment), column); }
+    std::string operator()(const Declaration& s) const {
+        return wrapped(declaration_text(s) + (s.comment.empty() ? "" : "  // " + s.comment), column);
+    }
     std::string operator()(const Assignment& s) const { return wrapped(assignment_text(s), column); }
     std::string operator()(const Invocation& s) const { return wrapped(cpp_text(s.call) + ";", column); }
     std::string operator()(const Filling& s) const { return fmt::format("{}{}.fill({});\n", indent_of_body, s.array, cpp_text(s.value)); }
@@ -167,7 +175,8 @@ std::string cpp_text(const Value& value) {
         case Value::Kind::real: return "Scalar(" + cpp_text(value.parts()[0]) + ")";
         case Value::Kind::signed_index: return "static_cast<int>(" + cpp_text(value.parts()[0]) + ")";
         case Value::Kind::comparison: return comparison_text(value);
-        case Value::Kind::choice: return fmt::format("{} ? {} : {}", cpp_text(value.parts()[0]), cpp_text(value.parts()[1]), cpp_text(value.parts()[2]));
+        case Value::Kind::choice:
+            return fmt::format("{} ? {} : {}", cpp_text(value.parts()[0]), cpp_text(value.parts()[1]), cpp_text(value.parts()[2]));
     }
     return {};
 }

@@ -37,7 +37,8 @@ std::string rows_of(const std::string& rows) { return rows.empty() ? "" : "\n" +
 /// ", low, high", as far as they are declared.
 std::string range_text(const PlantQuantity& q) {
     if (!q.low && !q.high) return {};
-    return (q.low ? fmt::format(", {}", *q.low) : ", -std::numeric_limits<double>::infinity()") + (q.high ? fmt::format(", {}", *q.high) : "");
+    return (q.low ? fmt::format(", {}", *q.low) : ", -std::numeric_limits<double>::infinity()") +
+           (q.high ? fmt::format(", {}", *q.high) : "");
 }
 
 void quantities(Texts& texts, const std::string& name, const std::vector<PlantQuantity>& list) {
@@ -60,17 +61,23 @@ std::string nonzero(const PlantPattern& p) {
         for (std::size_t k = p.column_starts[j]; k < p.column_starts[j + 1]; ++k) bits |= 1U << p.row_indices[k];
         columns.push_back(fmt::format("{:#x}", bits));
     }
-    return fmt::format("    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.\n    static constexpr std::array<unsigned, {}> nonzero{{{}}};\n", p.columns,
-                       fmt::join(columns, ", "));
+    return fmt::format(
+        "    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.\n    static constexpr std::array<unsigned, "
+        "{}> nonzero{{{}}};\n",
+        p.columns, fmt::join(columns, ", "));
 }
 
 std::string pattern_text(const PlantPattern& p, char letter) {
-    std::string text = fmt::format("/// df/d{}: {}\nstruct jacobian_{}_pattern {{\n    static constexpr bool is_sparse = {};\n", letter,
-                                   p.is_sparse ? "entries that are not zero for every motion, in compressed columns (CSC)." : "all entries are stored.", letter, p.is_sparse);
+    std::string text =
+        fmt::format("/// df/d{}: {}\nstruct jacobian_{}_pattern {{\n    static constexpr bool is_sparse = {};\n", letter,
+                    p.is_sparse ? "entries that are not zero for every motion, in compressed columns (CSC)." : "all entries are stored.",
+                    letter, p.is_sparse);
     const auto list = [&](const char* name, const std::vector<std::size_t>& numbers) {
         text += fmt::format("    static constexpr std::array<std::size_t, {}> {}{{\n", numbers.size(), name);
         for (std::size_t i = 0; i < numbers.size(); i += 24)
-            text += fmt::format("        {},\n", fmt::join(numbers.begin() + static_cast<std::ptrdiff_t>(i), numbers.begin() + static_cast<std::ptrdiff_t>(std::min(i + 24, numbers.size())), ", "));
+            text += fmt::format("        {},\n",
+                                fmt::join(numbers.begin() + static_cast<std::ptrdiff_t>(i),
+                                          numbers.begin() + static_cast<std::ptrdiff_t>(std::min(i + 24, numbers.size())), ", "));
         text += "    };\n";
     };
     if (p.is_sparse) {
@@ -91,7 +98,8 @@ std::string transitions(const PlantModes& modes) {
     std::string rows;
     for (std::size_t e = 0; e < modes.events.size(); ++e) {
         rows += fmt::format("    std::array<Transition, mode_count>{{{{  // {}\n", modes.events[e].name);
-        for (const PlantTransition& to : modes.transitions[e]) rows += fmt::format("        {{{}, {}, {}, {}}},\n", to.is_watched, list(to.next), list(to.beside), list(to.rest));
+        for (const PlantTransition& to : modes.transitions[e])
+            rows += fmt::format("        {{{}, {}, {}, {}}},\n", to.is_watched, list(to.next), list(to.beside), list(to.rest));
         rows += "    }},\n";
     }
     return rows.empty() ? "" : "{\n" + rows + "}";
@@ -104,14 +112,15 @@ std::string mode_tables(const PlantModes& modes) {
         indices.push_back(fmt::format("{} = {}", modes.events[e].identifier, e));
         names.push_back(cpp_string(modes.events[e].name));
     }
-    return fill_template(embedded_file("mode_tables.hpp.in"), {{"MODES", fmt::format("{}", fmt::join(modes.modes, ", "))},
-                                                               {"MODE_COUNT", std::to_string(modes.modes.size())},
-                                                               {"MODE_NAMES", fmt::format("{}", fmt::join(mode_names, ", "))},
-                                                               {"EVENT_INDICES", indices.empty() ? "" : fmt::format(" enum : std::size_t {{ {} }}; ", fmt::join(indices, ", "))},
-                                                               {"EVENT_COUNT", std::to_string(names.size())},
-                                                               {"EVENT_NAMES", fmt::format("{}", fmt::join(names, ", "))},
-                                                               {"MOST_MODES", std::to_string(modes.most_modes())},
-                                                               {"TRANSITIONS", transitions(modes)}});
+    return fill_template(embedded_file("mode_tables.hpp.in"),
+                         {{"MODES", fmt::format("{}", fmt::join(modes.modes, ", "))},
+                          {"MODE_COUNT", std::to_string(modes.modes.size())},
+                          {"MODE_NAMES", fmt::format("{}", fmt::join(mode_names, ", "))},
+                          {"EVENT_INDICES", indices.empty() ? "" : fmt::format(" enum : std::size_t {{ {} }}; ", fmt::join(indices, ", "))},
+                          {"EVENT_COUNT", std::to_string(names.size())},
+                          {"EVENT_NAMES", fmt::format("{}", fmt::join(names, ", "))},
+                          {"MOST_MODES", std::to_string(modes.most_modes())},
+                          {"TRANSITIONS", transitions(modes)}});
 }
 
 /// Of frictions with states in place of modes: which events happen at once, and which at the start of a run. Nothing if there are none.
@@ -122,7 +131,8 @@ std::string events_apart(const PlantModes& modes) {
         at_start.push_back(event.at_start);
     }
     if (std::find(at_once.begin(), at_once.end(), true) == at_once.end()) return {};
-    return fill_template(embedded_file("mode_events_apart.hpp.in"), {{"AT_ONCE", fmt::format("{}", fmt::join(at_once, ", "))}, {"AT_START", fmt::format("{}", fmt::join(at_start, ", "))}});
+    return fill_template(embedded_file("mode_events_apart.hpp.in"), {{"AT_ONCE", fmt::format("{}", fmt::join(at_once, ", "))},
+                                                                     {"AT_START", fmt::format("{}", fmt::join(at_start, ", "))}});
 }
 
 std::string constraint_table(const PlantConstraints& constraints) {
@@ -130,10 +140,12 @@ std::string constraint_table(const PlantConstraints& constraints) {
     std::string rows;
     for (const PlantConstraint& c : constraints.list) {
         identifiers.push_back(c.identifier);
-        rows += fmt::format("    Constraint{{{}, {}, {}, {}}},\n", cpp_string(c.name), cpp_string(c.unit), cpp_string(c.doc), c.has_position);
+        rows +=
+            fmt::format("    Constraint{{{}, {}, {}, {}}},\n", cpp_string(c.name), cpp_string(c.unit), cpp_string(c.doc), c.has_position);
     }
-    return fill_template(embedded_file("constraint_tables.hpp.in"),
-                         {{"CONSTRAINTS", std::to_string(constraints.list.size())}, {"CONSTRAINT_INDICES", index_list(identifiers)}, {"CONSTRAINT_TABLE", rows_of(rows)}});
+    return fill_template(embedded_file("constraint_tables.hpp.in"), {{"CONSTRAINTS", std::to_string(constraints.list.size())},
+                                                                     {"CONSTRAINT_INDICES", index_list(identifiers)},
+                                                                     {"CONSTRAINT_TABLE", rows_of(rows)}});
 }
 
 }  // namespace
@@ -159,13 +171,17 @@ std::map<std::string, std::string> cpp_tables(const Plant& plant, const std::str
     number("SIZE_U", plant.by_input.size());
     number("SIZE_P", plant.by_parameter.size());
     std::string guards;
-    for (const PlantGuard& guard : plant.guards) guards += fmt::format("    Guard{{{}, {}, {}}},\n", cpp_string(guard.name), cpp_string(guard.doc), guard.ends);
+    for (const PlantGuard& guard : plant.guards)
+        guards += fmt::format("    Guard{{{}, {}, {}}},\n", cpp_string(guard.name), cpp_string(guard.doc), guard.ends);
     texts["GUARD_TABLE"] = rows_of(guards);
-    texts["SEPARABLE"] = plant.is_separable ? "    static constexpr bool is_separable = true;  // accelerations depend on coordinates alone\n" : "";
+    texts["SEPARABLE"] =
+        plant.is_separable ? "    static constexpr bool is_separable = true;  // accelerations depend on coordinates alone\n" : "";
     texts["START_VALUES"] = fmt::format("{}", fmt::join(plant.start_values, ", "));
     texts["PATTERNS"] = pattern_text(plant.by_state, 'x') + pattern_text(plant.by_input, 'u') + pattern_text(plant.by_parameter, 'p');
     texts["MODE_TABLES"] = plant.modes ? mode_tables(*plant.modes) : "";
-    texts["MODE_TYPES"] = plant.modes ? fill_template(embedded_file("mode_types.hpp.in"), {{"NAMESPACE", name_space}, {"APART", events_apart(*plant.modes)}}) : "";
+    texts["MODE_TYPES"] =
+        plant.modes ? fill_template(embedded_file("mode_types.hpp.in"), {{"NAMESPACE", name_space}, {"APART", events_apart(*plant.modes)}})
+                    : "";
     texts["CONSTRAINT_TABLES"] = plant.constraints ? constraint_table(*plant.constraints) : "";
     texts["CONSTRAINT_TYPES"] = plant.constraints ? std::string(embedded_file("constraint_types.hpp.in")) : "";
     return texts;

@@ -66,7 +66,11 @@ inline constexpr KindSpec kind_of<Rod>{"rod",
 inline const KeyChoices<Rod::Scheme>& rod_schemes() {
     using S = Rod::Scheme;
     static const KeyChoices<S> choices{
-        {"points", S::points, {}, {}, ": at points from end to end, half a cell at free ends, the finite differences of (4.96); the default"},
+        {"points",
+         S::points,
+         {},
+         {},
+         ": at points from end to end, half a cell at free ends, the finite differences of (4.96); the default"},
         {"cells", S::cells, {}, {}, ": means of cells, finite volumes"},
     };
     return choices;
@@ -95,13 +99,19 @@ void describe(Visitor& v, E& rod) {
         .doc = "of a cylinder or sphere: the radius where it begins; 0 for a solid one"});
     v("outer", rod.outer, {.dimension = Dimension::length(), .depends = on_parameters, .words = "outer radius",
         .doc = "of a cylinder or sphere: the radius where it ends"});
-    v("height", rod.height, {.dimension = Dimension::length(), .depends = on_parameters, .sign = above_zero("m"), .doc = "of a cylinder, along its axis"});
+    v("height", rod.height,
+      {.dimension = Dimension::length(), .depends = on_parameters, .sign = above_zero("m"), .doc = "of a cylinder, along its axis"});
     v("grid", rod.grid, {.dimension = Dimension::none(), .depends = on_parameters, .variables = {Dimension::none()},
         .doc = "\"s -> ...\", rising from 0 to 1: the cells are equal over s; \"s -> s^2\" makes them finer at the first end"});
     v("conductivity", rod.conductivity, {.required = true, .dimension = dimension::heat_conductivity(), .depends = on_parameters,
         .variables = {Dimension::temperature()},
         .sign = above_zero("W/(m*K)"), .doc = "\"T -> ...\" where it depends on the temperature"});
-    v("density", rod.density, {.required = true, .dimension = dimension::density(), .depends = on_parameters, .sign = above_zero("kg/m^3"), .doc = "mass by volume"});
+    v("density", rod.density,
+      {.required = true,
+       .dimension = dimension::density(),
+       .depends = on_parameters,
+       .sign = above_zero("kg/m^3"),
+       .doc = "mass by volume"});
     v("heat_capacity", rod.heat_capacity, {.required = true, .dimension = dimension::specific_heat(), .depends = on_parameters,
         .variables = {Dimension::temperature()},
         .doc = "specific heat capacity; \"T -> ...\" where it depends on the temperature"});
@@ -179,9 +189,14 @@ void describe(Visitor& v, E& block) {
     v("rows", block.rows, {.required = true, .dimension = Dimension::length(), .depends = constant_only,
         .sign = above_zero("m"), .words = "height of a row",
         .doc = "likewise from bottom to top, along y"});
-    v("depth", block.depth, {.required = true, .dimension = Dimension::length(), .depends = constant_only, .sign = above_zero("m"), .doc = "across x and y"});
-    v("conductivity", block.conductivity, {.required = true, .dimension = dimension::heat_conductivity(), .depends = constant_only,
-        .sign = above_zero("W/(m*K)"), .doc = "of all, or a list for each column of what stands there in each row: [[\"a\", \"a\"], [\"b\", \"c\"]]"});
+    v("depth", block.depth,
+      {.required = true, .dimension = Dimension::length(), .depends = constant_only, .sign = above_zero("m"), .doc = "across x and y"});
+    v("conductivity", block.conductivity,
+      {.required = true,
+       .dimension = dimension::heat_conductivity(),
+       .depends = constant_only,
+       .sign = above_zero("W/(m*K)"),
+       .doc = "of all, or a list for each column of what stands there in each row: [[\"a\", \"a\"], [\"b\", \"c\"]]"});
     v("density", block.density, {.required = true, .dimension = dimension::density(), .depends = constant_only,
         .sign = above_zero("kg/m^3"), .doc = "mass by volume, likewise"});
     v("heat_capacity", block.heat_capacity, {.required = true, .dimension = dimension::specific_heat(), .depends = constant_only,

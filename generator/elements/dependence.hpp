@@ -14,10 +14,11 @@ enum Dependence : unsigned {
     on_accelerations = 64,  ///< also derivatives of plain states: known only when the equations are solved
     on_quantities = 128,    ///< derived quantities such as kinetic_energy
     on_outputs = 256,
-    on_properties = 512,    ///< of media in volumes and reservoirs, and of nodes: density[chamber], temperature[plate] and the like
-    on_losses = 1024,       ///< dissipated_power
+    on_properties = 512,  ///< of media in volumes and reservoirs, and of nodes: density[chamber], temperature[plate] and the like
+    on_losses = 1024,     ///< dissipated_power
     on_modes = 2048,
-    on_places = 4096,       ///< where bodies are and how their axes stand: known when the bodies are, so that forces and constraints may use them
+    on_places =
+        4096,  ///< where bodies are and how their axes stand: known when the bodies are, so that forces and constraints may use them
 
     nothing = 0,
     constant_only = on_parameters,

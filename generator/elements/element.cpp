@@ -30,7 +30,9 @@ Event& Element::event(const std::string& name, const std::string& mode, Expressi
     return model_.events.back();
 }
 
-ExpressionPtr Element::own(const char* quantity) const { return std::make_shared<Expression>(Expression{Kind::name, item_.span, 0, quantity, {name(item_.name)}}); }
+ExpressionPtr Element::own(const char* quantity) const {
+    return std::make_shared<Expression>(Expression{Kind::name, item_.span, 0, quantity, {name(item_.name)}});
+}
 
 void Element::fill(Item& made, const std::string& name) const {
     made.name = name;

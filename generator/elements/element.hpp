@@ -16,7 +16,9 @@ public:
 
     /// "brake_sticks and thermal": in a mode of the element, where the element is there.
     Condition in(const std::string& mode) const;
-    Condition in_either(const std::string& one, const std::string& other) const { return {Condition::Kind::disjunction, item_.span, {}, {in(one), in(other)}}; }
+    Condition in_either(const std::string& one, const std::string& other) const {
+        return {Condition::Kind::disjunction, item_.span, {}, {in(one), in(other)}};
+    }
     Condition to(const std::string& mode) const { return {Condition::Kind::effect, item_.span, part(mode), {}}; }
 
     /// The group has the name of the element. Nothing has to leave a mode that is final.

@@ -20,7 +20,8 @@ const std::vector<std::string> orifice_modes{"subsonic", "choked", "subsonic_bac
 
 const std::vector<std::string>& modes_of(const Flow& flow) { return flow.law == Flow::Law::check_valve ? valve_modes : orifice_modes; }
 
-/// Each combination has code of its own: more of them take long to derive and to compile. What cannot be written without modes may have more.
+/// Each combination has code of its own: more of them take long to derive and to compile. What cannot be written without modes may have
+/// more.
 constexpr int few = 64;
 /// States of frictions cost more in a run than modes do.
 constexpr int few_with_frictions = 128;
@@ -43,7 +44,9 @@ double combinations(const Model& model) {
 
 /// Whether a text has a word that is a name, or what a file that is used calls it, without the names in front.
 bool has_word(const std::string& text, const std::string& name, const std::string& ending) {
-    const auto is_letter = [&](std::size_t i) { return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_'); };
+    const auto is_letter = [&](std::size_t i) {
+        return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_');
+    };
     for (std::size_t at = text.find(ending); at != std::string::npos; at = text.find(ending, at + 1)) {
         std::size_t begin = at;
         while (begin > 0 && is_letter(begin - 1)) --begin;
@@ -90,18 +93,24 @@ void expand_as_edges(Model& model, Diagnostics& diagnostics) {
         flow.switches = false;
     }
     if (names.empty()) return;
-    diagnostics.warning(Id::too_large, first,
-                        fmt::format("with the modes of all elements there would be {:g} combinations, each with code of its own. Therefore {} {} no modes: where a function switches there, runs locate it as an edge. An element keeps its modes where the file names one of them", count, fmt::join(names, ", "), names.size() == 1 ? "brings" : "bring"));
+    diagnostics.warning(
+        Id::too_large, first,
+        fmt::format(
+            "with the modes of all elements there would be {:g} combinations, each with code of its own. Therefore {} {} no modes: where a "
+            "function switches there, runs locate it as an edge. An element keeps its modes where the file names one of them",
+            count, fmt::join(names, ", "), names.size() == 1 ? "brings" : "bring"));
 }
 
 void keep_frictions_apart(Model& model, Diagnostics& diagnostics) {
     const double count = combinations(model);
     if (count <= few_with_frictions) return;
     // An impact turns velocities round, and frictions with them: that is known of modes alone.
-    const bool has_impacts = !model.stops.empty() || std::any_of(model.events.begin(), model.events.end(), [](const Event& event) { return event.meets || !event.reset.empty(); });
+    const bool has_impacts = !model.stops.empty() || std::any_of(model.events.begin(), model.events.end(),
+                                                                 [](const Event& event) { return event.meets || !event.reset.empty(); });
     if (has_impacts) return;
     // Where frictions are more than freedoms, rates of some follow from those of others: modes leave out what cannot be, a state cannot.
-    const bool has_families = std::any_of(model.coordinates.begin(), model.coordinates.end(), [](const Coordinate& q) { return q.family.has_value(); });
+    const bool has_families =
+        std::any_of(model.coordinates.begin(), model.coordinates.end(), [](const Coordinate& q) { return q.family.has_value(); });
     if (!has_families && model.frictions.size() > model.coordinates.size() + 3 * model.attitudes.size()) return;
     std::vector<std::string> names;
     Span first;
@@ -113,7 +122,11 @@ void keep_frictions_apart(Model& model, Diagnostics& diagnostics) {
     }
     if (names.empty()) return;
     diagnostics.warning(Id::too_large, first,
-                        fmt::format("with the modes of all elements there would be {:g} combinations, each with code of its own. Therefore {} {} no modes, but a state each, as '{}_direction': 0 where it sticks, 1 and -1 where it slides forwards and backwards. A friction keeps its modes where the file names one of them", count, fmt::join(names, ", "), names.size() == 1 ? "brings" : "bring", names.front().substr(1, names.front().size() - 2)));
+                        fmt::format("with the modes of all elements there would be {:g} combinations, each with code of its own. Therefore "
+                                    "{} {} no modes, but a state each, as '{}_direction': 0 where it sticks, 1 and -1 where it slides "
+                                    "forwards and backwards. A friction keeps its modes where the file names one of them",
+                                    count, fmt::join(names, ", "), names.size() == 1 ? "brings" : "bring",
+                                    names.front().substr(1, names.front().size() - 2)));
 }
 
 }  // namespace dalembert

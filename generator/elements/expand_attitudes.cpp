@@ -14,7 +14,8 @@ void expand(Model& model, const Attitude& attitude) {
         Coordinate turned = made.make<Coordinate>(made.part(axes[axis]), attitude.when);
         turned.unit.written = "rad";
         turned.quasi_axis = axis;
-        turned.start_rate = attitude.start_rate.size() == 3 ? attitude.start_rate[static_cast<std::size_t>(axis)] : make_number(0, attitude.span);
+        turned.start_rate =
+            attitude.start_rate.size() == 3 ? attitude.start_rate[static_cast<std::size_t>(axis)] : make_number(0, attitude.span);
         turned.doc = std::string("angle turned about the own ") + axes[axis] + " axis";
         model.coordinates.push_back(std::move(turned));
     }
@@ -25,7 +26,8 @@ void expand(Model& model, const Attitude& attitude) {
         State state = made.make<State>(made.part(std::to_string(part)), attitude.when);
         state.unit.written = "1";
         state.quaternion_part = part;
-        state.start = attitude.start.size() == 4 ? attitude.start[static_cast<std::size_t>(part)] : make_number(part == 0 ? 1 : 0, attitude.span);
+        state.start =
+            attitude.start.size() == 4 ? attitude.start[static_cast<std::size_t>(part)] : make_number(part == 0 ? 1 : 0, attitude.span);
         // 0: -(e1 w1 + e2 w2 + e3 w3); i: e0 wi + ej wk - ek wj with (i, j, k) cyclic
         const int j = part % 3 + 1, k = j % 3 + 1;
         state.derivative = part == 0 ? half(minus(minus(negative(times(e(1), omega(1))), times(e(2), omega(2))), times(e(3), omega(3))))

@@ -18,7 +18,9 @@ ExpressionPtr end_name(const Reference& end) {
 }
 
 /// A quantity of an end of a flow: "pressure[tank]".
-ExpressionPtr of_end(const char* quantity, const Reference& end) { return std::make_shared<Expression>(Expression{Kind::name, end.span, 0, quantity, {end_name(end)}}); }
+ExpressionPtr of_end(const char* quantity, const Reference& end) {
+    return std::make_shared<Expression>(Expression{Kind::name, end.span, 0, quantity, {end_name(end)}});
+}
 
 /// The expression with a member of a family in place of its index.
 ExpressionPtr with_index(const ExpressionPtr& e, const std::string& index, const ExpressionPtr& member) {
@@ -78,7 +80,8 @@ void expand_orifice(Model& model, const Flow& flow) {
     if (medium == nullptr) return;  // reported where ends are looked up
     const auto one_way = [&](const Reference& up, const Reference& down, const std::string& ending, const std::string& other) {
         const auto heat = [&](const char* quantity) {
-            return std::make_shared<Expression>(Expression{Kind::name, up.span, 0, quantity, {make_name(medium->name, up.span), of_end("pressure", up), of_end("temperature", up)}});
+            return std::make_shared<Expression>(Expression{
+                Kind::name, up.span, 0, quantity, {make_name(medium->name, up.span), of_end("pressure", up), of_end("temperature", up)}});
         };
         const auto number = [&](int n) { return make_number(n, up.span); };
         const ExpressionPtr kappa = over(heat("isobaric_heat"), heat("isochoric_heat"));
@@ -105,11 +108,13 @@ void expand(Model& model, const Volume& volume) {
     Event& fills = made.event("fills", "empty", made.own("surplus"), {"filled"});
     fills.rises = true;
     fills.when = Condition{Condition::Kind::conjunction, volume.span, {}, {*fills.when, fed}};
-    const auto state = std::find_if(model.states.begin(), model.states.end(), [&](const State& s) { return s.name == volume.filling->name; });
+    const auto state =
+        std::find_if(model.states.begin(), model.states.end(), [&](const State& s) { return s.name == volume.filling->name; });
     if (state == model.states.end() || !state->root) return;
     fills.next.clear();
     fills.ends = fills.is_limit = true;
-    fills.doc = "more flows into volume '" + volume.name + "' than out of it, which is empty: what is integrated as its root does not rise from zero";
+    fills.doc = "more flows into volume '" + volume.name +
+                "' than out of it, which is empty: what is integrated as its root does not rise from zero";
 }
 
 /// Whether an expression is zero where a name is, told by zeros that are factors and sums of zeros.
@@ -121,7 +126,8 @@ bool vanishes_with(const Expression& e, const std::string& name, const Model& mo
         case Kind::number: return cln::zerop(e.value);
         case Kind::name: {
             if (e.name == name) return true;
-            const auto found = std::find_if(model.definitions.begin(), model.definitions.end(), [&](const Definition& d) { return d.name == e.name; });
+            const auto found =
+                std::find_if(model.definitions.begin(), model.definitions.end(), [&](const Definition& d) { return d.name == e.name; });
             return found != model.definitions.end() && found->value && vanishes_with(*found->value, name, model, depth + 1);
         }
         case Kind::add:
@@ -139,8 +145,10 @@ void expand(Model& model, const HeatNode& node) {
     const Boiling& boiling = *node.boiling;
     Element made(model, node);
     const bool leaves_nothing = vanishes_with(*node.capacity->body, boiling.mass->name, model);
-    made.modes(leaves_nothing ? std::vector<std::string>{"liquid", "boiling"} : std::vector<std::string>{"liquid", "boiling", "dry"}, "dry");
-    made.event("boils", "liquid", minus(boiling.temperature, node.temperature), {"boiling"}).reset = {{node.temperature, boiling.temperature, boiling.temperature->span}};
+    made.modes(leaves_nothing ? std::vector<std::string>{"liquid", "boiling"} : std::vector<std::string>{"liquid", "boiling", "dry"},
+               "dry");
+    made.event("boils", "liquid", minus(boiling.temperature, node.temperature), {"boiling"}).reset = {
+        {node.temperature, boiling.temperature, boiling.temperature->span}};
     made.event("cools", "boiling", made.own("heat"), {"liquid"});
     Event& runs_dry = made.event("runs_dry", "boiling", boiling.mass, {});
     runs_dry.ends = leaves_nothing;

@@ -19,8 +19,11 @@ bool mentions_what_moves(const Expression& e, const Model& model, std::set<std::
         if (part.kind != Kind::name || part.name == "pi" || !followed.insert(part.name).second) return;
         const auto is_it = [&](const auto& item) { return item.name == part.name; };
         const auto definition = std::find_if(model.definitions.begin(), model.definitions.end(), is_it);
-        if (definition != model.definitions.end()) moves = moves || (definition->value && mentions_what_moves(*definition->value, model, followed));
-        else moves = moves || (std::none_of(model.parameters.begin(), model.parameters.end(), is_it) && std::none_of(model.sizes.begin(), model.sizes.end(), is_it));
+        if (definition != model.definitions.end())
+            moves = moves || (definition->value && mentions_what_moves(*definition->value, model, followed));
+        else
+            moves = moves || (std::none_of(model.parameters.begin(), model.parameters.end(), is_it) &&
+                              std::none_of(model.sizes.begin(), model.sizes.end(), is_it));
     });
     return moves;
 }
@@ -36,8 +39,8 @@ void expand_parting(Model& model, const Friction& friction, const Element& made)
     model.events.push_back(std::move(parts));
 }
 
-/// The same as with modes, with a state d in their place: 0 where it sticks, 1 and -1 where it slides forwards and backwards. What is watched in one
-/// mode alone is multiplied by a factor that is 1 there and 0 elsewhere, and 1 less that factor is added.
+/// The same as with modes, with a state d in their place: 0 where it sticks, 1 and -1 where it slides forwards and backwards. What is
+/// watched in one mode alone is multiplied by a factor that is 1 there and 0 elsewhere, and 1 less that factor is added.
 void expand_by_state(Model& model, const Friction& friction) {
     const Element made(model, friction);
     const ExpressionPtr one = make_number(1, friction.span), d = made.name(made.part("direction")), square = times(d, d);
@@ -49,7 +52,8 @@ void expand_by_state(Model& model, const Friction& friction) {
     model.states.push_back(std::move(direction));
 
     const ExpressionPtr sliding = times(friction.coefficient, friction.normal_force);
-    const ExpressionPtr holding = times(friction.static_coefficient ? friction.static_coefficient : friction.coefficient, friction.normal_force);
+    const ExpressionPtr holding =
+        times(friction.static_coefficient ? friction.static_coefficient : friction.coefficient, friction.normal_force);
     Constraint constraint = made.make<Constraint>(friction.name, friction.when);
     constraint.rate = friction.rate;
     constraint.share = sticks;
@@ -70,7 +74,9 @@ void expand_by_state(Model& model, const Friction& friction) {
         model.events.push_back(std::move(made_event));
         return model.events.back();
     };
-    const auto watched = [&](const ExpressionPtr& where, const ExpressionPtr& guard) { return plus(times(where, guard), minus(one, where)); };
+    const auto watched = [&](const ExpressionPtr& where, const ExpressionPtr& guard) {
+        return plus(times(where, guard), minus(one, where));
+    };
     const auto half = [&](const ExpressionPtr& a) { return over(a, make_number(2, friction.span)); };
     const ExpressionPtr force = made.own("constraint_force"), zero = make_number(0, friction.span);
     event("breaks_forwards", watched(sticks, plus(holding, force)), one);
@@ -88,11 +94,13 @@ void expand_by_modes(Model& model, const Friction& friction) {
     Element made(model, friction);
     made.modes({"sticks", "slides_forwards", "slides_backwards"});
     const ExpressionPtr sliding = times(friction.coefficient, friction.normal_force);
-    const ExpressionPtr holding = times(friction.static_coefficient ? friction.static_coefficient : friction.coefficient, friction.normal_force);
+    const ExpressionPtr holding =
+        times(friction.static_coefficient ? friction.static_coefficient : friction.coefficient, friction.normal_force);
 
     Constraint sticks = made.make<Constraint>(friction.name, made.in("sticks"));
     sticks.rate = friction.rate;
-    sticks.elsewhere = minus(times(made.name(made.part("slides_backwards")), sliding), times(made.name(made.part("slides_forwards")), sliding));
+    sticks.elsewhere =
+        minus(times(made.name(made.part("slides_backwards")), sliding), times(made.name(made.part("slides_forwards")), sliding));
     model.constraints.push_back(std::move(sticks));
     const auto slides = [&](const char* mode, const ExpressionPtr& force) {
         Damper damper = made.make<Damper>(made.part(mode), made.in(mode));
@@ -107,7 +115,8 @@ void expand_by_modes(Model& model, const Friction& friction) {
     made.event("breaks_forwards", "sticks", plus(holding, made.own("constraint_force")), {"slides_forwards"});
     made.event("breaks_backwards", "sticks", minus(holding, made.own("constraint_force")), {"slides_backwards"});
     made.event("stops_forwards", "slides_forwards", friction.rate, {"sticks", "slides_backwards", "slides_forwards"}).meets = made.itself();
-    made.event("stops_backwards", "slides_backwards", negative(friction.rate), {"sticks", "slides_forwards", "slides_backwards"}).meets = made.itself();
+    made.event("stops_backwards", "slides_backwards", negative(friction.rate), {"sticks", "slides_forwards", "slides_backwards"}).meets =
+        made.itself();
 }
 
 void expand(Model& model, const Friction& friction, bool may_part) {

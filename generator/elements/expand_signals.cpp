@@ -42,7 +42,8 @@ void expand(Model& model, const Profile& profile) {
     model.definitions.push_back(std::move(value));
     for (std::size_t i = 0; i + 1 < profile.phases.size(); ++i) {
         const Phase& phase = profile.phases[i];
-        if (phase.until) made.event("starts_" + names[i + 1], phase.name, minus(phase.until, made.name("t")), {names[i + 1]}).reset = phase.reset;
+        if (phase.until)
+            made.event("starts_" + names[i + 1], phase.name, minus(phase.until, made.name("t")), {names[i + 1]}).reset = phase.reset;
     }
 }
 

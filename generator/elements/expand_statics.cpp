@@ -26,7 +26,8 @@ bool is_in_space(const Model& model, const Body& body) {
     while (at != nullptr && seen.insert(at->name).second) {
         if (at->has_axes()) return true;
         if (!at->on) return false;
-        const auto base = std::find_if(model.bodies.begin(), model.bodies.end(), [&](const Body& other) { return other.name == at->on->name; });
+        const auto base =
+            std::find_if(model.bodies.begin(), model.bodies.end(), [&](const Body& other) { return other.name == at->on->name; });
         at = base == model.bodies.end() ? nullptr : &*base;
     }
     return false;
@@ -43,18 +44,27 @@ void expand_solids(Model& model, Diagnostics& diagnostics) {
         if (std::none_of(model.solids.begin(), model.solids.end(), [&](const Solid& solid) { return solid.name == body.solid->name; })) {
             std::vector<std::string> known;
             for (const Solid& solid : model.solids) known.push_back(solid.name);
-            diagnostics.error(Id::unknown_name, body.solid->span, fmt::format("there is no solid '{}'{}", body.solid->name, did_you_mean(body.solid->name, known)));
+            diagnostics.error(Id::unknown_name, body.solid->span,
+                              fmt::format("there is no solid '{}'{}", body.solid->name, did_you_mean(body.solid->name, known)));
             continue;
         }
         const auto quantity = [&](const char* name, std::initializer_list<int> indices) { return of_solid(name, *body.solid, indices); };
         body.mass = quantity("solid_mass", {});
         if (in_space[k]) {
-            for (int i = 1; i <= 3; ++i) body.tensor.push_back({quantity("inertia_about_centre", {i, 1}), quantity("inertia_about_centre", {i, 2}), quantity("inertia_about_centre", {i, 3})});
-            if (!body.position) body.centre = VectorExpression{quantity("centre_of_mass", {1}), quantity("centre_of_mass", {2}), quantity("centre_of_mass", {3})};
+            for (int i = 1; i <= 3; ++i)
+                body.tensor.push_back({quantity("inertia_about_centre", {i, 1}), quantity("inertia_about_centre", {i, 2}),
+                                       quantity("inertia_about_centre", {i, 3})});
+            if (!body.position)
+                body.centre =
+                    VectorExpression{quantity("centre_of_mass", {1}), quantity("centre_of_mass", {2}), quantity("centre_of_mass", {3})};
             continue;
         }
         if (!body.position)
-            diagnostics.error(Id::missing_key, body.span, fmt::format("body '{}' has a solid but no position of its centre of mass; or give the 'origin' of its axes, if it turns in space", body.name));
+            diagnostics.error(
+                Id::missing_key, body.span,
+                fmt::format(
+                    "body '{}' has a solid but no position of its centre of mass; or give the 'origin' of its axes, if it turns in space",
+                    body.name));
         if (body.rotation || body.angular_velocity) body.inertia = quantity("inertia_about_centre", {3, 3});
     }
 }
@@ -66,7 +76,12 @@ void expand_loads(Model& model) {
             static_cast<Item&>(definition) = unknown;
             definition.unit = unknown.unit;
             definition.is_made = true;
-            definition.value = std::make_shared<Expression>(Expression{Expression::Kind::name, unknown.span, 0, "reaction", {make_name(load.name, unknown.span), make_name(unknown.name, unknown.span)}});
+            definition.value =
+                std::make_shared<Expression>(Expression{Expression::Kind::name,
+                                                        unknown.span,
+                                                        0,
+                                                        "reaction",
+                                                        {make_name(load.name, unknown.span), make_name(unknown.name, unknown.span)}});
             model.definitions.push_back(std::move(definition));
         }
 }

@@ -29,10 +29,17 @@ inline const KeyChoices<Medium::Law>& medium_laws() {
     using L = Medium::Law;
     static const KeyChoices<L> choices{
         {"ideal_gas", L::ideal_gas, {"gas_constant"}, {"isochoric_heat", "reference_temperature"}, ": density = p/(R*T)"},
-        {"liquid", L::liquid, {"density", "bulk_modulus", "reference_pressure"}, {"expansion", "reference_temperature", "isochoric_heat"},
-            ": rho_0*exp((p - p_0)/beta - alpha*(T - T_0)) (3.76)"},
+        {"liquid",
+         L::liquid,
+         {"density", "bulk_modulus", "reference_pressure"},
+         {"expansion", "reference_temperature", "isochoric_heat"},
+         ": rho_0*exp((p - p_0)/beta - alpha*(T - T_0)) (3.76)"},
         {"incompressible", L::incompressible, {"density"}, {"reference_temperature", "isochoric_heat"}},
-        {"given", L::given, {"density"}, {"isochoric_heat", "energy", "pressure", "reference_pressure", "reference_temperature"}, ": by density"},
+        {"given",
+         L::given,
+         {"density"},
+         {"isochoric_heat", "energy", "pressure", "reference_pressure", "reference_temperature"},
+         ": by density"},
     };
     return choices;
 }
@@ -42,9 +49,12 @@ void describe(Visitor& v, E& medium) {
     v.choice("law", medium.law, {.required = true}, medium_laws());
     v("gas_constant", medium.gas_constant, {.dimension = dimension::specific_heat(), .depends = on_parameters,
         .doc = "of an ideal gas: the specific gas constant R"});
-    v("density", medium.density, {.dimension = dimension::density(), .depends = on_parameters,
-        .variables = {Dimension::pressure(), Dimension::temperature()},
-        .sign = above_zero("kg/m^3"), .doc = "density of a liquid at the reference state, or of an incompressible medium; a law of one's own: \"(p, T) -> ...\""});
+    v("density", medium.density,
+      {.dimension = dimension::density(),
+       .depends = on_parameters,
+       .variables = {Dimension::pressure(), Dimension::temperature()},
+       .sign = above_zero("kg/m^3"),
+       .doc = "density of a liquid at the reference state, or of an incompressible medium; a law of one's own: \"(p, T) -> ...\""});
     v("bulk_modulus", medium.bulk_modulus, {.dimension = Dimension::pressure(), .depends = on_parameters,
         .sign = above_zero("Pa"), .doc = "of a liquid: beta (3.41)"});
     v("expansion", medium.expansion, {.dimension = Dimension::none() / Dimension::temperature(), .depends = on_parameters,
@@ -191,9 +201,12 @@ void describe(Visitor& v, E& volume) {
         .doc = "power of a shaft into it from outside"});
     v("smallest", volume.smallest, {.dimension = Dimension::volume(), .depends = on_parameters, .words = "smallest size",
         .doc = "the volume at which a run stops; 0 if left out"});
-    v("empties", volume.empties, {.needs = {{"filling", "has no filling that could run out"}}, .excludes = {no_family()},
-        .doc = "true, with filling: at filling = 0 it is empty: what flows in flows out again, shared by what each outflow would take, until "
-               "more flows in. Brings the modes NAME_filled and NAME_empty"});
+    v("empties", volume.empties,
+      {.needs = {{"filling", "has no filling that could run out"}},
+       .excludes = {no_family()},
+       .doc =
+           "true, with filling: at filling = 0 it is empty: what flows in flows out again, shared by what each outflow would take, until "
+           "more flows in. Brings the modes NAME_filled and NAME_empty"});
     v.item({.has_family = true});
 }
 
@@ -244,7 +257,8 @@ template <class Visitor, ElementOf<Flow> E>
 void describe(Visitor& v, E& flow) {
     v("from", flow.from, {.required = true, .refers = "volume, reservoir or junction",
         .doc = "the volume, reservoir or junction that it leaves; the flow counts positive this way"});
-    v("to", flow.to, {.required = true, .refers = "volume, reservoir or junction", .doc = "the volume, reservoir or junction that it enters"});
+    v("to", flow.to,
+      {.required = true, .refers = "volume, reservoir or junction", .doc = "the volume, reservoir or junction that it enters"});
     v.choice("law", flow.law, {.doc = "; none if the flow is given"}, flow_laws());
     v("mass_flow", flow.mass_flow, {.dimension = Dimension::mass() / Dimension::time(), .depends = on_state_and_inputs,
         .doc = "the mass flow, given"});
@@ -264,10 +278,12 @@ void describe(Visitor& v, E& flow) {
         .doc = "of a check or relief valve: the pressure difference at which it opens; of a check valve 0 if left out"});
     v("override_pressure", flow.override_pressure, {.dimension = Dimension::pressure(), .depends = on_state_and_inputs,
         .sign = above_zero("Pa"), .doc = "of a relief valve: how far above the cracking pressure it is open with its whole area"});
-    v("switches", flow.switches, {.excludes = {no_family(), {"width", "is smooth, and has no modes then"}},
-        .doc = "true: what switches is a mode of the machine, else an edge that is located: of a check valve NAME_shut and NAME_open; of a "
-               "pneumatic orifice NAME_subsonic, NAME_choked, NAME_subsonic_back, NAME_choked_back. With more than 64 combinations of modes in "
-               "the file it is an edge again, unless a mode of it is named"});
+    v("switches", flow.switches,
+      {.excludes = {no_family(), {"width", "is smooth, and has no modes then"}},
+       .doc =
+           "true: what switches is a mode of the machine, else an edge that is located: of a check valve NAME_shut and NAME_open; of a "
+           "pneumatic orifice NAME_subsonic, NAME_choked, NAME_subsonic_back, NAME_choked_back. With more than 64 combinations of modes in "
+           "the file it is an edge again, unless a mode of it is named"});
     v("displacement", flow.displacement, {.dimension = Dimension::volume(), .depends = on_state_and_inputs,
         .doc = "of a pump: volume for each radian"});
     v("speed", flow.speed, {.dimension = Dimension::none() / Dimension::time(), .depends = on_state_and_inputs,

@@ -92,7 +92,8 @@ struct Torque : Item {
 };
 
 template <>
-inline constexpr KindSpec kind_of<Torque>{"torque", "Torques on bodies that turn.", "[torques.motor]\non     = \"rotor\"\ntorque = \"tau_m\""};
+inline constexpr KindSpec kind_of<Torque>{"torque", "Torques on bodies that turn.",
+                                          "[torques.motor]\non     = \"rotor\"\ntorque = \"tau_m\""};
 
 template <class Visitor, ElementOf<Torque> E>
 void describe(Visitor& v, E& torque) {
@@ -134,8 +135,8 @@ void describe(Visitor& v, E& jet) {
     v.item({.has_family = true});
 }
 
-/// Bodies cut free from everything but gravity and the forces and torques on them: what the rest exerts on them, along a direction; or about
-/// an axis in that direction through a point, its moment.
+/// Bodies cut free from everything but gravity and the forces and torques on them: what the rest exerts on them, along a direction; or
+/// about an axis in that direction through a point, its moment.
 struct Cut : Item {
     std::vector<Reference> bodies;
     VectorExpression direction;

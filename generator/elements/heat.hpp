@@ -51,10 +51,14 @@ void describe(Visitor& v, E& node) {
         .depends = node.boiling ? on_parameters | on_states : on_parameters, .variables = {Dimension::temperature()},
         .needs = {{"temperature", "needs the key 'temperature': the state that its capacity belongs to"}},
         .doc = "its heat capacity; \"T -> ...\" where it depends on the temperature"});
-    v.table("boiling", node.boiling, {.needs = {{"capacity", "needs the key 'capacity', because it boils"}}, .excludes = {no_family()},
-        .doc = "{ temperature, enthalpy, mass }: at that temperature heat evaporates what is left, a state, with an enthalpy of evaporation. "
-               "The capacity may depend on that state. Brings the modes NAME_liquid, NAME_boiling, and NAME_dry where the capacity is not "
-               "gone with the mass; else the run ends then"});
+    v.table(
+        "boiling", node.boiling,
+        {.needs = {{"capacity", "needs the key 'capacity', because it boils"}},
+         .excludes = {no_family()},
+         .doc =
+             "{ temperature, enthalpy, mass }: at that temperature heat evaporates what is left, a state, with an enthalpy of evaporation. "
+             "The capacity may depend on that state. Brings the modes NAME_liquid, NAME_boiling, and NAME_dry where the capacity is not "
+             "gone with the mass; else the run ends then"});
     v("heat", node.heat, {.dimension = Dimension::power(), .depends = on_state_and_inputs | on_losses,
         .doc = "heat flow into it from outside, or from dissipation as \"dissipated_power[friction]\""});
     v.item({.has_family = true});
@@ -95,7 +99,10 @@ inline const KeyChoices<Link::Law>& link_laws() {
 
 template <class Visitor, ElementOf<Link> E>
 void describe(Visitor& v, E& link) {
-    v("from", link.from, {.required = true, .refers = "place with a temperature", .doc = "a node, volume, reservoir or cell of a rod; the heat counts positive from here"});
+    v("from", link.from,
+      {.required = true,
+       .refers = "place with a temperature",
+       .doc = "a node, volume, reservoir or cell of a rod; the heat counts positive from here"});
     v("to", link.to, {.required = true, .refers = "place with a temperature", .doc = "where it goes"});
     v.choice("law", link.law, {.doc = "; none with conductance, resistance or heat"}, link_laws());
     v("heat", link.heat, {.dimension = Dimension::power(), .depends = on_state_and_inputs, .doc = "the heat flow, given"});
@@ -103,16 +110,26 @@ void describe(Visitor& v, E& link) {
         .sign = SignRule{link.law == Link::Law::linear, "W/K"}, .doc = "heat flow over temperature difference"});
     v("resistance", link.resistance, {.dimension = Dimension::none() / dimension::heat_conductance(), .depends = on_state_and_inputs,
         .sign = SignRule{link.law == Link::Law::linear, "K/W"}, .doc = "instead: temperature difference over heat flow (4.103a)"});
-    v("conductivity", link.conductivity, {.dimension = dimension::heat_conductivity(), .depends = on_parameters,
-        .variables = {Dimension::temperature()},
-        .sign = SignRule{link.law == Link::Law::linear, "W/(m*K)"}, .doc = "of conduction; \"T -> ...\" where it depends on the temperature: its integral is what flows"});
-    v("area", link.area, {.dimension = dimension::surface(), .depends = on_state_and_inputs, .sign = SignRule{link.law == Link::Law::linear, "m^2"}, .doc = "across the flow of heat"});
+    v("conductivity", link.conductivity,
+      {.dimension = dimension::heat_conductivity(),
+       .depends = on_parameters,
+       .variables = {Dimension::temperature()},
+       .sign = SignRule{link.law == Link::Law::linear, "W/(m*K)"},
+       .doc = "of conduction; \"T -> ...\" where it depends on the temperature: its integral is what flows"});
+    v("area", link.area,
+      {.dimension = dimension::surface(),
+       .depends = on_state_and_inputs,
+       .sign = SignRule{link.law == Link::Law::linear, "m^2"},
+       .doc = "across the flow of heat"});
     v("length", link.length, {.dimension = Dimension::length(), .depends = on_state_and_inputs,
         .sign = SignRule{link.law == Link::Law::linear, "m"}, .doc = "of conduction, along the flow of heat"});
     v("coefficient", link.coefficient, {.dimension = dimension::heat_transfer(), .depends = on_state_and_inputs,
         .sign = SignRule{link.law == Link::Law::linear, "W/(m^2*K)"}, .doc = "of convection or contact: alpha"});
-    v("emissivity", link.emissivity, {.dimension = Dimension::none(), .depends = on_state_and_inputs,
-        .sign = SignRule{link.law == Link::Law::linear, "1"}, .doc = "of radiation: emissivity or exchange factor; area*emissivity*stefan_boltzmann*(T_1^4 - T_2^4)"});
+    v("emissivity", link.emissivity,
+      {.dimension = Dimension::none(),
+       .depends = on_state_and_inputs,
+       .sign = SignRule{link.law == Link::Law::linear, "1"},
+       .doc = "of radiation: emissivity or exchange factor; area*emissivity*stefan_boltzmann*(T_1^4 - T_2^4)"});
     v.item({.has_family = true});
 }
 
@@ -145,14 +162,21 @@ void describe(Visitor& v, E& enclosure) {
         .doc = "of each surface, from 0 (reflects everything) to 1 (black); where one depends on states or inputs, up to 3 surfaces"});
     v("areas", enclosure.areas, {.dimension = dimension::surface(), .depends = on_plain_states_and_inputs, .words = "area",
         .doc = "of each surface; with view_factors"});
-    v("view_factors", enclosure.view_factors, {.type = ValueType::matrix, .dimension = Dimension::none(),
-        .depends = on_plain_states_and_inputs, .words = "view factor",
-        .doc = "row i, column j: the share of what leaves surface i that arrives at j (4.44). \"?\" for what follows from reciprocity (4.45) "
-               "and the sum 1 of each row (4.47). An opening is a black surface too, held at the temperature of what is outside"});
-    v("polygon", enclosure.polygon, {.dimension = Dimension::length(), .depends = constant_only, .words = "corner",
-        .doc = "instead: the corners of the cross section of a prism without ends, in order, convex or not; surface i goes from corner i to "
-               "corner i + 1. The view factors follow from crossed strings; which corners the strings touch is decided at the default "
-               "parameters, and holds for others while no string takes another course"});
+    v("view_factors", enclosure.view_factors,
+      {.type = ValueType::matrix,
+       .dimension = Dimension::none(),
+       .depends = on_plain_states_and_inputs,
+       .words = "view factor",
+       .doc =
+           "row i, column j: the share of what leaves surface i that arrives at j (4.44). \"?\" for what follows from reciprocity (4.45) "
+           "and the sum 1 of each row (4.47). An opening is a black surface too, held at the temperature of what is outside"});
+    v("polygon", enclosure.polygon,
+      {.dimension = Dimension::length(),
+       .depends = constant_only,
+       .words = "corner",
+       .doc = "instead: the corners of the cross section of a prism without ends, in order, convex or not; surface i goes from corner i to "
+              "corner i + 1. The view factors follow from crossed strings; which corners the strings touch is decided at the default "
+              "parameters, and holds for others while no string takes another course"});
     v("height", enclosure.height, {.dimension = Dimension::length(), .depends = constant_only,
         .doc = "with polygon: the length of the prism along its axis"});
     v.either("polygon", "view_factors", "the polygon of its cross section or its view_factors");

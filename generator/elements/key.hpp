@@ -58,7 +58,8 @@ struct Key {
     bool may_be_absent = false;                 ///< it is a state, which a scene may leave out
     bool is_of_sizes = false;                   ///< made of sizes alone
     std::optional<SignRule> sign = {};
-    const char* words = nullptr;                ///< in sentences: "smallest size"; the name, if left out; "": the element itself. Of a table: before those of its keys
+    const char* words =
+        nullptr;  ///< in sentences: "smallest size"; the name, if left out; "": the element itself. Of a table: before those of its keys
     const char* noun = "";                      ///< of a table, in sentences: "course" for "the polytropic course"
     std::vector<KeyRule> needs = {};
     std::vector<KeyRule> excludes = {};

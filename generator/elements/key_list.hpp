@@ -51,7 +51,9 @@ std::span<const std::string> rules_of();
 class KeyList {
 public:
     template <class Member>
-    void operator()(const char* name, const Member& member, const Key& key) { add(name, key, key.type ? *key.type : keys::type_of(member, key)); }
+    void operator()(const char* name, const Member& member, const Key& key) {
+        add(name, key, key.type ? *key.type : keys::type_of(member, key));
+    }
     template <class Value>
     void choice(const char* name, const Value&, const Key& key, const KeyChoices<Value>& choices) {
         add(name, key, ValueType::choice);
@@ -62,7 +64,8 @@ public:
             if (*c.word == '\0') continue;
             words += fmt::format("{}\"{}\"{}", words.empty() ? "" : is_long ? "; " : &c == &choices.back() ? " or " : ", ", c.word, c.doc);
             if (c.needs.empty() && c.takes.empty()) continue;
-            spec.lines.push_back(fmt::format("\"{}\"{}{}{}", c.word, listed(" needs ", c.needs), c.needs.empty() || c.takes.empty() ? "" : ",", listed(" may have ", c.takes)));
+            spec.lines.push_back(fmt::format("\"{}\"{}{}{}", c.word, listed(" needs ", c.needs),
+                                             c.needs.empty() || c.takes.empty() ? "" : ",", listed(" may have ", c.takes)));
         }
         spec.doc = words + (spec.doc.empty() || std::string(".;:").find(spec.doc.front()) != std::string::npos ? "" : "; ") + spec.doc;
     }
@@ -87,7 +90,8 @@ public:
     void either(const char* one, const char* other, const char*) { rules.push_back(fmt::format("Either `{}` or `{}`.", one, other)); }
     void item(const ItemKeys& item) {
         if (item.has_doc) rows.push_back({"doc", ValueType::text, false, "what it is, in words; goes into the report and the header"});
-        if (item.has_family) rows.push_back({"for", ValueType::family, false, "makes it a family, one for each value of an index: \"k = 1..N\""});
+        if (item.has_family)
+            rows.push_back({"for", ValueType::family, false, "makes it a family, one for each value of an index: \"k = 1..N\""});
         if (item.has_when)
             rows.push_back({"when", ValueType::condition, false,
                             "the effects under which it is there: \"drag\", \"not drag\", \"a and (b or c)\"; always, if left out"});

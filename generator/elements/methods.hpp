@@ -36,7 +36,8 @@ inline std::vector<std::string> method_names() {
 }
 
 inline bool needs_step(std::string_view name) {
-    return std::any_of(methods_of_integration.begin(), methods_of_integration.end(), [&](const MethodSpec& method) { return method.name == name && method.needs_step; });
+    return std::any_of(methods_of_integration.begin(), methods_of_integration.end(),
+                       [&](const MethodSpec& method) { return method.name == name && method.needs_step; });
 }
 
 /// " (for tight tolerances)", " (fixed step)", or nothing.
@@ -48,7 +49,8 @@ inline std::string described(const MethodSpec& method) {
 /// "dopri5, dop853 (for tight tolerances), ..., rk4 (fixed step)"
 inline std::string methods_text() {
     std::string text;
-    for (const MethodSpec& method : methods_of_integration) text += (text.empty() ? "" : ", ") + std::string(method.name) + described(method);
+    for (const MethodSpec& method : methods_of_integration)
+        text += (text.empty() ? "" : ", ") + std::string(method.name) + described(method);
     return text;
 }
 

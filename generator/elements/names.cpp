@@ -176,7 +176,9 @@ unsigned dependence(const QuantitySpec& quantity) {
     if (quantity.is_property) return on_properties;
     if (quantity.is_place) return on_places;
     if (quantity.is_velocity) return on_places | on_velocities;
-    if (quantity.subscript == Subscript::solid || quantity.subscript == Subscript::solid_and_axis || quantity.subscript == Subscript::solid_and_axes) return on_parameters;
+    if (quantity.subscript == Subscript::solid || quantity.subscript == Subscript::solid_and_axis ||
+        quantity.subscript == Subscript::solid_and_axes)
+        return on_parameters;
     return quantity.subscript == Subscript::optional_damper ? on_losses : on_quantities;
 }
 
@@ -232,11 +234,13 @@ unsigned dependence(const Expression& e, const Names& names, std::map<const Defi
 unsigned dependence(const Load& load, const Names& names, std::map<const Definition*, unsigned>& known) {
     // Its own unknowns are letters in it.
     for (const Unknown& unknown : load.unknowns)
-        if (const Named* named = names.find(unknown.name); named != nullptr && named->kind == Named::Kind::definition) known[&named->definition()] = 0;
+        if (const Named* named = names.find(unknown.name); named != nullptr && named->kind == Named::Kind::definition)
+            known[&named->definition()] = 0;
     unsigned result = 0;
     visit(load, [&](const Site& site) { result |= dependence(*site.expression, names, known); });
     for (const Unknown& unknown : load.unknowns)
-        if (const Named* named = names.find(unknown.name); named != nullptr && named->kind == Named::Kind::definition) known[&named->definition()] = result;
+        if (const Named* named = names.find(unknown.name); named != nullptr && named->kind == Named::Kind::definition)
+            known[&named->definition()] = result;
     return result;
 }
 
@@ -246,14 +250,18 @@ std::set<std::string> loads_needed(const Load& load, const Names& names) {
     std::set<std::string> loads;
     std::set<const Definition*> seen;
     for (const Unknown& unknown : load.unknowns)
-        if (const Named* named = names.find(unknown.name); named != nullptr && named->kind == Named::Kind::definition) seen.insert(&named->definition());
+        if (const Named* named = names.find(unknown.name); named != nullptr && named->kind == Named::Kind::definition)
+            seen.insert(&named->definition());
     const std::function<void(const Expression&)> collect = [&](const Expression& expression) {
         for_each(expression, [&](const Expression& e) {
             if (e.kind != Expression::Kind::name) return;
             const QuantitySpec* quantity = e.children.empty() ? nullptr : find_quantity(e.name);
-            if (quantity != nullptr && (quantity->subscript == Subscript::load_and_axis || quantity->subscript == Subscript::load_and_unknown)) loads.insert(e.children[0]->name);
+            if (quantity != nullptr &&
+                (quantity->subscript == Subscript::load_and_axis || quantity->subscript == Subscript::load_and_unknown))
+                loads.insert(e.children[0]->name);
             const Named* named = names.find(e.name);
-            if (named != nullptr && named->kind == Named::Kind::definition && seen.insert(&named->definition()).second) collect(*named->definition().value);
+            if (named != nullptr && named->kind == Named::Kind::definition && seen.insert(&named->definition()).second)
+                collect(*named->definition().value);
         });
     };
     visit(load, [&](const Site& site) { collect(*site.expression); });

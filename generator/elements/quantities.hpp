@@ -62,7 +62,8 @@ struct Definition : Item {
 };
 
 template <>
-inline constexpr KindSpec kind_of<Definition>{"definition", "Names for expressions.", "[definitions]\nm_S = \"rho_S*l_S*b_S*h_S\"", "value"};
+inline constexpr KindSpec kind_of<Definition>{"definition", "Names for expressions.", "[definitions]\nm_S = \"rho_S*l_S*b_S*h_S\"",
+                                              "value"};
 
 template <class Visitor, ElementOf<Definition> E>
 void describe(Visitor& v, E& definition) {
@@ -146,7 +147,8 @@ struct Output : Item {
 };
 
 template <>
-inline constexpr KindSpec kind_of<Output>{"output", "What is measured or reported.", "[outputs]\nheight = \"-l*cos(phi)\"", "value", in_all_modes};
+inline constexpr KindSpec kind_of<Output>{"output", "What is measured or reported.", "[outputs]\nheight = \"-l*cos(phi)\"", "value",
+                                          in_all_modes};
 
 template <class Visitor, ElementOf<Output> E>
 void describe(Visitor& v, E& output) {

@@ -69,8 +69,9 @@ struct PrintedEquation : Item {
 };
 
 template <>
-inline constexpr KindSpec kind_of<PrintedEquation>{"printed equation", "Equations as a text prints them, to be checked against the derivation.",
-    "[printed.\"2.160\"]\nequation = \"m*l^2*ddot(phi) = -m*g*l*sin(phi)\""};
+inline constexpr KindSpec kind_of<PrintedEquation>{"printed equation",
+                                                   "Equations as a text prints them, to be checked against the derivation.",
+                                                   "[printed.\"2.160\"]\nequation = \"m*l^2*ddot(phi) = -m*g*l*sin(phi)\""};
 
 inline const KeyChoices<std::optional<Verdict>>& expected_verdicts() {
     static const KeyChoices<std::optional<Verdict>> choices = [] {
@@ -145,9 +146,13 @@ void describe(Visitor& v, E& run) {
     v("start", run.start, {.unit = declared, .depends = constant_only,
         .names = on_parameters | on_coordinates | on_velocities | on_states, .words = "start value",
         .doc = "start values that differ: { s = 0.2, \"dot(s)\" = 0 }, without a unit in the declared one"});
-    v("inputs", run.inputs, {.unit = declared, .depends = on_motion | on_states, .names = on_inputs, .words = "course",
-        .doc = "inputs as expressions of t and the states, without a unit in the declared one; 0 for what is left out, but temperatures and "
-               "pressures have to be given"});
+    v("inputs", run.inputs,
+      {.unit = declared,
+       .depends = on_motion | on_states,
+       .names = on_inputs,
+       .words = "course",
+       .doc = "inputs as expressions of t and the states, without a unit in the declared one; 0 for what is left out, but temperatures and "
+              "pressures have to be given"});
     v("parameters", run.parameters, {.unit = declared, .depends = constant_only, .names = on_parameters, .words = "value",
         .doc = "parameters that differ, without a unit in the declared one"});
     v("exact", run.exact, {.unit = declared, .depends = on_parameters | on_time,

@@ -13,7 +13,8 @@ namespace {
 /// What is written as a site; `bound` are the names that mean something in all of the item.
 void take(const Written& written, std::vector<std::string> bound, const SiteVisitor& visitor) {
     bound.insert(bound.end(), written.bound.begin(), written.bound.end());
-    visitor({&written.expression, written.depends, written.what, std::move(bound), written.is_of_sizes, written.key.may_be_absent, written.may_shadow});
+    visitor({&written.expression, written.depends, written.what, std::move(bound), written.is_of_sizes, written.key.may_be_absent,
+             written.may_shadow});
 }
 
 /// The equations may use letters that are written beside them.

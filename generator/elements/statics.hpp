@@ -41,13 +41,17 @@ inline const KeyChoices<Solid::Shape>& solid_shapes() {
 
 template <class Visitor, ElementOf<Solid> E>
 void describe(Visitor& v, E& solid) {
-    v.choice("shape", solid.shape, {
-        .doc = "instead of `of`. The origin of its axes lies in the middle of a box, cylinder or sphere, and in the middle of the base of a "
-               "cone or hemisphere; what is round is so about z, and stands towards +z"}, solid_shapes());
+    v.choice(
+        "shape", solid.shape,
+        {.doc =
+             "instead of `of`. The origin of its axes lies in the middle of a box, cylinder or sphere, and in the middle of the base of a "
+             "cone or hemisphere; what is round is so about z, and stands towards +z"},
+        solid_shapes());
     v("size", solid.size, {.dimension = Dimension::length(), .depends = constant_only, .doc = "of a box: its lengths along x, y and z"});
     v("radius", solid.radius, {.dimension = Dimension::length(), .depends = constant_only,
         .doc = "of what is round; of a cone that of its base"});
-    v("inner_radius", solid.inner_radius, {.dimension = Dimension::length(), .depends = constant_only, .doc = "of a hollow cylinder or sphere"});
+    v("inner_radius", solid.inner_radius,
+      {.dimension = Dimension::length(), .depends = constant_only, .doc = "of a hollow cylinder or sphere"});
     v("height", solid.height, {.dimension = Dimension::length(), .depends = constant_only, .doc = "of a cylinder or cone, along z"});
     v("top_radius", solid.top_radius, {.dimension = Dimension::length(), .depends = constant_only, .words = "radius at the top",
         .doc = "of a frustum of a cone; 0 if left out: the cone ends in a point"});
@@ -117,9 +121,12 @@ inline constexpr KindSpec kind_of<Load>{"load",
 
 template <class Visitor, ElementOf<Load> E>
 void describe(Visitor& v, E& load) {
-    v.named("forces", load.parts, {.required = true,
-        .doc = "{ NAME = { at = [x, y, z], force = [x, y, z] } }, or { moment = [x, y, z] } for a pure couple; a force without `at` acts at "
-               "the origin"});
+    v.named(
+        "forces", load.parts,
+        {.required = true,
+         .doc =
+             "{ NAME = { at = [x, y, z], force = [x, y, z] } }, or { moment = [x, y, z] } for a pure couple; a force without `at` acts at "
+             "the origin"});
     v("about", load.about, {.dimension = Dimension::length(), .depends = on_anything & ~on_outputs, .words = "point of reference",
         .doc = "the point that moments are taken about; the origin if left out"});
     v.named("unknowns", load.unknowns, {

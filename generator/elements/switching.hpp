@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Machines with modes as they were written: the modes, the events between them, what is held in some of them, and elements that bring all of
-// that.
+// Machines with modes as they were written: the modes, the events between them, what is held in some of them, and elements that bring all
+// of that.
 #pragma once
 
 #include "elements/key.hpp"

@@ -24,15 +24,17 @@ struct Written {
 
 /// What holds no expression.
 template <class Member>
-concept Plain = std::same_as<Member, bool> || std::same_as<Member, std::optional<bool>> || std::same_as<Member, std::string> || std::same_as<Member, int> ||
-                std::same_as<Member, Rational> || std::same_as<Member, Unit> || std::same_as<Member, std::optional<Unit>> || std::same_as<Member, std::vector<Condition>> ||
-                std::same_as<Member, std::vector<Plot>> || std::same_as<Member, NamesWithPlaces>;
+concept Plain = std::same_as<Member, bool> || std::same_as<Member, std::optional<bool>> || std::same_as<Member, std::string> ||
+    std::same_as<Member, int> || std::same_as<Member, Rational> || std::same_as<Member, Unit> ||
+    std::same_as<Member, std::optional<Unit>> || std::same_as<Member, std::vector<Condition>> || std::same_as<Member, std::vector<Plot>> ||
+    std::same_as<Member, NamesWithPlaces>;
 
 /// Hands each expression to take(Written).
 template <class Take>
 class ExpressionWalk {
 public:
-    ExpressionWalk(const Take& take, std::string owner, std::string prefix = {}) : take_(take), owner_(std::move(owner)), prefix_(std::move(prefix)) {}
+    ExpressionWalk(const Take& take, std::string owner, std::string prefix = {})
+        : take_(take), owner_(std::move(owner)), prefix_(std::move(prefix)) {}
 
     template <Plain Member>
     void operator()(const char*, const Member&, const Key&) const {}
@@ -84,14 +86,16 @@ public:
         for (const CoordinateEntry& entry : entries) {
             index(entry.index, entry.coordinate, key);
             if (!entry.value) continue;
-            Written written{*entry.value, key, key.depends, fmt::format("the {} on '{}' of {}", words_of(name, key), entry.coordinate, owner_)};
+            Written written{*entry.value, key, key.depends,
+                            fmt::format("the {} on '{}' of {}", words_of(name, key), entry.coordinate, owner_)};
             written.along = &entry;
             take_(written);
         }
     }
     void operator()(const char* name, const RunEntry& entry, const Key& key) const {
         take_(Written{*entry.variable, key, key.names, fmt::format("the {} of {}", words_of(name, {}), owner_)});
-        Written written{*entry.value, key, key.depends, fmt::format("the {} of '{}' of {}", words_of(name, key), entry.variable->written(), owner_)};
+        Written written{*entry.value, key, key.depends,
+                        fmt::format("the {} of '{}' of {}", words_of(name, key), entry.variable->written(), owner_)};
         written.like = entry.variable.get();
         take_(written);
     }

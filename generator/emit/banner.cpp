@@ -27,7 +27,8 @@ std::string fixed_list(const System& system) {
     for (const Parameter& item : system.scene.model->parameters) {
         if (!system.scene.fixed.contains(item.name)) continue;
         for (const auto& member : members_of(item, system.scene))
-            text += fmt::format("{}{} = {}{}", text.empty() ? "" : ", ", member.name(), double_text(system.translate(value_of(member, system.scene), Translator::indices_of(member))),
+            text += fmt::format("{}{} = {}{}", text.empty() ? "" : ", ", member.name(),
+                                double_text(system.translate(value_of(member, system.scene), Translator::indices_of(member))),
                                 item.unit.si() == "1" ? "" : " " + item.unit.si());
     }
     return text;
@@ -38,22 +39,27 @@ std::size_t largest_network(const Code& code, bool of_junctions) {
     std::size_t largest = 0;
     for (const FunctionCode& f : code.functions)
         for (const NodeId id : f.program.in_order(f.roots()))
-            if (const Node& node = f.program[id]; node.kind == Node::Kind::function && is_array(node.op) && (node.op == Op::junction_root) == of_junctions) largest = std::max(largest, order_of_network(node));
+            if (const Node& node = f.program[id];
+                node.kind == Node::Kind::function && is_array(node.op) && (node.op == Op::junction_root) == of_junctions)
+                largest = std::max(largest, order_of_network(node));
     return largest;
 }
 
 std::string verdicts(const std::vector<const AuditEntry*>& entries) {
-    const auto proven = std::count_if(entries.begin(), entries.end(), [](const AuditEntry* e) { return e->result.verdict == Verdict::proven; });
+    const auto proven =
+        std::count_if(entries.begin(), entries.end(), [](const AuditEntry* e) { return e->result.verdict == Verdict::proven; });
     return fmt::format("{} of {}", proven, entries.size());
 }
 
 }  // namespace
 
 bool Proofs::all_proven() const {
-    return derivation.all_proven() && std::all_of(emitted.begin(), emitted.end(), [](const AuditEntry& e) { return e.result.verdict == Verdict::proven; });
+    return derivation.all_proven() &&
+           std::all_of(emitted.begin(), emitted.end(), [](const AuditEntry& e) { return e.result.verdict == Verdict::proven; });
 }
 
-std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, const std::vector<EffectSize>& effects_out, const std::string& command) {
+std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, const std::vector<EffectSize>& effects_out,
+                   const std::string& command) {
     const Code& code = *modes.front();
     const Scene& scene = code.system.scene;
     const Model& model = *scene.model;
@@ -65,7 +71,8 @@ std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, 
     text += cpp_comment("Effects in: " + effect_list(scene.effects_in), 0, "//");
     if (effects_out.empty()) text += "// Effects out: none\n";
     else text += "// Effects out, and what each would do to the rates at the start values:\n";
-    for (const EffectSize& out : effects_out) text += cpp_comment(fmt::format("{} ({}): {}", out.effect->name, safe_line(out.effect->doc), out.at_start), 0, "//    ");
+    for (const EffectSize& out : effects_out)
+        text += cpp_comment(fmt::format("{} ({}): {}", out.effect->name, safe_line(out.effect->doc), out.at_start), 0, "//    ");
 
     if (!scene.fixed.empty()) text += cpp_comment("Fixed: " + fixed_list(code.system), 0, "//");
     if (modes.size() > 1) {
@@ -91,7 +98,8 @@ std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, 
     if (!solids.empty()) text += fmt::format("//     integrals over solids, and Steiner's theorem: {}\n", verdicts(solids));
     if (!loads.empty()) text += fmt::format("//     equilibrium of loads: {}\n", verdicts(loads));
     if (!balances.empty()) text += fmt::format("//     balances of mass and energy: {} balances\n", verdicts(balances));
-    text += fmt::format("//     {} + prescribed: {}\n", Audit::power_balance_name(code.system), to_string(proofs.derivation.power_balance.result.verdict));
+    text += fmt::format("//     {} + prescribed: {}\n", Audit::power_balance_name(code.system),
+                        to_string(proofs.derivation.power_balance.result.verdict));
     text += fmt::format("//     this code = the derivation: {} functions\n", verdicts(emitted));
 
     text += "//\n";
@@ -103,13 +111,20 @@ std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, 
         for (const Code* mode : modes)
             if (mode->count(function).total() > c.total()) c = mode->count(function);
         if (c.total() == 0) continue;
-        text += fmt::format("//   {:<18} {:>5} {:>6} {:>5} {:>8} {:>6}\n", name_of(function), c.additions, c.multiplications, c.divisions, c.trigonometric, c.other);
+        text += fmt::format("//   {:<18} {:>5} {:>6} {:>5} {:>8} {:>6}\n", name_of(function), c.additions, c.multiplications, c.divisions,
+                            c.trigonometric, c.other);
     }
-    if (std::any_of(code.functions.begin(), code.functions.end(), [](const FunctionCode& f) { return f.by_loops; })) text += fmt::format("//   and solves with M ({} x {}) by loops, which are not counted\n", code.solve.n, code.solve.n);
-    if (const std::size_t nodes = largest_network(code, false)) text += fmt::format("//   and solves for the temperatures of networks of up to {} nodes, of which only the calls are counted\n", nodes);
-    if (const std::size_t roots = largest_network(code, true)) text += fmt::format("//   and solves for the pressures of junctions of up to {} orifices, of which only the calls are counted\n", roots);
-    text += "//\n// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software\n"
-            "// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.\n";
+    if (std::any_of(code.functions.begin(), code.functions.end(), [](const FunctionCode& f) { return f.by_loops; }))
+        text += fmt::format("//   and solves with M ({} x {}) by loops, which are not counted\n", code.solve.n, code.solve.n);
+    if (const std::size_t nodes = largest_network(code, false))
+        text +=
+            fmt::format("//   and solves for the temperatures of networks of up to {} nodes, of which only the calls are counted\n", nodes);
+    if (const std::size_t roots = largest_network(code, true))
+        text += fmt::format("//   and solves for the pressures of junctions of up to {} orifices, of which only the calls are counted\n",
+                            roots);
+    text +=
+        "//\n// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software\n"
+        "// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.\n";
     return text;
 }
 

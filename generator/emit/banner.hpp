@@ -18,6 +18,7 @@ struct Proofs {
 };
 
 /// `command` is shown as it is: normalised, without paths.
-std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, const std::vector<EffectSize>& effects_out, const std::string& command);
+std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, const std::vector<EffectSize>& effects_out,
+                   const std::string& command);
 
 }  // namespace dalembert

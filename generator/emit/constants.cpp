@@ -27,7 +27,8 @@ Value constant_value(const ex& value) {
 }
 
 bool contains_pi(const Value& value) {
-    return value.kind() == Value::Kind::pi || (value.kind() != Value::Kind::none && std::any_of(value.parts().begin(), value.parts().end(), contains_pi));
+    return value.kind() == Value::Kind::pi ||
+           (value.kind() != Value::Kind::none && std::any_of(value.parts().begin(), value.parts().end(), contains_pi));
 }
 
 double double_value(const ex& value) {

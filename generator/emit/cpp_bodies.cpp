@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t most_held = 16;  ///< values that registers hold
 
-const std::set<std::string> argument_names{"x", "u", "t", "J", "M", "y", "dxdt", "b", "Q", "p", "energies", "starts", "start", "p_", "c_", "mass", "detail", "Scalar", "State", "c", "solved", "unit"};
+const std::set<std::string> argument_names{"x",      "u",     "t",  "J",  "M",    "y",      "dxdt",   "b",     "Q", "p",      "energies",
+                                           "starts", "start", "p_", "c_", "mass", "detail", "Scalar", "State", "c", "solved", "unit"};
 Argument result_of(const char* type, const char* name, bool is_used) { return {type, name, Argument::Passing::result, is_used}; }
 
 Statement vector_of(const char* type, const char* name) { return Declaration{{Storage::Kind::vector, {}, type}, {name}}; }
@@ -21,8 +22,17 @@ const std::set<std::string> names_of_modes{"mode", "event", "event_number", "g",
 }  // namespace
 
 CppBodies::CppBodies(const Code& code, const SharedMembers& shared)
-    : code_(code), shared_(shared), n_(code.system.symbols.degrees()), velocities_(code.system.symbols.positions()), states_(velocities_ + n_), m_(code.system.symbols.states()), cached_(shared.cached(code)), mode_(shared.has_modes() ? std::vector<Value>{Value::name("mode")} : std::vector<Value>()), arguments_(argument_names) {
-    for (const auto& [index, number] : cached_) cached_values_.emplace(index, Value::member(Value::Object::cached, cached_name(code.system.symbols, number)));
+    : code_(code),
+      shared_(shared),
+      n_(code.system.symbols.degrees()),
+      velocities_(code.system.symbols.positions()),
+      states_(velocities_ + n_),
+      m_(code.system.symbols.states()),
+      cached_(shared.cached(code)),
+      mode_(shared.has_modes() ? std::vector<Value>{Value::name("mode")} : std::vector<Value>()),
+      arguments_(argument_names) {
+    for (const auto& [index, number] : cached_)
+        cached_values_.emplace(index, Value::member(Value::Object::cached, cached_name(code.system.symbols, number)));
     if (shared.has_modes()) arguments_.insert(names_of_modes.begin(), names_of_modes.end());
 }
 
@@ -113,7 +123,8 @@ FunctionBody CppBodies::update(std::set<std::string>& done) {
     if (f.by_loops && code_.solve.is_constant) {
         helpers_.insert("ldlt");
         append(statements, cpp.compute(f.mass));
-        for (std::size_t i = 0; i < f.mass.size(); ++i) append(statements, assigned(cpp, Value::element(Value::member(Value::Object::cached, "mass_factors"), i), f.mass[i]));
+        for (std::size_t i = 0; i < f.mass.size(); ++i)
+            append(statements, assigned(cpp, Value::element(Value::member(Value::Object::cached, "mass_factors"), i), f.mass[i]));
         statements.push_back(Invocation{Value::call(Value::Where::helper, "ldlt_factor", {mass()}, {n_})});
     }
     return finish(cpp, std::move(statements), {}, {});
@@ -128,10 +139,14 @@ FunctionBody CppBodies::start_state() {
     return finish(cpp, std::move(statements), {}, {});
 }
 
-Value CppBodies::mass() const { return code_.solve.is_constant ? Value::member(Value::Object::cached, "mass_factors") : Value::name("mass"); }
+Value CppBodies::mass() const {
+    return code_.solve.is_constant ? Value::member(Value::Object::cached, "mass_factors") : Value::name("mass");
+}
 
 /// By loops: right sides become solutions, where they stand.
-Statements CppBodies::solved(Value right) const { return {Invocation{Value::call(Value::Where::helper, "ldlt_solve", {mass(), std::move(right)}, {n_})}}; }
+Statements CppBodies::solved(Value right) const {
+    return {Invocation{Value::call(Value::Where::helper, "ldlt_solve", {mass(), std::move(right)}, {n_})}};
+}
 
 /// By loops: M of this motion, factored. A constant one was factored in update().
 Statements CppBodies::factored_mass(CppFunction& cpp, const FunctionCode& f) {
@@ -153,11 +168,13 @@ Statements CppBodies::motion(CppFunction& cpp, const FunctionCode& f) {
         first.insert(first.end(), f.force.begin(), f.force.end());
         append(statements, cpp.compute(first));
         append(statements, factored_mass(cpp, f));
-        for (std::size_t j = 0; j < n_; ++j) append(statements, assigned(cpp, Value::element(Value::name("dxdt"), velocities_ + j), f.force[j]));
+        for (std::size_t j = 0; j < n_; ++j)
+            append(statements, assigned(cpp, Value::element(Value::name("dxdt"), velocities_ + j), f.force[j]));
         helpers_.insert("ldlt");
         append(statements, solved(Value::part_from(Value::name("dxdt"), velocities_)));
     } else {
-        for (std::size_t j = 0; j < n_; ++j) cpp.name_node(f.accelerations[j], cpp_name(code_.system.symbols.all(SymbolKind::acceleration)[j]));
+        for (std::size_t j = 0; j < n_; ++j)
+            cpp.name_node(f.accelerations[j], cpp_name(code_.system.symbols.all(SymbolKind::acceleration)[j]));
         name_multipliers(cpp, f.accelerations);
         append(statements, cpp.compute(f.accelerations));
     }
@@ -171,8 +188,10 @@ Statements CppBodies::stored_motion(CppFunction& cpp, const FunctionCode& f) {
     const Symbols& symbols = code_.system.symbols;
     for (std::size_t j = 0; j < n_; ++j)
         if (symbols.has_value(j))
-            statements.push_back(Assignment{Value::element(Value::name("dxdt"), symbols.place(SymbolKind::coordinate, j)), Value::element(Value::name("x"), velocities_ + j)});
-    for (std::size_t j = 0; !f.by_loops && j < n_; ++j) append(statements, assigned(cpp, Value::element(Value::name("dxdt"), velocities_ + j), f.accelerations[j]));
+            statements.push_back(Assignment{Value::element(Value::name("dxdt"), symbols.place(SymbolKind::coordinate, j)),
+                                            Value::element(Value::name("x"), velocities_ + j)});
+    for (std::size_t j = 0; !f.by_loops && j < n_; ++j)
+        append(statements, assigned(cpp, Value::element(Value::name("dxdt"), velocities_ + j), f.accelerations[j]));
     for (std::size_t i = 0; i < m_; ++i) append(statements, assigned(cpp, Value::element(Value::name("dxdt"), states_ + i), f.results[i]));
     return statements;
 }
@@ -185,14 +204,15 @@ FunctionBody CppBodies::rhs() {
     return finish(cpp, std::move(statements), {result_of("State", "dxdt", n_ + m_ > 0)}, {.state = n_ > 0});
 }
 
-/// What is computed for J and for the rates of plain states, if that fits into registers: nothing is stored before all is computed then. For all that
-/// a compiler knows, what is stored may change a member, which it then loads anew.
+/// What is computed for J and for the rates of plain states, if that fits into registers: nothing is stored before all is computed then.
+/// For all that a compiler knows, what is stored may change a member, which it then loads anew.
 Statements CppBodies::entries_if_few(CppFunction& cpp, const FunctionCode& f) {
     const JacobianLayout places = layout(By::state);
     std::vector<NodeId> entries;
     const auto add = [&](NodeId id) {
         const Node::Kind kind = f.program[id].kind;
-        if (kind != Node::Kind::constant && kind != Node::Kind::symbol && std::find(entries.begin(), entries.end(), id) == entries.end()) entries.push_back(id);
+        if (kind != Node::Kind::constant && kind != Node::Kind::symbol && std::find(entries.begin(), entries.end(), id) == entries.end())
+            entries.push_back(id);
     };
     const auto take = [&](std::size_t row, std::size_t c, NodeId id) {
         if (places.place(row, c)) add(id);
@@ -219,13 +239,15 @@ FunctionBody CppBodies::rhs_and_jacobian() {
     const FunctionCode& f = code_[Function::rhs_and_jacobian];
     CppFunction cpp(code_, f, cached_values_, arguments_);
     Statements statements = motion_and_jacobian(cpp, f);
-    return finish(cpp, std::move(statements), {result_of("State", "dxdt", n_ + m_ > 0), result_of("JacobianX", "J", n_ + m_ > 0)}, {.state = n_ > 0});
+    return finish(cpp, std::move(statements), {result_of("State", "dxdt", n_ + m_ > 0), result_of("JacobianX", "J", n_ + m_ > 0)},
+                  {.state = n_ > 0});
 }
 
 FunctionBody CppBodies::jacobian_x() const {
     FunctionBody body;
     if (!mode_.empty()) body.arguments.push_back({"Mode", "mode", Argument::Passing::value});
-    body.arguments.insert(body.arguments.end(), {{"State", "x"}, {"Input", "u"}, {"Scalar", "t", Argument::Passing::value}, result_of("JacobianX", "J", true)});
+    body.arguments.insert(body.arguments.end(),
+                          {{"State", "x"}, {"Input", "u"}, {"Scalar", "t", Argument::Passing::value}, result_of("JacobianX", "J", true)});
     body.statements = {vector_of("State", "dxdt"), Invocation{call_of("rhs_and_jacobian", {"dxdt", "J"})}};
     return body;
 }
@@ -237,9 +259,12 @@ FunctionBody CppBodies::together() {
     const std::size_t outputs = code_.system.outputs.size();
     for (std::size_t i = 0; i < outputs; ++i) append(statements, assigned(cpp, Value::element(Value::name("y"), i), f.results[m_ + i]));
     std::size_t next = m_ + outputs;
-    for (const char* energy : {"kinetic", "potential", "internal"}) append(statements, assigned(cpp, Value::member(Value::Object::energies, energy), f.results[next++]));
+    for (const char* energy : {"kinetic", "potential", "internal"})
+        append(statements, assigned(cpp, Value::member(Value::Object::energies, energy), f.results[next++]));
     const bool moves = n_ + m_ > 0;
-    return finish(cpp, std::move(statements), {result_of("State", "dxdt", moves), result_of("JacobianX", "J", moves), result_of("Output", "y", outputs > 0), result_of("Energies", "energies", true)},
+    return finish(cpp, std::move(statements),
+                  {result_of("State", "dxdt", moves), result_of("JacobianX", "J", moves), result_of("Output", "y", outputs > 0),
+                   result_of("Energies", "energies", true)},
                   {.state = n_ > 0});
 }
 
@@ -295,7 +320,9 @@ Statements CppBodies::filled_jacobian(CppFunction& cpp, const FunctionCode& f, c
             set(row, value);
         };
         for (std::size_t j = 0; j < n_; ++j)
-            if (code_.system.symbols.has_value(j)) set(code_.system.symbols.place(SymbolKind::coordinate, j), Value::constant(by == By::state && c == velocities_ + j ? 1 : 0));
+            if (code_.system.symbols.has_value(j))
+                set(code_.system.symbols.place(SymbolKind::coordinate, j),
+                    Value::constant(by == By::state && c == velocities_ + j ? 1 : 0));
         for (std::size_t j = 0; !f.loop && j < n_; ++j) set_node(velocities_ + j, accelerations.at(j, c));
         for (std::size_t j = 0; f.loop && !layout.has_accelerations(c) && j < n_; ++j) set(velocities_ + j, Value::constant(0));
         for (std::size_t i = 0; i < m_; ++i) set_node(states_ + i, f.below.at(i, c));
@@ -304,13 +331,15 @@ Statements CppBodies::filled_jacobian(CppFunction& cpp, const FunctionCode& f, c
     if (starts.empty()) return statements;
     statements.push_back(Declaration{{Storage::Kind::indices, {starts.size()}}, {"starts"}, {}, false, starts});
     helpers_.insert("ldlt");
-    statements.push_back(Invocation{Value::call(Value::Where::helper, "ldlt_solve_columns", {mass(), Value::whole_array("J"), Value::name("starts")}, {n_})});
+    statements.push_back(Invocation{
+        Value::call(Value::Where::helper, "ldlt_solve_columns", {mass(), Value::whole_array("J"), Value::name("starts")}, {n_})});
     return statements;
 }
 
 void CppBodies::name_multipliers(CppFunction& cpp, const std::vector<NodeId>& solved_for) const {
     const std::vector<std::size_t>& multipliers = code_.system.motion.multipliers;
-    for (std::size_t i = 0; !solved_for.empty() && i < multipliers.size(); ++i) cpp.name_node(solved_for[n_ + i], cpp_name(code_.system.symbols.all(SymbolKind::multiplier)[multipliers[i]]));
+    for (std::size_t i = 0; !solved_for.empty() && i < multipliers.size(); ++i)
+        cpp.name_node(solved_for[n_ + i], cpp_name(code_.system.symbols.all(SymbolKind::multiplier)[multipliers[i]]));
 }
 
 /// Accelerations for functions that need them but do not solve for them.
@@ -327,7 +356,8 @@ FunctionBody CppBodies::jacobian(Function function, By by) {
     append(statements, filled_jacobian(cpp, f, layout(by), by, false));
     static constexpr const char* types[]{"JacobianX", "JacobianU", "JacobianP", "JacobianT"};
     const bool unused = layout(by).size() == 0;
-    return finish(cpp, std::move(statements), {result_of(types[static_cast<std::size_t>(by)], "J", !unused)}, {.everything = f.uses_accelerations});
+    return finish(cpp, std::move(statements), {result_of(types[static_cast<std::size_t>(by)], "J", !unused)},
+                  {.everything = f.uses_accelerations});
 }
 
 FunctionBody CppBodies::mass_matrix() {
@@ -337,7 +367,9 @@ FunctionBody CppBodies::mass_matrix() {
     for (std::size_t c = 0; c < n_; ++c)
         for (std::size_t r = 0; r < n_; ++r)
             if (r >= c) append(statements, assigned(cpp, Value::element(Value::name("M"), c * n_ + r), f.results[lower_index(r, c)]));
-            else statements.push_back(Assignment{Value::element(Value::name("M"), c * n_ + r), Value::element(Value::name("M"), r * n_ + c)});
+            else
+                statements.push_back(
+                    Assignment{Value::element(Value::name("M"), c * n_ + r), Value::element(Value::name("M"), r * n_ + c)});
     return finish(cpp, std::move(statements), {result_of("MassMatrix", "M", n_ > 0)}, {.has_input = false});
 }
 
@@ -348,8 +380,10 @@ FunctionBody CppBodies::values(Function function, const char* type, const char* 
     if (f.uses_accelerations) append(statements, accelerations_by_rhs(cpp));
     name_multipliers(cpp, f.solved_for);
     append(statements, cpp.compute(f.results));
-    for (std::size_t i = 0; i < f.results.size(); ++i) append(statements, assigned(cpp, Value::element(Value::name(result), i), f.results[i]));
-    return finish(cpp, std::move(statements), {result_of(type, result, !f.results.empty())}, {.everything = f.uses_accelerations, .has_input = has_input});
+    for (std::size_t i = 0; i < f.results.size(); ++i)
+        append(statements, assigned(cpp, Value::element(Value::name(result), i), f.results[i]));
+    return finish(cpp, std::move(statements), {result_of(type, result, !f.results.empty())},
+                  {.everything = f.uses_accelerations, .has_input = has_input});
 }
 
 FunctionBody CppBodies::constraint_jacobian() {
@@ -358,7 +392,8 @@ FunctionBody CppBodies::constraint_jacobian() {
     Statements statements = cpp.compute(f.results);
     const std::size_t rows = code_.system.constraints.size();
     for (std::size_t j = 0; j < n_; ++j)
-        for (std::size_t i = 0; i < rows && !f.results.empty(); ++i) append(statements, assigned(cpp, Value::element(Value::name("A"), j * rows + i), f.results[i * n_ + j]));
+        for (std::size_t i = 0; i < rows && !f.results.empty(); ++i)
+            append(statements, assigned(cpp, Value::element(Value::name("A"), j * rows + i), f.results[i * n_ + j]));
     return finish(cpp, std::move(statements), {result_of("ConstraintJacobian", "A", !f.results.empty() && rows > 0)}, {.has_input = false});
 }
 
@@ -368,7 +403,8 @@ FunctionBody CppBodies::output_jacobian(Function function, By by) {
     CppFunction cpp(code_, f, cached_values_, arguments_);
     const std::size_t rows = f.by_output.rows;
     if (!f.whole_output.entries.empty()) return whole_output_jacobian(cpp, f, by);
-    const bool through = std::any_of(f.by_acceleration.entries.begin(), f.by_acceleration.entries.end(), [&](NodeId id) { return !f.is_zero(id); });
+    const bool through =
+        std::any_of(f.by_acceleration.entries.begin(), f.by_acceleration.entries.end(), [&](NodeId id) { return !f.is_zero(id); });
     const bool is_empty = rows == 0 || f.by_output.columns == 0;
     Statements statements;
     if (through && !is_empty && by == By::state) {
@@ -392,7 +428,8 @@ FunctionBody CppBodies::output_jacobian(Function function, By by) {
                 terms.push_back(Value::product({Value::parenthesised(factor), Value::element(Value::name("J"), *place)}));
             }
             append(statements, std::move(before));
-            statements.push_back(Assignment{Value::element(Value::name(name), c * rows + r), terms.size() == 1 ? terms[0] : Value::sum(terms)});
+            statements.push_back(
+                Assignment{Value::element(Value::name(name), c * rows + r), terms.size() == 1 ? terms[0] : Value::sum(terms)});
         }
     const char* type = by == By::state ? "OutputJacobianX" : "OutputJacobianU";
     const bool needs_all = (through && !is_empty) || f.uses_accelerations;
@@ -404,7 +441,8 @@ FunctionBody CppBodies::whole_output_jacobian(CppFunction& cpp, const FunctionCo
     const char* name = by == By::state ? "C" : "D";
     name_multipliers(cpp, f.solved_for);
     Statements statements = cpp.compute(f.whole_output.entries);
-    for (std::size_t i = 0; i < f.whole_output.entries.size(); ++i) append(statements, assigned(cpp, Value::element(Value::name(name), i), f.whole_output.entries[i]));
+    for (std::size_t i = 0; i < f.whole_output.entries.size(); ++i)
+        append(statements, assigned(cpp, Value::element(Value::name(name), i), f.whole_output.entries[i]));
     return finish(cpp, std::move(statements), {result_of(by == By::state ? "OutputJacobianX" : "OutputJacobianU", name, true)}, {});
 }
 
@@ -429,10 +467,13 @@ FunctionBody CppBodies::correction() {
     const FunctionCode& f = code_[Function::correction];
     CppFunction cpp(code_, f, cached_values_, arguments_);
     Statements statements = cpp.compute(f.results);
-    for (std::size_t j = 0; j < f.results.size(); ++j) append(statements, assigned(cpp, Value::element(Value::name("step"), j), f.results[j]));
+    for (std::size_t j = 0; j < f.results.size(); ++j)
+        append(statements, assigned(cpp, Value::element(Value::name("step"), j), f.results[j]));
     const bool is_needed = std::any_of(f.results.begin(), f.results.end(), [&](NodeId id) { return !f.is_zero(id); });
     if (f.results.empty()) statements = {Filling{"step", "Generalised", Value::constant(0)}};  // nothing has to be held in this mode
-    return finish(cpp, std::move(statements), {{"Constraints", "residual", Argument::Passing::read, is_needed}, result_of("Generalised", "step", true)}, {.has_input = false});
+    return finish(cpp, std::move(statements),
+                  {{"Constraints", "residual", Argument::Passing::read, is_needed}, result_of("Generalised", "step", true)},
+                  {.has_input = false});
 }
 
 FunctionBody CppBodies::scalar(Function function) {
@@ -445,7 +486,8 @@ FunctionBody CppBodies::scalar(Function function) {
     const Value value = cpp.value(f.results[0], before);
     append(statements, std::move(before));
     statements.push_back(Return{value});
-    const bool is_energy = function == Function::kinetic_energy || function == Function::potential_energy || function == Function::internal_energy;
+    const bool is_energy =
+        function == Function::kinetic_energy || function == Function::potential_energy || function == Function::internal_energy;
     return finish(cpp, std::move(statements), {}, {.everything = f.uses_accelerations, .has_input = !is_energy});
 }
 

@@ -24,7 +24,8 @@ void append(Statements& statements, Statements more) {
 CppFunction::CppFunction(const Code& code, const FunctionCode& function, const CachedValues& cached, std::set<std::string> arguments)
     : code_(code), function_(function), cached_(cached), arguments_(arguments), names_({}), uses_(function.program.size(), 0) {
     const Symbols& symbols = code.system.symbols;
-    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::definition, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
+    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::definition, SymbolKind::input, SymbolKind::coordinate,
+                                  SymbolKind::velocity, SymbolKind::state})
         for (const Variable& variable : symbols.all(kind)) arguments.insert(cpp_name(variable));
     names_ = NameScope(std::move(arguments));
     const std::vector<NodeId> roots = function.roots();
@@ -96,7 +97,8 @@ std::optional<NodeId> CppFunction::other_of_angle(NodeId id) const {
 std::optional<NodeId> CppFunction::exponential_of_minus(NodeId x) const {
     const auto negated = [this](NodeId id) -> std::optional<NodeId> {
         const Node& node = function_.program[id];
-        return node.kind == Node::Kind::sum && node.arguments.size() == 1 && node.negative[0] ? std::optional(node.arguments[0]) : std::nullopt;
+        return node.kind == Node::Kind::sum && node.arguments.size() == 1 && node.negative[0] ? std::optional(node.arguments[0])
+                                                                                              : std::nullopt;
     };
     for (const auto& [argument, exponential] : exponentials_)
         if (negated(x) == argument || negated(argument) == x) return exponential;
@@ -119,11 +121,13 @@ void CppFunction::declare_both(NodeId id, NodeId other, Statements& statements) 
 std::string CppFunction::suggested_name(NodeId id) {
     if (const auto wanted = wanted_names_.find(id); wanted != wanted_names_.end()) return wanted->second;
     const Node& node = function_.program[id];
-    if (node.kind == Node::Kind::function && node.op == Op::in_column) return fmt::format("in_column_{}", to_string(function_.program[node.arguments[0]].value));
+    if (node.kind == Node::Kind::function && node.op == Op::in_column)
+        return fmt::format("in_column_{}", to_string(function_.program[node.arguments[0]].value));
     if (node.kind == Node::Kind::function) {
         const Node& argument = function_.program[node.arguments[0]];
         const Variable* variable = argument.kind == Node::Kind::symbol ? code_.atoms[argument.index].variable : nullptr;
-        return variable != nullptr ? fmt::format("{}_{}", name_of(node.op), cpp_name(*variable)) : fmt::format("{}_{}", name_of(node.op), ++temporaries_);
+        return variable != nullptr ? fmt::format("{}_{}", name_of(node.op), cpp_name(*variable))
+                                   : fmt::format("{}_{}", name_of(node.op), ++temporaries_);
     }
     // A square or product of two variables is called after them; the rest is numbered.
     if (node.kind == Node::Kind::product && node.arguments.size() == 2 && node.arguments[0] == node.arguments[1]) {
@@ -182,8 +186,9 @@ Value CppFunction::symbol(NodeId id, Statements& statements) {
     };
     switch (variable.kind) {
         case SymbolKind::parameter: return parameter();
-        case SymbolKind::definition: 
-            return local_definitions_.contains(variable.position) ? Value::name(cpp_name(variable)) : Value::member(Value::Object::cached, cpp_name(variable));
+        case SymbolKind::definition:
+            return local_definitions_.contains(variable.position) ? Value::name(cpp_name(variable))
+                                                                  : Value::member(Value::Object::cached, cpp_name(variable));
         case SymbolKind::time: uses_time_ = true; return Value::name("t");
         case SymbolKind::input: uses_input_ = true; return local(input_, variable.position);
         case SymbolKind::coordinate:
@@ -222,7 +227,9 @@ Value CppFunction::product(const Node& node, Statements& statements) {
 }
 
 Value CppFunction::call(const Node& node, Statements& statements) {
-    const auto whole = [&](std::size_t i) { return static_cast<std::size_t>(cln::cl_I_to_ulong(cln::numerator(function_.program[node.arguments[i]].value))); };
+    const auto whole = [&](std::size_t i) {
+        return static_cast<std::size_t>(cln::cl_I_to_ulong(cln::numerator(function_.program[node.arguments[i]].value)));
+    };
     if (node.op == Op::element) return Value::element(part(node.arguments[0], statements), whole(1));
     if (node.op == Op::in_column) {
         const auto place = static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), whole(0)) - columns_.begin());

@@ -11,8 +11,8 @@ namespace dalembert {
 /// Rates of the accelerations that occur, by the chain rule along the motion, with inputs held.
 Statements CppBodies::jerks(const FunctionCode& f) {
     const auto vector = [](const char* type, const char* name) { return Declaration{{Storage::Kind::vector, {}, type}, {name}}; };
-    Statements statements{vector("State", "dxdt"), vector("JacobianX", "J"), Invocation{call_of("rhs_and_jacobian", {"dxdt", "J"})}, vector("JacobianT", "by_time"),
-                          Invocation{call_of("jacobian_t", {"by_time"})}};
+    Statements statements{vector("State", "dxdt"), vector("JacobianX", "J"), Invocation{call_of("rhs_and_jacobian", {"dxdt", "J"})},
+                          vector("JacobianT", "by_time"), Invocation{call_of("jacobian_t", {"by_time"})}};
     for (const NodeId id : f.program.in_order(f.roots())) {
         const Node& node = f.program[id];
         const Variable* variable = node.kind == Node::Kind::symbol ? code_.atoms[node.index].variable : nullptr;
@@ -41,7 +41,8 @@ FunctionBody CppBodies::guards(Function function, const char* type, const char* 
         append(statements, cpp.compute({f.results[e]}));
         append(statements, assigned(cpp, Value::element(Value::name(result), e), f.results[e]));
     }
-    return finish(cpp, std::move(statements), {{type, result, Argument::Passing::result, !watched.empty()}}, {.everything = f.uses_accelerations || f.uses_jerks});
+    return finish(cpp, std::move(statements), {{type, result, Argument::Passing::result, !watched.empty()}},
+                  {.everything = f.uses_accelerations || f.uses_jerks});
 }
 
 FunctionBody CppBodies::conditions() {
@@ -81,7 +82,8 @@ FunctionBody CppBodies::resets(const std::vector<ResetCode>& resets) {
         const auto new_name = [](std::size_t i) { return fmt::format("new_{}_", i); };
         for (std::size_t i = 0; at_once && i < values.size(); ++i) body.push_back(Declaration{{}, {new_name(i)}, values[i]});
         for (std::size_t i = 0; i < values.size(); ++i)
-            body.push_back(Assignment{Value::element(Value::name("x"), resets[e].places[i]), at_once ? Value::name(new_name(i)) : values[i]});
+            body.push_back(
+                Assignment{Value::element(Value::name("x"), resets[e].places[i]), at_once ? Value::name(new_name(i)) : values[i]});
         statements.push_back(OnEvent{cpp_name(code_.system.events[e].name, 0, false), std::move(body)});
         uses_input = uses_input || cpp.uses_input();
         uses_time = uses_time || cpp.uses_time();
@@ -90,7 +92,9 @@ FunctionBody CppBodies::resets(const std::vector<ResetCode>& resets) {
     note_helpers(called);
     using enum Argument::Passing;
     const bool changes = !statements.empty();
-    return {{{"State", "x", result, changes}, {"Input", "u", read, uses_input}, {"Scalar", "t", value, uses_time}}, std::move(statements), std::move(called)};
+    return {{{"State", "x", result, changes}, {"Input", "u", read, uses_input}, {"Scalar", "t", value, uses_time}},
+            std::move(statements),
+            std::move(called)};
 }
 
 FunctionBody CppBodies::kinks(const std::vector<Guard>& kinks) {
@@ -108,7 +112,8 @@ FunctionBody CppBodies::kinks(const std::vector<Guard>& kinks) {
         append(statements, cpp.compute({result}));
         append(statements, assigned(cpp, Value::element(Value::name("k"), k), result));
     }
-    return finish(cpp, std::move(statements), {{"Kinks", "k", Argument::Passing::result, !kinks.empty()}}, {.everything = f.uses_accelerations});
+    return finish(cpp, std::move(statements), {{"Kinks", "k", Argument::Passing::result, !kinks.empty()}},
+                  {.everything = f.uses_accelerations});
 }
 
 }  // namespace dalembert

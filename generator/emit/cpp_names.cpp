@@ -16,7 +16,8 @@ std::string cpp_name(const std::string& base, int index, bool is_member) {
 }
 
 std::string cpp_name(const Variable& variable) {
-    if (variable.kind == SymbolKind::grid || variable.kind == SymbolKind::letter) return variable.base.substr(0, variable.base.find('['));  // of a cell in a loop
+    if (variable.kind == SymbolKind::grid || variable.kind == SymbolKind::letter)
+        return variable.base.substr(0, variable.base.find('['));  // of a cell in a loop
     const std::string name = cpp_name(variable.is_root ? variable.base + "_root" : variable.base, variable.index, variable.is_member);
     if (variable.kind == SymbolKind::velocity || variable.kind == SymbolKind::state_rate) return name + "_dot";
     if (variable.kind == SymbolKind::acceleration) return name + "_ddot";
@@ -46,17 +47,21 @@ void check_cpp_names(const System& system) {
     for (const OutputEquation& output : system.outputs) {
         const auto [other, is_new] = outputs.emplace(cpp_name(output.base, output.index, output.is_member), &output);
         if (!is_new)
-            throw Failure(Diagnostic{Id::doubly_defined, system.scene.model->name_span,
-                                     fmt::format("the outputs '{}' and '{}' would both be '{}' in the header", other->second->name, output.name, other->first)});
+            throw Failure(Diagnostic{
+                Id::doubly_defined, system.scene.model->name_span,
+                fmt::format("the outputs '{}' and '{}' would both be '{}' in the header", other->second->name, output.name, other->first)});
     }
     std::map<std::string, const Variable*> used;
-    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::definition, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
+    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::definition, SymbolKind::input, SymbolKind::coordinate,
+                                  SymbolKind::velocity, SymbolKind::state})
         for (const Variable& variable : symbols.all(kind)) {
             const auto [other, is_new] = used.emplace(cpp_name(variable), &variable);
             if (is_new) continue;
             const Variable& first = *other->second;
             const Span place = variable.declared != nullptr ? variable.declared->span : Span();
-            throw Failure(Diagnostic{Id::doubly_defined, place, fmt::format("'{}' and '{}' would both be '{}' in the header", first.name, variable.name, other->first)});
+            throw Failure(
+                Diagnostic{Id::doubly_defined, place,
+                           fmt::format("'{}' and '{}' would both be '{}' in the header", first.name, variable.name, other->first)});
         }
 }
 

@@ -136,7 +136,8 @@ Value CppSeries::symbol(const Node& node) {
         case SymbolKind::input: return entry_of("u_now", variable.position);
         case SymbolKind::coordinate:
         case SymbolKind::velocity:
-        case SymbolKind::state: return Value::element(Value::element(Value::name("x"), k), code_.system.symbols.place(variable.kind, variable.position));
+        case SymbolKind::state:
+            return Value::element(Value::element(Value::name("x"), k), code_.system.symbols.place(variable.kind, variable.position));
         default: throw std::logic_error("a symbol that has no series: " + variable.name);
     }
 }
@@ -169,7 +170,9 @@ Value CppSeries::ruled(NodeId id, const SeriesRule& rule) {
     for (const SeriesRule::Term& term : rule.terms) {
         if (!moves(term.a)) continue;
         NodeId by = term.factor;
-        if (is_root) by = program[by].kind == Node::Kind::constant ? program.constant(Rational(2) * program[by].value) : made(program.product({program.constant(2), by}));
+        if (is_root)
+            by = program[by].kind == Node::Kind::constant ? program.constant(Rational(2) * program[by].value)
+                                                          : made(program.product({program.constant(2), by}));
         const bool is_one = program.is_constant(by, 1) || program.is_constant(by, -1), negative = program.is_constant(by, -1);
         const auto with_factor = [&](const Value& what) { return is_one ? what : times({first(by), what}); };
         if (!term.v) {

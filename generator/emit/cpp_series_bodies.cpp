@@ -10,8 +10,9 @@ namespace dalembert {
 
 namespace {
 
-const std::set<std::string> names_in_series{"x", "u", "t", "k", "s", "row", "rows", "order", "inputs", "next_inputs", "u_now", "by_k", "by_next",
-                                            "number", "solved", "mass", "p_", "c_", "detail", "Scalar", "State", "Input"};
+const std::set<std::string> names_in_series{"x",      "u",           "t",      "k",      "s",       "row",    "rows",   "order",
+                                            "inputs", "next_inputs", "u_now",  "by_k",   "by_next", "number", "solved", "mass",
+                                            "p_",     "c_",          "detail", "Scalar", "State",   "Input"};
 
 const Value order_k = Value::name("k");
 const Value next_order = Value::sum({order_k, Value::whole(1)});
@@ -41,8 +42,10 @@ Statements begin_of_order(const CppSeries& series) {
     if (rows == 0) return statements;
     statements.push_back(Declaration{{Storage::Kind::array, {rows}}, {"s"}});
     const Value all_rows = Value::name("rows");
-    statements.push_back(Invocation{Value::call(Value::Where::helper, "series_sums", {all_rows, order_k, Value::whole_array("s")}, {rows})});
-    statements.push_back(Declaration{{Storage::Kind::room}, {"row"}, Value::room_from(all_rows, Value::product({Value::whole(2 * rows), order_k}))});
+    statements.push_back(
+        Invocation{Value::call(Value::Where::helper, "series_sums", {all_rows, order_k, Value::whole_array("s")}, {rows})});
+    statements.push_back(
+        Declaration{{Storage::Kind::room}, {"row"}, Value::room_from(all_rows, Value::product({Value::whole(2 * rows), order_k}))});
     return statements;
 }
 
@@ -52,7 +55,9 @@ Statements begin_of_order(const CppSeries& series) {
 Statements CppBodies::integrated_rates(CppSeries& series, const FunctionCode& f) const {
     const Symbols& symbols = code_.system.symbols;
     Statements statements;
-    const auto set = [&](std::size_t place, const Value& rate) { statements.push_back(Assignment{coefficient(next_order, place), integrated(rate)}); };
+    const auto set = [&](std::size_t place, const Value& rate) {
+        statements.push_back(Assignment{coefficient(next_order, place), integrated(rate)});
+    };
     for (std::size_t j = 0; j < n_; ++j)
         if (symbols.has_value(j)) set(symbols.place(SymbolKind::coordinate, j), coefficient(order_k, velocities_ + j));
     for (std::size_t j = 0; j < n_; ++j) set(velocities_ + j, series.now(f.accelerations[j]));
@@ -81,7 +86,8 @@ Statements CppBodies::rates_at_start(CppFunction& cpp, const FunctionCode& f) {
     for (std::size_t j = 0; j < n_; ++j)
         if (symbols.has_value(j))
             statements.push_back(Assignment{coefficient(1, symbols.place(SymbolKind::coordinate, j)), coefficient(0, velocities_ + j)});
-    for (std::size_t j = 0; !f.by_loops && j < n_; ++j) append(statements, assigned(cpp, coefficient(1, velocities_ + j), f.accelerations[j]));
+    for (std::size_t j = 0; !f.by_loops && j < n_; ++j)
+        append(statements, assigned(cpp, coefficient(1, velocities_ + j), f.accelerations[j]));
     for (std::size_t i = 0; i < m_; ++i) append(statements, assigned(cpp, coefficient(1, states_ + i), f.results[i]));
     Value power = cpp.value(f.results[m_], statements);
     statements.push_back(work_coefficient(Value::whole(1), std::move(power)));
@@ -112,7 +118,8 @@ FunctionBody CppBodies::series() {
         cpp.bind_state(Value::element(Value::name("x"), 0));
         cpp.bind_accelerations(Value::element(Value::name("x"), 1), velocities_);
         if (f.by_loops) return;
-        for (std::size_t j = 0; j < n_; ++j) cpp.name_node(f.accelerations[j], cpp_name(code_.system.symbols.all(SymbolKind::acceleration)[j]));
+        for (std::size_t j = 0; j < n_; ++j)
+            cpp.name_node(f.accelerations[j], cpp_name(code_.system.symbols.all(SymbolKind::acceleration)[j]));
         name_multipliers(cpp, f.accelerations);
     };
     use.assign = [&](CppSeries& series) { return integrated_rates(series, f); };
@@ -124,7 +131,8 @@ FunctionBody CppBodies::series() {
     append(at_start, loop_over_orders(series, series.step(), uses_inputs));
     Statements statements;
     if (uses_inputs) {
-        const Value first = Value::product({Value::whole(2), Value::interface_size("series_rows"), Value::name("order")});  // behind those of the plant
+        const Value first =
+            Value::product({Value::whole(2), Value::interface_size("series_rows"), Value::name("order")});  // behind those of the plant
         statements.push_back(FirstInputs{Value::name("x"), Value::name("t"), "u", Value::room_from(Value::name("rows"), first)});
     }
     append(statements, std::move(at_start));
@@ -160,7 +168,11 @@ bool have_series(Code& code, const std::vector<GiNaC::ex>& inputs) { return !ser
 InputSeries input_series(Code& code, const std::vector<GiNaC::ex>& inputs) {
     SeriesCode made = series_of(code, inputs);
     if (made.missing)
-        throw Failure(Diagnostic{Id::no_series, {}, fmt::format("the input '{}' contains '{}', of which no Taylor series is known; another method does without", code.system.symbols.all(SymbolKind::input)[made.missing->index].name, name_of(made.missing->op))});
+        throw Failure(
+            Diagnostic{Id::no_series,
+                       {},
+                       fmt::format("the input '{}' contains '{}', of which no Taylor series is known; another method does without",
+                                   code.system.symbols.all(SymbolKind::input)[made.missing->index].name, name_of(made.missing->op))});
     const FunctionCode results = made.function;
     CppSeries::Use use;
     use.bind = [](CppFunction& cpp) { cpp.bind_state(Value::element(Value::name("x"), 0)); };

@@ -35,7 +35,8 @@ std::vector<NamedPart> parts(const System& s) {
             {"elastic", "generalised forces of springs and potentials", s.elastic},
             {"dissipative", "generalised forces of dampers", s.dissipative},
             {"fluid", "generalised forces of fluids: p*dV/dq, shafts of pumps", s.fluids.force},
-            {"bias", s.fluids.empty() ? "bias = c - gravity - elastic - dissipative" : "bias = c - gravity - elastic - dissipative - fluid", s.bias},
+            {"bias", s.fluids.empty() ? "bias = c - gravity - elastic - dissipative" : "bias = c - gravity - elastic - dissipative - fluid",
+             s.bias},
             {"generalised_force", "Q, generalised forces of forces, torques and inputs", s.supplied}};
 }
 
@@ -47,7 +48,10 @@ struct CellPart {
 
 /// What a cell in a loop does.
 std::vector<CellPart> parts(const RodField& f) {
-    return {{"heat_to_next", "heat to the next", f.link}, {"source", "source", f.source}, {"capacity", "capacity", f.capacity}, {"energy", "energy", f.energy}};
+    return {{"heat_to_next", "heat to the next", f.link},
+            {"source", "source", f.source},
+            {"capacity", "capacity", f.capacity},
+            {"energy", "energy", f.energy}};
 }
 
 bool all_zero(const Generalised& values) {
@@ -67,7 +71,11 @@ std::vector<std::pair<const char*, ex>> scalars(const System& s) {
 nlohmann::ordered_json constraints_as_json(const System& s, const Notation& write) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const ConstraintEquation& c : s.constraints)
-        if (c.holds) json.push_back({{"name", c.name}, {"position", c.position ? write(*c.position) : ""}, {"rate", write(c.whole_rate)}, {"force", write(c.force)}});
+        if (c.holds)
+            json.push_back({{"name", c.name},
+                            {"position", c.position ? write(*c.position) : ""},
+                            {"rate", write(c.whole_rate)},
+                            {"force", write(c.force)}});
     return json;
 }
 
@@ -77,7 +85,10 @@ std::string constrained(const System& s, const Notation& write) {
     std::string text = "\nconstraints, and their force along the rate\n";
     for (const ConstraintEquation& c : s.constraints) {
         if (!c.holds) continue;
-        const std::string force = c.is_redundant ? (c.has_multiplier ? "unknown, or zero: follows from the others" : "zero: follows from the others") : c.has_multiplier ? "unknown" : write(c.force);
+        const std::string force = c.is_redundant
+                                      ? (c.has_multiplier ? "unknown, or zero: follows from the others" : "zero: follows from the others")
+                                  : c.has_multiplier ? "unknown"
+                                                     : write(c.force);
         text += fmt::format("  {}: {} = 0, force {}\n", c.name, write(c.position ? *c.position : c.whole_rate), force);
     }
     return text;
@@ -120,7 +131,10 @@ void add_linear(nlohmann::ordered_json& json, const System& s, const Notation& w
     const auto linear = linear_system(s).system;
     if (!linear) return;
     nlohmann::ordered_json& result = json["linear"];
-    result = {{"D", matrix_as_json(linear->D, write)}, {"C", matrix_as_json(linear->C, write)}, {"B", matrix_as_json(linear->B, write)}, {"k", nlohmann::ordered_json::array()}};
+    result = {{"D", matrix_as_json(linear->D, write)},
+              {"C", matrix_as_json(linear->C, write)},
+              {"B", matrix_as_json(linear->B, write)},
+              {"k", nlohmann::ordered_json::array()}};
     for (const ex& value : linear->k) result["k"].push_back(write(value));
     for (const auto& [name, A] : {std::pair{"M", &linear->M}, std::pair{"D", &linear->D}, std::pair{"C", &linear->C}}) {
         const DefinitenessVerdict verdict = definiteness(*A, s);
@@ -135,7 +149,8 @@ std::string events(const System& s, const Notation& write) {
         if (!event.is_watched) continue;
         std::string next = event.ends ? "the run ends" : "";
         if (!event.ends)
-            for (const std::size_t mode : s.scene.modes_after(event.next(), *s.scene.mode)) next += (next.empty() ? "" : ", else ") + s.scene.modes[mode].name;
+            for (const std::size_t mode : s.scene.modes_after(event.next(), *s.scene.mode))
+                next += (next.empty() ? "" : ", else ") + s.scene.modes[mode].name;
         text += fmt::format("  {}: {} -> {}\n", event.name, write(event.guard), next);
     }
     return text.empty() ? text : "\nevents: where this falls through zero -> mode afterwards\n" + text;
@@ -150,18 +165,21 @@ std::vector<std::pair<ex, ex>> motion_equations(const System& s) {
         const ex& right = is_free ? s.supplied[i] : s.motion.force[i];
         result.emplace_back(s.motion.residual[i] + right, right);
     }
-    for (const auto& [coordinate, acceleration] : s.motion.accelerations) result.emplace_back(s.symbols.get(SymbolKind::acceleration, coordinate), acceleration);
+    for (const auto& [coordinate, acceleration] : s.motion.accelerations)
+        result.emplace_back(s.symbols.get(SymbolKind::acceleration, coordinate), acceleration);
     return result;
 }
 
 std::string equations_as_text(const System& s) {
     const Notation write(s.symbols, Style::text);
     const auto& q = s.symbols.all(SymbolKind::coordinate);
-    std::string text = fmt::format("{}, scene {}{}\n", s.scene.sized_name(), s.scene.name, s.scene.mode ? ", mode " + s.scene.modes[*s.scene.mode].name : "");
+    std::string text = fmt::format("{}, scene {}{}\n", s.scene.sized_name(), s.scene.name,
+                                   s.scene.mode ? ", mode " + s.scene.modes[*s.scene.mode].name : "");
     if (!s.scene.model->title.empty()) text += safe_line(s.scene.model->title) + "\n";
     const auto& definitions = s.symbols.all(SymbolKind::definition);
     if (!definitions.empty()) text += "\nwith\n";
-    for (std::size_t i = 0; i < definitions.size(); ++i) text += fmt::format("  {} = {}\n", definitions[i].name, write(s.symbols.definition_values()[i]));
+    for (std::size_t i = 0; i < definitions.size(); ++i)
+        text += fmt::format("  {} = {}\n", definitions[i].name, write(s.symbols.definition_values()[i]));
     if (!q.empty()) {
         text += fmt::format("\nequations of motion  M*ddot(q) + bias = Q{}\n", is_constrained(s) ? " + forces of constraints" : "");
         for (const auto& [left, right] : motion_equations(s)) text += fmt::format("  {} = {}\n", write(left), write(right));
@@ -189,7 +207,8 @@ std::string equations_as_text(const System& s) {
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
         text += fmt::format("  dot({}) = {}\n", s.symbols.all(SymbolKind::state)[i].name, write(s.named.state_rates[i]));
     for (const RodField& f : s.heat.fields) {
-        text += fmt::format("\nrod {}: {} cells in a loop; what stands above of its cells comes from elsewhere and is added\n", f.rod->name, f.geometry.cells());
+        text += fmt::format("\nrod {}: {} cells in a loop; what stands above of its cells comes from elsewhere and is added\n", f.rod->name,
+                            f.geometry.cells());
         for (const CellPart& part : parts(f)) text += fmt::format("  {} = {}\n", part.title, write(part.value));
         text += "  capacity*dot(T_here) = heat from the cell before - heat to the next + source\n";
     }
@@ -201,20 +220,25 @@ std::string equations_as_text(const System& s) {
             if (!(f.*what).is_zero()) sums += fmt::format(" + sum of {} over the cells of {}", part, f.rod->name);
         return sums;
     };
-    if (s.has_balances()) text += fmt::format("  internal_energy = {}{}\n", write(s.named.internal_energy), of_cells("energy", &RodField::energy));
-    if (s.has_exchange()) text += fmt::format("  exchanged_power = {}{}\n", write(s.named.exchanged_power), of_cells("source", &RodField::source));
-    if (!s.guards.empty()) text += "\nguards: a run ends where one becomes negative, or the right-hand side has an edge where its sign changes\n";
+    if (s.has_balances())
+        text += fmt::format("  internal_energy = {}{}\n", write(s.named.internal_energy), of_cells("energy", &RodField::energy));
+    if (s.has_exchange())
+        text += fmt::format("  exchanged_power = {}{}\n", write(s.named.exchanged_power), of_cells("source", &RodField::source));
+    if (!s.guards.empty())
+        text += "\nguards: a run ends where one becomes negative, or the right-hand side has an edge where its sign changes\n";
     for (const Guard& guard : s.guards) text += fmt::format("  {} ({}): {}\n", guard.doc, guard.ends ? "ends" : "edge", write(guard.value));
     text += events(s, write);
     if (!s.outputs.empty()) text += "\noutputs\n";
-    for (const OutputEquation& output : s.outputs) text += fmt::format("  {} = {}\n", output.name, write(s.named.shortened(output.shown())));
+    for (const OutputEquation& output : s.outputs)
+        text += fmt::format("  {} = {}\n", output.name, write(s.named.shortened(output.shown())));
     return text;
 }
 
 std::string equations_as_latex(const System& s) {
     const Notation write(s.symbols, Style::latex);
     const auto& definitions = s.symbols.all(SymbolKind::definition);
-    std::string text = fmt::format("% {}, scene {}{}\n", s.scene.sized_name(), s.scene.name, s.scene.mode ? ", mode " + s.scene.modes[*s.scene.mode].name : "");
+    std::string text = fmt::format("% {}, scene {}{}\n", s.scene.sized_name(), s.scene.name,
+                                   s.scene.mode ? ", mode " + s.scene.modes[*s.scene.mode].name : "");
     const auto aligned = [&](const std::vector<std::string>& lines) {
         if (lines.empty()) return;
         text += "\\begin{align}\n";
@@ -222,7 +246,8 @@ std::string equations_as_latex(const System& s) {
         text += "\\end{align}\n";
     };
     std::vector<std::string> lines;
-    for (std::size_t i = 0; i < definitions.size(); ++i) lines.push_back(fmt::format("{} &= {}", write.symbol(definitions[i]), write(s.symbols.definition_values()[i])));
+    for (std::size_t i = 0; i < definitions.size(); ++i)
+        lines.push_back(fmt::format("{} &= {}", write.symbol(definitions[i]), write(s.symbols.definition_values()[i])));
     aligned(lines);
     lines.clear();
     for (const auto& [left, right] : motion_equations(s)) lines.push_back(fmt::format("{} &= {}", write(left), write(right)));
@@ -234,10 +259,12 @@ std::string equations_as_latex(const System& s) {
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
         lines.push_back(fmt::format("{} &= {}", write.symbol(s.symbols.all(SymbolKind::state_rate)[i]), write(s.named.state_rates[i])));
     for (const RodField& f : s.heat.fields)
-        for (const CellPart& part : parts(f)) lines.push_back(fmt::format("\\text{{{}, {}}} &= {}", f.rod->name, part.title, write(part.value)));
+        for (const CellPart& part : parts(f))
+            lines.push_back(fmt::format("\\text{{{}, {}}} &= {}", f.rod->name, part.title, write(part.value)));
     aligned(lines);
     lines = {fmt::format("T &= {}", write(s.kinetic_energy)), fmt::format("V &= {}", write(s.potential_energy))};
-    for (const OutputEquation& output : s.outputs) lines.push_back(fmt::format("{} &= {}", latex_name(output.base), write(s.named.shortened(output.shown()))));
+    for (const OutputEquation& output : s.outputs)
+        lines.push_back(fmt::format("{} &= {}", latex_name(output.base), write(s.named.shortened(output.shown()))));
     aligned(lines);
     return text;
 }
@@ -253,7 +280,8 @@ nlohmann::ordered_json equations_as_json(const System& s) {
     for (const Variable& variable : q) json["coordinates"].push_back(variable.name);
     json["equations"] = nlohmann::ordered_json::array();
     for (std::size_t j = 0; j < q.size(); ++j)
-        json["equations"].push_back({{"coordinate", q[j].name}, {"left", write(s.residual[j] + s.supplied[j])}, {"right", write(s.supplied[j])}});
+        json["equations"].push_back(
+            {{"coordinate", q[j].name}, {"left", write(s.residual[j] + s.supplied[j])}, {"right", write(s.supplied[j])}});
     json["constraints"] = constraints_as_json(s, write);
     json["mass_matrix"] = q.empty() ? nlohmann::ordered_json::array() : matrix_as_json(s.mass, write);
     for (const NamedPart& part : parts(s)) {
@@ -262,7 +290,8 @@ nlohmann::ordered_json equations_as_json(const System& s) {
     }
     add_linear(json, s, write);
     json["state_rates"] = nlohmann::ordered_json::object();
-    for (std::size_t i = 0; i < s.state_rates.size(); ++i) json["state_rates"][s.symbols.all(SymbolKind::state)[i].name] = write(s.state_rates[i]);
+    for (std::size_t i = 0; i < s.state_rates.size(); ++i)
+        json["state_rates"][s.symbols.all(SymbolKind::state)[i].name] = write(s.state_rates[i]);
     json["rods"] = nlohmann::ordered_json::array();
     for (const RodField& f : s.heat.fields) {
         nlohmann::ordered_json rod{{"name", f.rod->name}, {"cells", f.geometry.cells()}};
@@ -273,7 +302,8 @@ nlohmann::ordered_json equations_as_json(const System& s) {
     json["internal_energy"] = write(s.internal_energy);
     json["exchanged_power"] = write(s.exchanged_power);
     json["guards"] = nlohmann::ordered_json::array();
-    for (const Guard& guard : s.guards) json["guards"].push_back({{"name", guard.name}, {"doc", guard.doc}, {"ends", guard.ends}, {"value", write(guard.value)}});
+    for (const Guard& guard : s.guards)
+        json["guards"].push_back({{"name", guard.name}, {"doc", guard.doc}, {"ends", guard.ends}, {"value", write(guard.value)}});
     json["outputs"] = nlohmann::ordered_json::object();
     for (const OutputEquation& output : s.outputs) json["outputs"][output.name] = write(output.shown());
     return json;
@@ -284,14 +314,17 @@ nlohmann::ordered_json mode_as_json(const System& s) {
     nlohmann::ordered_json json{{"mode", s.scene.modes[*s.scene.mode].name}, {"equations", nlohmann::ordered_json::array()}};
     for (const auto& [left, right] : motion_equations(s)) json["equations"].push_back({{"left", write(left)}, {"right", write(right)}});
     json["state_rates"] = nlohmann::ordered_json::object();
-    for (std::size_t i = 0; i < s.state_rates.size(); ++i) json["state_rates"][s.symbols.all(SymbolKind::state)[i].name] = write(s.state_rates[i]);
+    for (std::size_t i = 0; i < s.state_rates.size(); ++i)
+        json["state_rates"][s.symbols.all(SymbolKind::state)[i].name] = write(s.state_rates[i]);
     json["constraints"] = constraints_as_json(s, write);
     json["events"] = nlohmann::ordered_json::array();
     for (const EventEquation& event : s.events) {
         if (!event.is_watched) continue;
-        json["events"].push_back({{"name", event.name}, {"guard", write(event.guard)}, {"ends", event.ends}, {"next", nlohmann::ordered_json::array()}});
+        json["events"].push_back(
+            {{"name", event.name}, {"guard", write(event.guard)}, {"ends", event.ends}, {"next", nlohmann::ordered_json::array()}});
         if (event.ends) continue;
-        for (const std::size_t mode : s.scene.modes_after(event.next(), *s.scene.mode)) json["events"].back()["next"].push_back(s.scene.modes[mode].name);
+        for (const std::size_t mode : s.scene.modes_after(event.next(), *s.scene.mode))
+            json["events"].back()["next"].push_back(s.scene.modes[mode].name);
     }
     return json;
 }

@@ -9,8 +9,9 @@ namespace dalembert {
 
 namespace {
 
-const std::set<std::string> names_in_loops{"x", "u", "t", "k", "i", "J", "dxdt", "energy", "power", "heat", "p_", "c_", "core_", "detail", "Scalar",
-                                           "State", "place", "T_here", "T_next", "left", "here", "right", "beyond", "index", "number"};
+const std::set<std::string> names_in_loops{"x",      "u",    "t",    "k",     "i",      "J",      "dxdt",  "energy", "power",
+                                           "heat",   "p_",   "c_",   "core_", "detail", "Scalar", "State", "place",  "T_here",
+                                           "T_next", "left", "here", "right", "beyond", "index",  "number"};
 
 /// Further ones around sums.
 const std::set<std::string> names_in_sums{"sums", "by_sums", "of_core", "slope", "y", "C", "D"};
@@ -139,7 +140,8 @@ Statements FieldBodies::grid_numbers(std::size_t r, const Statements& statements
         const bool is_first_point = g.skipped() == 0;
         const Value zero = Value::whole(0), last = Value::whole(g.intervals()), next = after_cell(g.skipped() + 1);
         const Value before = Value::sum({cell(), Value::whole(1)}, {false, true});
-        declare_index("left", is_first_point ? Value::choice(Value::comparison(Value::Comparison::equal, cell(), zero), zero, before) : cell());
+        declare_index("left",
+                      is_first_point ? Value::choice(Value::comparison(Value::Comparison::equal, cell(), zero), zero, before) : cell());
         declare_index("here", is_first_point ? cell() : after_cell(1));
         declare_index("right", Value::choice(Value::comparison(Value::Comparison::greater, next, last), last, next));
     } else {
@@ -208,7 +210,9 @@ Statements FieldBodies::update() {
 Statements FieldBodies::start_state() {
     Statements statements;
     for (std::size_t r = 0; r < code_.fields.size(); ++r)
-        statements.push_back(over_cells(r, code_.fields[r].start, [&](Results v) { return Statements{Assignment{entry("x", cell_place(r)), v[0]}}; }));
+        statements.push_back(over_cells(r, code_.fields[r].start, [&](Results v) {
+            return Statements{Assignment{entry("x", cell_place(r)), v[0]}};
+        }));
     return statements;
 }
 
@@ -277,7 +281,8 @@ Statements FieldBodies::column_loops(std::size_t r, const FieldColumn& column) {
     const std::size_t first = first_place(r) + (column.by == By::time ? 0 : column.column * places_.count);
     const Value here = entry("J", at(first)), next = entry("J", at(first + 1));
     Statements statements;
-    if (!column.link.results.empty()) statements.push_back(over_faces(r, column.link, [&](Results v) { return moved_heat(here, next, v[0]); }));
+    if (!column.link.results.empty())
+        statements.push_back(over_faces(r, column.link, [&](Results v) { return moved_heat(here, next, v[0]); }));
     const Value rate = entry("dxdt", cell_place(r));
     statements.push_back(over_cells(r, column.cell, [&](Results v) {
         return Statements{Assignment{here, Value::product({balance(here, v[0], rate, v[1]), Value::parenthesised(v[2])})}};

@@ -36,9 +36,12 @@ public:
         fields_.energy = bodies_.energy();
         fields_.power = bodies_.power();
         if (!code_.sums.empty())
-            fields_.sums = PlantSums{code_.sums.size(),        bodies_.sums(),            bodies_.sum_slopes(),      bodies_.sum_slopes_by_inputs(),
-                                     bodies_.output_values(), bodies_.output_by_state(), bodies_.output_by_input(), bodies_.output_by_sum()};
-        for (const FieldBodies::CachedMember& member : bodies_.cached_members()) fields_.cached.push_back({member.name, "", member.cells.value_or(0)});
+            fields_.sums = PlantSums{code_.sums.size(),         bodies_.sums(),
+                                     bodies_.sum_slopes(),      bodies_.sum_slopes_by_inputs(),
+                                     bodies_.output_values(),   bodies_.output_by_state(),
+                                     bodies_.output_by_input(), bodies_.output_by_sum()};
+        for (const FieldBodies::CachedMember& member : bodies_.cached_members())
+            fields_.cached.push_back({member.name, "", member.cells.value_or(0)});
         fields_.helpers = bodies_.helpers();
         return std::move(fields_);
     }
@@ -54,8 +57,9 @@ private:
         std::size_t i = 0;
         for (const Variable* variable : system_.symbols.state_variables()) {
             const std::size_t at = places_.positions[i++];
-            const auto r = std::find_if(code_.fields.begin(), code_.fields.end(),
-                                        [&](const FieldFunctions& f) { return variable->kind == SymbolKind::state && f.field->states->name == variable->base; });
+            const auto r = std::find_if(code_.fields.begin(), code_.fields.end(), [&](const FieldFunctions& f) {
+                return variable->kind == SymbolKind::state && f.field->states->name == variable->base;
+            });
             if (r == code_.fields.end()) add(cpp_name(*variable), at);
             else add(variable->base, places_.firsts[static_cast<std::size_t>(r - code_.fields.begin())]);
         }
@@ -64,8 +68,14 @@ private:
     void rods() {
         for (std::size_t r = 0; r < code_.fields.size(); ++r) {
             const State& states = *field(r).states;
-            PlantRod rod{places_.firsts[r], field(r).geometry.cells(), field(r).first_index, {states.name, states.name, states.unit.si(), states.doc, {}, {}}, states.range.has_value()};
-            const auto bound = [&](const ExpressionPtr& e) { return e ? std::optional(double_value(system_.translate(*e, {}))) : std::nullopt; };
+            PlantRod rod{places_.firsts[r],
+                         field(r).geometry.cells(),
+                         field(r).first_index,
+                         {states.name, states.name, states.unit.si(), states.doc, {}, {}},
+                         states.range.has_value()};
+            const auto bound = [&](const ExpressionPtr& e) {
+                return e ? std::optional(double_value(system_.translate(*e, {}))) : std::nullopt;
+            };
             if (states.range) {
                 rod.states.low = bound(states.range->low);
                 rod.states.high = bound(states.range->high);
@@ -78,13 +88,16 @@ private:
         const Notation write(system_.symbols, Style::text);
         for (std::size_t r = 0; r < code_.fields.size(); ++r) {
             const RodField& f = field(r);
-            for (std::string line : {fmt::format("Rod {}: capacity*dot(T_here) = heat from the cell before - heat to the next + source, with", f.rod->name),
-                                     fmt::format("  heat to the next = {}", write(f.link)), fmt::format("  source = {}", write(f.source)), fmt::format("  capacity = {}", write(f.capacity)),
-                                     std::string("  left, here, right, beyond: numbers of points or faces on the grid.")})
+            for (std::string line :
+                 {fmt::format("Rod {}: capacity*dot(T_here) = heat from the cell before - heat to the next + source, with", f.rod->name),
+                  fmt::format("  heat to the next = {}", write(f.link)), fmt::format("  source = {}", write(f.source)),
+                  fmt::format("  capacity = {}", write(f.capacity)),
+                  std::string("  left, here, right, beyond: numbers of points or faces on the grid.")})
                 fields_.equations.push_back(std::move(line));
         }
         for (const CellSum& sum : system_.cell_sums)
-            fields_.equations.push_back(fmt::format("{} = sum over cells {} to {} of {}", write(sum.letter), sum.first + 1, sum.last + 1, write(sum.term)));
+            fields_.equations.push_back(
+                fmt::format("{} = sum over cells {} to {} of {}", write(sum.letter), sum.first + 1, sum.last + 1, write(sum.term)));
     }
 
     const FieldCode& code_;

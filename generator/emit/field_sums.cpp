@@ -88,7 +88,8 @@ Statements FieldBodies::output_values() {
 }
 
 Statements FieldBodies::output_by_state() {
-    return of_outputs(code_.outputs.by_state, [this](std::size_t column, std::size_t output) { return of_matrix("C", places_.positions[column], output); });
+    return of_outputs(code_.outputs.by_state,
+                      [this](std::size_t column, std::size_t output) { return of_matrix("C", places_.positions[column], output); });
 }
 
 Statements FieldBodies::output_by_input() {
@@ -96,7 +97,8 @@ Statements FieldBodies::output_by_input() {
 }
 
 Statements FieldBodies::output_by_sum() {
-    return of_outputs(code_.outputs.by_sum, [this](std::size_t column, std::size_t output) { return of_matrix("by_sums", column, output); });
+    return of_outputs(code_.outputs.by_sum,
+                      [this](std::size_t column, std::size_t output) { return of_matrix("by_sums", column, output); });
 }
 
 }  // namespace dalembert

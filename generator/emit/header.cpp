@@ -9,8 +9,8 @@ namespace dalembert {
 
 std::string header_name(const Scene& scene, const Language& language) { return scene.sized_name() + "_" + scene.name + language.ending; }
 
-Header make_header(const std::vector<const Code*>& modes, const FieldCode* fields, const Proofs& proofs, const std::vector<EffectSize>& effects_out, const std::string& command,
-                   const Language& language) {
+Header make_header(const std::vector<const Code*>& modes, const FieldCode* fields, const Proofs& proofs,
+                   const std::vector<EffectSize>& effects_out, const std::string& command, const Language& language) {
     const System& system = modes.front()->system;
     check_cpp_names(system);
     const Scene& scene = system.scene;

@@ -20,7 +20,7 @@ std::string header_name(const Scene& scene, const Language& language = languages
 /// `command` is what the banner shows: normalised, without paths.
 /// `fields`: null where every state is code of its own. `modes`: the code of each mode, in the order of the scene; of a machine that does
 /// not switch, its code alone.
-Header make_header(const std::vector<const Code*>& modes, const FieldCode* fields, const Proofs& proofs, const std::vector<EffectSize>& effects_out, const std::string& command,
-                   const Language& language = languages().front());
+Header make_header(const std::vector<const Code*>& modes, const FieldCode* fields, const Proofs& proofs,
+                   const std::vector<EffectSize>& effects_out, const std::string& command, const Language& language = languages().front());
 
 }  // namespace dalembert

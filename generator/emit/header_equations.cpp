@@ -53,7 +53,9 @@ std::map<Function, std::vector<std::string>> header_equations(const std::vector<
     if (!is_large) result[Function::rhs] = in_modes(modes, written_motion);
     of_coordinates(Function::mass_matrix, [](const System& s, const Notation& write, std::size_t j, auto& rows) {
         const auto& q = s.symbols.all(SymbolKind::coordinate);
-        for (std::size_t l = 0; l <= j; ++l) rows.push_back(fmt::format("M[{}, {}] = {}", q[l].name, q[j].name, write(s.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)))));
+        for (std::size_t l = 0; l <= j; ++l)
+            rows.push_back(
+                fmt::format("M[{}, {}] = {}", q[l].name, q[j].name, write(s.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)))));
     });
     of_coordinates(Function::bias, [](const System& s, const Notation& write, std::size_t j, auto& rows) {
         rows.push_back(fmt::format("bias[{}] = {}", s.symbols.all(SymbolKind::coordinate)[j].name, write(s.bias[j])));
@@ -86,7 +88,8 @@ std::vector<std::string> event_equations(const std::vector<const Code*>& machine
         for (const Code* code : machine) {
             const EventEquation& event = code->system.events[e];
             if (!event.is_watched) continue;
-            result.push_back(fmt::format("{}: {} in the mode {}", event.name, Notation(code->system.symbols, Style::text)(event.guard), code->system.scene.modes[*code->system.scene.mode].name));
+            result.push_back(fmt::format("{}: {} in the mode {}", event.name, Notation(code->system.symbols, Style::text)(event.guard),
+                                         code->system.scene.modes[*code->system.scene.mode].name));
             break;
         }
     return result;

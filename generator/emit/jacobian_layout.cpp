@@ -19,7 +19,9 @@ JacobianLayout::JacobianLayout(const std::vector<const Code*>& modes, Function f
     const bool is_core = !system.heat.fields.empty();  // of a header with loops, where the pattern decides what is a band
     is_sparse_ = (rows_ > largest_dense || is_core) && by != By::time;
     column_starts_.push_back(0);
-    const auto in_any = [&](const auto& is_there) { return std::any_of(modes.begin(), modes.end(), [&](const Code* code) { return is_there((*code)[function]); }); };
+    const auto in_any = [&](const auto& is_there) {
+        return std::any_of(modes.begin(), modes.end(), [&](const Code* code) { return is_there((*code)[function]); });
+    };
     for (std::size_t c = 0; c < columns_; ++c) {
         const bool any = in_any([&](const FunctionCode& f) {
             if (f.loop) return std::find(f.loop->columns.begin(), f.loop->columns.end(), c) != f.loop->columns.end();
@@ -30,7 +32,8 @@ JacobianLayout::JacobianLayout(const std::vector<const Code*>& modes, Function f
             return false;
         });
         has_accelerations_.push_back(any);
-        if (by == By::state && c >= velocities && c < states && system.symbols.has_value(c - velocities)) row_indices_.push_back(system.symbols.place(SymbolKind::coordinate, c - velocities));
+        if (by == By::state && c >= velocities && c < states && system.symbols.has_value(c - velocities))
+            row_indices_.push_back(system.symbols.place(SymbolKind::coordinate, c - velocities));
         for (std::size_t j = 0; any && j < n; ++j) row_indices_.push_back(velocities + j);
         for (std::size_t i = 0; i < m; ++i)
             if (in_any([&](const FunctionCode& f) { return !f.is_zero(f.below.at(i, c)); })) row_indices_.push_back(states + i);
@@ -47,6 +50,8 @@ std::optional<std::size_t> JacobianLayout::place(std::size_t row, std::size_t co
     return static_cast<std::size_t>(found - row_indices_.begin());
 }
 
-bool JacobianLayout::any_accelerations() const { return std::find(has_accelerations_.begin(), has_accelerations_.end(), true) != has_accelerations_.end(); }
+bool JacobianLayout::any_accelerations() const {
+    return std::find(has_accelerations_.begin(), has_accelerations_.end(), true) != has_accelerations_.end();
+}
 
 }  // namespace dalembert

@@ -24,7 +24,8 @@ std::string file_in_cpp(const Plant& plant, const PlantFields* fields, const Sce
     const std::string name_space = name_of_space(scene);
     std::string guard = prefix_of(scene) + "_hpp";
     for (char& c : guard) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    const std::string content = fields == nullptr ? cpp_plant(plant, name_space) : cpp_plant(plant, name_space + "::core") + "\n" + cpp_fields(*fields, name_space);
+    const std::string content =
+        fields == nullptr ? cpp_plant(plant, name_space) : cpp_plant(plant, name_space + "::core") + "\n" + cpp_fields(*fields, name_space);
     return fill_template(embedded_file("header.hpp.in"), {{"BANNER", banner}, {"GUARD", guard}, {"CONTENT", content}});
 }
 
@@ -43,7 +44,8 @@ constexpr Language all_languages[]{
 std::span<const Language> languages() { return all_languages; }
 
 const Language& language_named(const std::string& name) {
-    const auto found = std::find_if(std::begin(all_languages), std::end(all_languages), [&](const Language& one) { return name == one.name; });
+    const auto found =
+        std::find_if(std::begin(all_languages), std::end(all_languages), [&](const Language& one) { return name == one.name; });
     if (found == std::end(all_languages)) throw std::logic_error("no language of that name: " + name);
     return *found;
 }

@@ -17,7 +17,12 @@ namespace {
 class FunctionList {
 public:
     FunctionList(const std::vector<const Code*>& modes, std::size_t mode)
-        : modes_(modes), code_(*modes[mode]), system_(code_.system), symbols_(system_.symbols), shared_(modes), switches_(shared_.has_modes()) {
+        : modes_(modes),
+          code_(*modes[mode]),
+          system_(code_.system),
+          symbols_(system_.symbols),
+          shared_(modes),
+          switches_(shared_.has_modes()) {
         if (switches_) mode_ = fmt::format("System::Mode::{}, ", system_.scene.modes[mode].name);
         for (const Variable* variable : symbols_.state_variables()) states_.push_back(variable->name);
         first_state_ = symbols_.count(SymbolKind::parameter);
@@ -41,7 +46,9 @@ public:
         output_jacobian("output_jacobian_x", "OutputJacobianX", Function::output_jacobian_x, outputs, first_state_);
         output_jacobian("output_jacobian_u", "OutputJacobianU", Function::output_jacobian_u, outputs, first_input_);
         for (const Function f : {Function::kinetic_energy, Function::potential_energy, Function::internal_energy}) scalar(f, "x, t");
-        for (const Function f : {Function::supplied_power, Function::dissipated_power, Function::prescribed_power, Function::exchanged_power}) scalar(f, "x, u, t");
+        for (const Function f :
+             {Function::supplied_power, Function::dissipated_power, Function::prescribed_power, Function::exchanged_power})
+            scalar(f, "x, u, t");
         if (switches_) switching();
         else values("guards", "Guards", Function::guards, "x, u, t", guard_names());
         if (has_projection()) projection();
@@ -79,7 +86,8 @@ private:
 
     void rates() {
         std::vector<MeasuredResult> results;
-        for (std::size_t i = 0; i < states_.size(); ++i) results.push_back({fmt::format("d({})/dt", states_[i]), [i](ExactCode& code) { return code.rates()[i]; }});
+        for (std::size_t i = 0; i < states_.size(); ++i)
+            results.push_back({fmt::format("d({})/dt", states_[i]), [i](ExactCode& code) { return code.rates()[i]; }});
         add("rhs", call("rhs", "State", "x, u, t"), std::move(results));
     }
 
@@ -90,7 +98,14 @@ private:
         for (std::size_t c = 0; c < layout.columns(); ++c)
             for (std::size_t r = 0; r < layout.rows(); ++r)
                 if (const auto place = layout.place(r, c))
-                    results[*place] = {fmt::format("d(d({})/dt)/d({})", states_[r], inputs[first + c]->name), [=](ExactCode& code) { return code.slope(function, r, c); }, Function::rhs, function, c, r, first + c, true};
+                    results[*place] = {fmt::format("d(d({})/dt)/d({})", states_[r], inputs[first + c]->name),
+                                       [=](ExactCode& code) { return code.slope(function, r, c); },
+                                       Function::rhs,
+                                       function,
+                                       c,
+                                       r,
+                                       first + c,
+                                       true};
         add(name, call(name, type, "x, u, t"), std::move(results));
     }
 
@@ -99,24 +114,32 @@ private:
         const FunctionCode& f = code_[Function::mass_matrix];
         std::vector<MeasuredResult> results;
         for (std::size_t c = 0; c < names.size(); ++c)
-            for (std::size_t r = 0; r < names.size(); ++r) results.push_back({fmt::format("M[{}, {}]", names[r], names[c]), node(Function::mass_matrix, f.results[lower_index(std::max(r, c), std::min(r, c))])});
+            for (std::size_t r = 0; r < names.size(); ++r)
+                results.push_back({fmt::format("M[{}, {}]", names[r], names[c]),
+                                   node(Function::mass_matrix, f.results[lower_index(std::max(r, c), std::min(r, c))])});
         add("mass_matrix", call("mass_matrix", "MassMatrix", "x, t"), std::move(results));
     }
 
     void values(const char* name, const char* type, Function function, const char* arguments, const std::vector<std::string>& names) {
         const FunctionCode& f = code_[function];
         std::vector<MeasuredResult> results;
-        for (std::size_t i = 0; i < f.results.size(); ++i) results.push_back({names[i], node(function, f.results[i]), function == Function::correction ? function : Function::rhs});
+        for (std::size_t i = 0; i < f.results.size(); ++i)
+            results.push_back({names[i], node(function, f.results[i]), function == Function::correction ? function : Function::rhs});
         add(name, call(name, type, arguments), std::move(results));
     }
 
-    void output_jacobian(const char* name, const char* type, Function function, const std::vector<std::string>& outputs, std::size_t first) {
+    void output_jacobian(const char* name, const char* type, Function function, const std::vector<std::string>& outputs,
+                         std::size_t first) {
         std::vector<MeasuredResult> results;
         const std::vector<const Variable*> inputs = ExactCode::inputs(system_);
-        const Function solved_in = !code_[function].whole_output.entries.empty() ? function : function == Function::output_jacobian_x ? Function::rhs_and_jacobian : Function::jacobian_u;
+        const Function solved_in = !code_[function].whole_output.entries.empty() ? function
+                                   : function == Function::output_jacobian_x     ? Function::rhs_and_jacobian
+                                                                                 : Function::jacobian_u;
         for (std::size_t c = 0; c < code_[function].by_output.columns; ++c)
             for (std::size_t r = 0; r < outputs.size(); ++r)
-                results.push_back({fmt::format("d({})/d({})", outputs[r], inputs[first + c]->name), [=](ExactCode& code) { return code.output_slope(function, r, c); }, Function::rhs, solved_in, c, r, first + c});
+                results.push_back({fmt::format("d({})/d({})", outputs[r], inputs[first + c]->name),
+                                   [=](ExactCode& code) { return code.output_slope(function, r, c); }, Function::rhs, solved_in, c, r,
+                                   first + c});
         add(name, call(name, type, "x, u, t"), std::move(results));
     }
 
@@ -133,7 +156,8 @@ private:
         for (std::size_t e = 0; e < system_.events.size(); ++e) {
             const EventEquation& event = system_.events[e];
             guards.push_back({event.name, event.is_watched ? node(Function::events, code_[Function::events].results[e]) : nullptr});
-            rates.push_back({fmt::format("d({})/dt", event.name), event.is_watched ? node(Function::event_rates, code_[Function::event_rates].results[e]) : nullptr});
+            rates.push_back({fmt::format("d({})/dt", event.name),
+                             event.is_watched ? node(Function::event_rates, code_[Function::event_rates].results[e]) : nullptr});
             if (!code_[Function::event_rates].rates_solved_for.empty()) rates.back().column_of = Function::event_rates;
             else if (code_[Function::event_rates].uses_jerks) rates.back().column_of = Function::jacobian_t;
         }
@@ -154,11 +178,13 @@ private:
             result.exact = node(Function::resets, code_[Function::resets].results[code.first + i]);
             if (code.impact) result.column_of = Function::resets, result.column = *code.impact;
         }
-        add(fmt::format("{} {}", name, system_.events[event].name), fmt::format("typename System::State y = x;\nsystem.{}({}, {}y, u, t);\nput_all(y);\n", name, event, mode_), std::move(results));
+        add(fmt::format("{} {}", name, system_.events[event].name),
+            fmt::format("typename System::State y = x;\nsystem.{}({}, {}y, u, t);\nput_all(y);\n", name, event, mode_), std::move(results));
     }
 
     bool has_projection() const {
-        return !symbols_.attitudes().empty() || std::any_of(modes_.begin(), modes_.end(), [](const Code* code) { return code->system.needs_projection(); });
+        return !symbols_.attitudes().empty() ||
+               std::any_of(modes_.begin(), modes_.end(), [](const Code* code) { return code->system.needs_projection(); });
     }
 
     void projection() {
@@ -171,7 +197,9 @@ private:
         const FunctionCode& f = code_[Function::constraint_jacobian];
         std::vector<MeasuredResult> results;
         for (std::size_t j = 0; !f.results.empty() && j < q.size(); ++j)
-            for (std::size_t i = 0; i < names.size(); ++i) results.push_back({fmt::format("A[{}, {}]", names[i], q[j]), node(Function::constraint_jacobian, f.results[i * q.size() + j])});
+            for (std::size_t i = 0; i < names.size(); ++i)
+                results.push_back(
+                    {fmt::format("A[{}, {}]", names[i], q[j]), node(Function::constraint_jacobian, f.results[i * q.size() + j])});
         add("constraint_jacobian", call("constraint_jacobian", "ConstraintJacobian", "x, t"), std::move(results));
         values("correction", "Generalised", Function::correction, "x, t, residual", q);
     }
@@ -190,7 +218,9 @@ private:
 
 }  // namespace
 
-std::vector<MeasuredFunction> measured_functions(const std::vector<const Code*>& modes, std::size_t mode) { return FunctionList(modes, mode).run(); }
+std::vector<MeasuredFunction> measured_functions(const std::vector<const Code*>& modes, std::size_t mode) {
+    return FunctionList(modes, mode).run();
+}
 
 std::string accuracy_source(const System& system, const Header& header, const std::vector<std::vector<MeasuredFunction>>& functions) {
     std::string bodies, calls, parameters;
@@ -208,7 +238,8 @@ std::string accuracy_source(const System& system, const Header& header, const st
             calls += fmt::format("        values.function_{}();\n", number++);
         }
     std::map<std::string, std::size_t> position;
-    for (const Variable& p : system.symbols.all(SymbolKind::parameter)) parameters += fmt::format("        p_.{} = next();\n", p.is_member ? fmt::format("{}[{}]", p.base, position[p.base]++) : p.base);
+    for (const Variable& p : system.symbols.all(SymbolKind::parameter))
+        parameters += fmt::format("        p_.{} = next();\n", p.is_member ? fmt::format("{}[{}]", p.base, position[p.base]++) : p.base);
     return fill_template(embedded_file("accuracy.cpp.in"), {{"NAMESPACE", header.name_space},
                                                             {"HEADER", header.file_name},
                                                             {"INPUTS", std::to_string(ExactCode::inputs(system).size())},

@@ -30,8 +30,8 @@ struct MeasuredFunction {
 /// Those of one mode; of a machine that does not switch, all. `modes`: the code of all modes.
 std::vector<MeasuredFunction> measured_functions(const std::vector<const Code*>& modes, std::size_t mode);
 
-/// The source of a program that reads points and writes what the functions give there, for float or double; its arguments are the arithmetic and
-/// the files of points and of results, both of doubles. `functions`: by mode.
+/// The source of a program that reads points and writes what the functions give there, for float or double; its arguments are the
+/// arithmetic and the files of points and of results, both of doubles. `functions`: by mode.
 std::string accuracy_source(const System& system, const Header& header, const std::vector<std::vector<MeasuredFunction>>& functions);
 
 }  // namespace dalembert

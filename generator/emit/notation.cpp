@@ -47,9 +47,10 @@ std::string number(const cln::cl_I& n) { return to_string(n); }
 }  // namespace
 
 std::string latex_name(const std::string& name) {
-    static const std::set<std::string, std::less<>> greek{"alpha", "beta",  "gamma", "delta", "zeta", "eta",   "theta", "iota", "kappa", "lambda", "mu",
-                                                          "nu",    "xi",    "pi",    "rho",   "sigma", "tau",  "upsilon", "chi", "psi",  "omega",
-                                                          "Gamma", "Delta", "Theta", "Lambda", "Xi",   "Pi",   "Sigma", "Phi",  "Psi",   "Omega"};
+    static const std::set<std::string, std::less<>> greek{"alpha",  "beta",    "gamma", "delta", "zeta",  "eta",   "theta", "iota",
+                                                          "kappa",  "lambda",  "mu",    "nu",    "xi",    "pi",    "rho",   "sigma",
+                                                          "tau",    "upsilon", "chi",   "psi",   "omega", "Gamma", "Delta", "Theta",
+                                                          "Lambda", "Xi",      "Pi",    "Sigma", "Phi",   "Psi",   "Omega"};
     const std::size_t index = name.find('_');
     std::string base = name.substr(0, index);
     if (base == "phi") base = "\\varphi";
@@ -64,10 +65,12 @@ std::string latex_name(const std::string& name) {
 
 std::string Notation::symbol(const Variable& variable) const {
     if (style_ == Style::text) return variable.name;
-    std::string name = latex_name(variable.kind == SymbolKind::multiplier ? "lambda" + variable.base.substr(std::string("constraint_force").size()) : variable.base);
+    std::string name = latex_name(
+        variable.kind == SymbolKind::multiplier ? "lambda" + variable.base.substr(std::string("constraint_force").size()) : variable.base);
     const auto dotted = [&](const char* dots) {
         const std::size_t index = name.find('_');
-        name = index == std::string::npos ? fmt::format("\\{}{{{}}}", dots, name) : fmt::format("\\{}{{{}}}{}", dots, name.substr(0, index), name.substr(index));
+        name = index == std::string::npos ? fmt::format("\\{}{{{}}}", dots, name)
+                                          : fmt::format("\\{}{{{}}}{}", dots, name.substr(0, index), name.substr(index));
     };
     if (variable.kind == SymbolKind::velocity || variable.kind == SymbolKind::state_rate) dotted("dot");
     if (variable.kind == SymbolKind::acceleration) dotted("ddot");
@@ -116,7 +119,8 @@ std::string Notation::atom(const Atom& a, const Atoms& atoms) const {
     if (style_ == Style::text) return fmt::format("{}({})", name_of(a.op), fmt::join(arguments, ", "));
     const ScalarFunction& function = scalar_function(a.op);
     const std::string inside = fmt::format("{}", fmt::join(arguments, ", "));
-    return function.latex != nullptr ? fmt::format(fmt::runtime(function.latex), inside) : fmt::format("\\operatorname{{{}}}\\left({}\\right)", function.name, inside);
+    return function.latex != nullptr ? fmt::format(fmt::runtime(function.latex), inside)
+                                     : fmt::format("\\operatorname{{{}}}\\left({}\\right)", function.name, inside);
 }
 
 namespace {
@@ -126,7 +130,8 @@ std::pair<Rational, int> without_radiation(Rational coefficient) {
     const Rational constant = stefan_boltzmann();
     const cln::cl_I digits = cln::numerator(constant);
     int power = 0;
-    for (; !cln::zerop(coefficient) && cln::zerop(cln::mod(cln::numerator(coefficient), digits)); ++power) coefficient = coefficient / constant;
+    for (; !cln::zerop(coefficient) && cln::zerop(cln::mod(cln::numerator(coefficient), digits)); ++power)
+        coefficient = coefficient / constant;
     for (; cln::zerop(cln::mod(cln::denominator(coefficient), digits)); --power) coefficient = coefficient * constant;
     return {coefficient, power};
 }
@@ -215,7 +220,8 @@ std::string Notation::polynomial(const Polynomial& p, const Atoms& atoms, int le
         collected[key].add(rest, coefficient);
     }
     std::vector<std::pair<Monomial, Polynomial>> terms(collected.begin(), collected.end());
-    std::stable_sort(terms.begin(), terms.end(), [&](const auto& a, const auto& b) { return term_key(a.first, atoms) < term_key(b.first, atoms); });
+    std::stable_sort(terms.begin(), terms.end(),
+                     [&](const auto& a, const auto& b) { return term_key(a.first, atoms) < term_key(b.first, atoms); });
     std::string text;
     for (const auto& [key, factor] : terms) {
         const bool is_plain_sum = level == 2 && key.empty();

@@ -28,7 +28,12 @@ class PlantMaker {
 
 public:
     explicit PlantMaker(const std::vector<const Code*>& modes)
-        : modes_(modes), shared_(modes), code_(*modes.front()), system_(code_.system), switches_(shared_.has_modes()), equations_(header_equations(modes)) {
+        : modes_(modes),
+          shared_(modes),
+          code_(*modes.front()),
+          system_(code_.system),
+          switches_(shared_.has_modes()),
+          equations_(header_equations(modes)) {
         for (const Code* code : modes_) bodies_.emplace_back(*code, shared_);
     }
 
@@ -39,7 +44,9 @@ public:
         outputs();
         energies();
         if (switches_) switching();
-        else add(Function::guards, "Functions whose sign matters, in the order of guard_table().", each([](CppBodies& b) { return b.values(Function::guards, "Guards", "g"); }));
+        else
+            add(Function::guards, "Functions whose sign matters, in the order of guard_table().",
+                each([](CppBodies& b) { return b.values(Function::guards, "Guards", "g"); }));
         constraints();
         for (const CppBodies& bodies : bodies_) plant_.helpers.insert(bodies.helpers().begin(), bodies.helpers().end());
         return std::move(plant_);
@@ -86,17 +93,21 @@ private:
     void motion() {
         add_large(Function::rhs, "dx/dt = f(x, u, t).", each([](CppBodies& b) { return b.rhs(); }));
         series();
-        add(Function::rhs_and_jacobian, "dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.",
-            each([](CppBodies& b) { return b.rhs_and_jacobian(); })).doc.push_back(layout(plant_.by_state, "x"));
+        add(Function::rhs_and_jacobian,
+            "dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.",
+            each([](CppBodies& b) { return b.rhs_and_jacobian(); }))
+            .doc.push_back(layout(plant_.by_state, "x"));
         PlantFunction& by_state = plant_.functions.emplace_back();
         by_state.name = "jacobian_x";
         by_state.doc = {"J = df/dx. " + layout(plant_.by_state, "x")};
         by_state.body = bodies_.front().jacobian_x();
         together();
-        add(Function::jacobian_u, "J = df/du. " + layout(plant_.by_input, "u"), each([](CppBodies& b) { return b.jacobian(Function::jacobian_u, By::input); }));
+        add(Function::jacobian_u, "J = df/du. " + layout(plant_.by_input, "u"),
+            each([](CppBodies& b) { return b.jacobian(Function::jacobian_u, By::input); }));
         add(Function::jacobian_p, "J = df/dp, parameters in the order of the table. " + layout(plant_.by_parameter, "p"),
             each([](CppBodies& b) { return b.jacobian(Function::jacobian_p, By::parameter); }));
-        add(Function::jacobian_t, "J = df/dt at fixed x and u.", each([](CppBodies& b) { return b.jacobian(Function::jacobian_t, By::time); }));
+        add(Function::jacobian_t, "J = df/dt at fixed x and u.",
+            each([](CppBodies& b) { return b.jacobian(Function::jacobian_t, By::time); }));
         add_large(Function::mass_matrix, "M(q, t), symmetric.", each([](CppBodies& b) { return b.mass_matrix(); }));
         add_large(Function::bias, "bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.",
                   each([](CppBodies& b) { return b.values(Function::bias, "Generalised", "b"); }));
@@ -122,14 +133,18 @@ private:
     void together() {
         plant_.has_together = code_.has_together;
         if (code_.has_together)
-            add(Function::together, "What rhs_and_jacobian, output and the functions of the energies compute, at once: what they have in common is computed once.",
+            add(Function::together,
+                "What rhs_and_jacobian, output and the functions of the energies compute, at once: what they have in common is computed "
+                "once.",
                 each([](CppBodies& b) { return b.together(); }));
     }
 
     void outputs() {
         add(Function::output, "y = h(x, u, t).", each([](CppBodies& b) { return b.values(Function::output, "Output", "y"); }));
-        add(Function::output_jacobian_x, "C = dh/dx.", each([](CppBodies& b) { return b.output_jacobian(Function::output_jacobian_x, By::state); }));
-        add(Function::output_jacobian_u, "D = dh/du.", each([](CppBodies& b) { return b.output_jacobian(Function::output_jacobian_u, By::input); }));
+        add(Function::output_jacobian_x, "C = dh/dx.",
+            each([](CppBodies& b) { return b.output_jacobian(Function::output_jacobian_x, By::state); }));
+        add(Function::output_jacobian_u, "D = dh/du.",
+            each([](CppBodies& b) { return b.output_jacobian(Function::output_jacobian_u, By::input); }));
     }
 
     void energies() {
@@ -137,12 +152,20 @@ private:
         using enum Function;
         add_large(kinetic_energy, "T in joules.", of(kinetic_energy), Result::number);
         add_large(potential_energy, "V in joules.", of(potential_energy), Result::number);
-        add_large(supplied_power, "Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.", of(supplied_power),
+        add_large(
+            supplied_power,
+            "Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.",
+            of(supplied_power), Result::number);
+        add_large(dissipated_power, "Power in watts that dampers dissipate; not negative for laws that resist.", of(dissipated_power),
                   Result::number);
-        add_large(dissipated_power, "Power in watts that dampers dissipate; not negative for laws that resist.", of(dissipated_power), Result::number);
-        add(prescribed_power, "Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.", of(prescribed_power)).result = Result::number;
-        add_large(internal_energy, "E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.", of(internal_energy), Result::number);
-        add(exchanged_power, "Power in watts over the border of the model: enthalpy flows, heat, shafts.", of(exchanged_power)).result = Result::number;
+        add(prescribed_power, "Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.",
+            of(prescribed_power))
+            .result = Result::number;
+        add_large(internal_energy,
+                  "E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.",
+                  of(internal_energy), Result::number);
+        add(exchanged_power, "Power in watts over the border of the model: enthalpy flows, heat, shafts.", of(exchanged_power)).result =
+            Result::number;
     }
 
     /// Guards of all modes that end nothing, each once.
@@ -150,7 +173,8 @@ private:
         std::vector<Guard> result;
         for (const Code* code : modes_)
             for (const Guard& guard : code->system.guards)
-                if (!guard.ends && std::none_of(result.begin(), result.end(), [&](const Guard& known) { return known.is_same(guard); })) result.push_back(guard);
+                if (!guard.ends && std::none_of(result.begin(), result.end(), [&](const Guard& known) { return known.is_same(guard); }))
+                    result.push_back(guard);
         return result;
     }
 
@@ -160,11 +184,15 @@ private:
             each([](CppBodies& b) { return b.guards(Function::events, "Events", "g"); }), "guards").equations = event_equations(modes_);
         add(Function::event_rates, "dg/dt along the motion in the mode, with inputs held.",
             each([](CppBodies& b) { return b.guards(Function::event_rates, "Events", "rates"); }), "guard_rates");
-        add(Function::conditions, "Whether what the mode holds is as it holds it, but for roundings.", each([](CppBodies& b) { return b.conditions(); }), "holds").result = Result::truth;
+        add(Function::conditions, "Whether what the mode holds is as it holds it, but for roundings.",
+            each([](CppBodies& b) { return b.conditions(); }), "holds")
+            .result = Result::truth;
         resets("reset", "What the event changes where it happens.", &Code::resets);
         resets("settle", "What changes where the event has happened infinitely often.", &Code::rests);
-        PlantFunction& f = add(Function::guards, "Functions where the right-hand side of a mode has a kink or jump that changes no mode, in the order of guard_table().",
-                               each([&](CppBodies& b) { return b.kinks(kinks()); }), "kinks");
+        PlantFunction& f =
+            add(Function::guards,
+                "Functions where the right-hand side of a mode has a kink or jump that changes no mode, in the order of guard_table().",
+                each([&](CppBodies& b) { return b.kinks(kinks()); }), "kinks");
         f.equations.clear();
     }
 
@@ -178,7 +206,9 @@ private:
 
     /// Nothing where integration keeps exactly what constraints hold. Of a mode that needs no projection the values are zero.
     void constraints() {
-        if (system_.symbols.attitudes().empty() && std::none_of(modes_.begin(), modes_.end(), [](const Code* code) { return code->system.needs_projection(); })) return;
+        if (system_.symbols.attitudes().empty() &&
+            std::none_of(modes_.begin(), modes_.end(), [](const Code* code) { return code->system.needs_projection(); }))
+            return;
         plant_.constraints = constraint_tables(code_, shared_);
         const Notation write(system_.symbols, Style::text);
         std::vector<std::string> positions, rates;
@@ -190,20 +220,27 @@ private:
         const auto add_one = [&](Function function, std::string doc, std::vector<FunctionBody> bodies) -> PlantFunction& {
             return functions.emplace_back(made(function, std::move(doc), std::move(bodies)));
         };
-        add_one(Function::constraint_positions, "Positions that constraints hold at zero, in the order of constraint_table(); zero where there is none.",
-                each([](CppBodies& b) { return b.values(Function::constraint_positions, "Constraints", "f", false); })).equations = positions;
-        add_one(Function::constraint_rates, "Rates that constraints hold at zero.", each([](CppBodies& b) { return b.values(Function::constraint_rates, "Constraints", "w", false); }))
+        add_one(Function::constraint_positions,
+                "Positions that constraints hold at zero, in the order of constraint_table(); zero where there is none.",
+                each([](CppBodies& b) { return b.values(Function::constraint_positions, "Constraints", "f", false); }))
+            .equations = positions;
+        add_one(Function::constraint_rates, "Rates that constraints hold at zero.",
+                each([](CppBodies& b) { return b.values(Function::constraint_rates, "Constraints", "w", false); }))
             .equations = rates;
         add_one(Function::constraint_jacobian, fmt::format("d(rate)/d(velocity), entry (i, j) at A[{}*j + i].", system_.constraints.size()),
                 each([](CppBodies& b) { return b.constraint_jacobian(); }));
-        add_one(Function::constraint_forces, "Forces of the constraints along their rates, on the machine; of one that follows from those before it, zero.",
+        add_one(Function::constraint_forces,
+                "Forces of the constraints along their rates, on the machine; of one that follows from those before it, zero.",
                 each([](CppBodies& b) { return b.values(Function::constraint_forces, "Constraints", "force"); }));
         PlantFunction& back = functions.emplace_back();
         back.name = "move_back";
         back.doc = {"Moves the positions back by a step along the velocities. Quaternions get the norm one."};
         back.body = bodies_.front().move_back();
-        add_one(Function::correction, "The least step, measured with M, that takes residuals of positions (move back by it) or rates (subtract it from the velocities) away:",
-                each([](CppBodies& b) { return b.correction(); })).doc.push_back("M^-1 A' (A M^-1 A')^-1 residual.");
+        add_one(Function::correction,
+                "The least step, measured with M, that takes residuals of positions (move back by it) or rates (subtract it from the "
+                "velocities) away:",
+                each([](CppBodies& b) { return b.correction(); }))
+            .doc.push_back("M^-1 A' (A M^-1 A')^-1 residual.");
     }
 
     /// Of all modes, where they differ.

@@ -85,20 +85,26 @@ private:
             const CachedMeaning meaning = cached_meaning(*code);
             const Notation write(code->system.symbols, Style::text);
             for (const auto& [index, number] : shared_.cached(*code)) {
-                const bool is_factor = solve.is_constant && solve.unrolled && index >= solve.first_cached && index < solve.first_cached + solve.is_zero.size();
+                const bool is_factor =
+                    solve.is_constant && solve.unrolled && index >= solve.first_cached && index < solve.first_cached + solve.is_zero.size();
                 const bool is_choice = solve.left_out > 0 && index >= solve.first_chosen && index < solve.first_chosen + solve.multipliers;
-                const std::string doc = is_factor ? "of the factorisation of M" : is_choice ? "whether a constraint is solved for" : shortened(write(meaning(index)));
+                const std::string doc = is_factor   ? "of the factorisation of M"
+                                        : is_choice ? "whether a constraint is solved for"
+                                                    : shortened(write(meaning(index)));
                 members.emplace(number, PlantCached{cached_name(symbols_, number), doc});
             }
         }
         for (std::size_t i = 0; i < definitions.size(); ++i)
-            if (shared_.is_kept(i)) plant_.cached.push_back({cpp_name(definitions[i]), shortened(write_first(symbols_.definition_values()[i]))});
+            if (shared_.is_kept(i))
+                plant_.cached.push_back({cpp_name(definitions[i]), shortened(write_first(symbols_.definition_values()[i]))});
         for (auto& [number, member] : members) plant_.cached.push_back(std::move(member));
         const Solve& solve = modes_.front()->solve;
         if (solve.is_constant && !solve.unrolled) plant_.cached.push_back({"mass_factors", "factors of M", solve.is_zero.size()});
     }
 
-    static std::string shortened(const std::string& text) { return text.size() <= 100 ? text : text.substr(0, text.rfind(' ', 96)) + " ..."; }
+    static std::string shortened(const std::string& text) {
+        return text.size() <= 100 ? text : text.substr(0, text.rfind(' ', 96)) + " ...";
+    }
 
     PlantPattern pattern(By by) const {
         const JacobianLayout& l = shared_.layout(by);
@@ -126,7 +132,8 @@ PlantModes mode_tables(const std::vector<const Code*>& machine) {
     for (std::size_t e = 0; e < system.events.size(); ++e) {
         const EventEquation& event = system.events[e];
         const bool has_item = event.item != nullptr;
-        result.events.push_back({has_item ? event.name : fmt::format("limit_{}_", e), event.name, has_item && event.item->at_once, has_item && event.item->at_start});
+        result.events.push_back({has_item ? event.name : fmt::format("limit_{}_", e), event.name, has_item && event.item->at_once,
+                                 has_item && event.item->at_start});
         std::vector<PlantTransition>& row = result.transitions.emplace_back();
         for (std::size_t m = 0; m < machine.size(); ++m) {
             const EventEquation& here = machine[m]->system.events[e];
@@ -160,7 +167,8 @@ PlantConstraints constraint_tables(const Code& code, const SharedMembers& shared
     PlantChoice choice{system.constraints.size() - solve.left_out, std::vector<bool>(result.list.size()), std::move(at_start), {}};
     for (std::size_t i = 0; i < multipliers.size(); ++i) {
         choice.can_be_left_out[multipliers[i]] = true;
-        choice.chosen.emplace_back(cached_name(system.symbols, shared.cached(code).at(solve.first_chosen + static_cast<std::uint32_t>(i))), multipliers[i]);
+        choice.chosen.emplace_back(cached_name(system.symbols, shared.cached(code).at(solve.first_chosen + static_cast<std::uint32_t>(i))),
+                                   multipliers[i]);
     }
     result.choice = std::move(choice);
     return result;

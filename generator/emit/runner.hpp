@@ -22,15 +22,15 @@ struct SimulationSettings {
     bool declared_plots = true;
 };
 
-/// Whether nothing depends on the time, no guard is watched and no singular position looked for, so that nothing comes and goes within a step
-/// that the control of its error would not see.
+/// Whether nothing depends on the time, no guard is watched and no singular position looked for, so that nothing comes and goes within a
+/// step that the control of its error would not see.
 bool steps_freely(const System& system, const std::vector<GiNaC::ex>& inputs);
 
 /// The source of a simulation. Parameters and start are those of `values`.
 std::string simulation_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings);
 
-/// The source of a program that makes a run again and again. Its arguments are those of `repeated_arguments`; it prints what is recorded under
-/// `wanted` at the end of a run.
+/// The source of a program that makes a run again and again. Its arguments are those of `repeated_arguments`; it prints what is recorded
+/// under `wanted` at the end of a run.
 std::string repeated_source(Code& code, const Header& header, const SimulationSettings& settings, const std::string& wanted);
 /// Parameters and start of `values`, and of the run its end, tolerance, step and number of samples.
 std::vector<std::string> repeated_arguments(const System& system, const Values& values, const SimulationSettings& settings);
@@ -40,15 +40,17 @@ std::string cost_source(Code& code, const Header& header, const Values& values, 
 
 /// The source of a program that makes the run with any method, tolerance and step, in one of the arithmetics ("float", "double",
 /// "long_double", "digits50"), and times it; see dalembert/work_precision.hpp.
-std::string work_precision_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings, const std::vector<std::string>& arithmetics);
+std::string work_precision_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings,
+                                  const std::vector<std::string>& arithmetics);
 /// What its rows have behind the time: the outputs, or the states where the model has none.
 std::vector<std::string> compared_columns(const System& system);
 
 /// The source of a search for an equilibrium from x; flags say which states and inputs are free.
-std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<GiNaC::ex>& x, const std::vector<bool>& free_states,
-                               const std::vector<bool>& free_inputs, const std::vector<bool>& moving);
+std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<GiNaC::ex>& x,
+                               const std::vector<bool>& free_states, const std::vector<bool>& free_inputs, const std::vector<bool>& moving);
 
 /// The program that prints the modal form at x (in the order of the model) with the inputs.
-std::string modal_source(const Code& code, const Header& header, const Values& values, const std::vector<GiNaC::ex>& x, const std::vector<GiNaC::ex>& inputs);
+std::string modal_source(const Code& code, const Header& header, const Values& values, const std::vector<GiNaC::ex>& x,
+                         const std::vector<GiNaC::ex>& inputs);
 
 }  // namespace dalembert

@@ -16,18 +16,24 @@ namespace {
 
 /// What differs from cell to cell for other reasons than the place and the temperature has no place in a loop.
 void refuse_motion(const System& system, const ex& term, const RodField& field, const Expression& place) {
-    for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::acceleration, SymbolKind::state, SymbolKind::state_rate, SymbolKind::multiplier, SymbolKind::letter})
+    for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::acceleration, SymbolKind::state,
+                                  SymbolKind::state_rate, SymbolKind::multiplier, SymbolKind::letter})
         for (const Variable& variable : system.symbols.all(kind))
             if (!variable.symbol.is_equal(field.here) && term.has(variable.symbol))
-                throw Failure(Diagnostic{Id::not_allowed_here, place.span,
-                                         fmt::format("'{}' adds up cells of rod '{}', which are computed in a loop; its term must not contain '{}' then, but may stand in front of the sum or behind it", place.written(), field.rod->name, variable.name),
+                throw Failure(Diagnostic{Id::not_allowed_here,
+                                         place.span,
+                                         fmt::format("'{}' adds up cells of rod '{}', which are computed in a loop; its term must not "
+                                                     "contain '{}' then, but may stand in front of the sum or behind it",
+                                                     place.written(), field.rod->name, variable.name),
                                          {{field.rod->span, "the rod is defined here"}}});
 }
 
 ex letter_of(System& system, CellSum wanted) {
     for (const CellSum& sum : system.cell_sums)
-        if (sum.field == wanted.field && sum.first == wanted.first && sum.last == wanted.last && sum.term.is_equal(wanted.term)) return sum.letter;
-    wanted.letter = system.symbols.letter(fmt::format("sum_{}[{}]", system.cell_sums.size() + 1, system.heat.fields[wanted.field].rod->name));
+        if (sum.field == wanted.field && sum.first == wanted.first && sum.last == wanted.last && sum.term.is_equal(wanted.term))
+            return sum.letter;
+    wanted.letter =
+        system.symbols.letter(fmt::format("sum_{}[{}]", system.cell_sums.size() + 1, system.heat.fields[wanted.field].rod->name));
     system.cell_sums.push_back(wanted);
     return wanted.letter;
 }
@@ -37,7 +43,9 @@ ex add_up(System& system, const RodField& field, int first, int last, const ex& 
     const int to = field.first_index + static_cast<int>(field.geometry.cells()) - 1;
     for (const int index : {first, last})
         if (index < field.first_index || index > to)
-            throw Failure(Diagnostic{Id::index_out_of_range, place.span, fmt::format("rod '{}' has the cells {} to {}, but '{}' asks for {}", field.rod->name, field.first_index, to, place.written(), index)});
+            throw Failure(Diagnostic{Id::index_out_of_range, place.span,
+                                     fmt::format("rod '{}' has the cells {} to {}, but '{}' asks for {}", field.rod->name,
+                                                 field.first_index, to, place.written(), index)});
     refuse_motion(system, term, field, place);
     const auto cell = [&](int index) { return static_cast<std::size_t>(index - field.first_index); };
     return letter_of(system, {static_cast<std::size_t>(&field - system.heat.fields.data()), cell(first), cell(last), term, {}});
@@ -51,8 +59,11 @@ const RodField& field_of(const System& system, const Field& field) {
 const ex& temperature_of(const System& system, const RodField& field, std::size_t cell, const Expression& place) {
     const int index = field.first_index + static_cast<int>(cell);
     if (const Variable* state = system.symbols.find(SymbolKind::state, field.states->name, index)) return state->symbol;
-    throw Failure(Diagnostic{Id::not_allowed_here, place.span,
-                             fmt::format("'{}' needs the rate of a cell of rod '{}', whose cells are computed in a loop, by another name; write dot({}[k]) with the number of the cell", place.written(), field.rod->name, field.states->name),
+    throw Failure(Diagnostic{Id::not_allowed_here,
+                             place.span,
+                             fmt::format("'{}' needs the rate of a cell of rod '{}', whose cells are computed in a loop, by another name; "
+                                         "write dot({}[k]) with the number of the cell",
+                                         place.written(), field.rod->name, field.states->name),
                              {{field.rod->span, "the rod is defined here"}}});
 }
 
@@ -61,7 +72,10 @@ ex rate_in_loop(const System& system, const RodField& field, std::size_t cell, c
     const std::size_t count = field.geometry.cells();
     const auto at = [&](const ex& e, std::size_t k) {
         const GridPlace here = field.geometry.place(k);
-        GiNaC::exmap map{{field.place.left, here.left}, {field.place.right, here.right}, {field.number, field.first_index + static_cast<int>(k)}, {field.here, temperature_of(system, field, k, place)}};
+        GiNaC::exmap map{{field.place.left, here.left},
+                         {field.place.right, here.right},
+                         {field.number, field.first_index + static_cast<int>(k)},
+                         {field.here, temperature_of(system, field, k, place)}};
         if (GiNaC::is_a<GiNaC::symbol>(field.place.here)) map[field.place.here] = here.here;
         if (k + 1 < count) {
             map[field.beyond] = field.geometry.place(k + 1).right;
@@ -79,7 +93,9 @@ ex rate_in_loop(const System& system, const RodField& field, std::size_t cell, c
 
 OpenSums::OpenSums(System& system) : system_(system) {
     if (system.heat.fields.empty()) return;
-    system.sum_over_cells = [&system](const RodField& field, int first, int last, const ex& term, const Expression& place) { return add_up(system, field, first, last, term, place); };
+    system.sum_over_cells = [&system](const RodField& field, int first, int last, const ex& term, const Expression& place) {
+        return add_up(system, field, first, last, term, place);
+    };
     system.translate.set_sums([&system](const Expression& e, const Indices& indices) -> std::optional<ex> {
         const Field* summed = summed_cells(e, system.scene);
         if (summed == nullptr) return std::nullopt;
@@ -99,19 +115,24 @@ void add_rates_in_loops(const System& system, const Expression& place, ex& value
     for (const RodField& field : system.heat.fields)
         for (const Variable& state : system.symbols.all(SymbolKind::state)) {
             const ex& rate = system.symbols.get(SymbolKind::state_rate, state.position);
-            if (state.base == field.states->name && value.has(rate)) rates[rate] = rate + rate_in_loop(system, field, static_cast<std::size_t>(state.index - field.first_index), place);
+            if (state.base == field.states->name && value.has(rate))
+                rates[rate] = rate + rate_in_loop(system, field, static_cast<std::size_t>(state.index - field.first_index), place);
         }
     if (!rates.empty()) value = value.subs(rates, GiNaC::subs_options::no_pattern);
 }
 
 void separate_sums(System& system) {
     for (OutputEquation& output : system.outputs) {
-        if (std::none_of(system.cell_sums.begin(), system.cell_sums.end(), [&](const CellSum& sum) { return output.value.has(sum.letter); })) continue;
+        if (std::none_of(system.cell_sums.begin(), system.cell_sums.end(),
+                         [&](const CellSum& sum) { return output.value.has(sum.letter); }))
+            continue;
         for (const SymbolKind kind : {SymbolKind::acceleration, SymbolKind::multiplier})
             for (const Variable& variable : system.symbols.all(kind))
                 if (output.value.has(variable.symbol))
-                    throw Failure(Diagnostic{Id::not_allowed_here, system.scene.model->name_span,
-                                             fmt::format("output '{}' contains '{}' and a sum over cells that are computed in a loop; make two outputs of it", output.name, variable.name)});
+                    throw Failure(Diagnostic{
+                        Id::not_allowed_here, system.scene.model->name_span,
+                        fmt::format("output '{}' contains '{}' and a sum over cells that are computed in a loop; make two outputs of it",
+                                    output.name, variable.name)});
         output.with_sums = output.value;
         output.value = 0;
     }

@@ -17,7 +17,9 @@ using GiNaC::ex;
 
 namespace {
 
-std::string in_which_mode(const Scene& scene) { return scene.mode ? fmt::format(" in mode '{}'", scene.modes[*scene.mode].name) : std::string(); }
+std::string in_which_mode(const Scene& scene) {
+    return scene.mode ? fmt::format(" in mode '{}'", scene.modes[*scene.mode].name) : std::string();
+}
 
 /// Rows of A qd + b = 0, eliminated until each gives the velocity of a coordinate that no other mentions; and rows from which none follows.
 class Elimination {
@@ -158,8 +160,14 @@ private:
             if (slides(before) == 0) continue;
             const Row other = row_of(j);
             const auto factor = multiple_of(row, other);
-            if (!factor || !ex(row.drift - *factor * other.drift).expand().is_zero() || slides(before) * sign_of_factor(*factor) != -slides(system_.constraints[i])) continue;
-            throw Failure(Diagnostic{Id::doubly_determined, row.item->span, fmt::format("frictions '{}' and '{}' do not slide in opposite directions", before.name, system_.constraints[row.constraint].name), {{before.item->span, "on the same rate"}}});
+            if (!factor || !ex(row.drift - *factor * other.drift).expand().is_zero() ||
+                slides(before) * sign_of_factor(*factor) != -slides(system_.constraints[i]))
+                continue;
+            throw Failure(Diagnostic{Id::doubly_determined,
+                                     row.item->span,
+                                     fmt::format("frictions '{}' and '{}' do not slide in opposite directions", before.name,
+                                                 system_.constraints[row.constraint].name),
+                                     {{before.item->span, "on the same rate"}}});
         }
     }
 
@@ -181,33 +189,47 @@ private:
             if (why_not_shared(system_, repetitions(system_, std::move(repeated)))) continue;
             std::vector<Note> notes;
             for (std::size_t other = 0; other < row.made_of.size(); ++other)
-                if (other != i && !row.made_of[other].is_zero()) notes.push_back({system_.constraints[other].item->span, fmt::format("'{}' holds it", system_.constraints[other].name)});
-            throw Failure(Diagnostic{Id::doubly_determined, c.item->span, fmt::format("friction '{}' does not slide{}: its rate is held at zero", c.name, in_which_mode(system_.scene)), std::move(notes)});
+                if (other != i && !row.made_of[other].is_zero())
+                    notes.push_back({system_.constraints[other].item->span, fmt::format("'{}' holds it", system_.constraints[other].name)});
+            throw Failure(
+                Diagnostic{Id::doubly_determined, c.item->span,
+                           fmt::format("friction '{}' does not slide{}: its rate is held at zero", c.name, in_which_mode(system_.scene)),
+                           std::move(notes)});
         }
     }
 
     /// What a state lets go has a row that is zero there, and is not brought back to zero.
     [[noreturn]] static void refuse_apart(const ConstraintEquation& c, const std::string& why) {
-        throw Failure(Diagnostic{Id::too_large, c.item->span,
-                                 fmt::format("there are so many combinations of modes that friction '{}' has a state in place of modes, which cannot be: where it {}. "
-                                             "With fewer combinations, or where the file names one of its modes, it keeps them", c.name, why)});
+        throw Failure(Diagnostic{
+            Id::too_large, c.item->span,
+            fmt::format(
+                "there are so many combinations of modes that friction '{}' has a state in place of modes, which cannot be: where it {}. "
+                "With fewer combinations, or where the file names one of its modes, it keeps them",
+                c.name, why)});
     }
 
     void check_shares() const {
-        const auto find = [&](bool has_share) { return std::find_if(kept_.begin(), kept_.end(), [&](const Row& row) { return (row.item->share != nullptr) == has_share; }); };
+        const auto find = [&](bool has_share) {
+            return std::find_if(kept_.begin(), kept_.end(), [&](const Row& row) { return (row.item->share != nullptr) == has_share; });
+        };
         const auto apart = find(true), other = find(false);
         if (apart == kept_.end()) return;
-        if (other != kept_.end()) refuse_apart(system_.constraints[apart->constraint], fmt::format("sticks, constraint '{}' holds a rate that gives no velocity of a coordinate", system_.constraints[other->constraint].name));
+        if (other != kept_.end())
+            refuse_apart(system_.constraints[apart->constraint],
+                         fmt::format("sticks, constraint '{}' holds a rate that gives no velocity of a coordinate",
+                                     system_.constraints[other->constraint].name));
         for (const Row& row : kept_) {
             const ConstraintEquation& c = system_.constraints[row.constraint];
             const ex share = system_.translate(c.item->share, {});
             const auto moves = [&](const ex& factor) { return !is_of_parameters(ex(factor / share).normal(), symbols_); };
-            if (std::any_of(row.factors.begin(), row.factors.end(), moves)) refuse_apart(c, "sticks, the factors of the velocities in its rate change with time or position");
+            if (std::any_of(row.factors.begin(), row.factors.end(), moves))
+                refuse_apart(c, "sticks, the factors of the velocities in its rate change with time or position");
             if (moves(row.drift)) refuse_apart(c, "sticks, the speed that it sticks to is no constant");
         }
     }
 
-    /// What follows from others wherever they hold cannot be told from these by its force. Neither elimination nor letters show it, but numbers do.
+    /// What follows from others wherever they hold cannot be told from these by its force. Neither elimination nor letters show it, but
+    /// numbers do.
     void leave_out_redundant() {
         if (kept_.empty()) return;
         std::vector<std::size_t> order;
@@ -222,10 +244,15 @@ private:
             c.is_redundant = true;
             std::vector<Note> notes;
             for (const std::size_t other : order)
-                if (other != constraint && !system_.constraints[other].is_redundant) notes.push_back({system_.constraints[other].item->span, "it holds, too"});
+                if (other != constraint && !system_.constraints[other].is_redundant)
+                    notes.push_back({system_.constraints[other].item->span, "it holds, too"});
             system_.warnings.push_back({Id::doubly_determined, c.item->span,
-                                        fmt::format("constraint '{}'{} follows from the others wherever they hold: the motion is determined without it, but what each of them bears is not. {}", c.name, in_which_mode(system_.scene),
-                                                    system_.scene.mode ? "Its force is given as zero, and the others bear everything" : "As many bear everything as are independent, chosen where the machine is; the forces of the others are given as zero"),
+                                        fmt::format("constraint '{}'{} follows from the others wherever they hold: the motion is "
+                                                    "determined without it, but what each of them bears is not. {}",
+                                                    c.name, in_which_mode(system_.scene),
+                                                    system_.scene.mode ? "Its force is given as zero, and the others bear everything"
+                                                                       : "As many bear everything as are independent, chosen where the "
+                                                                         "machine is; the forces of the others are given as zero"),
                                         std::move(notes), Severity::warning});
         }
         const auto is_redundant = [&](const Row& row) { return system_.constraints[row.constraint].is_redundant; };
@@ -236,19 +263,27 @@ private:
     /// Whether anything is left of a rate.
     void check_rate(const Row& row) const {
         if (!is_zero(row)) return;
-        if (rows_.empty() && kept_.empty()) throw Failure(Diagnostic{Id::undetermined, row.item->span, fmt::format("constraint '{}' holds a rate that no velocity changes", system_.constraints[row.constraint].name)});
+        if (rows_.empty() && kept_.empty())
+            throw Failure(
+                Diagnostic{Id::undetermined, row.item->span,
+                           fmt::format("constraint '{}' holds a rate that no velocity changes", system_.constraints[row.constraint].name)});
         std::vector<Note> notes;
         for (const auto* others : {&rows_, &kept_})
             for (const Row& other : *others)
-                if (other.constraint != row.constraint) notes.push_back({other.item->span, fmt::format("'{}' holds, too", system_.constraints[other.constraint].name)});
+                if (other.constraint != row.constraint)
+                    notes.push_back({other.item->span, fmt::format("'{}' holds, too", system_.constraints[other.constraint].name)});
         throw Failure(Diagnostic{Id::doubly_determined, row.item->span,
-                                 fmt::format("constraint '{}'{} follows from others, so that what each of them bears is not determined", system_.constraints[row.constraint].name, in_which_mode(system_.scene)), std::move(notes)});
+                                 fmt::format("constraint '{}'{} follows from others, so that what each of them bears is not determined",
+                                             system_.constraints[row.constraint].name, in_which_mode(system_.scene)),
+                                 std::move(notes)});
     }
 
-    bool has_sign(const ex& factor) const { return factor.info(GiNaC::info_flags::positive) || ex(-factor).info(GiNaC::info_flags::positive); }
+    bool has_sign(const ex& factor) const {
+        return factor.info(GiNaC::info_flags::positive) || ex(-factor).info(GiNaC::info_flags::positive);
+    }
 
-    /// The coordinate that is asked for; else the last one with a number as its factor, or with parameters that have a sign, or with parameters
-    /// alone. False if there is none.
+    /// The coordinate that is asked for; else the last one with a number as its factor, or with parameters that have a sign, or with
+    /// parameters alone. False if there is none.
     bool choose_pivot(Row& row) const {
         if (row.item->multiplier) return false;
         if (row.item->eliminates) {
@@ -256,16 +291,26 @@ private:
             row.pivot = system_.translate.coordinate(wanted.name, wanted.index.get(), wanted.span, indices_of(row.constraint));
             const ex& factor = row.factors[row.pivot];
             if (!factor.is_zero() && is_of_parameters(factor, symbols_)) return true;
-            throw Failure(Diagnostic{Id::undetermined, wanted.span,
-                                     factor.is_zero() ? fmt::format("constraint '{}'{} does not give '{}': its rate does not contain that velocity{}", system_.constraints[row.constraint].name, in_which_mode(system_.scene), symbols_.all(SymbolKind::velocity)[row.pivot].name, rows_.empty() ? "" : " any more, when other constraints are put in")
-                                                      : fmt::format("constraint '{}'{} does not give '{}' everywhere: its factor in the rate moves, and may become zero; leave out 'eliminates'", system_.constraints[row.constraint].name, in_which_mode(system_.scene), symbols_.all(SymbolKind::velocity)[row.pivot].name),
+            throw Failure(Diagnostic{Id::undetermined,
+                                     wanted.span,
+                                     factor.is_zero()
+                                         ? fmt::format("constraint '{}'{} does not give '{}': its rate does not contain that velocity{}",
+                                                       system_.constraints[row.constraint].name, in_which_mode(system_.scene),
+                                                       symbols_.all(SymbolKind::velocity)[row.pivot].name,
+                                                       rows_.empty() ? "" : " any more, when other constraints are put in")
+                                         : fmt::format("constraint '{}'{} does not give '{}' everywhere: its factor in the rate moves, and "
+                                                       "may become zero; leave out 'eliminates'",
+                                                       system_.constraints[row.constraint].name, in_which_mode(system_.scene),
+                                                       symbols_.all(SymbolKind::velocity)[row.pivot].name),
                                      {{row.item->span, "the constraint"}}});
         }
         for (const int demand : {2, 1, 0})
             for (std::size_t j = n_; j-- > 0;) {
                 const ex& factor = row.factors[j];
                 if (factor.is_zero()) continue;
-                if (demand == 2 ? !GiNaC::is_a<GiNaC::numeric>(factor) : !is_of_parameters(factor, symbols_) || (demand == 1 && !has_sign(factor))) continue;
+                if (demand == 2 ? !GiNaC::is_a<GiNaC::numeric>(factor)
+                                : !is_of_parameters(factor, symbols_) || (demand == 1 && !has_sign(factor)))
+                    continue;
                 row.pivot = j;
                 return true;
             }
@@ -291,7 +336,8 @@ private:
     /// R - J' lambda of the multipliers.
     ex remainder(std::size_t j) const {
         GiNaC::exvector terms{system_.residual[j]};
-        for (const Row& row : kept_) terms.push_back(-system_.constraints[row.constraint].rate.jacobian[j] * symbols_.get(SymbolKind::multiplier, row.constraint));
+        for (const Row& row : kept_)
+            terms.push_back(-system_.constraints[row.constraint].rate.jacobian[j] * symbols_.get(SymbolKind::multiplier, row.constraint));
         return GiNaC::add(terms);
     }
 
@@ -308,7 +354,8 @@ private:
         const auto n = static_cast<unsigned>(n_), size = static_cast<unsigned>(motion.unknowns());
         motion.matrix = GiNaC::matrix(size, size);
         for (unsigned i = 0; i < n; ++i)
-            for (unsigned j = 0; j < n; ++j) motion.matrix(i, j) = system_.mass(static_cast<unsigned>(motion.free[i]), static_cast<unsigned>(motion.free[j]));
+            for (unsigned j = 0; j < n; ++j)
+                motion.matrix(i, j) = system_.mass(static_cast<unsigned>(motion.free[i]), static_cast<unsigned>(motion.free[j]));
         for (const std::size_t j : motion.free) {
             motion.force.push_back(system_.supplied[j] - system_.bias[j]);
             motion.residual.push_back(kept_.empty() ? system_.residual[j] : remainder(j));
@@ -369,7 +416,8 @@ private:
                 constraint.force = ex(GiNaC::add(terms)).expand();
             }
             system_.prescribed_power -= constraint.force * constraint.rate.drift;
-            if (constraint.item->share && constraint.item->elsewhere) constraint.force += system_.translate(*constraint.item->elsewhere, indices_of(i));
+            if (constraint.item->share && constraint.item->elsewhere)
+                constraint.force += system_.translate(*constraint.item->elsewhere, indices_of(i));
         }
     }
 
@@ -383,7 +431,8 @@ private:
 
 }  // namespace
 
-std::optional<std::pair<std::size_t, ex>> coordinate_at_zero(const ex& position, const Symbols& symbols, const std::function<bool(const ex&)>& may_divide_by) {
+std::optional<std::pair<std::size_t, ex>> coordinate_at_zero(const ex& position, const Symbols& symbols,
+                                                             const std::function<bool(const ex&)>& may_divide_by) {
     for (std::size_t j = symbols.degrees(); j-- > 0;) {
         if (!symbols.has_value(j)) continue;
         const ex& q = symbols.get(SymbolKind::coordinate, j);
@@ -396,7 +445,8 @@ std::optional<std::pair<std::size_t, ex>> coordinate_at_zero(const ex& position,
 
 std::size_t left_out_at_start(const System& system) {
     const auto& m = system.motion.multipliers;
-    return static_cast<std::size_t>(std::count_if(m.begin(), m.end(), [&](std::size_t constraint) { return system.constraints[constraint].is_redundant; }));
+    return static_cast<std::size_t>(
+        std::count_if(m.begin(), m.end(), [&](std::size_t constraint) { return system.constraints[constraint].is_redundant; }));
 }
 
 void constrain(System& system) {

@@ -15,7 +15,8 @@ namespace dalembert {
 /// each other).
 void constrain(System& system);
 
-/// Sets the weight of the constraints that determine coordinates without inertia. Throws Failure (singular-mass) where none is about such a coordinate.
+/// Sets the weight of the constraints that determine coordinates without inertia. Throws Failure (singular-mass) where none is about such a
+/// coordinate.
 void weigh_constraints(System& system);
 
 /// How many multipliers, the last ones, are left out where the machine starts: their constraints follow from the others, see note [choice].
@@ -23,6 +24,7 @@ std::size_t left_out_at_start(const System& system);
 
 /// The last coordinate in which a position is linear with a factor that may be divided by, a number if nothing else is said, and its value
 /// where the position is zero.
-std::optional<std::pair<std::size_t, GiNaC::ex>> coordinate_at_zero(const GiNaC::ex& position, const Symbols& symbols, const std::function<bool(const GiNaC::ex&)>& may_divide_by = nullptr);
+std::optional<std::pair<std::size_t, GiNaC::ex>> coordinate_at_zero(const GiNaC::ex& position, const Symbols& symbols,
+                                                                    const std::function<bool(const GiNaC::ex&)>& may_divide_by = nullptr);
 
 }  // namespace dalembert

@@ -17,7 +17,8 @@ struct Remainder {
 };
 
 bool is_body(const Reference& reference, const BodyMotion& body, const Scene& scene, const Indices& indices) {
-    return reference.name == body.member.item->name && (reference.index ? index_value(*reference.index, scene, indices) : 0) == body.member.index;
+    return reference.name == body.member.item->name &&
+           (reference.index ? index_value(*reference.index, scene, indices) : 0) == body.member.index;
 }
 
 Remainder remainder(const System& system, const BodyMotion& body) {
@@ -73,7 +74,9 @@ ex cut_force(const System& system, const Cut& cut, int index) {
     const SpaceVector point = cut.about ? system.translate(*cut.about, indices) : SpaceVector{0, 0, 0};
     for (const Reference& reference : cut.bodies) {
         const BodyMotion* body = find_motion(system.bodies, reference, system.scene, indices);
-        if (body == nullptr) throw Failure(Diagnostic{Id::needs_absent, reference.span, fmt::format("scene '{}' has no body '{}'", system.scene.name, std::string(reference.span.text()))});
+        if (body == nullptr)
+            throw Failure(Diagnostic{Id::needs_absent, reference.span,
+                                     fmt::format("scene '{}' has no body '{}'", system.scene.name, std::string(reference.span.text()))});
         const Remainder one = remainder(system, *body);
         force = force + one.force;
         moment = moment + one.moment + cross(body->position - point, one.force);

@@ -57,7 +57,8 @@ double Arithmetic::nearest(const Rational& value) const {
 }
 
 double Arithmetic::next(double value, double towards) const {
-    if (digits == std::numeric_limits<float>::digits) return static_cast<double>(std::nextafter(static_cast<float>(value), static_cast<float>(towards)));
+    if (digits == std::numeric_limits<float>::digits)
+        return static_cast<double>(std::nextafter(static_cast<float>(value), static_cast<float>(towards)));
     return std::nextafter(value, towards);
 }
 
@@ -72,7 +73,8 @@ EdgePoints::EdgePoints(const System& system, std::vector<const Variable*> variab
     const GiNaC::exmap defaults = Values(system.scene, system.translate).substitution();
     for (const Variable* variable : variables_) {
         const auto& intervals = random.intervals();
-        const auto interval = std::find_if(intervals.begin(), intervals.end(), [&](const auto& i) { return i.letter.is_equal(variable->symbol); });
+        const auto interval =
+            std::find_if(intervals.begin(), intervals.end(), [&](const auto& i) { return i.letter.is_equal(variable->symbol); });
         Range range{arithmetic.nearest(interval->low), arithmetic.nearest(interval->high), 0};
         if (range.low > range.high) std::swap(range.low, range.high);
         if (exact(range.low) < cln::min(interval->low, interval->high)) range.low = arithmetic.next(range.low, arithmetic.largest);
@@ -95,7 +97,9 @@ std::vector<double> EdgePoints::sizes() const {
 
 double EdgePoints::fraction() { return (static_cast<double>(next_word(state_) >> 11U) + 0.5) * 0x1p-53; }
 
-double EdgePoints::rounded(double value) const { return arithmetic_.digits == std::numeric_limits<float>::digits ? static_cast<double>(static_cast<float>(value)) : value; }
+double EdgePoints::rounded(double value) const {
+    return arithmetic_.digits == std::numeric_limits<float>::digits ? static_cast<double>(static_cast<float>(value)) : value;
+}
 
 double EdgePoints::within(const Range& range, double value) const {
     const double number = rounded(value);
@@ -115,7 +119,8 @@ double EdgePoints::small(double scale) {
 double EdgePoints::tiny_to_huge(const Range& range) {
     // Of ranges that do not reach zero, the decades that they have.
     const double least = std::min(std::fabs(range.low), std::fabs(range.high));
-    if (!range.may_be_zero()) return within(range, std::copysign(least * power_of_two(fraction() * steps_of_two(range.scale() / least)), range.low));
+    if (!range.may_be_zero())
+        return within(range, std::copysign(least * power_of_two(fraction() * steps_of_two(range.scale() / least)), range.low));
     const double value = small(range.scale());
     return within(range, range.holds(value) ? value : -value);
 }
@@ -130,12 +135,15 @@ void EdgePoints::make_equal(std::vector<double>& values) {
         if (others.empty()) continue;
         const double other = values[others[static_cast<std::size_t>(fraction() * static_cast<double>(others.size()))]];
         const double which = fraction() * 3;
-        values[i] = within(ranges_[i], which < 1 ? other : which < 2 ? arithmetic_.next(other, chance() ? arithmetic_.largest : -arithmetic_.largest) : other + small(std::fabs(other)));
+        values[i] = within(ranges_[i], which < 1   ? other
+                                       : which < 2 ? arithmetic_.next(other, chance() ? arithmetic_.largest : -arithmetic_.largest)
+                                                   : other + small(std::fabs(other)));
     }
 }
 
 EdgePoint EdgePoints::next() {
-    static constexpr std::array kinds{"random", "tiny to huge", "near zero", "equal values", "ends of ranges", "signs of zero", "quarter turns"};
+    static constexpr std::array kinds{"random",         "tiny to huge",  "near zero",    "equal values",
+                                      "ends of ranges", "signs of zero", "quarter turns"};
     const std::size_t kind = count_ % kinds.size();
     const bool keeps_parameters = (count_ / kinds.size()) % 2 == 1;
     ++count_;

@@ -60,7 +60,8 @@ private:
             } else if (const Variable* z = symbols_.find(SymbolKind::state, named.name, index)) {
                 set(reset, symbols_.place(SymbolKind::state, z->position), z->is_root ? ex(GiNaC::sqrt(value)) : value);
             } else {
-                throw Failure(Diagnostic{Id::index_out_of_range, entry.span, fmt::format("scene '{}' has no '{}'", system_.scene.name, variable.written())});
+                throw Failure(Diagnostic{Id::index_out_of_range, entry.span,
+                                         fmt::format("scene '{}' has no '{}'", system_.scene.name, variable.written())});
             }
         }
     }
@@ -73,11 +74,16 @@ private:
     /// The velocities after an impact on a constraint, and the position exactly on it.
     void meet(Reset& reset, const Reference& met, const ex& restitution) const {
         const int index = met.index ? index_value(*met.index, system_.scene, {}) : 0;
-        const auto constraint = std::find_if(system_.constraints.begin(), system_.constraints.end(), [&](const ConstraintEquation& c) { return c.item->name == met.name && c.index == index; });
-        if (constraint == system_.constraints.end()) throw Failure(Diagnostic{Id::needs_absent, met.span, fmt::format("scene '{}' has no constraint '{}'", system_.scene.name, met.index ? fmt::format("{}[{}]", met.name, index) : met.name)});
+        const auto constraint = std::find_if(system_.constraints.begin(), system_.constraints.end(),
+                                             [&](const ConstraintEquation& c) { return c.item->name == met.name && c.index == index; });
+        if (constraint == system_.constraints.end())
+            throw Failure(Diagnostic{Id::needs_absent, met.span,
+                                     fmt::format("scene '{}' has no constraint '{}'", system_.scene.name,
+                                                 met.index ? fmt::format("{}[{}]", met.name, index) : met.name)});
         // Else the position is as near to zero as roundings allow.
         if (constraint->position)
-            if (const auto at_zero = coordinate_at_zero(*constraint->position, symbols_)) set(reset, symbols_.place(SymbolKind::coordinate, at_zero->first), at_zero->second);
+            if (const auto at_zero = coordinate_at_zero(*constraint->position, symbols_))
+                set(reset, symbols_.place(SymbolKind::coordinate, at_zero->first), at_zero->second);
         const Motion& motion = system_.motion;
         if (constraint->item->share) return meet_apart(reset, *constraint);
         Impact impact{{}, constraint->rate.drift, restitution, std::nullopt};
@@ -97,11 +103,13 @@ private:
         if (const auto alone = single_direction(impact)) {
             const std::size_t k = motion.free[*alone];
             const ex& factor = impact.direction[*alone];
-            const ex after = restitution.is_zero() ? ex(-impact.drift / factor) : ex((velocity(k) - (1 + restitution) * (velocity(k) + impact.drift / factor)).expand());
+            const ex after = restitution.is_zero() ? ex(-impact.drift / factor)
+                                                   : ex((velocity(k) - (1 + restitution) * (velocity(k) + impact.drift / factor)).expand());
             set(reset, symbols_.place(SymbolKind::velocity, k), after);
             for (const auto& [coordinate, rate] : motion.velocities) {
                 ex value = rate.drift;
-                for (std::size_t i = 0; i < motion.free.size(); ++i) value += rate.jacobian[i] * (i == *alone ? after : velocity(motion.free[i]));
+                for (std::size_t i = 0; i < motion.free.size(); ++i)
+                    value += rate.jacobian[i] * (i == *alone ? after : velocity(motion.free[i]));
                 set(reset, symbols_.place(SymbolKind::velocity, coordinate), value);
             }
             return;
@@ -109,8 +117,8 @@ private:
         reset.impact = std::move(impact);
     }
 
-    /// Of friction with a state in place of modes the rate is zero but for roundings where it stops, and where it breaks away after having stuck
-    /// for some time. Then it is zero exactly, by one velocity.
+    /// Of friction with a state in place of modes the rate is zero but for roundings where it stops, and where it breaks away after having
+    /// stuck for some time. Then it is zero exactly, by one velocity.
     void meet_apart(Reset& reset, const ConstraintEquation& constraint) const {
         const Motion& motion = system_.motion;
         const ex share = system_.translate(*constraint.item->share, {});
@@ -136,7 +144,8 @@ private:
         set(reset, symbols_.place(SymbolKind::velocity, motion.free[*pivot]), after);
         for (const auto& [coordinate, rate] : motion.velocities) {
             ex value = rate.drift;
-            for (std::size_t i = 0; i < motion.free.size(); ++i) value += rate.jacobian[i] * (i == *pivot ? after : velocity(motion.free[i]));
+            for (std::size_t i = 0; i < motion.free.size(); ++i)
+                value += rate.jacobian[i] * (i == *pivot ? after : velocity(motion.free[i]));
             set(reset, symbols_.place(SymbolKind::velocity, coordinate), value);
         }
     }
@@ -150,7 +159,8 @@ private:
             found = i;
         }
         for (std::size_t l = 0; found && l < impact.direction.size(); ++l)
-            if (l != *found && !system_.motion.matrix(static_cast<unsigned>(*found), static_cast<unsigned>(l)).is_zero()) return std::nullopt;
+            if (l != *found && !system_.motion.matrix(static_cast<unsigned>(*found), static_cast<unsigned>(l)).is_zero())
+                return std::nullopt;
         for (std::size_t l = impact.direction.size(); found && l < system_.motion.unknowns(); ++l)
             if (!system_.motion.matrix(static_cast<unsigned>(l), static_cast<unsigned>(*found)).is_zero()) return std::nullopt;
         return found;
@@ -190,7 +200,8 @@ void events(System& system) {
     for (const auto& member : system.scene.events) system.events.push_back(maker.make(*member.item));
     if (system.scene.modes.empty()) return;
     for (const Guard& guard : system.guards)
-        if (guard.ends) system.events.push_back({nullptr, guard.name, guard.doc, true, true, guard.value, guard_rate(system, guard.value), {}, {}});
+        if (guard.ends)
+            system.events.push_back({nullptr, guard.name, guard.doc, true, true, guard.value, guard_rate(system, guard.value), {}, {}});
 }
 
 }  // namespace dalembert

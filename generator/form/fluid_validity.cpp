@@ -24,8 +24,11 @@ public:
         for (const auto& member : system_.scene.media) check(*member.item);
         for (const ReservoirState& reservoir : system_.fluids.containers.reservoirs) {
             const Reservoir& item = *reservoir.member.item;
-            if (!depends_on_input(reservoir.fluid.pressure)) positive(reservoir.fluid.pressure, item.pressure->span, fmt::format("the pressure of reservoir '{}'", item.name), "Pa");
-            if (item.temperature && reservoir.fluid.temperature && !depends_on_input(*reservoir.fluid.temperature)) positive(*reservoir.fluid.temperature, item.temperature->span, fmt::format("the temperature of reservoir '{}'", item.name), "K");
+            if (!depends_on_input(reservoir.fluid.pressure))
+                positive(reservoir.fluid.pressure, item.pressure->span, fmt::format("the pressure of reservoir '{}'", item.name), "Pa");
+            if (item.temperature && reservoir.fluid.temperature && !depends_on_input(*reservoir.fluid.temperature))
+                positive(*reservoir.fluid.temperature, item.temperature->span, fmt::format("the temperature of reservoir '{}'", item.name),
+                         "K");
         }
         for (const ControlVolume& volume : system_.fluids.containers.volumes) check(volume);
         for (const FlowState& flow : system_.fluids.flows)
@@ -34,18 +37,23 @@ public:
 
 private:
     bool depends_on_input(const ex& e) const { return value_.depends_on_input(e); }
-    void positive(const ex& e, const Span& place, const std::string& what, const char* unit) const { value_.positive(e, place, what, unit); }
+    void positive(const ex& e, const Span& place, const std::string& what, const char* unit) const {
+        value_.positive(e, place, what, unit);
+    }
 
     void check(const Medium& medium) const {
         if (medium.law == Medium::Law::ideal_gas) {
             const auto R = value_(system_.translate(medium.gas_constant, {}));
             if (!R || !R->is_positive())
-                throw Failure(Diagnostic{Id::inconsistent_medium, medium.gas_constant->span,
-                                         fmt::format("the gas constant of medium '{}' is {:.6g} J/(kg*K), so that c_p = c_v + R is not above c_v", medium.name, R ? R->to_double() : 0.0)});
+                throw Failure(
+                    Diagnostic{Id::inconsistent_medium, medium.gas_constant->span,
+                               fmt::format("the gas constant of medium '{}' is {:.6g} J/(kg*K), so that c_p = c_v + R is not above c_v",
+                                           medium.name, R ? R->to_double() : 0.0)});
         }
         check_signs(medium, medium.name, {}, system_, value_);
         if (medium.isochoric_heat && medium.isochoric_heat->variables.empty() && system_.scene.thermal_media.contains(medium.name))
-            positive(system_.translate(medium.isochoric_heat->body, {}), medium.isochoric_heat->body->span, fmt::format("the isochoric heat of medium '{}'", medium.name), "J/(kg*K)");
+            positive(system_.translate(medium.isochoric_heat->body, {}), medium.isochoric_heat->body->span,
+                     fmt::format("the isochoric heat of medium '{}'", medium.name), "J/(kg*K)");
     }
 
     void check(const ControlVolume& volume) const {
@@ -61,12 +69,16 @@ private:
             constant(item.polytropic->pressure, "polytropic pressure", "Pa");
             constant(item.polytropic->temperature, "polytropic temperature", "K");
         }
-        if (volume.is_thermal()) positive(*volume.fluid.temperature, item.temperature->span, fmt::format("the temperature of {}", name), "K");
+        if (volume.is_thermal())
+            positive(*volume.fluid.temperature, item.temperature->span, fmt::format("the temperature of {}", name), "K");
         if (volume.primary == ControlVolume::Primary::filling) return;
         positive(volume.size, item.volume->span, fmt::format("the size of {}", name), "m^3");
         const ExpressionPtr& state = item.pressure ? item.pressure : item.density ? item.density : item.mass;
         const char* what = item.pressure ? "pressure" : item.density ? "density" : "mass";
-        positive(system_.translate(state, Translator::indices_of(volume.member)), state->span, fmt::format("the {} of {}", what, name), item.pressure ? "Pa" : item.density ? "kg/m^3" : "kg");
+        positive(system_.translate(state, Translator::indices_of(volume.member)), state->span, fmt::format("the {} of {}", what, name),
+                 item.pressure  ? "Pa"
+                 : item.density ? "kg/m^3"
+                                : "kg");
         positive(volume.medium_state.pressure, state->span, fmt::format("the pressure that follows from the {} of {}", what, name), "Pa");
     }
 
@@ -84,7 +96,8 @@ std::optional<double> compliance(const ControlVolume& volume, const System& syst
 
 /// Whether the flow goes like the root of a pressure difference down to zero.
 bool is_exact_root(const Flow& item) {
-    const bool is_orifice = item.law == Flow::Law::hydraulic_orifice || item.law == Flow::Law::pneumatic_orifice || (item.law == Flow::Law::check_valve && !item.conductance);
+    const bool is_orifice = item.law == Flow::Law::hydraulic_orifice || item.law == Flow::Law::pneumatic_orifice ||
+                            (item.law == Flow::Law::check_valve && !item.conductance);
     return is_orifice && !item.width && !item.switches;
 }
 
@@ -101,7 +114,9 @@ void warn_of_stiff_junctions(System& system) {
         std::set<const ControlVolume*> others;
         std::vector<std::string> flows;
         for (const FlowState& flow : system.fluids.flows) {
-            const ControlVolume* other = flow.from_volume == &volume ? flow.to_volume : flow.to_volume == &volume ? flow.from_volume : nullptr;
+            const ControlVolume* other = flow.from_volume == &volume ? flow.to_volume
+                                         : flow.to_volume == &volume ? flow.from_volume
+                                                                     : nullptr;
             if (other == nullptr || !is_exact_root(*flow.member.item)) continue;
             const auto stored = compliance(*other, system, value);
             if (stored && *own > next_to_nothing * *stored) continue;
@@ -109,10 +124,15 @@ void warn_of_stiff_junctions(System& system) {
             flows.push_back(flow.member.name());
         }
         if (others.size() < 2) continue;
-        system.warnings.push_back({Id::value_out_of_range, volume.member.item->span,
-                                   fmt::format("volume '{}' stores {:.2g} kg/Pa, next to nothing beside the volumes around it: where {} come to balance, their slopes are infinite together, and a run may stop there. Give each of them a 'width', a pressure difference within which the root is smooth, such as \"1 Pa\", or make the volume one of [junctions], which store nothing",
-                                               volume.member.name(), *own, quoted_list(flows)),
-                                   {}, Severity::warning});
+        system.warnings.push_back(
+            {Id::value_out_of_range,
+             volume.member.item->span,
+             fmt::format("volume '{}' stores {:.2g} kg/Pa, next to nothing beside the volumes around it: where {} come to balance, their "
+                         "slopes are infinite together, and a run may stop there. Give each of them a 'width', a pressure difference "
+                         "within which the root is smooth, such as \"1 Pa\", or make the volume one of [junctions], which store nothing",
+                         volume.member.name(), *own, quoted_list(flows)),
+             {},
+             Severity::warning});
     }
 }
 

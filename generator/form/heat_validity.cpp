@@ -24,10 +24,13 @@ public:
         for (const auto& member : system_.scene.blocks) check_signs(*member.item, member.name(), {}, system_, value_);
         check_radiation();
         for (const NodeState& node : system_.heat.nodes) {
-            if (node.kind == NodeState::Kind::storing) above_zero(node.capacity, place_of_capacity(node), fmt::format("the heat capacity of '{}'", node.name), "J/K");
-            if (node.kind != NodeState::Kind::sought) above_zero(node.warmth.temperature, node.place, fmt::format("the temperature of '{}'", node.name), "K");
+            if (node.kind == NodeState::Kind::storing)
+                above_zero(node.capacity, place_of_capacity(node), fmt::format("the heat capacity of '{}'", node.name), "J/K");
+            if (node.kind != NodeState::Kind::sought)
+                above_zero(node.warmth.temperature, node.place, fmt::format("the temperature of '{}'", node.name), "K");
         }
-        for (const auto& member : system_.scene.links) check_signs(*member.item, member.name(), Translator::indices_of(member), system_, value_);
+        for (const auto& member : system_.scene.links)
+            check_signs(*member.item, member.name(), Translator::indices_of(member), system_, value_);
     }
 
 private:
@@ -35,7 +38,8 @@ private:
     void check_radiation() const {
         std::set<const NodeState*> checked;
         const auto check = [&](const NodeState& node) {
-            if (checked.insert(&node).second) above_zero(node.warmth.temperature, node.place, fmt::format("the temperature of '{}', which radiates,", node.name), "K");
+            if (checked.insert(&node).second)
+                above_zero(node.warmth.temperature, node.place, fmt::format("the temperature of '{}', which radiates,", node.name), "K");
         };
         for (const NodeState& node : system_.heat.nodes)
             if (node.radiates) check(node);
@@ -59,7 +63,9 @@ private:
 
     void check(const Rod& rod) const {
         check_signs(rod, rod.name, {}, system_, value_);
-        if (rod.inner) above_zero(system_.translate(rod.outer, {}) - system_.translate(rod.inner, {}), rod.outer->span, fmt::format("the difference between outer and inner radius of rod '{}'", rod.name), "m");
+        if (rod.inner)
+            above_zero(system_.translate(rod.outer, {}) - system_.translate(rod.inner, {}), rod.outer->span,
+                       fmt::format("the difference between outer and inner radius of rod '{}'", rod.name), "m");
         if (!rod.grid) return;
         // At its ends and in steps between them; what folds back in between shows in the capacities of cells.
         constexpr int steps = 64;
@@ -68,7 +74,10 @@ private:
         const auto last = at(steps);
         bool rises = first && last && first->is_zero() && *last == 1;
         for (int i = 0; rises && i < steps; ++i) rises = at(i) && at(i + 1) && *at(i) < *at(i + 1);
-        if (!rises) throw Failure(Diagnostic{Id::value_out_of_range, rod.grid->span, fmt::format("the grid of rod '{}' must rise from 0 at s = 0 to 1 at s = 1, but '{}' does not", rod.name, rod.grid->body->written())});
+        if (!rises)
+            throw Failure(Diagnostic{Id::value_out_of_range, rod.grid->span,
+                                     fmt::format("the grid of rod '{}' must rise from 0 at s = 0 to 1 at s = 1, but '{}' does not",
+                                                 rod.name, rod.grid->body->written())});
     }
 
     const System& system_;

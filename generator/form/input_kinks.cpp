@@ -58,7 +58,12 @@ private:
         }
         const double parts = 4 * fastest * until_ / std::acos(-1.0);
         if (parts > most_parts)
-            throw Failure(Diagnostic{Id::too_large, {}, fmt::format("up to {:.6g} s there are about {:.0f} kinks or jumps at known times; a run passes at most {}, so choose a shorter one", until_, parts / 4, most_parts / 4)});
+            throw Failure(Diagnostic{
+                Id::too_large,
+                {},
+                fmt::format(
+                    "up to {:.6g} s there are about {:.0f} kinks or jumps at known times; a run passes at most {}, so choose a shorter one",
+                    until_, parts / 4, most_parts / 4)});
         return std::max(kink_parts, static_cast<int>(parts));
     }
 
@@ -96,7 +101,8 @@ bool is_of_time_alone(const ex& e, const ex& time) {
 std::vector<double> input_kinks(const System& system, const std::vector<ex>& inputs, const Values& values, double until) {
     const Symbols& symbols = system.symbols;
     GiNaC::exmap parameters, given;
-    for (std::size_t i = 0; i < symbols.count(SymbolKind::parameter); ++i) parameters[symbols.get(SymbolKind::parameter, i)] = values.parameter(i);
+    for (std::size_t i = 0; i < symbols.count(SymbolKind::parameter); ++i)
+        parameters[symbols.get(SymbolKind::parameter, i)] = values.parameter(i);
     for (std::size_t i = 0; i < inputs.size(); ++i) given[symbols.get(SymbolKind::input, i)] = inputs[i];
     std::vector<ex> functions;
     const auto add = [&](const ex& e) {
@@ -121,7 +127,8 @@ std::vector<double> input_kinks(const System& system, const std::vector<ex>& inp
     // A zero that is a number has one just before it and one on it.
     std::vector<double> result;
     for (const double kink : kinks)
-        if (kink > 0 && (result.empty() || kink - result.back() > 4 * std::numeric_limits<double>::epsilon() * kink)) result.push_back(kink);
+        if (kink > 0 && (result.empty() || kink - result.back() > 4 * std::numeric_limits<double>::epsilon() * kink))
+            result.push_back(kink);
     return result;
 }
 

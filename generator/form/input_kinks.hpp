@@ -6,10 +6,10 @@
 
 namespace dalembert {
 
-/// Rising times between zero and `until`, in s, at which a function with a kink or jump in an input, or an edge of the equations with the inputs
-/// inserted, changes its sign, where that is a function of time alone. Looked for within parts of a thousandth of the run, four between two zeros
-/// of sines and cosines of the time, and four between two kinks of what stands inside: what changes its sign twice within one may be missed.
-/// Throws Failure (too-large).
+/// Rising times between zero and `until`, in s, at which a function with a kink or jump in an input, or an edge of the equations with the
+/// inputs inserted, changes its sign, where that is a function of time alone. Looked for within parts of a thousandth of the run, four
+/// between two zeros of sines and cosines of the time, and four between two kinks of what stands inside: what changes its sign twice within
+/// one may be missed. Throws Failure (too-large).
 std::vector<double> input_kinks(const System& system, const std::vector<GiNaC::ex>& inputs, const Values& values, double until);
 
 }  // namespace dalembert

@@ -35,7 +35,8 @@ public:
         if (!GiNaC::is_a<GiNaC::add>(e_)) return e_;
         std::set<std::size_t> found;
         for (const ex& letter : letters)
-            if (const auto places = places_.find(letter); places != places_.end()) found.insert(places->second.begin(), places->second.end());
+            if (const auto places = places_.find(letter); places != places_.end())
+                found.insert(places->second.begin(), places->second.end());
         GiNaC::exvector terms;
         for (const std::size_t i : found) terms.push_back(e_.op(i));
         return GiNaC::add(terms);
@@ -53,20 +54,25 @@ std::vector<TermsByLetter> by_letter(const std::vector<ex>& rows) { return std::
 std::vector<const Variable*> column_variables(const Symbols& symbols, By by) {
     if (by == By::state) return symbols.state_variables();
     std::vector<const Variable*> result;
-    for (const Variable& variable : symbols.all(by == By::input ? SymbolKind::input : by == By::parameter ? SymbolKind::parameter : SymbolKind::time)) result.push_back(&variable);
+    for (const Variable& variable : symbols.all(by == By::input       ? SymbolKind::input
+                                                : by == By::parameter ? SymbolKind::parameter
+                                                                      : SymbolKind::time))
+        result.push_back(&variable);
     return result;
 }
 
 std::size_t column_count(const Symbols& symbols, By by) { return column_variables(symbols, by).size(); }
 
 ex by_column(const System& system, const ex& e, const Variable& column) {
-    return column.kind == SymbolKind::parameter ? system.symbols.derivative_by_parameter(e, column.position) : partial_of_kept(e, column.symbol);
+    return column.kind == SymbolKind::parameter ? system.symbols.derivative_by_parameter(e, column.position)
+                                                : partial_of_kept(e, column.symbol);
 }
 
 Partials partials(const System& system, By by) {
     std::vector<ex> accelerations;
     for (const auto& [coordinate, acceleration] : system.motion.accelerations) accelerations.push_back(acceleration);
-    const auto residual = by_letter(system.solved_motion().residual), state_rates = by_letter(system.state_rates), outputs = by_letter(output_values(system)), held = by_letter(accelerations);
+    const auto residual = by_letter(system.solved_motion().residual), state_rates = by_letter(system.state_rates),
+               outputs = by_letter(output_values(system)), held = by_letter(accelerations);
     GiNaC::exvector letters(1);  // through which the variable acts: itself, and what is defined by parameters
     if (by == By::parameter)
         for (const Variable& definition : system.symbols.all(SymbolKind::definition)) letters.push_back(definition.symbol);

@@ -9,7 +9,8 @@ namespace dalembert {
 
 enum class By { state, input, parameter, time };
 
-/// Derivatives at fixed accelerations; R is what constraints leave of the equations of motion. One column for each variable: states in the order q, qd, z.
+/// Derivatives at fixed accelerations; R is what constraints leave of the equations of motion. One column for each variable: states in the
+/// order q, qd, z.
 struct Partials {
     std::vector<std::vector<GiNaC::ex>> residual;    ///< [column][row]: dR_row/d(column)
     std::vector<std::vector<GiNaC::ex>> state_rate;  ///< [column][row]: d(zd_row)/d(column)

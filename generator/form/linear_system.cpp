@@ -61,7 +61,9 @@ ex left_over(const System& system, std::size_t i) { return system.bias[i] - syst
 
 }  // namespace
 
-ex damping_entry(const System& system, std::size_t i, std::size_t j) { return partial(left_over(system, i), system.symbols.get(SymbolKind::velocity, j)); }
+ex damping_entry(const System& system, std::size_t i, std::size_t j) {
+    return partial(left_over(system, i), system.symbols.get(SymbolKind::velocity, j));
+}
 ex stiffness_entry(const System& system, std::size_t i, std::size_t j) { return system.symbols.along(left_over(system, i), j); }
 
 Linearity linear_system(const System& system) {
@@ -75,10 +77,15 @@ Linearity linear_system(const System& system) {
         if (constraint.holds) return {{}, fmt::format("constraint '{}' holds", constraint.name)};
     for (std::size_t i = 0; i < n; ++i)
         for (const Variable& z : symbols.all(SymbolKind::state))
-            if (left_over(system, i).has(z.symbol)) return {{}, fmt::format("the force on '{}' depends on the state '{}'", q[i].name, z.name)};
+            if (left_over(system, i).has(z.symbol))
+                return {{}, fmt::format("the force on '{}' depends on the state '{}'", q[i].name, z.name)};
 
     const auto size = static_cast<unsigned>(n);
-    LinearSystem result{GiNaC::matrix(size, size), GiNaC::matrix(size, size), GiNaC::matrix(size, size), GiNaC::matrix(size, static_cast<unsigned>(inputs.size())), {}};
+    LinearSystem result{GiNaC::matrix(size, size),
+                        GiNaC::matrix(size, size),
+                        GiNaC::matrix(size, size),
+                        GiNaC::matrix(size, static_cast<unsigned>(inputs.size())),
+                        {}};
     Constants constant(system);
     GiNaC::exmap rest;
     for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::input})
@@ -91,7 +98,8 @@ Linearity linear_system(const System& system) {
             result.C(i, j) = constant(stiffness_entry(system, i, j), "stiffness_matrix" + place);
         }
         for (unsigned j = 0; j < inputs.size(); ++j)
-            result.B(i, j) = constant(-partial(left_over(system, i), inputs[j].symbol), fmt::format("the effect of '{}' on '{}'", inputs[j].name, q[i].name));
+            result.B(i, j) = constant(-partial(left_over(system, i), inputs[j].symbol),
+                                      fmt::format("the effect of '{}' on '{}'", inputs[j].name, q[i].name));
         if (!constant.reason().empty()) return {{}, constant.reason()};
         result.k.push_back(-left_over(system, i).subs(rest, GiNaC::subs_options::no_pattern));
     }

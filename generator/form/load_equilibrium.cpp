@@ -19,7 +19,8 @@ std::size_t term_count(const ex& e) { return GiNaC::is_a<GiNaC::add>(e) ? e.nops
 struct SquaresReplaced : GiNaC::map_function {
     explicit SquaresReplaced(bool sines) : sines_(sines) {}
     ex operator()(const ex& e) override {
-        const bool is_power = GiNaC::is_a<GiNaC::power>(e) && GiNaC::is_a<GiNaC::function>(e.op(0)) && e.op(1).info(GiNaC::info_flags::posint);
+        const bool is_power =
+            GiNaC::is_a<GiNaC::power>(e) && GiNaC::is_a<GiNaC::function>(e.op(0)) && e.op(1).info(GiNaC::info_flags::posint);
         if (!is_power) return GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e) ? e.map(*this) : e;
         const std::string name = GiNaC::ex_to<GiNaC::function>(e.op(0)).get_name();
         if (name != (sines_ ? "sin" : "cos")) return e;
@@ -45,7 +46,8 @@ ex shortest(const ex& e) {
     return best;
 }
 
-constexpr const char* balance_names[]{"force along x", "force along y", "force along z", "moment about x", "moment about y", "moment about z"};
+constexpr const char* balance_names[]{"force along x",  "force along y",  "force along z",
+                                      "moment about x", "moment about y", "moment about z"};
 
 /// factors*unknowns + constant = 0
 struct Balance {
@@ -54,7 +56,9 @@ struct Balance {
     ex constant;
     std::optional<std::size_t> pivot = {};
 
-    std::size_t unknowns() const { return static_cast<std::size_t>(std::count_if(factors.begin(), factors.end(), [](const ex& f) { return !f.is_zero(); })); }
+    std::size_t unknowns() const {
+        return static_cast<std::size_t>(std::count_if(factors.begin(), factors.end(), [](const ex& f) { return !f.is_zero(); }));
+    }
 };
 
 /// Numbers first, then what is short.
@@ -115,10 +119,15 @@ private:
         const ex written = factor.expand();
         for (std::size_t other = 0; other < letters_.size(); ++other)
             if (written.has(letters_[other]))
-                throw Failure(Diagnostic{Id::not_affine, share.part->span,
-                                         other == unknown ? fmt::format("the balance of {} of load '{}' is not linear in '{}'", balance_names[which], load_.name, load_.unknowns[unknown].name)
-                                                          : fmt::format("the balance of {} of load '{}' is not linear in its unknowns: '{}' is multiplied by '{}'", balance_names[which], load_.name, load_.unknowns[unknown].name, load_.unknowns[other].name),
-                                         {{load_.unknowns[unknown].span, fmt::format("'{}' is unknown", load_.unknowns[unknown].name)}}});
+                throw Failure(Diagnostic{
+                    Id::not_affine,
+                    share.part->span,
+                    other == unknown
+                        ? fmt::format("the balance of {} of load '{}' is not linear in '{}'", balance_names[which], load_.name,
+                                      load_.unknowns[unknown].name)
+                        : fmt::format("the balance of {} of load '{}' is not linear in its unknowns: '{}' is multiplied by '{}'",
+                                      balance_names[which], load_.name, load_.unknowns[unknown].name, load_.unknowns[other].name),
+                    {{load_.unknowns[unknown].span, fmt::format("'{}' is unknown", load_.unknowns[unknown].name)}}});
     }
 
     /// What is zero everywhere is a zero.
@@ -153,8 +162,8 @@ private:
         return quotient(shortest(above), shortest(below));
     }
 
-    /// Puts what the balance gives for its pivot into all others: by division where its factor is a number, or has one term and stands alone; else the
-    /// other balances are multiplied by the factor, so that no sums come into denominators.
+    /// Puts what the balance gives for its pivot into all others: by division where its factor is a number, or has one term and stands
+    /// alone; else the other balances are multiplied by the factor, so that no sums come into denominators.
     void substitute(const Balance& solved) {
         const std::size_t pivot = *solved.pivot;
         const ex& factor = solved.factors[pivot];
@@ -164,7 +173,8 @@ private:
             const ex scale = divides ? ex(1) : factor;
             const ex share = divides ? divided(other.factors[pivot], factor) : other.factors[pivot];
             const auto reduced = [&](const ex& a, const ex& b) { return b.is_zero() && divides ? a : shortest(scale * a - share * b); };
-            for (std::size_t j = 0; j < letters_.size(); ++j) other.factors[j] = j == pivot ? ex(0) : reduced(other.factors[j], solved.factors[j]);
+            for (std::size_t j = 0; j < letters_.size(); ++j)
+                other.factors[j] = j == pivot ? ex(0) : reduced(other.factors[j], solved.factors[j]);
             other.constant = reduced(other.constant, solved.constant);
             clean(other);
         }
@@ -174,7 +184,9 @@ private:
         for (const Balance& balance : balances_)
             if (!balance.pivot && !seems_zero_(balance.constant))
                 throw Failure(Diagnostic{Id::no_equilibrium, load_.span,
-                                         fmt::format("load '{}' is a mechanism, which these forces set in motion: the balance of {} is left, and no unknown that could meet it", load_.name, balance_names[balance.which])});
+                                         fmt::format("load '{}' is a mechanism, which these forces set in motion: the balance of {} is "
+                                                     "left, and no unknown that could meet it",
+                                                     load_.name, balance_names[balance.which])});
     }
 
     void check_determined() const {
@@ -185,11 +197,15 @@ private:
         for (std::size_t j = 0; j < letters_.size(); ++j)
             if (!is_known[j]) open.push_back(load_.unknowns[j].name);
         if (open.empty()) return;
-        const auto independent = static_cast<std::size_t>(std::count_if(balances_.begin(), balances_.end(), [](const Balance& b) { return b.pivot.has_value(); }));
+        const auto independent = static_cast<std::size_t>(
+            std::count_if(balances_.begin(), balances_.end(), [](const Balance& b) { return b.pivot.has_value(); }));
         const auto first = std::find(is_known.begin(), is_known.end(), false);
-        throw Failure(Diagnostic{Id::undetermined, load_.unknowns[static_cast<std::size_t>(first - is_known.begin())].span,
-                                 fmt::format("load '{}' is statically indeterminate: {} independent balance{} for {} unknowns do not determine {}", load_.name, independent, independent == 1 ? "" : "s", letters_.size(), quoted_list(open)),
-                                 {{load_.span, "the load is defined here"}}});
+        throw Failure(
+            Diagnostic{Id::undetermined,
+                       load_.unknowns[static_cast<std::size_t>(first - is_known.begin())].span,
+                       fmt::format("load '{}' is statically indeterminate: {} independent balance{} for {} unknowns do not determine {}",
+                                   load_.name, independent, independent == 1 ? "" : "s", letters_.size(), quoted_list(open)),
+                       {{load_.span, "the load is defined here"}}});
     }
 
     const Load& load_;
@@ -219,7 +235,9 @@ LoadSolution solve_load(const System& system, const Load& load) {
 const LoadSolution& System::load(const std::string& name, const Span& span) const {
     if (const auto known = loads_.find(name); known != loads_.end()) return known->second;
     const Load* item = names.find_load(name);
-    if (!scene.holds(item->when)) throw Failure(Diagnostic{Id::needs_absent, span, fmt::format("scene '{}' has no load '{}'", scene.name, name), {{item->span, "it is defined here"}}});
+    if (!scene.holds(item->when))
+        throw Failure(Diagnostic{
+            Id::needs_absent, span, fmt::format("scene '{}' has no load '{}'", scene.name, name), {{item->span, "it is defined here"}}});
     return loads_.emplace(name, solve_load(*this, *item)).first->second;
 }
 

@@ -19,26 +19,33 @@ using Systems = std::vector<std::unique_ptr<System>>;
 
 [[noreturn]] void too_many(const Scene& scene) {
     const ModeGroup& last = *scene.mode_groups.back();
-    throw Failure(Diagnostic{Id::too_large, last.span, fmt::format("scene '{}' has more than {} modes that can be, of {} combinations, and this version derives no more: each of '{}' goes with each of the other groups", scene.name, budget::modes, scene.modes.size(), last.name)});
+    throw Failure(Diagnostic{Id::too_large, last.span,
+                             fmt::format("scene '{}' has more than {} modes that can be, of {} combinations, and this version derives no "
+                                         "more: each of '{}' goes with each of the other groups",
+                                         scene.name, budget::modes, scene.modes.size(), last.name)});
 }
 
 bool is_same_limit(const EventEquation& a, const EventEquation& b) { return a.name == b.name && a.doc == b.doc; }
 
-/// A volume may have a limit in some modes only: where flows reach it. Each mode gets a place for all of them, behind the events of the model.
+/// A volume may have a limit in some modes only: where flows reach it. Each mode gets a place for all of them, behind the events of the
+/// model.
 void align_limits(const Systems& modes) {
     std::vector<EventEquation> limits;
     const auto find = [](std::vector<EventEquation>& events, const EventEquation& limit) {
-        return std::find_if(events.begin(), events.end(), [&](const EventEquation& e) { return e.item == nullptr && is_same_limit(e, limit); });
+        return std::find_if(events.begin(), events.end(),
+                            [&](const EventEquation& e) { return e.item == nullptr && is_same_limit(e, limit); });
     };
     for (const auto& system : modes)
         for (const EventEquation& event : system->events)
             if (event.item == nullptr && find(limits, event) == limits.end()) limits.push_back(event);
     for (const auto& system : modes) {
         std::vector<EventEquation> aligned;
-        std::copy_if(system->events.begin(), system->events.end(), std::back_inserter(aligned), [](const EventEquation& e) { return e.item != nullptr; });
+        std::copy_if(system->events.begin(), system->events.end(), std::back_inserter(aligned),
+                     [](const EventEquation& e) { return e.item != nullptr; });
         for (const EventEquation& limit : limits) {
             const auto own = find(system->events, limit);
-            aligned.push_back(own != system->events.end() ? *own : EventEquation{nullptr, limit.name, limit.doc, true, false, 0, 0, {}, {}});
+            aligned.push_back(own != system->events.end() ? *own
+                                                          : EventEquation{nullptr, limit.name, limit.doc, true, false, 0, 0, {}, {}});
         }
         system->events = std::move(aligned);
     }
@@ -57,7 +64,8 @@ void renumber(const Systems& modes) {
 /// What is the same in several modes.
 void tell_once(const Systems& modes) {
     std::set<std::pair<std::size_t, std::string>> told;
-    for (const auto& system : modes) std::erase_if(system->warnings, [&](const Diagnostic& d) { return !told.insert({d.span.begin, d.message}).second; });
+    for (const auto& system : modes)
+        std::erase_if(system->warnings, [&](const Diagnostic& d) { return !told.insert({d.span.begin, d.message}).second; });
 }
 
 }  // namespace
@@ -81,7 +89,10 @@ std::vector<std::unique_ptr<System>> derive_modes(const Names& names, const Scen
         }
     }
     if (overdetermined) {
-        const auto is_left = [&](const Mode& part) { return std::any_of(modes.begin(), modes.end(), [&](const auto& system) { return system->scene.modes[*system->scene.mode].is_in(part.name); }); };
+        const auto is_left = [&](const Mode& part) {
+            return std::any_of(modes.begin(), modes.end(),
+                               [&](const auto& system) { return system->scene.modes[*system->scene.mode].is_in(part.name); });
+        };
         for (const ModeGroup* group : scene.mode_groups)
             if (!std::all_of(group->modes.begin(), group->modes.end(), is_left)) throw *overdetermined;
         renumber(modes);

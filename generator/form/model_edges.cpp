@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// note [order of edges]: At a jump of a derivative of second or higher order of the right-hand side the control of steps loses next to nothing:
-// the error of a step of length h that crosses it goes like h^3. So |v|*v is no edge, v -> |v| and max(x, 0)^(3/2) are.
+// note [order of edges]: At a jump of a derivative of second or higher order of the right-hand side the control of steps loses next to
+// nothing: the error of a step of length h that crosses it goes like h^3. So |v|*v is no edge, v -> |v| and max(x, 0)^(3/2) are.
 #include "form/model_edges.hpp"
 
 #include <fmt/format.h>
@@ -35,7 +35,8 @@ public:
         if (e.is_equal(GiNaC::Pi)) return "pi";
         if (GiNaC::is_a<GiNaC::add>(e)) return sum(e);
         if (GiNaC::is_a<GiNaC::mul>(e)) return product(e);
-        if (GiNaC::is_a<GiNaC::power>(e)) return e.op(1).is_equal(numeric(1, 2)) ? "sqrt(" + (*this)(e.op(0)) + ")" : as_factor(e.op(0)) + "^" + as_factor(e.op(1));
+        if (GiNaC::is_a<GiNaC::power>(e))
+            return e.op(1).is_equal(numeric(1, 2)) ? "sqrt(" + (*this)(e.op(0)) + ")" : as_factor(e.op(0)) + "^" + as_factor(e.op(1));
         if (is_ex_the_function(e, whole) || is_ex_the_function(e, unlocated)) return (*this)(e.op(0));
         std::vector<std::string> arguments;
         for (const ex& argument : e) arguments.push_back((*this)(argument));
@@ -44,7 +45,8 @@ public:
 
 private:
     static std::string name_of_function(const ex& e) {
-        static const std::map<std::string, std::string> names{{"magnitude", "abs"}, {"sign_of", "sign"}, {"unit_step", "step"}, {"minimum", "min"}, {"maximum", "max"}, {"floor_of", "floor"}};
+        static const std::map<std::string, std::string> names{{"magnitude", "abs"}, {"sign_of", "sign"}, {"unit_step", "step"},
+                                                              {"minimum", "min"},   {"maximum", "max"},  {"floor_of", "floor"}};
         const std::string name = ex_to<GiNaC::function>(e).get_name();
         const auto known = names.find(name);
         return known == names.end() ? name : known->second;
@@ -52,7 +54,8 @@ private:
 
     std::string as_factor(const ex& e) const {
         const std::string text = (*this)(e);
-        const bool is_whole = GiNaC::is_a<GiNaC::symbol>(e) || GiNaC::is_a<GiNaC::function>(e) || e.is_equal(GiNaC::Pi) || e.info(GiNaC::info_flags::nonnegint);
+        const bool is_whole = GiNaC::is_a<GiNaC::symbol>(e) || GiNaC::is_a<GiNaC::function>(e) || e.is_equal(GiNaC::Pi) ||
+                              e.info(GiNaC::info_flags::nonnegint);
         return is_whole ? text : "(" + text + ")";
     }
 
@@ -61,9 +64,12 @@ private:
         std::vector<std::pair<bool, std::string>> terms;
         for (const ex& term : e) terms.emplace_back(GiNaC::is_exactly_a<numeric>(term), (*this)(term));
         const auto unsigned_text = [](const std::string& text) { return text.starts_with('-') ? text.substr(1) : text; };
-        std::sort(terms.begin(), terms.end(), [&](const auto& a, const auto& b) { return std::pair(a.first, unsigned_text(a.second)) < std::pair(b.first, unsigned_text(b.second)); });
+        std::sort(terms.begin(), terms.end(), [&](const auto& a, const auto& b) {
+            return std::pair(a.first, unsigned_text(a.second)) < std::pair(b.first, unsigned_text(b.second));
+        });
         std::string text;
-        for (const auto& [is_number, term] : terms) text += text.empty() ? term : term.starts_with('-') ? " - " + term.substr(1) : " + " + term;
+        for (const auto& [is_number, term] : terms)
+            text += text.empty() ? term : term.starts_with('-') ? " - " + term.substr(1) : " + " + term;
         return text;
     }
 
@@ -105,7 +111,9 @@ public:
     void run() {
         for (const ex& equation : equations()) look_at(equation);
         for (const auto& [text, by] : found_) {
-            const bool is_known = std::any_of(system_.guards.begin(), system_.guards.end(), [&by = by](const Guard& guard) { return (guard.value - by).expand().is_zero() || (guard.value + by).expand().is_zero(); });
+            const bool is_known = std::any_of(system_.guards.begin(), system_.guards.end(), [&by = by](const Guard& guard) {
+                return (guard.value - by).expand().is_zero() || (guard.value + by).expand().is_zero();
+            });
             if (!is_known) system_.guards.push_back({text, fmt::format("kink or jump where {} is zero", text), false, by});
         }
     }

@@ -6,8 +6,8 @@
 
 namespace dalembert {
 
-/// Adds a guard for each abs, min, max, sign, step, ramp, pulse, mod and if in the equations whose switch moves, where the equation or its first
-/// derivative jumps with it. Not for what the model leaves to the control of steps, and where a guard is known already.
+/// Adds a guard for each abs, min, max, sign, step, ramp, pulse, mod and if in the equations whose switch moves, where the equation or its
+/// first derivative jumps with it. Not for what the model leaves to the control of steps, and where a guard is known already.
 void model_edges(System& system);
 
 }  // namespace dalembert

@@ -73,7 +73,8 @@ private:
                 if (flow.from_junction == &junction) inflow -= flow.mass_flow;
                 if (flow.to_junction == &junction) inflow += flow.mass_flow;
                 const bool is_here = flow.from_junction == &junction || flow.to_junction == &junction;
-                if (is_here && !GiNaC::is_a<GiNaC::symbol>(system_.fluids.flows[i].mass_flow)) result_.temperatures[system_.fluids.flows[i].mass_flow] = flow.mass_flow;
+                if (is_here && !GiNaC::is_a<GiNaC::symbol>(system_.fluids.flows[i].mass_flow))
+                    result_.temperatures[system_.fluids.flows[i].mass_flow] = flow.mass_flow;
             }
             result_.junctions.emplace_back(junction.letter, inflow);
         }

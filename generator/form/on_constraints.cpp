@@ -13,7 +13,8 @@ namespace {
 constexpr int digits = 40;
 constexpr int most_steps = 60;
 constexpr int met_digits = digits - 5;  ///< where Newton's steps end
-/// Where constraints depend on each other Newton's steps only halve the distance, whose square is what is left: so many digits tell that they do.
+/// Where constraints depend on each other Newton's steps only halve the distance, whose square is what is left: so many digits tell that
+/// they do.
 constexpr int dependent_digits = 14;
 
 /// Beside which something counts as zero.
@@ -31,9 +32,11 @@ struct Orthogonal {
     std::vector<cl_R> right, squares;
     std::vector<bool> is_dependent;
 
-    Orthogonal(std::vector<std::vector<cl_R>> factors, std::vector<cl_R> rest) : Orthogonal(factors, std::move(rest), digits / 2, factors) {}
+    Orthogonal(std::vector<std::vector<cl_R>> factors, std::vector<cl_R> rest)
+        : Orthogonal(factors, std::move(rest), digits / 2, factors) {}
     /// A row counts as zero beside its own size, and that of the same row elsewhere.
-    Orthogonal(std::vector<std::vector<cl_R>> factors, std::vector<cl_R> rest, int zero_digits, const std::vector<std::vector<cl_R>>& elsewhere) {
+    Orthogonal(std::vector<std::vector<cl_R>> factors, std::vector<cl_R> rest, int zero_digits,
+               const std::vector<std::vector<cl_R>>& elsewhere) {
         const cl_R nothing = tenth_to(zero_digits);
         for (std::size_t i = 0; i < factors.size(); ++i) {
             std::vector<cl_R> row = factors[i];
@@ -68,7 +71,8 @@ struct Orthogonal {
 
 }  // namespace
 
-ConstraintPoints::ConstraintPoints(const System& system, std::vector<std::size_t> order, const Values& values) : system_(system), order_(std::move(order)), values_(values), start_(values.substitution()) {
+ConstraintPoints::ConstraintPoints(const System& system, std::vector<std::size_t> order, const Values& values)
+    : system_(system), order_(std::move(order)), values_(values), start_(values.substitution()) {
     add_steps(start_, system.symbols, digits);
     for (auto& [letter, value] : start_)
         if (const auto number = value_at(value, {}, digits)) value = GiNaC::numeric(*number);
@@ -96,7 +100,8 @@ const ConstraintPoints::Slopes& ConstraintPoints::slopes(std::size_t constraint,
     if (!is_new) return entry->second;
     const ConstraintEquation& c = system_.constraints[constraint];
     for (std::size_t j = 0; j < system_.symbols.degrees(); ++j)
-        if (const ex slope = of_rates ? c.rate.jacobian[j] : system_.symbols.along(*c.position, j); !slope.is_zero()) entry->second.emplace_back(j, slope);
+        if (const ex slope = of_rates ? c.rate.jacobian[j] : system_.symbols.along(*c.position, j); !slope.is_zero())
+            entry->second.emplace_back(j, slope);
     return entry->second;
 }
 
@@ -135,10 +140,13 @@ void ConstraintPoints::displace(GiNaC::exmap& point, std::size_t coordinate, con
             std::array<ex, 4> turned;
             ex square = 0;
             for (std::size_t part = 0; part < 4; ++part) {
-                turned[part] = point.at(symbols.get(SymbolKind::state, attitude.parts[part])) + symbols.quaternion_slope(attitude, part, axis).subs(point, GiNaC::subs_options::no_pattern) * GiNaC::numeric(step);
+                turned[part] =
+                    point.at(symbols.get(SymbolKind::state, attitude.parts[part])) +
+                    symbols.quaternion_slope(attitude, part, axis).subs(point, GiNaC::subs_options::no_pattern) * GiNaC::numeric(step);
                 square += GiNaC::pow(turned[part], 2);
             }
-            for (std::size_t part = 0; part < 4; ++part) point[symbols.get(SymbolKind::state, attitude.parts[part])] = (turned[part] / GiNaC::sqrt(square)).evalf();
+            for (std::size_t part = 0; part < 4; ++part)
+                point[symbols.get(SymbolKind::state, attitude.parts[part])] = (turned[part] / GiNaC::sqrt(square)).evalf();
         }
 }
 
@@ -183,7 +191,8 @@ void ConstraintPoints::meet_rates(GiNaC::exmap& point, const std::vector<bool>& 
     }
 }
 
-ConstrainedPoint ConstraintPoints::find(GiNaC::exmap point, const std::vector<bool>& free_positions, const std::vector<bool>& free_velocities) const {
+ConstrainedPoint ConstraintPoints::find(GiNaC::exmap point, const std::vector<bool>& free_positions,
+                                        const std::vector<bool>& free_velocities) const {
     meet_positions(point, free_positions);
     meet_rates(point, free_velocities);
     ConstrainedPoint result;
@@ -224,7 +233,8 @@ std::vector<std::size_t> ConstraintPoints::redundant() const {
             if (!system_.symbols.has_value(q.position)) continue;
             seed ^= seed << 13U, seed ^= seed >> 7U, seed ^= seed << 17U;  // xorshift
             const GiNaC::numeric share(static_cast<long>(seed % 2001U) - 1000, 5000);
-            near[q.symbol] = near.at(q.symbol) + share * (GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(near.at(q.symbol))) + GiNaC::numeric(1, 10));
+            near[q.symbol] =
+                near.at(q.symbol) + share * (GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(near.at(q.symbol))) + GiNaC::numeric(1, 10));
         }
         const ConstrainedPoint point = find(std::move(near), all, all);
         if (!point.broken.empty()) continue;
@@ -235,7 +245,8 @@ std::vector<std::size_t> ConstraintPoints::redundant() const {
     for (const auto& here : dependent) least = std::min(least, here.size());
     std::erase_if(dependent, [&](const auto& here) { return here.size() > least; });
     std::vector<std::size_t> result = order_;
-    for (const auto& here : dependent) std::erase_if(result, [&](std::size_t c) { return std::find(here.begin(), here.end(), c) == here.end(); });
+    for (const auto& here : dependent)
+        std::erase_if(result, [&](std::size_t c) { return std::find(here.begin(), here.end(), c) == here.end(); });
     return dependent.size() >= 2 ? result : std::vector<std::size_t>();
 }
 

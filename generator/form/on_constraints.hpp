@@ -21,7 +21,8 @@ public:
 
     /// Near the values. With `keeps_written` those that are given stay as they are.
     ConstrainedPoint near_start(bool keeps_written) const;
-    /// Constraints that follow from those before them wherever they hold, as far as points near the start tell; none where no point is found.
+    /// Constraints that follow from those before them wherever they hold, as far as points near the start tell; none where no point is
+    /// found.
     std::vector<std::size_t> redundant() const;
 
     /// What is left of a position or rate at a point.

@@ -32,7 +32,8 @@ struct Quadrature {
 
 class At {
 public:
-    At(const System& system, const DefiniteIntegral& integral, const Point& point, double accuracy = wanted_accuracy) : symbols_(system.symbols), integral_(integral), point_(point), accuracy_(accuracy) {}
+    At(const System& system, const DefiniteIntegral& integral, const Point& point, double accuracy = wanted_accuracy)
+        : symbols_(system.symbols), integral_(integral), point_(point), accuracy_(accuracy) {}
 
     std::optional<cln::cl_R> value(const ex& e) const { return value_at(e, symbols_, point_, quadrature_digits); }
 
@@ -56,7 +57,9 @@ public:
 
 private:
     static cln::cl_R exact(double u) { return cln::rational(cln::cl_DF(u)); }
-    static Quadrature scaled(const Quadrature& q, double factor) { return {q.value * factor, q.error * std::fabs(factor), q.size * std::fabs(factor)}; }
+    static Quadrature scaled(const Quadrature& q, double factor) {
+        return {q.value * factor, q.error * std::fabs(factor), q.size * std::fabs(factor)};
+    }
 
     double integrand(const cln::cl_R& x) const {
         Point point = point_;
@@ -137,7 +140,9 @@ bool agrees_with_quadrature(const System& system, const DefiniteIntegral& integr
         if (!from || !to) continue;
         try {
             const Quadrature q = over_all(at, integral, *from, *to, 0);
-            if (!value || !(q.error <= good_accuracy * q.size) || !(std::fabs(q.value - cln::double_approx(*value)) <= good_accuracy * q.size)) return false;
+            if (!value || !(q.error <= good_accuracy * q.size) ||
+                !(std::fabs(q.value - cln::double_approx(*value)) <= good_accuracy * q.size))
+                return false;
         } catch (const NoValue&) {
             if (value) return false;
         } catch (const std::exception&) {  // of the rule: infinite, or too many steps

@@ -16,11 +16,13 @@ const BodyMotion& body(const System& system, const Expression& reference, const 
     const Reference named{reference.name, reference.children.empty() ? nullptr : reference.children[0], reference.span};
     if (const BodyMotion* motion = find_motion(system.bodies, named, system.scene, indices)) return *motion;
     const bool left_out = !system.scene.holds(system.names.find_body(reference.name)->when);
-    throw Failure(Diagnostic{left_out ? Id::needs_absent : Id::index_out_of_range, reference.span, fmt::format("scene '{}' has no body '{}'", system.scene.name, reference.written())});
+    throw Failure(Diagnostic{left_out ? Id::needs_absent : Id::index_out_of_range, reference.span,
+                             fmt::format("scene '{}' has no body '{}'", system.scene.name, reference.written())});
 }
 
 std::size_t coordinate(const System& system, const Expression& reference, const Indices& indices) {
-    return system.translate.coordinate(reference.name, reference.children.empty() ? nullptr : reference.children[0].get(), reference.span, indices);
+    return system.translate.coordinate(reference.name, reference.children.empty() ? nullptr : reference.children[0].get(), reference.span,
+                                       indices);
 }
 
 ex component(const SpaceVector& vector, const System& system, const Expression& index, const Indices& indices) {
@@ -31,13 +33,17 @@ ex component(const SpaceVector& vector, const System& system, const Expression& 
 ex axis(const System& system, const Expression& e, const Indices& indices) {
     const BodyMotion& of = body(system, *e.children[0], indices);
     if (!of.frame && of.turns && !of.has_rotation)
-        throw Failure(Diagnostic{Id::needs_absent, e.span, fmt::format("body '{}' has an angular velocity but no rotation, so that its axes are not known", of.member.name())});
+        throw Failure(
+            Diagnostic{Id::needs_absent, e.span,
+                       fmt::format("body '{}' has an angular velocity but no rotation, so that its axes are not known", of.member.name())});
     SpaceVector own{0, 0, 0};
     own[axis_place(system, *e.children[1], indices)] = 1;
     return component(frame_of(of, system.symbols)->to_ground(own), system, *e.children[2], indices);
 }
 
-SpaceVector own_angular_velocity(const BodyMotion& body) { return body.frame ? body.frame->angular_velocity : SpaceVector{0, 0, body.angular_velocity}; }
+SpaceVector own_angular_velocity(const BodyMotion& body) {
+    return body.frame ? body.frame->angular_velocity : SpaceVector{0, 0, body.angular_velocity};
+}
 
 SpaceVector angular_momentum(const BodyMotion& body) {
     if (body.frame) return body.frame->to_ground(body.tensor * body.frame->angular_velocity);
@@ -47,7 +53,9 @@ SpaceVector angular_momentum(const BodyMotion& body) {
 /// (3.40)-(3.42), (3.31), (3.37) and the like at a pressure and a temperature.
 ex property_of_medium(const MediumModel& medium, const Expression& e, const ex& p, const ex& T) {
     const MediumState& law = medium.law();
-    const auto at = [&](const ex& value) { return value.subs(GiNaC::lst{medium.p() == p, medium.T() == T}, GiNaC::subs_options::no_pattern); };
+    const auto at = [&](const ex& value) {
+        return value.subs(GiNaC::lst{medium.p() == p, medium.T() == T}, GiNaC::subs_options::no_pattern);
+    };
     const MediumState state = medium.at_pressure(p, T);
     if (e.name == "density") return state.density;
     if (e.name == "specific_energy") return state.energy;
@@ -56,7 +64,8 @@ ex property_of_medium(const MediumModel& medium, const Expression& e, const ex& 
     if (e.name == "isobaric_heat") return at(partial(law.enthalpy, medium.T()));
     if (e.name == "expansion") return at(-partial(law.density, medium.T()) / law.density);
     if (!medium.is_compressible())
-        throw Failure(Diagnostic{Id::wrong_medium, e.span, fmt::format("'{}' has no value: medium '{}' is incompressible", e.written(), medium.item().name)});
+        throw Failure(Diagnostic{Id::wrong_medium, e.span,
+                                 fmt::format("'{}' has no value: medium '{}' is incompressible", e.written(), medium.item().name)});
     if (e.name == "bulk_modulus") return at(law.density / partial(law.density, medium.p()));
     return state.pressure_by_temperature / p;
 }
@@ -79,7 +88,9 @@ ex surface_quantity(const System& system, const Expression& e, const Indices& in
         const auto surface = [&](std::size_t child) {
             const int number = index_value(*e.children[child], system.scene, indices);
             if (number >= 1 && static_cast<std::size_t>(number) <= enclosure.nodes.size()) return static_cast<std::size_t>(number - 1);
-            throw Failure(Diagnostic{Id::index_out_of_range, e.children[child]->span, fmt::format("enclosure '{}' has the surfaces 1 to {}, not {}", enclosure.name, enclosure.nodes.size(), number)});
+            throw Failure(
+                Diagnostic{Id::index_out_of_range, e.children[child]->span,
+                           fmt::format("enclosure '{}' has the surfaces 1 to {}, not {}", enclosure.name, enclosure.nodes.size(), number)});
         };
         const std::size_t i = surface(1);
         if (e.name == "radiosity") return enclosure.radiosity(i);
@@ -97,12 +108,15 @@ ex over_cells(const System& system, const Expression& e) {
         const ex& term = e.name == "exchanged_power" ? field.source : field.energy;
         if (term.is_zero()) continue;
         if (system.sum_over_cells) {
-            sum += system.sum_over_cells(field, field.first_index, field.first_index + static_cast<int>(field.geometry.cells()) - 1, term, e);
+            sum +=
+                system.sum_over_cells(field, field.first_index, field.first_index + static_cast<int>(field.geometry.cells()) - 1, term, e);
             continue;
         }
-        throw Failure(Diagnostic{Id::not_allowed_here, e.span,
-                                 fmt::format("'{}' is a sum over the {} cells of rod '{}', which are computed in a loop; it can stand in an output, or with loops = false, or of fewer cells", e.name,
-                                             field.geometry.cells(), field.rod->name),
+        throw Failure(Diagnostic{Id::not_allowed_here,
+                                 e.span,
+                                 fmt::format("'{}' is a sum over the {} cells of rod '{}', which are computed in a loop; it can stand in "
+                                             "an output, or with loops = false, or of fewer cells",
+                                             e.name, field.geometry.cells(), field.rod->name),
                                  {{field.rod->span, "the rod is defined here"}}});
     }
     return sum;
@@ -119,7 +133,8 @@ std::optional<ex> fluid_quantity(const System& system, const Expression& e, cons
     const Expression& named = *e.children[0];
     const auto absent = [&](const Expression& part) {
         const bool left_out = !system.scene.holds(system.names.find_part(part.name)->item->when);
-        return Failure(Diagnostic{left_out || part.children.empty() ? Id::needs_absent : Id::index_out_of_range, part.span, fmt::format("scene '{}' has no '{}'", system.scene.name, part.written())});
+        return Failure(Diagnostic{left_out || part.children.empty() ? Id::needs_absent : Id::index_out_of_range, part.span,
+                                  fmt::format("scene '{}' has no '{}'", system.scene.name, part.written())});
     };
     if (e.children.size() == 3) {
         const MediumModel* medium = fluids.containers.find_medium(named.name);
@@ -127,7 +142,8 @@ std::optional<ex> fluid_quantity(const System& system, const Expression& e, cons
         return property_of_medium(*medium, e, arguments[1], arguments[2]);
     }
     const int index = named.children.empty() ? 0 : index_value(*named.children[0], system.scene, indices);
-    if (const auto of_heat = heat_quantity(system, e, named.children.empty() ? named.name : fmt::format("{}[{}]", named.name, index))) return *of_heat;
+    if (const auto of_heat = heat_quantity(system, e, named.children.empty() ? named.name : fmt::format("{}[{}]", named.name, index)))
+        return *of_heat;
     if (spec.subscript == Subscript::flow) {
         const FlowState* flow = fluids.find_flow(named.name, index);
         if (flow == nullptr) throw absent(named);
@@ -146,7 +162,8 @@ std::optional<ex> fluid_quantity(const System& system, const Expression& e, cons
     if (e.name == "specific_enthalpy") return fluid.enthalpy;
     if (e.name == "temperature") {
         if (fluid.temperature) return *fluid.temperature;
-        throw Failure(Diagnostic{Id::needs_absent, e.span, fmt::format("scene '{}' gives '{}' no temperature", system.scene.name, named.written())});
+        throw Failure(
+            Diagnostic{Id::needs_absent, e.span, fmt::format("scene '{}' gives '{}' no temperature", system.scene.name, named.written())});
     }
     if (e.name == "inflow") {
         ex sum = 0;
@@ -155,7 +172,8 @@ std::optional<ex> fluid_quantity(const System& system, const Expression& e, cons
     }
     if (e.name == "surplus") {
         ex sum = 0;
-        for (const FlowState& f : fluids.flows) sum += (f.to_volume == volume ? f.mass_flow : ex(0)) - (f.from_volume == volume ? f.demand : ex(0));
+        for (const FlowState& f : fluids.flows)
+            sum += (f.to_volume == volume ? f.mass_flow : ex(0)) - (f.from_volume == volume ? f.demand : ex(0));
         return sum;
     }
     const VolumeBalance* balance = nullptr;
@@ -204,7 +222,8 @@ ex quantity(const System& system, const Expression& e, const Indices& indices, c
         for (std::size_t i = 0; i < system.scene.dampers.size(); ++i) {
             const Damper& damper = *system.scene.dampers[i].item;
             // Dry friction slides by dampers of its own, at its place.
-            const bool is_friction = friction != nullptr && damper.span.begin == friction->span.begin && damper.span.end == friction->span.end;
+            const bool is_friction =
+                friction != nullptr && damper.span.begin == friction->span.begin && damper.span.end == friction->span.end;
             if (!is_friction && (damper.name != child(0).name || system.scene.dampers[i].index != index)) continue;
             sum += system.resistances[i].power;
             any = true;
@@ -215,13 +234,15 @@ ex quantity(const System& system, const Expression& e, const Indices& indices, c
         for (std::size_t mode = 0; mode < system.scene.modes.size(); ++mode)
             if (system.scene.holds(when, mode)) return 0;
         const bool left_out = !system.scene.holds(when);
-        throw Failure(Diagnostic{left_out ? Id::needs_absent : Id::index_out_of_range, child(0).span, fmt::format("scene '{}' has no damper '{}'", system.scene.name, child(0).written())});
+        throw Failure(Diagnostic{left_out ? Id::needs_absent : Id::index_out_of_range, child(0).span,
+                                 fmt::format("scene '{}' has no damper '{}'", system.scene.name, child(0).written())});
     }
     if (e.name == "constraint_force") {
         const int index = system.translate.member_index(child(0), *system.names.find_constraint(child(0).name), indices);
         for (const ConstraintEquation& constraint : system.constraints)
             if (constraint.item->name == child(0).name && constraint.index == index) return constraint.force;
-        throw Failure(Diagnostic{Id::needs_absent, child(0).span, fmt::format("scene '{}' has no constraint '{}'", system.scene.name, child(0).written())});
+        throw Failure(Diagnostic{Id::needs_absent, child(0).span,
+                                 fmt::format("scene '{}' has no constraint '{}'", system.scene.name, child(0).written())});
     }
     if (e.name == "cut_force") {
         const Cut& cut = *system.names.find_cut(child(0).name);

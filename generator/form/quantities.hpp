@@ -14,8 +14,8 @@ GiNaC::ex quantity(const System& system, const Expression& e, const Indices& ind
 /// (needs-absent, index-out-of-range).
 GiNaC::ex cut_force(const System& system, const Cut& cut, int index);
 
-/// scale_factor, velocity_along, acceleration_along, christoffel and christoffel_first of a body and coordinates, by their places in q. That
-/// lines are at right angles is left to proofs. Throws Failure (not-allowed-here).
+/// scale_factor, velocity_along, acceleration_along, christoffel and christoffel_first of a body and coordinates, by their places in q.
+/// That lines are at right angles is left to proofs. Throws Failure (not-allowed-here).
 GiNaC::ex curvilinear_quantity(const System& system, const Expression& e, const BodyMotion& body, const std::vector<std::size_t>& q);
 
 /// Friction at rest: on a surface (2.96), (2.100), or of a rope around a cylinder (2.107).

@@ -45,8 +45,9 @@ std::optional<cln::cl_R> value_at(const ex& e, const Symbols& symbols, const Poi
 RandomPoints::RandomPoints(const System& system) {
     const Values defaults(system.scene, system.translate);
     const GiNaC::exmap at_start = defaults.substitution();
-    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity,
-                                  SymbolKind::state, SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier, SymbolKind::multiplier_rate, SymbolKind::residual}) {
+    for (const SymbolKind kind :
+         {SymbolKind::parameter, SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state,
+          SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier, SymbolKind::multiplier_rate, SymbolKind::residual}) {
         for (const Variable& variable : system.symbols.all(kind)) {
             // Without a declared range: around the default of a parameter, around zero for what moves or has none. Coordinates and letters
             // go beyond pi, so that asin(sin(phi)) is not taken for phi.
@@ -83,7 +84,8 @@ RandomPoints::RandomPoints(const System& system) {
                     low = high - width;
                 }
             }
-            is_free = is_free || (variable.declared != nullptr && variable.declared->range && variable.declared->range->is_guess && !variable.is_root);
+            is_free = is_free ||
+                      (variable.declared != nullptr && variable.declared->range && variable.declared->range->is_guess && !variable.is_root);
             intervals_.push_back({variable.symbol, low, high, is_free});
         }
     }
@@ -107,7 +109,8 @@ Rational RandomPoints::fraction() {
 
 Point RandomPoints::next() {
     Point point;
-    for (const Interval& interval : intervals_) point.emplace_back(interval.letter, interval.low + (interval.high - interval.low) * fraction());
+    for (const Interval& interval : intervals_)
+        point.emplace_back(interval.letter, interval.low + (interval.high - interval.low) * fraction());
     return point;
 }
 

@@ -51,8 +51,8 @@ using ValueAt = std::function<std::optional<cln::cl_R>(int)>;
 /// Whether a value is zero; none where it does not exist. Computed with 60, 120 and 180 digits.
 Sign sign_at(const ValueAt& value);
 
-/// Whether an expression is zero wherever it has a value, as far as a few points tell: what is not zero at one of them is proven not to be, what
-/// seems zero is to be proven otherwise. Without a value anywhere nothing seems zero.
+/// Whether an expression is zero wherever it has a value, as far as a few points tell: what is not zero at one of them is proven not to be,
+/// what seems zero is to be proven otherwise. Without a value anywhere nothing seems zero.
 class ZeroAtPoints {
 public:
     explicit ZeroAtPoints(const System& system) : system_(system) {}

@@ -27,14 +27,16 @@ int rank(const ConstraintEquation& c) { return is_friction(c) ? 2 : c.position ?
 std::vector<std::size_t> last_first(const System& system) {
     std::vector<std::size_t> order;
     for (std::size_t i = system.constraints.size(); i-- > 0;) order.push_back(i);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(system.constraints[a]) > rank(system.constraints[b]); });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return rank(system.constraints[a]) > rank(system.constraints[b]); });
     return order;
 }
 
 Diagnostic repeated(const System& system, const Repetition& r, std::string why, Severity severity) {
     std::vector<Note> notes;
     for (std::size_t i = 0; i < r.made_of.size(); ++i)
-        if (i != r.last && !r.made_of[i].is_zero()) notes.push_back({system.constraints[i].item->span, fmt::format("'{}' holds, too", system.constraints[i].name)});
+        if (i != r.last && !r.made_of[i].is_zero())
+            notes.push_back({system.constraints[i].item->span, fmt::format("'{}' holds, too", system.constraints[i].name)});
     return {Id::doubly_determined, system.constraints[r.last].item->span, std::move(why), std::move(notes), severity};
 }
 
@@ -75,7 +77,11 @@ std::optional<Diagnostic> why_not_shared(const System& system, const std::vector
             const ex& factor = r.made_of[i];
             if (factor.is_zero()) continue;
             if (!is_of_parameters(factor, system.symbols) || sign_of_factor(factor) == 0)
-                return repeated(system, r, fmt::format("constraint '{}' repeats '{}' with a factor whose sign is not known, so that mode '{}' is left out; give ranges to the parameters of both", last, system.constraints[i].name, mode), Severity::warning);
+                return repeated(system, r,
+                                fmt::format("constraint '{}' repeats '{}' with a factor whose sign is not known, so that mode '{}' is left "
+                                            "out; give ranges to the parameters of both",
+                                            last, system.constraints[i].name, mode),
+                                Severity::warning);
             if (system.constraints[i].position) position += factor * *system.constraints[i].position;
         }
         if (rank(system.constraints[r.last]) == 0 && !position.expand().is_zero() && !position.normal().is_zero())
@@ -131,22 +137,25 @@ std::vector<SharedForces::Row> SharedForces::rows_of_events() {
     std::vector<Row> rows;
     for (std::size_t e = 0; e < system_.events.size(); ++e) {
         const EventEquation& event = system_.events[e];
-        if (!event.is_watched || event.ends || event.item == nullptr || event.item->meets || !event.item->reset.empty() || event.item->next.empty() || !has_letters(event.guard)) continue;
+        if (!event.is_watched || event.ends || event.item == nullptr || event.item->meets || !event.item->reset.empty() ||
+            event.item->next.empty() || !has_letters(event.guard))
+            continue;
         auto factors = share_factors(event.guard);
         if (!factors || std::all_of(factors->begin(), factors->end(), [](const ex& factor) { return factor.is_zero(); })) continue;
         for (std::size_t r = 0; r < factors->size(); ++r)
             if (!(*factors)[r].is_zero() && sign_of_factor((*factors)[r]) == 0)
                 throw Failure(repeated(system_, system_.repetitions[r],
-                               fmt::format("in mode '{}' event '{}' depends on a shared force with a factor whose sign is not known, so that the mode is left out; give ranges to the parameters of its guard",
-                                           system_.scene.modes[*system_.scene.mode].name, event.name),
-                               Severity::warning));
+                                       fmt::format("in mode '{}' event '{}' depends on a shared force with a factor whose sign is not "
+                                                   "known, so that the mode is left out; give ranges to the parameters of its guard",
+                                                   system_.scene.modes[*system_.scene.mode].name, event.name),
+                                       Severity::warning));
         rows.push_back({event.guard, std::move(*factors), {e}});
     }
     return rows;
 }
 
-/// Sums of two rows in which the share cancels (Fourier and Motzkin). Those of more rows than were needed follow from others (Kohler); those
-/// without any force, such as what friction holds in both directions, are positive.
+/// Sums of two rows in which the share cancels (Fourier and Motzkin). Those of more rows than were needed follow from others (Kohler);
+/// those without any force, such as what friction holds in both directions, are positive.
 std::vector<SharedForces::Row> SharedForces::without_share(const std::vector<Row>& rows, std::size_t share) const {
     std::vector<Row> result;
     for (const Row& row : rows)
@@ -155,7 +164,8 @@ std::vector<SharedForces::Row> SharedForces::without_share(const std::vector<Row
         for (const Row& b : rows) {
             if (sign_of_factor(a.shares[share]) != 1 || sign_of_factor(b.shares[share]) != -1) continue;
             Row sum{ex(a.value / a.shares[share] - b.value / b.shares[share]).expand(), {}, a.events};
-            for (std::size_t r = 0; r < a.shares.size(); ++r) sum.shares.push_back(ex(a.shares[r] / a.shares[share] - b.shares[r] / b.shares[share]).normal());
+            for (std::size_t r = 0; r < a.shares.size(); ++r)
+                sum.shares.push_back(ex(a.shares[r] / a.shares[share] - b.shares[r] / b.shares[share]).normal());
             sum.events.insert(b.events.begin(), b.events.end());
             if (sum.events.size() <= share + 2 && has_letters(sum.value)) result.push_back(std::move(sum));
         }
@@ -203,7 +213,10 @@ void SharedForces::watch(const std::vector<Row>& rows) {
         tried.clear();
         if (place(place, row)) continue;
         throw Failure(repeated(system_, system_.repetitions.front(),
-                       fmt::format("in mode '{}' constraints that repeat each other can let go in more ways than they have events, so that the mode is left out", system_.scene.modes[*system_.scene.mode].name), Severity::warning));
+                               fmt::format("in mode '{}' constraints that repeat each other can let go in more ways than they have events, "
+                                           "so that the mode is left out",
+                                           system_.scene.modes[*system_.scene.mode].name),
+                               Severity::warning));
     }
     for (const auto& [e, row] : row_of) {
         EventEquation& event = system_.events[e];
@@ -218,9 +231,14 @@ void SharedForces::watch(const std::vector<Row>& rows) {
 /// Where somebody looks at a share.
 void SharedForces::tell() const {
     for (const Repetition& r : system_.repetitions) {
-        const auto asks = [&](const ex& e) { return std::any_of(letters_.begin(), letters_.end(), [&](const auto& letter) { return !r.made_of[letter.first].is_zero() && e.has(letter.second); }); };
-        const bool is_asked = std::any_of(system_.outputs.begin(), system_.outputs.end(), [&](const OutputEquation& output) { return asks(output.value); }) ||
-                              std::any_of(system_.events.begin(), system_.events.end(), [&](const EventEquation& event) { return event.is_watched && asks(event.guard); });
+        const auto asks = [&](const ex& e) {
+            return std::any_of(letters_.begin(), letters_.end(),
+                               [&](const auto& letter) { return !r.made_of[letter.first].is_zero() && e.has(letter.second); });
+        };
+        const bool is_asked =
+            std::any_of(system_.outputs.begin(), system_.outputs.end(), [&](const OutputEquation& output) { return asks(output.value); }) ||
+            std::any_of(system_.events.begin(), system_.events.end(),
+                        [&](const EventEquation& event) { return event.is_watched && asks(event.guard); });
         if (!is_asked) continue;
         std::vector<std::string> names;
         std::vector<Note> notes;
@@ -232,9 +250,12 @@ void SharedForces::tell() const {
             notes.push_back({system_.constraints[i].item->span, "it holds, too"});
         }
         const Constraint& last = *system_.constraints[r.last].item;
-        system_.warnings.push_back({Id::doubly_determined, last.span,
-                                    fmt::format("where '{}' and {} hold the same motion, what each of them bears is not determined. '{}' is given what {} cannot bear", last.name, fmt::join(names, ", "), last.name, fmt::join(names, ", ")),
-                                    std::move(notes), Severity::warning});
+        system_.warnings.push_back(
+            {Id::doubly_determined, last.span,
+             fmt::format(
+                 "where '{}' and {} hold the same motion, what each of them bears is not determined. '{}' is given what {} cannot bear",
+                 last.name, fmt::join(names, ", "), last.name, fmt::join(names, ", ")),
+             std::move(notes), Severity::warning});
     }
 }
 

@@ -30,7 +30,8 @@ std::string bodies_moved(const System& system, const ex& velocity) {
     for (const BodyMotion& body : system.bodies) {
         const SpaceVector turning = body.frame ? body.frame->angular_velocity : SpaceVector{0, 0, body.angular_velocity};
         const auto moves = [&](const ex& e) { return e.has(velocity); };
-        if (std::any_of(turning.begin(), turning.end(), moves) || std::any_of(body.velocity.begin(), body.velocity.end(), moves)) names += fmt::format("{}'{}'", names.empty() ? "" : ", ", body.member.name());
+        if (std::any_of(turning.begin(), turning.end(), moves) || std::any_of(body.velocity.begin(), body.velocity.end(), moves))
+            names += fmt::format("{}'{}'", names.empty() ? "" : ", ", body.member.name());
     }
     return names;
 }
@@ -39,8 +40,13 @@ std::string bodies_moved(const System& system, const ex& velocity) {
     const Variable& q = system.symbols.all(SymbolKind::coordinate)[coordinate];
     const std::string bodies = bodies_moved(system, system.symbols.get(SymbolKind::velocity, coordinate));
     throw Failure(Diagnostic{Id::singular_mass, q.declared->span,
-                             bodies.empty() ? fmt::format("no body moves or turns with coordinate '{}', so nothing determines its acceleration; give what moves with it mass or inertia, or constraints that determine it", q.name)
-                                            : fmt::format("coordinate '{}' moves or turns {} without meeting mass or inertia, so nothing determines its acceleration; give {} some, or constraints that determine the coordinate", q.name, bodies, bodies)});
+                             bodies.empty()
+                                 ? fmt::format("no body moves or turns with coordinate '{}', so nothing determines its acceleration; give "
+                                               "what moves with it mass or inertia, or constraints that determine it",
+                                               q.name)
+                                 : fmt::format("coordinate '{}' moves or turns {} without meeting mass or inertia, so nothing determines "
+                                               "its acceleration; give {} some, or constraints that determine the coordinate",
+                                               q.name, bodies, bodies)});
 }
 
 /// The power of ten next to inertia by the square of a constraint's factors, at the start.

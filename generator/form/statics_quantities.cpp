@@ -31,7 +31,11 @@ ex of_load(const System& system, const Expression& e, const Indices& indices) {
 
 ex of_sticking(const System& system, const Expression& e) {
     const Sticking& sticking = *system.names.find_sticking(e.children[0]->name);
-    if (!system.scene.holds(sticking.when)) throw Failure(Diagnostic{Id::needs_absent, e.children[0]->span, fmt::format("scene '{}' has no '{}' that could stick", system.scene.name, sticking.name), {{sticking.span, "it is defined here"}}});
+    if (!system.scene.holds(sticking.when))
+        throw Failure(Diagnostic{Id::needs_absent,
+                                 e.children[0]->span,
+                                 fmt::format("scene '{}' has no '{}' that could stick", system.scene.name, sticking.name),
+                                 {{sticking.span, "it is defined here"}}});
     const StickingState state = sticking_state(system, sticking);
     return e.name == "sticks" ? state.sticks : e.name == "sticking_margin" ? state.margin : state.needed;
 }

@@ -39,10 +39,13 @@ const std::string* load_of(const Definition& definition) {
     return definition.is_made && definition.value->name == "reaction" ? &definition.value->children[0]->name : nullptr;
 }
 
-/// Unknowns of loads last: elimination asks whether something is zero, for which the others must be known, and those of loads that it needs.
+/// Unknowns of loads last: elimination asks whether something is zero, for which the others must be known, and those of loads that it
+/// needs.
 void definitions(System& system) {
     const auto& members = system.scene.definitions;
-    const auto value_of = [&](const Member<Definition>& member) { return system.translate(member.item->value, Translator::indices_of(member)); };
+    const auto value_of = [&](const Member<Definition>& member) {
+        return system.translate(member.item->value, Translator::indices_of(member));
+    };
     std::vector<ex> values;
     std::set<std::string> waiting;
     for (const auto& member : members) {
@@ -113,10 +116,15 @@ void refuse_pressures_of_junctions(const System& system) {
     for (const JunctionState& junction : system.fluids.containers.junctions) {
         const auto refuse = [&](const ex& e, const Span& place, const std::string& what) {
             if (e.has(junction.letter))
-                throw Failure(Diagnostic{Id::not_allowed_here, place, fmt::format("{} depends on the pressure of junction '{}', which this version knows only after heat and dampers; make the junction a small volume", what, junction.member.name()),
+                throw Failure(Diagnostic{Id::not_allowed_here,
+                                         place,
+                                         fmt::format("{} depends on the pressure of junction '{}', which this version knows only after "
+                                                     "heat and dampers; make the junction a small volume",
+                                                     what, junction.member.name()),
                                          {{junction.member.item->span, "the junction is defined here"}}});
         };
-        for (const NodeState& node : system.heat.nodes) refuse(node.source + node.capacity + node.warmth.temperature, node.place, fmt::format("node '{}'", node.name));
+        for (const NodeState& node : system.heat.nodes)
+            refuse(node.source + node.capacity + node.warmth.temperature, node.place, fmt::format("node '{}'", node.name));
         for (const LinkState& link : system.heat.links) refuse(link.heat, link.place, fmt::format("the heat of '{}'", link.name));
         for (const RodField& field : system.heat.fields) refuse(field.source, field.rod->span, fmt::format("rod '{}'", field.rod->name));
         refuse(system.heat.exchanged_power, junction.member.item->span, "heat from outside");
@@ -151,7 +159,8 @@ void stores(System& system) {
 /// The rates of states that volumes, pipes, nodes, rods and blocks determine.
 void balances(System& system) {
     const Fluids& fluids = system.fluids;
-    for (std::size_t i = 0; i < fluids.balances.size(); ++i) set_rates(system.state_rates, fluids.containers.volumes[i], fluids.balances[i], system.symbols);
+    for (std::size_t i = 0; i < fluids.balances.size(); ++i)
+        set_rates(system.state_rates, fluids.containers.volumes[i], fluids.balances[i], system.symbols);
     for (const FlowState& flow : fluids.flows)
         if (flow.velocity_state) system.state_rates[*flow.velocity_state] = flow.acceleration;
     for (const NodeState& node : system.heat.nodes)
@@ -167,11 +176,13 @@ void equations(System& system) {
         system.bias.push_back(system.coriolis[j] - system.gravity[j] - system.elastic[j] - system.dissipative[j] - system.fluids.force[j]);
         GiNaC::exvector terms{system.bias[j], -system.supplied[j]};
         for (std::size_t l = 0; l < n; ++l)
-            terms.push_back(system.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)) * system.symbols.get(SymbolKind::acceleration, l));
+            terms.push_back(system.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)) *
+                            system.symbols.get(SymbolKind::acceleration, l));
         system.residual.push_back(GiNaC::add(terms));
     }
     for (const auto& member : system.scene.states)
-        system.state_rates.push_back(member.item->derivative ? system.translate(member.item->derivative, Translator::indices_of(member)) : ex(0));
+        system.state_rates.push_back(member.item->derivative ? system.translate(member.item->derivative, Translator::indices_of(member))
+                                                             : ex(0));
     for (const Variable& state : system.symbols.all(SymbolKind::state))
         if (state.is_root) system.state_rates[state.position] = system.state_rates[state.position] / (2 * state.symbol);
     balances(system);
@@ -188,8 +199,8 @@ void outputs(System& system) {
     const OpenSums open(system);
     for (const auto& member : system.scene.outputs) {
         const Output& item = *member.item;
-        system.outputs.push_back({member.name(), item.name, member.index, item.family.has_value(), item.unit ? item.unit->si() : "", item.doc,
-                                  system.translate(item.value, Translator::indices_of(member))});
+        system.outputs.push_back({member.name(), item.name, member.index, item.family.has_value(), item.unit ? item.unit->si() : "",
+                                  item.doc, system.translate(item.value, Translator::indices_of(member))});
         add_rates_in_loops(system, *item.value, system.outputs.back().value);
     }
 }
@@ -200,14 +211,17 @@ void chain(System& system) {
     const std::size_t n = system.symbols.degrees();
     if (n < fewest || !system.scene.constraints.empty() || !system.scene.modes.empty()) return;
     system.chain = find_chain(system.scene, system.translate, system.bodies, system.symbols);
-    for (std::size_t j = 0; system.chain && j < n; ++j) system.chain->rest.push_back(system.supplied[j] + system.elastic[j] + system.dissipative[j] + system.fluids.force[j]);
+    for (std::size_t j = 0; system.chain && j < n; ++j)
+        system.chain->rest.push_back(system.supplied[j] + system.elastic[j] + system.dissipative[j] + system.fluids.force[j]);
 }
 
 }  // namespace
 
 System::System(const Names& all_names, Scene chosen)
     : names(all_names), scene(std::move(chosen)), symbols(scene, names), translate(scene, names, symbols), solids(translate) {
-    translate.set_quantities([this](const Expression& e, const Indices& indices, const std::vector<ex>& arguments) { return quantity(*this, e, indices, arguments); });
+    translate.set_quantities([this](const Expression& e, const Indices& indices, const std::vector<ex>& arguments) {
+        return quantity(*this, e, indices, arguments);
+    });
     translate.set_integral_check([this](const DefiniteIntegral& integral) { return agrees_with_quadrature(*this, integral); });
 }
 
@@ -224,7 +238,8 @@ Rate System::rate() const {
 bool System::needs_projection() const {
     return std::any_of(constraints.begin(), constraints.end(), [&](const ConstraintEquation& c) {
         const auto moves = [&](const ex& factor) { return !is_of_parameters(factor, symbols); };
-        return c.holds && !c.item->share && (c.has_multiplier || c.is_redundant || std::any_of(c.rate.jacobian.begin(), c.rate.jacobian.end(), moves));
+        return c.holds && !c.item->share &&
+               (c.has_multiplier || c.is_redundant || std::any_of(c.rate.jacobian.begin(), c.rate.jacobian.end(), moves));
     });
 }
 
@@ -245,10 +260,12 @@ GiNaC::exmap System::held_motion() const {
     GiNaC::exmap held;
     for (const auto& [coordinate, rate] : motion.velocities) {
         ex velocity = rate.drift;
-        for (std::size_t i = 0; i < motion.free.size(); ++i) velocity += rate.jacobian[i] * symbols.get(SymbolKind::velocity, motion.free[i]);
+        for (std::size_t i = 0; i < motion.free.size(); ++i)
+            velocity += rate.jacobian[i] * symbols.get(SymbolKind::velocity, motion.free[i]);
         held[symbols.get(SymbolKind::velocity, coordinate)] = velocity;
     }
-    for (const auto& [coordinate, acceleration] : motion.accelerations) held[symbols.get(SymbolKind::acceleration, coordinate)] = acceleration;
+    for (const auto& [coordinate, acceleration] : motion.accelerations)
+        held[symbols.get(SymbolKind::acceleration, coordinate)] = acceleration;
     return held;
 }
 

@@ -38,9 +38,11 @@ struct NamedBalances {
     std::vector<std::pair<GiNaC::ex, GiNaC::ex>> names;     ///< letter and value, each made of those before it
     std::vector<std::pair<GiNaC::ex, GiNaC::ex>> balanced;  ///< letters of temperatures, and the heat that is zero with them
     std::vector<std::pair<GiNaC::ex, GiNaC::ex>> junctions; ///< letters of pressures, and the mass flow that is zero with them
-    GiNaC::exmap temperatures;                              ///< what those and other sought temperatures are, to be replaced by their letters
+    GiNaC::exmap temperatures;  ///< what those and other sought temperatures are, to be replaced by their letters
     /// With the letters of sought temperatures.
-    GiNaC::ex shortened(const GiNaC::ex& e) const { return temperatures.empty() ? e : e.subs(temperatures, GiNaC::subs_options::no_pattern); }
+    GiNaC::ex shortened(const GiNaC::ex& e) const {
+        return temperatures.empty() ? e : e.subs(temperatures, GiNaC::subs_options::no_pattern);
+    }
     std::vector<GiNaC::ex> state_rates;
     GiNaC::ex internal_energy;
     GiNaC::ex exchanged_power;
@@ -51,7 +53,7 @@ struct ConstraintEquation {
     const Constraint* item;
     bool holds;
     bool has_multiplier;                 ///< its force is an unknown; else a velocity follows from it
-    bool is_redundant;                   ///< it follows from others wherever they hold. Left out in a mode; else one of the last multipliers
+    bool is_redundant;  ///< it follows from others wherever they hold. Left out in a mode; else one of the last multipliers
     AffineRate rate;                     ///< zero where it holds
     std::optional<GiNaC::ex> position;   ///< zero with it
     GiNaC::ex force;                     ///< along the rate, on the machine; may contain accelerations, or be a multiplier
@@ -80,8 +82,9 @@ struct Motion {
     std::vector<std::pair<std::size_t, AffineRate>> velocities;         ///< of the other coordinates, by those of the free ones
     std::vector<std::pair<std::size_t, GiNaC::ex>> accelerations;       ///< of the other coordinates
     std::vector<std::pair<std::size_t, GiNaC::ex>> positions;           ///< coordinates that lie on a constraint, by the others
-    /// Where a coordinate moves nothing that has inertia, M is singular although the whole matrix is not. Then M + weight*J'J is factorised,
-    /// with the constraints J that such coordinates are in: the accelerations that constraints allow are the same. 0 where M will do.
+    /// Where a coordinate moves nothing that has inertia, M is singular although the whole matrix is not. Then M + weight*J'J is
+    /// factorised, with the constraints J that such coordinates are in: the accelerations that constraints allow are the same. 0 where M
+    /// will do.
     GiNaC::numeric weight = 0;
 };
 
@@ -180,7 +183,8 @@ struct System {
     /// The rate of what parameters and states determine.
     Rate rate() const;
 
-    /// Where the model ends and where its right-hand side has edges: of fluids, and behind them of functions with kinks and jumps in the equations.
+    /// Where the model ends and where its right-hand side has edges: of fluids, and behind them of functions with kinks and jumps in the
+    /// equations.
     std::vector<Guard> guards;
 
     NamedBalances named;

@@ -79,7 +79,8 @@ NodeId load(const NodeAlgebra& of, const SixNodes& direction, const EliminatedCo
     return result;
 }
 
-NodeId accelerate(const NodeAlgebra& of, const SixNodes& direction, const EliminatedCoordinate& eliminated, NodeId load, SixNodes& acceleration) {
+NodeId accelerate(const NodeAlgebra& of, const SixNodes& direction, const EliminatedCoordinate& eliminated, NodeId load,
+                  SixNodes& acceleration) {
     NodeAlgebra::Pairs pairs;
     for (std::size_t r = 0; r < 6; ++r) pairs.emplace_back(eliminated.scaled[r], acceleration[r]);
     const NodeId result = of.plus(of.plus(of.program().constant(0), {{load, eliminated.inverse}}), pairs, true);
@@ -103,11 +104,13 @@ SixBySix handed_on(const NodeAlgebra& of, const SixBySix& transfer, const SixByS
     return result;
 }
 
-SixNodes handed_on(const NodeAlgebra& of, const SixBySix& transfer, const SixBySix& inertia, const SixNodes& remainder, const SixNodes& force) {
+SixNodes handed_on(const NodeAlgebra& of, const SixBySix& transfer, const SixBySix& inertia, const SixNodes& remainder,
+                   const SixNodes& force) {
     return of.times_transposed(transfer, of.sum(force, of.times(inertia, remainder)));
 }
 
-Articulated::Articulated(Program& program, std::vector<LinkNodes> links, const Reciprocal& reciprocal) : of_(program), links_(std::move(links)), eliminated_(links_.size()) {
+Articulated::Articulated(Program& program, std::vector<LinkNodes> links, const Reciprocal& reciprocal)
+    : of_(program), links_(std::move(links)), eliminated_(links_.size()) {
     for (const LinkNodes& link : links_) whole_.push_back(link.inertia);
     left_ = whole_;
     for (std::size_t b = links_.size(); b-- > 0;) {
@@ -136,7 +139,8 @@ ChainMotion Articulated::solve(const ChainLoads& loads) const {
             NodeId& taken = motion.accelerations[link.coordinates[j]];  // a load first
             taken = load(of_, link.directions[j], eliminated_[b][j], taken, force[b]);
         }
-        if (link.base) force[*link.base] = of_.sum(force[*link.base], handed_on(of_, link.transfer, left_[b], loads.remainder[b], force[b]));
+        if (link.base)
+            force[*link.base] = of_.sum(force[*link.base], handed_on(of_, link.transfer, left_[b], loads.remainder[b], force[b]));
     }
     for (std::size_t b = 0; b < links_.size(); ++b) {
         const LinkNodes& link = links_[b];
@@ -156,7 +160,8 @@ ChainMotion Articulated::moved(const ChainLoads& loads, std::vector<NodeId> acce
         const LinkNodes& link = links_[b];
         SixNodes acceleration = carried(b, loads, motion);
         for (std::size_t j = 0; j < link.coordinates.size(); ++j)
-            for (std::size_t r = 0; r < 6; ++r) acceleration[r] = of_.plus(acceleration[r], {{link.directions[j][r], motion.accelerations[link.coordinates[j]]}});
+            for (std::size_t r = 0; r < 6; ++r)
+                acceleration[r] = of_.plus(acceleration[r], {{link.directions[j][r], motion.accelerations[link.coordinates[j]]}});
         motion.twists.push_back(acceleration);
     }
     return motion;

@@ -56,10 +56,12 @@ EliminatedCoordinate eliminate(const NodeAlgebra& of, const SixNodes& direction,
 /// rest - direction'*force
 NodeId load(const NodeAlgebra& of, const SixNodes& direction, const EliminatedCoordinate& eliminated, NodeId rest, SixNodes& force);
 /// qdd, from the acceleration without it; that becomes the one with it.
-NodeId accelerate(const NodeAlgebra& of, const SixNodes& direction, const EliminatedCoordinate& eliminated, NodeId load, SixNodes& acceleration);
+NodeId accelerate(const NodeAlgebra& of, const SixNodes& direction, const EliminatedCoordinate& eliminated, NodeId load,
+                  SixNodes& acceleration);
 /// What goes to the base: transfer'*inertia*transfer, which is symmetric, and transfer'*(force + inertia*remainder).
 SixBySix handed_on(const NodeAlgebra& of, const SixBySix& transfer, const SixBySix& inertia);
-SixNodes handed_on(const NodeAlgebra& of, const SixBySix& transfer, const SixBySix& inertia, const SixNodes& remainder, const SixNodes& force);
+SixNodes handed_on(const NodeAlgebra& of, const SixBySix& transfer, const SixBySix& inertia, const SixNodes& remainder,
+                   const SixNodes& force);
 
 /// What a chain is solved for with.
 struct ChainLoads {

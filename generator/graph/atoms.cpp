@@ -11,9 +11,10 @@ namespace dalembert {
 namespace {
 
 /// The order in which symbols are numbered.
-constexpr std::array symbol_order{SymbolKind::parameter, SymbolKind::definition, SymbolKind::time,        SymbolKind::input, SymbolKind::coordinate,
-                                  SymbolKind::velocity,  SymbolKind::state,      SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::grid, SymbolKind::letter,
-                                  SymbolKind::jerk,      SymbolKind::multiplier, SymbolKind::multiplier_rate, SymbolKind::residual};
+constexpr std::array symbol_order{
+    SymbolKind::parameter, SymbolKind::definition, SymbolKind::time,         SymbolKind::input,           SymbolKind::coordinate,
+    SymbolKind::velocity,  SymbolKind::state,      SymbolKind::acceleration, SymbolKind::state_rate,      SymbolKind::grid,
+    SymbolKind::letter,    SymbolKind::jerk,       SymbolKind::multiplier,   SymbolKind::multiplier_rate, SymbolKind::residual};
 
 bool is_parameter(SymbolKind kind) { return kind == SymbolKind::parameter || kind == SymbolKind::definition || kind == SymbolKind::grid; }
 
@@ -33,7 +34,12 @@ Polynomial renumbered(const Polynomial& p, const std::vector<Letter>& new_letter
 Atoms::Atoms(const Symbols& symbols) : symbols_(symbols) {
     for (std::size_t k = 0; k < symbol_order.size(); ++k)
         for (const Variable& variable : symbols.all(symbol_order[k]))
-            add({Op::symbol, {}, fmt::format("{}{:05}", static_cast<char>('a' + k), variable.position), 0, !is_parameter(variable.kind), &variable});
+            add({Op::symbol,
+                 {},
+                 fmt::format("{}{:05}", static_cast<char>('a' + k), variable.position),
+                 0,
+                 !is_parameter(variable.kind),
+                 &variable});
     add({Op::pi, {}, "pi", 0, false});
 }
 

@@ -46,7 +46,12 @@ constexpr std::uint32_t first_cached_number = 0x80000000;  ///< cached values th
 }  // namespace
 
 ProgramBuilder::ProgramBuilder(Atoms& atoms, ParameterCache& cache, ParameterParts parts, Program& program, const Passes& passes)
-    : atoms_(atoms), cache_(cache), parts_(passes.constants ? parts : ParameterParts::in_place), factors_(passes.factoring), program_(program), network_{} {}
+    : atoms_(atoms),
+      cache_(cache),
+      parts_(passes.constants ? parts : ParameterParts::in_place),
+      factors_(passes.factoring),
+      program_(program),
+      network_{} {}
 
 void ProgramBuilder::prepare(const std::vector<Polynomial>& roots) {
     const bool split = splits();
@@ -195,12 +200,14 @@ NodeId ProgramBuilder::atom_node(Letter letter) {
     if (atom.op == Op::symbol || atom.op == Op::pi) return program_.symbol(letter);
     if (parts_ == ParameterParts::cached_last && !atom.is_dynamic) return node(fixed_part(Polynomial::letter(letter)));
     if (atom.op == Op::expm1) {
-        // exp(x) - 1 = x exp(x) - compression(-x), where both are there: near zero, where exp(x) - 1 itself cancels, the second is small beside the first.
+        // exp(x) - 1 = x exp(x) - compression(-x), where both are there: near zero, where exp(x) - 1 itself cancels, the second is small
+        // beside the first.
         Polynomial minus = atom.arguments[0];
         minus *= Rational(-1);
         const auto exponential = needed(Op::exp, atom.arguments[0]), compressed = needed(Op::compression, minus);
         if (exponential && compressed)
-            return program_.sum({{false, program_.product({node(atom_arguments_.at(letter)[0]), atom_node(*exponential)})}, {true, atom_node(*compressed)}});
+            return program_.sum({{false, program_.product({node(atom_arguments_.at(letter)[0]), atom_node(*exponential)})},
+                                 {true, atom_node(*compressed)}});
     }
     std::vector<NodeId> arguments;
     for (const Value& value : atom_arguments_.at(letter)) arguments.push_back(node(value));
@@ -219,7 +226,8 @@ std::optional<Letter> ProgramBuilder::needed(Op op, const Polynomial& argument) 
 }
 
 bool ProgramBuilder::is_symbol(std::uint32_t number) const {
-    return number < network_.first_letter && references_[number].kind == Reference::Kind::atom && atoms_[references_[number].index].arguments.empty();
+    return number < network_.first_letter && references_[number].kind == Reference::Kind::atom &&
+           atoms_[references_[number].index].arguments.empty();
 }
 
 /// Whether what a number stands for depends on parameters alone.
@@ -228,14 +236,17 @@ bool ProgramBuilder::is_fixed(std::uint32_t number) {
     if (number < network_.first_letter) return !atoms_[references_[number].index].is_dynamic;
     if (const auto known = is_fixed_.find(number); known != is_fixed_.end()) return known->second;
     const CubeSum& sum = network_.functions[number - network_.first_letter];
-    const bool result = std::all_of(sum.begin(), sum.end(), [&](const Cube& cube) { return std::all_of(cube.letters.begin(), cube.letters.end(), [&](std::uint32_t l) { return is_fixed(l); }); });
+    const bool result = std::all_of(sum.begin(), sum.end(), [&](const Cube& cube) {
+        return std::all_of(cube.letters.begin(), cube.letters.end(), [&](std::uint32_t l) { return is_fixed(l); });
+    });
     return is_fixed_[number] = result;
 }
 
 /// Its value, in which sums within products are kept whole.
 Polynomial ProgramBuilder::fixed_value(std::uint32_t number) {
     if (number >= first_cached_number) return cache_.values()[number - first_cached_number];
-    if (number < network_.first_letter) return Polynomial::letter(references_[number].index, references_[number].kind == Reference::Kind::reciprocal ? -1 : 1);
+    if (number < network_.first_letter)
+        return Polynomial::letter(references_[number].index, references_[number].kind == Reference::Kind::reciprocal ? -1 : 1);
     Polynomial sum;
     for (const Cube& cube : network_.functions[number - network_.first_letter]) sum += fixed_value(cube);
     return sum;
@@ -297,7 +308,8 @@ CubeSum ProgramBuilder::with_fixed_parts_cached(const CubeSum& sum) {
 NodeId ProgramBuilder::sum_node(const CubeSum& given) {
     const CubeSum sum = parts_ == ParameterParts::cached_last ? with_fixed_parts_cached(given) : given;
     // A number that all terms share is multiplied once.
-    const bool same = sum.size() > 1 && std::all_of(sum.begin(), sum.end(), [&](const Cube& c) { return cln::abs(c.coefficient) == cln::abs(sum[0].coefficient); });
+    const bool same = sum.size() > 1 && std::all_of(sum.begin(), sum.end(),
+                                                    [&](const Cube& c) { return cln::abs(c.coefficient) == cln::abs(sum[0].coefficient); });
     const Rational factor = same ? cln::abs(sum[0].coefficient) : Rational(1);
     CubeSum scaled = sum;
     for (Cube& cube : scaled) cube.coefficient = cube.coefficient / factor;

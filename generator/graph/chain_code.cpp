@@ -70,7 +70,8 @@ ChainCode::ChainCode(const System& system, const LoweredChain& chain, std::optio
     ground_ = roots.add(chain.ground);
     rest_ = roots.add(chain.rest);
     if (!by) return;
-    for (const LoweredChain::Column& column : chain.by[static_cast<std::size_t>(*by)]) columns_.push_back({column.of, roots.add(column.ground), roots.add(column.rest)});
+    for (const LoweredChain::Column& column : chain.by[static_cast<std::size_t>(*by)])
+        columns_.push_back({column.of, roots.add(column.ground), roots.add(column.rest)});
 }
 
 ChainNodes ChainCode::nodes(ProgramBuilder& builder, const Atoms& atoms) const {
@@ -101,9 +102,13 @@ ChainColumn ChainCode::column(ProgramBuilder& builder, Program& program, const C
     std::vector<SixNodes> needed(count);
     for (std::size_t b = 0; b < count; ++b) needed[b] = of.sum(of.times(nodes.links[b].inertia, motion.twists[b]), nodes.loads.force[b]);
     for (std::size_t b = count; b-- > 0;)
-        if (nodes.links[b].base) needed[*nodes.links[b].base] = of.sum(needed[*nodes.links[b].base], of.times_transposed(nodes.links[b].transfer, needed[b]));
+        if (nodes.links[b].base)
+            needed[*nodes.links[b].base] = of.sum(needed[*nodes.links[b].base], of.times_transposed(nodes.links[b].transfer, needed[b]));
 
-    ChainColumn result{{}, {std::vector<SixNodes>(count, of.none()), std::vector<SixNodes>(count, of.none()), std::vector<NodeId>(chain_.rest.size(), zero), of.none()}, {}};
+    ChainColumn result{{},
+                       {std::vector<SixNodes>(count, of.none()), std::vector<SixNodes>(count, of.none()),
+                        std::vector<NodeId>(chain_.rest.size(), zero), of.none()},
+                       {}};
     std::set<std::size_t> columns;
     const auto in_column = [&](std::size_t c) {
         columns.insert(c);
@@ -115,7 +120,8 @@ ChainColumn ChainCode::column(ProgramBuilder& builder, Program& program, const C
         letters[b].assign(link.letters.size(), zero);
         const auto add = [&](const SlopeRoots& slope, NodeId change) {
             if (program.is_constant(change, 0)) return;
-            for (std::size_t k = 0; k < letters[b].size(); ++k) letters[b][k] = of.plus(letters[b][k], {{builder.root(slope.letters + k), change}});
+            for (std::size_t k = 0; k < letters[b].size(); ++k)
+                letters[b][k] = of.plus(letters[b][k], {{builder.root(slope.letters + k), change}});
         };
         for (const SlopeRoots& slope : links_[b].by_base) add(slope, letters[*link.base][slope.of]);
         for (const SlopeRoots& slope : links_[b].by_column) add(slope, in_column(slope.of));
@@ -128,7 +134,8 @@ ChainColumn ChainCode::column(ProgramBuilder& builder, Program& program, const C
             const PartNodes parts(link.coordinates.size(), [&](std::size_t i) { return builder.root(slope.parts + i); });
             SixNodes remainder = of.sum(parts.remainder, of.times(parts.transfer, base_twist));
             for (std::size_t j = 0; j < link.coordinates.size(); ++j)
-                for (std::size_t r = 0; r < 6; ++r) remainder[r] = of.plus(remainder[r], {{parts.directions[j][r], motion.accelerations[link.coordinates[j]]}});
+                for (std::size_t r = 0; r < 6; ++r)
+                    remainder[r] = of.plus(remainder[r], {{parts.directions[j][r], motion.accelerations[link.coordinates[j]]}});
             const SixNodes force = of.sum(parts.force, of.times(parts.inertia, motion.twists[b]));
             const SixNodes to_base = of.times_transposed(parts.transfer, needed[b]);
             ChainLoads& loads = result.loads;
@@ -148,8 +155,10 @@ ChainColumn ChainCode::column(ProgramBuilder& builder, Program& program, const C
     }
     for (const ColumnRoots& column : columns_) {
         const NodeId change = in_column(column.of);
-        for (std::size_t r = 0; r < 6; ++r) result.loads.ground[r] = of.plus(result.loads.ground[r], {{builder.root(column.ground + r), change}});
-        for (std::size_t j = 0; j < chain_.rest.size(); ++j) result.loads.rest[j] = of.plus(result.loads.rest[j], {{builder.root(column.rest + j), change}});
+        for (std::size_t r = 0; r < 6; ++r)
+            result.loads.ground[r] = of.plus(result.loads.ground[r], {{builder.root(column.ground + r), change}});
+        for (std::size_t j = 0; j < chain_.rest.size(); ++j)
+            result.loads.rest[j] = of.plus(result.loads.rest[j], {{builder.root(column.rest + j), change}});
     }
     result.columns.assign(columns.begin(), columns.end());
     return result;
@@ -157,7 +166,8 @@ ChainColumn ChainCode::column(ProgramBuilder& builder, Program& program, const C
 
 }  // namespace
 
-void make_chain_function(Code& code, const LoweredSystem& lowered, FunctionCode& f, std::optional<By> by, ChainFunction kind, ParameterParts parts, const std::vector<Polynomial>& more) {
+void make_chain_function(Code& code, const LoweredSystem& lowered, FunctionCode& f, std::optional<By> by, ChainFunction kind,
+                         ParameterParts parts, const std::vector<Polynomial>& more) {
     const bool is_solved = kind == ChainFunction::solved;
     const auto& letters = code.system.symbols.all(SymbolKind::acceleration);
     ProgramBuilder builder(code.atoms, code.cache, parts, f.program, code.passes);
@@ -169,7 +179,9 @@ void make_chain_function(Code& code, const LoweredSystem& lowered, FunctionCode&
     builder.prepare(roots.polynomials());
 
     f.chain = chain.nodes(builder, code.atoms);
-    const Articulated solver(f.program, f.chain->links, [&](NodeId pivot) { return f.chain->inverses.emplace_back(reciprocal(code.atoms, code.cache, f.program, pivot, code.passes)); });
+    const Articulated solver(f.program, f.chain->links, [&](NodeId pivot) {
+        return f.chain->inverses.emplace_back(reciprocal(code.atoms, code.cache, f.program, pivot, code.passes));
+    });
     ChainMotion motion;
     if (is_solved) {
         motion = solver.solve(f.chain->loads);

@@ -18,7 +18,13 @@ namespace {
 class CodeMaker {
 public:
     CodeMaker(const System& system, const CodeWish& wish)
-        : code_(std::make_unique<Code>(system)), system_(system), lowered_(lower_system(system, code_->atoms, wish.passes.rewriting, wish.passes.chain ? wish.chain : ChainUse::never)), n_(system.motion.unknowns()), degrees_(system.symbols.degrees()), places_(system.unknown_places()), multipliers_(system.motion.multipliers.size()) {
+        : code_(std::make_unique<Code>(system)),
+          system_(system),
+          lowered_(lower_system(system, code_->atoms, wish.passes.rewriting, wish.passes.chain ? wish.chain : ChainUse::never)),
+          n_(system.motion.unknowns()),
+          degrees_(system.symbols.degrees()),
+          places_(system.unknown_places()),
+          multipliers_(system.motion.multipliers.size()) {
         code_->passes = wish.passes;
         code_->trig = wish.trig;
     }
@@ -38,8 +44,9 @@ public:
         values(Function::output, lowered_.output, ParameterParts::cached);
         output_jacobian(Function::output_jacobian_x, By::state);
         output_jacobian(Function::output_jacobian_u, By::input);
-        constexpr std::array scalars{Function::kinetic_energy, Function::potential_energy, Function::supplied_power, Function::dissipated_power,
-                                     Function::prescribed_power, Function::internal_energy, Function::exchanged_power};
+        constexpr std::array scalars{Function::kinetic_energy,   Function::potential_energy, Function::supplied_power,
+                                     Function::dissipated_power, Function::prescribed_power, Function::internal_energy,
+                                     Function::exchanged_power};
         values(Function::guards, lowered_.guards, ParameterParts::if_cached);
         for (std::size_t i = 0; i < scalars.size(); ++i) values(scalars[i], {lowered_.scalars[i]}, ParameterParts::if_cached);
         values(Function::start_state, lowered_.start, ParameterParts::in_place);
@@ -90,22 +97,27 @@ private:
             s.is_constant = s.unrolled = false;
             return;
         }
-        s.unrolled = !code_->passes.loops || should_unroll(n_, s.is_zero) || !lowered_.held.empty() || multipliers_ > 0 || !system_.scene.modes.empty();
+        s.unrolled = !code_->passes.loops || should_unroll(n_, s.is_zero) || !lowered_.held.empty() || multipliers_ > 0 ||
+                     !system_.scene.modes.empty();
         if (s.unrolled && s.is_constant) s.first_cached = code_->cache.reserve(lowered_.solve_mass.size());
     }
 
     /// Factors of M in a function: computed there, or taken from the cache.
     std::vector<NodeId> factors(Program& program, const std::vector<NodeId>& mass) {
         const Solve& s = code_->solve;
-        if (!s.is_constant) return factorise(program, n_, multipliers_, mass, [&](NodeId pivot) { return reciprocal(program, pivot); }, chosen(program, s));
+        if (!s.is_constant)
+            return factorise(
+                program, n_, multipliers_, mass, [&](NodeId pivot) { return reciprocal(program, pivot); }, chosen(program, s));
         // What the factors are is decided in update(); zero factors are known from the pattern there as here.
         std::vector<NodeId> result;
         Program pattern;
         std::vector<NodeId> symbolic;
-        for (std::size_t i = 0; i < s.is_zero.size(); ++i) symbolic.push_back(s.is_zero[i] ? pattern.constant(0) : pattern.cached(static_cast<std::uint32_t>(i)));
+        for (std::size_t i = 0; i < s.is_zero.size(); ++i)
+            symbolic.push_back(s.is_zero[i] ? pattern.constant(0) : pattern.cached(static_cast<std::uint32_t>(i)));
         const std::vector<NodeId> computed = factorise(pattern, n_, multipliers_, symbolic);
         for (std::size_t i = 0; i < computed.size(); ++i)
-            result.push_back(pattern.is_constant(computed[i], 0) ? program.constant(0) : program.cached(s.first_cached + static_cast<std::uint32_t>(i)));
+            result.push_back(pattern.is_constant(computed[i], 0) ? program.constant(0)
+                                                                 : program.cached(s.first_cached + static_cast<std::uint32_t>(i)));
         return result;
     }
 
@@ -164,7 +176,10 @@ private:
         take_motion(f, builder, motion);
         for (std::size_t i = 0; i < lowered_.state_rate.size(); ++i) f.results.push_back(builder.root(rates + i));
         constexpr std::size_t supplied = 2, dissipated = 3, prescribed = 4, exchanged = 6;
-        f.results.push_back(f.program.sum({{false, builder.root(power + supplied)}, {true, builder.root(power + dissipated)}, {false, builder.root(power + prescribed)}, {false, builder.root(power + exchanged)}}));
+        f.results.push_back(f.program.sum({{false, builder.root(power + supplied)},
+                                           {true, builder.root(power + dissipated)},
+                                           {false, builder.root(power + prescribed)},
+                                           {false, builder.root(power + exchanged)}}));
     }
 
     /// Accelerations: solved for, or letters where that is done by loops.
@@ -173,7 +188,8 @@ private:
             f.accelerations = solve_motion(f, builder, motion);
             return;
         }
-        for (std::size_t i = 0; !code_->solve.is_constant && i < lowered_.solve_mass.size(); ++i) f.mass.push_back(builder.root(motion.mass + i));
+        for (std::size_t i = 0; !code_->solve.is_constant && i < lowered_.solve_mass.size(); ++i)
+            f.mass.push_back(builder.root(motion.mass + i));
         for (std::size_t j = 0; j < n_; ++j) f.force.push_back(builder.root(motion.force + j));
         for (std::size_t j = 0; j < degrees_; ++j) f.accelerations.push_back(f.program.symbol(acceleration_letter(j)));
     }
@@ -261,7 +277,8 @@ private:
                 for (std::size_t i = 0; i < n_; ++i) column[places_[i]] = solved[c][i];
                 for (std::size_t i = 0; i < held; ++i) {
                     std::vector<std::pair<bool, NodeId>> terms{{false, builder.root(parts.held + c * held + i)}};
-                    for (std::size_t k = 0; k < free; ++k) terms.emplace_back(false, f.program.product({builder.root(parts.held_by_free + i * free + k), solved[c][k]}));
+                    for (std::size_t k = 0; k < free; ++k)
+                        terms.emplace_back(false, f.program.product({builder.root(parts.held_by_free + i * free + k), solved[c][k]}));
                     column[system_.motion.accelerations[i].first] = f.program.sum(std::move(terms));
                 }
                 f.solved.entries.insert(f.solved.entries.end(), column.begin(), column.end());
@@ -279,7 +296,8 @@ private:
         ProgramBuilder builder(code_->atoms, code_->cache, kind, f.program, code_->passes);
         Roots roots;
         const bool has_multipliers = multipliers_ > 0;
-        const MotionRoots motion = has_multipliers ? add_motion(roots) : MotionRoots{s.is_constant ? 0 : roots.add(lowered_.solve_mass), 0, 0};
+        const MotionRoots motion =
+            has_multipliers ? add_motion(roots) : MotionRoots{s.is_constant ? 0 : roots.add(lowered_.solve_mass), 0, 0};
         const ColumnRoots parts = add_columns(roots, columns);
         builder.prepare(roots.polynomials());
         if (has_multipliers) {
@@ -298,7 +316,8 @@ private:
         ProgramBuilder builder(code_->atoms, code_->cache, parts, f.program, code_->passes);
         Roots roots;
         const std::size_t first = roots.add(polynomials);
-        const bool has_multipliers = contain(polynomials, SymbolKind::multiplier), has_rates = contain(polynomials, SymbolKind::multiplier_rate);
+        const bool has_multipliers = contain(polynomials, SymbolKind::multiplier),
+                   has_rates = contain(polynomials, SymbolKind::multiplier_rate);
         const bool has_motion = has_multipliers || has_rates;
         const MotionRoots motion = has_motion ? add_motion(roots) : MotionRoots{};
         const std::size_t rates = has_rates ? roots.add(lowered_.motion_rate) : 0;
@@ -310,7 +329,8 @@ private:
             for (std::size_t i = 0; i < n_; ++i) f.right.entries.push_back(builder.root(rates + i));
             f.rates_solved_for = solve(f.program, n_, f.factors, f.right.entries);
             for (std::size_t i = 0; i < n_; ++i) builder.define(unknown(i, true), f.rates_solved_for[i]);
-            for (std::size_t i = 0; i < lowered_.held_jerks.size(); ++i) builder.define(letter(SymbolKind::jerk, system_.motion.accelerations[i].first), builder.root(jerks + i));
+            for (std::size_t i = 0; i < lowered_.held_jerks.size(); ++i)
+                builder.define(letter(SymbolKind::jerk, system_.motion.accelerations[i].first), builder.root(jerks + i));
         }
         for (std::size_t i = 0; i < polynomials.size(); ++i) f.results.push_back(builder.root(first + i));
         f.note_letters(code_->atoms);
@@ -322,11 +342,14 @@ private:
                 for (const LetterPower& power : monomial) {
                     const Atom& atom = code_->atoms[power.letter];
                     if (atom.variable != nullptr && atom.variable->kind == kind) return true;
-                    if (std::any_of(atom.arguments.begin(), atom.arguments.end(), [&](const Polynomial& argument) { return self(self, argument); })) return true;
+                    if (std::any_of(atom.arguments.begin(), atom.arguments.end(),
+                                    [&](const Polynomial& argument) { return self(self, argument); }))
+                        return true;
                 }
             return false;
         };
-        return multipliers_ > 0 && std::any_of(polynomials.begin(), polynomials.end(), [&](const Polynomial& p) { return is_there(is_there, p); });
+        return multipliers_ > 0 &&
+               std::any_of(polynomials.begin(), polynomials.end(), [&](const Polynomial& p) { return is_there(is_there, p); });
     }
 
     void output_jacobian(Function which, By by) {
@@ -359,7 +382,8 @@ private:
         for (std::size_t c = 0; c < f.by_output.columns; ++c)
             for (std::size_t r = 0; r < f.by_output.rows; ++r) {
                 std::vector<std::pair<bool, NodeId>> terms{{false, f.by_output.at(r, c)}};
-                for (std::size_t k = 0; k < f.solved.rows; ++k) terms.emplace_back(false, f.program.product({f.by_acceleration.at(r, k), f.solved.at(k, c)}));
+                for (std::size_t k = 0; k < f.solved.rows; ++k)
+                    terms.emplace_back(false, f.program.product({f.by_acceleration.at(r, k), f.solved.at(k, c)}));
                 f.whole_output.entries[c * f.by_output.rows + r] = f.program.sum(std::move(terms));
             }
     }
@@ -407,7 +431,8 @@ private:
         builder.prepare(roots.polynomials());
         for (const std::size_t i : code_->definition_order) f.results.push_back(builder.root(definitions + i));
         for (std::size_t i = 0; i < code_->cache.values().size(); ++i) f.results.push_back(builder.root(cached + i));
-        for (std::size_t i = 0; s.left_out > 0 && i < multipliers_; ++i) f.results[code_->definition_order.size() + s.first_chosen + i] = f.program.constant(i + s.left_out < multipliers_ ? 1 : 0);
+        for (std::size_t i = 0; s.left_out > 0 && i < multipliers_; ++i)
+            f.results[code_->definition_order.size() + s.first_chosen + i] = f.program.constant(i + s.left_out < multipliers_ ? 1 : 0);
         f.by_loops = !s.unrolled && s.is_constant;
         if (!s.is_constant) return;
         for (std::size_t i = 0; i < lowered_.solve_mass.size(); ++i) f.mass.push_back(builder.root(mass + i));
@@ -429,7 +454,8 @@ private:
 
 std::vector<NodeId> chosen(Program& program, const Solve& solve) {
     std::vector<NodeId> result;
-    for (std::size_t i = 0; solve.left_out > 0 && i < solve.multipliers; ++i) result.push_back(program.cached(solve.first_chosen + static_cast<std::uint32_t>(i)));
+    for (std::size_t i = 0; solve.left_out > 0 && i < solve.multipliers; ++i)
+        result.push_back(program.cached(solve.first_chosen + static_cast<std::uint32_t>(i)));
     return result;
 }
 
@@ -440,18 +466,44 @@ std::vector<NodeId> chosen_of_held(Program& program, const Code& code, const std
     const std::vector<NodeId> of_multipliers = chosen(program, code.solve);
     for (const std::size_t constraint : held) {
         const auto place = std::find(multipliers.begin(), multipliers.end(), constraint);
-        result.push_back(place == multipliers.end() ? program.constant(1) : of_multipliers[static_cast<std::size_t>(place - multipliers.begin())]);
+        result.push_back(place == multipliers.end() ? program.constant(1)
+                                                    : of_multipliers[static_cast<std::size_t>(place - multipliers.begin())]);
     }
     return result;
 }
 
 const char* name_of(Function function) {
-    static constexpr std::array<const char*, function_count> names{
-        "update",            "rhs",          "rhs_and_jacobian",  "jacobian_u",        "jacobian_p",     "jacobian_t",
-        "mass_matrix",       "bias",         "generalised_force", "output",            "output_jacobian_x", "output_jacobian_u",
-        "kinetic_energy",    "potential_energy", "supplied_power", "dissipated_power", "prescribed_power", "internal_energy",
-        "exchanged_power",   "guards",       "start_state",       "events",            "event_rates",    "conditions",
-        "resets",            "constraint_positions", "constraint_rates", "constraint_forces", "constraint_jacobian", "correction", "together"};
+    static constexpr std::array<const char*, function_count> names{"update",
+                                                                   "rhs",
+                                                                   "rhs_and_jacobian",
+                                                                   "jacobian_u",
+                                                                   "jacobian_p",
+                                                                   "jacobian_t",
+                                                                   "mass_matrix",
+                                                                   "bias",
+                                                                   "generalised_force",
+                                                                   "output",
+                                                                   "output_jacobian_x",
+                                                                   "output_jacobian_u",
+                                                                   "kinetic_energy",
+                                                                   "potential_energy",
+                                                                   "supplied_power",
+                                                                   "dissipated_power",
+                                                                   "prescribed_power",
+                                                                   "internal_energy",
+                                                                   "exchanged_power",
+                                                                   "guards",
+                                                                   "start_state",
+                                                                   "events",
+                                                                   "event_rates",
+                                                                   "conditions",
+                                                                   "resets",
+                                                                   "constraint_positions",
+                                                                   "constraint_rates",
+                                                                   "constraint_forces",
+                                                                   "constraint_jacobian",
+                                                                   "correction",
+                                                                   "together"};
     return names[static_cast<std::size_t>(function)];
 }
 

@@ -27,8 +27,10 @@ struct FunctionCode {
     std::vector<NodeId> mass = {};          ///< lower triangle of M, row by row
     std::vector<NodeId> factors = {};       ///< L below the diagonal and 1/D on it, where the solve is written out
     std::vector<NodeId> force = {};         ///< Q - bias
-    std::vector<NodeId> accelerations = {}; ///< qdd: solved for where the solve is written out, else symbols; those that constraints determine with them, and multipliers behind them
-    std::vector<NodeId> solved_for = {};    ///< accelerations and multipliers that results need on the way, in functions that are about something else
+    std::vector<NodeId> accelerations = {};  ///< qdd: solved for where the solve is written out, else symbols; those that constraints
+                                             ///< determine with them, and multipliers behind them
+    std::vector<NodeId> solved_for =
+        {};  ///< accelerations and multipliers that results need on the way, in functions that are about something else
     std::vector<NodeId> results = {};       ///< of rhs: the rates of plain states; of `together` behind them outputs and energies
     CodeMatrix right = {};                  ///< -dR/d(column), the right sides of M*X
     CodeMatrix solved = {};                 ///< X = d(qdd)/d(column) where the solve is written out
@@ -36,7 +38,8 @@ struct FunctionCode {
     CodeMatrix by_output = {};              ///< d(y)/d(column) at fixed accelerations
     CodeMatrix by_acceleration = {};        ///< d(y)/d(qdd), and by the multipliers behind them
     CodeMatrix whole_output = {};           ///< d(y)/d(column), where outputs contain multipliers
-    std::vector<NodeId> rates_solved_for = {};  ///< rates of accelerations and multipliers, where results contain those of multipliers; of the one column in `right`
+    std::vector<NodeId> rates_solved_for =
+        {};  ///< rates of accelerations and multipliers, where results contain those of multipliers; of the one column in `right`
     std::optional<ChainNodes> chain = {};   ///< where the motion is followed from body to body: what it is solved with, or would be
     std::optional<ChainColumn> loop = {};   ///< d(qdd)/d(column), computed in a loop over the columns
     bool uses_accelerations = false;        ///< the symbols of qdd occur: they are to be computed first
@@ -120,10 +123,12 @@ struct Code {
     bool has_together = false;                    ///< Function::together is there
     std::vector<std::size_t> definition_order;    ///< definitions, each behind those it needs
     std::array<FunctionCode, function_count> functions;
-    /// Where series are asked for, what they are made of: the motion, and behind the rates of plain states the power that changes its energy.
+    /// Where series are asked for, what they are made of: the motion, and behind the rates of plain states the power that changes its
+    /// energy.
     std::optional<FunctionCode> series_of;
     std::vector<ResetCode> resets, rests;         ///< by event
-    std::vector<std::optional<std::size_t>> condition_places;  ///< of x, with the results of Function::conditions; nothing: they are to be zero
+    std::vector<std::optional<std::size_t>>
+        condition_places;                         ///< of x, with the results of Function::conditions; nothing: they are to be zero
     std::vector<Rewriting> rewritten;             ///< what has another form than it was derived in
 
     FunctionCode& operator[](Function f) { return functions[static_cast<std::size_t>(f)]; }

@@ -8,7 +8,10 @@
 namespace dalembert {
 
 ExactCode::ExactCode(const Code& code, int digits)
-    : code_(code), arithmetic_(digits), inputs_(inputs(code.system)), unknowns_(std::max(code.solve.n, code[Function::correction].force.size())) {}
+    : code_(code),
+      arithmetic_(digits),
+      inputs_(inputs(code.system)),
+      unknowns_(std::max(code.solve.n, code[Function::correction].force.size())) {}
 
 std::vector<const Variable*> ExactCode::inputs(const System& system) {
     std::vector<const Variable*> result;
@@ -28,7 +31,8 @@ void ExactCode::set(const std::vector<Rational>& values) {
     equations_.clear();
     letters_.clear();
     cached_.clear();
-    for (std::size_t i = 0; i < inputs_.size(); ++i) letters_[code_.atoms.symbol(*inputs_[i])] = arithmetic_.input(values[i], i, slope_count());
+    for (std::size_t i = 0; i < inputs_.size(); ++i)
+        letters_[code_.atoms.symbol(*inputs_[i])] = arithmetic_.input(values[i], i, slope_count());
     update();
 }
 
@@ -38,7 +42,8 @@ void ExactCode::update() {
     const std::size_t definitions = code_.definition_order.size();
     for (std::size_t i = 0; i < f.results.size(); ++i) {
         const MaybeExact& value = at(Function::update, f.results[i]);
-        if (i < definitions) letters_[code_.atoms.symbol(code_.system.symbols.all(SymbolKind::definition)[code_.definition_order[i]])] = value;
+        if (i < definitions)
+            letters_[code_.atoms.symbol(code_.system.symbols.all(SymbolKind::definition)[code_.definition_order[i]])] = value;
         else cached_.push_back(value);
     }
 }
@@ -81,7 +86,8 @@ MaybeExact ExactCode::compute(Function function, const Program& program, NodeId 
     const Node& array = program[node.arguments[0]];
     arguments.clear();
     for (const NodeId argument : array.arguments) arguments.push_back(&memory.values[argument]);
-    return arithmetic_.element(array.op, arguments, static_cast<std::size_t>(cln::cl_I_to_ulong(cln::numerator(program[node.arguments[1]].value))));
+    return arithmetic_.element(array.op, arguments,
+                               static_cast<std::size_t>(cln::cl_I_to_ulong(cln::numerator(program[node.arguments[1]].value))));
 }
 
 const MaybeExact& ExactCode::of_letter(Letter letter) {
@@ -141,10 +147,12 @@ void ExactCode::find_solved(Function function) {
 
 /// M as it is solved with, and its inverse; nothing where it is singular.
 const std::optional<ExactCode::Equations>& ExactCode::equations(Function function) {
-    if (function != Function::correction) function = code_[Function::rhs].chain ? Function::mass_matrix : code_.solve.is_constant ? Function::update : Function::rhs;
+    if (function != Function::correction)
+        function = code_[Function::rhs].chain ? Function::mass_matrix : code_.solve.is_constant ? Function::update : Function::rhs;
     const auto [known, is_new] = equations_.try_emplace(function);
     if (!is_new) return known->second;
-    const std::vector<MaybeExact> lower = nodes(function, function == Function::mass_matrix ? code_[function].results : code_[function].mass);
+    const std::vector<MaybeExact> lower =
+        nodes(function, function == Function::mass_matrix ? code_[function].results : code_[function].mass);
     std::size_t n = 0;
     while (lower_index(n, 0) < lower.size()) ++n;
     const std::vector<bool> is_left_out = left_out(function, n);
@@ -201,7 +209,8 @@ std::vector<bool> ExactCode::left_out(Function function, std::size_t n) const {
     return result;
 }
 
-std::vector<double> ExactCode::rounding(Function function, std::optional<std::size_t> column, const std::function<double(double)>& ulp, const std::function<double(const ExactNumber&)>& uncertainty) {
+std::vector<double> ExactCode::rounding(Function function, std::optional<std::size_t> column, const std::function<double(double)>& ulp,
+                                        const std::function<double(const ExactNumber&)>& uncertainty) {
     std::vector<double> result(unknowns_, 0);
     const FunctionCode& f = code_[function];
     if (f.chain) return rounding_of_chain(function, column, ulp, uncertainty);
@@ -212,7 +221,9 @@ std::vector<double> ExactCode::rounding(Function function, std::optional<std::si
     const std::vector<MaybeExact> b = nodes(function, right);
     const bool is_there = e && std::all_of(b.begin(), b.end(), [](const MaybeExact& value) { return value.has_value(); });
     if (!is_there) return std::vector<double>(unknowns_, std::numeric_limits<double>::infinity());
-    const auto error = [&](const ExactNumber& entry) { return cln::zerop(entry.value) && entry.slopes.empty() ? 0 : ulp(cln::double_approx(entry.value)) / 2 + uncertainty(entry); };
+    const auto error = [&](const ExactNumber& entry) {
+        return cln::zerop(entry.value) && entry.slopes.empty() ? 0 : ulp(cln::double_approx(entry.value)) / 2 + uncertainty(entry);
+    };
     const std::size_t n = b.size();
     std::vector<double> errors;
     for (std::size_t k = 0; k < n; ++k) errors.push_back(error(*b[k]));
@@ -231,7 +242,9 @@ std::vector<double> ExactCode::rounding(Function function, std::optional<std::si
 }
 
 /// Where M is not solved with its entries are data all the same, and so are the moments and forces M*x.
-std::vector<double> ExactCode::rounding_of_chain(Function function, std::optional<std::size_t> column, const std::function<double(double)>& ulp, const std::function<double(const ExactNumber&)>& uncertainty) {
+std::vector<double> ExactCode::rounding_of_chain(Function function, std::optional<std::size_t> column,
+                                                 const std::function<double(double)>& ulp,
+                                                 const std::function<double(const ExactNumber&)>& uncertainty) {
     const std::optional<Equations>& e = equations(function);
     const FunctionCode& f = code_[function];
     const std::vector<MaybeExact> x = column ? solved_in_loop(function, *column) : nodes(function, f.accelerations);
@@ -245,7 +258,8 @@ std::vector<double> ExactCode::rounding_of_chain(Function function, std::optiona
         for (std::size_t l = 0; l < n; ++l) {
             const ExactNumber& entry = e->matrix[k][l];
             load = load + entry.value * x[l]->value;
-            if (!cln::zerop(entry.value) || !entry.slopes.empty()) error += (ulp(cln::double_approx(entry.value)) / 2 + uncertainty(entry)) * std::fabs(cln::double_approx(x[l]->value));
+            if (!cln::zerop(entry.value) || !entry.slopes.empty())
+                error += (ulp(cln::double_approx(entry.value)) / 2 + uncertainty(entry)) * std::fabs(cln::double_approx(x[l]->value));
         }
         error += ulp(cln::double_approx(load)) / 2;
         for (std::size_t i = 0; i < n; ++i) result[i] += std::fabs(cln::double_approx(e->inverse[i][k])) * error;
@@ -290,11 +304,13 @@ std::vector<MaybeExact> ExactCode::rates() {
     const Symbols& symbols = code_.system.symbols;
     std::vector<MaybeExact> result(symbols.state_count());
     for (std::size_t j = 0; j < symbols.degrees(); ++j) {
-        if (symbols.has_value(j)) result[symbols.place(SymbolKind::coordinate, j)] = of_letter(code_.atoms.symbol(symbols.all(SymbolKind::velocity)[j]));
+        if (symbols.has_value(j))
+            result[symbols.place(SymbolKind::coordinate, j)] = of_letter(code_.atoms.symbol(symbols.all(SymbolKind::velocity)[j]));
         result[symbols.positions() + j] = acceleration(j);
     }
     const FunctionCode& f = code_[Function::rhs];
-    for (std::size_t i = 0; i < symbols.states(); ++i) result[symbols.positions() + symbols.degrees() + i] = at(Function::rhs, f.results[i]);
+    for (std::size_t i = 0; i < symbols.states(); ++i)
+        result[symbols.positions() + symbols.degrees() + i] = at(Function::rhs, f.results[i]);
     return result;
 }
 
@@ -358,7 +374,8 @@ MaybeExact ExactCode::slope(Function function, std::size_t row, std::size_t colu
         return solved[row - velocities];
     }
     bool is_rate = false;  // of the coordinate that stands in this row
-    for (std::size_t j = 0; j < symbols.degrees(); ++j) is_rate = is_rate || (symbols.has_value(j) && symbols.place(SymbolKind::coordinate, j) == row && column == velocities + j);
+    for (std::size_t j = 0; j < symbols.degrees(); ++j)
+        is_rate = is_rate || (symbols.has_value(j) && symbols.place(SymbolKind::coordinate, j) == row && column == velocities + j);
     return arithmetic_.constant(function == Function::rhs_and_jacobian && is_rate ? 1 : 0);
 }
 
@@ -370,7 +387,8 @@ MaybeExact ExactCode::output_slope(Function function, std::size_t row, std::size
     for (std::size_t k = 0; k < code_.system.symbols.degrees(); ++k) {
         const NodeId factor = f.by_acceleration.at(row, k);
         if (f.is_zero(factor)) continue;
-        const MaybeExact by_column = slope(function == Function::output_jacobian_x ? Function::rhs_and_jacobian : Function::jacobian_u, velocities + k, column);
+        const MaybeExact by_column =
+            slope(function == Function::output_jacobian_x ? Function::rhs_and_jacobian : Function::jacobian_u, velocities + k, column);
         const MaybeExact term = ExactArithmetic::product({&at(function, factor), &by_column});
         sum = ExactArithmetic::sum({&sum, &term}, {});
     }

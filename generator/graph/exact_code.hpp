@@ -17,12 +17,13 @@ public:
     /// A point: one number for each input. Everything is computed when it is asked for.
     void set(const std::vector<Rational>& values);
 
-    /// Where M*x = b is solved, M and b are computed first, and rounded. So slopes have more behind those by the inputs: one for each unknown of
-    /// the motion, then one for each of a column of a Jacobian, where these are solved for.
+    /// Where M*x = b is solved, M and b are computed first, and rounded. So slopes have more behind those by the inputs: one for each
+    /// unknown of the motion, then one for each of a column of a Jacobian, where these are solved for.
     std::size_t slope_count() const { return inputs_.size() + 2 * unknowns_; }
     /// How far the unknowns move (Skeel) when each entry of M and b is known no better than its own condition and rounding allow:
     /// |M^-1|*(d(b) + d(M)*|x|), d(a) = uncertainty(a) + half_ulp(a). b: of the motion, or a column of right sides in a function.
-    std::vector<double> rounding(Function function, std::optional<std::size_t> column, const std::function<double(double)>& ulp, const std::function<double(const ExactNumber&)>& uncertainty);
+    std::vector<double> rounding(Function function, std::optional<std::size_t> column, const std::function<double(double)>& ulp,
+                                 const std::function<double(const ExactNumber&)>& uncertainty);
 
     /// Of a function, a node of its program.
     const MaybeExact& at(Function function, NodeId id);
@@ -53,7 +54,8 @@ private:
     std::vector<MaybeExact> solve(Function function, std::vector<MaybeExact> b);
     std::vector<MaybeExact> nodes(Function function, const std::vector<NodeId>& ids);
     const std::vector<MaybeExact>& solved_in_loop(Function function, std::size_t column);
-    std::vector<double> rounding_of_chain(Function function, std::optional<std::size_t> column, const std::function<double(double)>& ulp, const std::function<double(const ExactNumber&)>& uncertainty);
+    std::vector<double> rounding_of_chain(Function function, std::optional<std::size_t> column, const std::function<double(double)>& ulp,
+                                          const std::function<double(const ExactNumber&)>& uncertainty);
     void note_solved(MaybeExact& value, std::size_t number) const;
     void find_solved(Function function);
     struct Equations {

@@ -38,7 +38,8 @@ void ExactNumber::add_slopes(const ExactNumber& other, double factor) {
         if (other.slopes[i] != 0) slopes[i] += factor * other.slopes[i];
 }
 
-ExactArithmetic::ExactArithmetic(int digits) : digits_(digits), format_(cln::float_format(static_cast<unsigned long>(digits + guard_digits))) {}
+ExactArithmetic::ExactArithmetic(int digits)
+    : digits_(digits), format_(cln::float_format(static_cast<unsigned long>(digits + guard_digits))) {}
 
 MaybeExact ExactArithmetic::input(const Rational& value, std::size_t number, std::size_t count) const {
     ExactNumber result{cln::cl_float(value, format_), std::vector<double>(count, 0)};
@@ -112,7 +113,8 @@ MaybeExact ExactArithmetic::by_differences(const At& at, const std::vector<const
     for (std::size_t i = 0; i < values.size(); ++i) {
         if ((*arguments[i])->slopes.empty()) continue;
         const cln::cl_R x = values[i];
-        const cln::cl_R step = cln::zerop(x) ? cln::cl_R(cln::cl_float(cln::expt(cln::cl_RA(10), -2 * digits_ / 3), format_)) : cln::cl_R(cln::abs(x) * cln::expt(cln::cl_RA(10), -digits_ / 3));
+        const cln::cl_R step = cln::zerop(x) ? cln::cl_R(cln::cl_float(cln::expt(cln::cl_RA(10), -2 * digits_ / 3), format_))
+                                             : cln::cl_R(cln::abs(x) * cln::expt(cln::cl_RA(10), -digits_ / 3));
         double slope = 0;
         for (const int side : {1, -1}) {
             values[i] = x + side * step;
@@ -142,7 +144,8 @@ MaybeExact ExactArithmetic::function(Op op, const std::vector<const MaybeExact*>
             case Op::sin: return with_slope(value(op, {x.value}), [&](const cln::cl_R&) { return approximate(cln::cos(x.value)); });
             case Op::cos: return with_slope(value(op, {x.value}), [&](const cln::cl_R&) { return -approximate(cln::sin(x.value)); });
             case Op::exp: return with_slope(value(op, {x.value}), [&](const cln::cl_R& y) { return approximate(y); });
-            case Op::sqrt: return with_slope(value(op, {x.value}), [&](const cln::cl_R& y) { return cln::zerop(y) ? 0 : approximate(1 / (2 * y)); });
+            case Op::sqrt:
+                return with_slope(value(op, {x.value}), [&](const cln::cl_R& y) { return cln::zerop(y) ? 0 : approximate(1 / (2 * y)); });
             case Op::sign:
             case Op::floor:
             case Op::step: return with_slope(value(op, {x.value}), [](const cln::cl_R&) { return 0.0; });

@@ -38,8 +38,8 @@ public:
     static MaybeExact sum(const std::vector<const MaybeExact*>& terms, const std::vector<bool>& negative);
     static MaybeExact product(const std::vector<const MaybeExact*>& factors);
     static MaybeExact reciprocal(const MaybeExact& x);
-    /// Slopes of functions that have no simple one are differences, at a distance of a third of the digits. Where a function jumps its slope is
-    /// that of its pieces.
+    /// Slopes of functions that have no simple one are differences, at a distance of a third of the digits. Where a function jumps its
+    /// slope is that of its pieces.
     MaybeExact function(Op op, const std::vector<const MaybeExact*>& arguments) const;
     /// Element k of an array that is made of these.
     MaybeExact element(Op array, const std::vector<const MaybeExact*>& arguments, std::size_t k) const;

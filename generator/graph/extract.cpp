@@ -33,7 +33,9 @@ struct Occurrence {
     CubeId second;
 };
 
-std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) { return (hash ^ (value + 0x9E3779B97F4A7C15ULL)) * 0xBF58476D1CE4E5B9ULL ^ (hash >> 31U); }
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
+    return (hash ^ (value + 0x9E3779B97F4A7C15ULL)) * 0xBF58476D1CE4E5B9ULL ^ (hash >> 31U);
+}
 
 /// Something that occurs at several places and could be computed once.
 template <class Place>

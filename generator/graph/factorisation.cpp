@@ -36,7 +36,8 @@ bool should_unroll(std::size_t n, const std::vector<bool>& is_zero) {
     return entries <= most_entries_per_row * n && n <= 32;
 }
 
-std::vector<NodeId> factorise(Program& program, std::size_t n, std::size_t multipliers, const std::vector<NodeId>& mass, const Reciprocal& reciprocal, const std::vector<NodeId>& chosen) {
+std::vector<NodeId> factorise(Program& program, std::size_t n, std::size_t multipliers, const std::vector<NodeId>& mass,
+                              const Reciprocal& reciprocal, const std::vector<NodeId>& chosen) {
     std::vector<NodeId> factors(mass.size(), program.constant(0));
     std::vector<NodeId> v(n, program.constant(0));  // L_ij*D_j of the current row
     for (std::size_t i = 0; i < n; ++i) {
@@ -58,7 +59,8 @@ std::vector<NodeId> factorise(Program& program, std::size_t n, std::size_t multi
             continue;
         }
         const NodeId left = chosen.empty() ? pivot : program.product({chosen[i + multipliers - n], pivot});
-        if (!program.is_constant(left, 0)) factors[lower_index(i, i)] = program.function(Op::independent_inverse, {left, i + multipliers == n ? pivot : alone});
+        if (!program.is_constant(left, 0))
+            factors[lower_index(i, i)] = program.function(Op::independent_inverse, {left, i + multipliers == n ? pivot : alone});
     }
     return factors;
 }
@@ -82,7 +84,8 @@ std::vector<NodeId> solve(Program& program, std::size_t n, const std::vector<Nod
     return b;
 }
 
-std::vector<std::vector<NodeId>> solve_columns(Program& program, std::size_t n, const std::vector<NodeId>& factors, const std::vector<std::vector<NodeId>>& columns) {
+std::vector<std::vector<NodeId>> solve_columns(Program& program, std::size_t n, const std::vector<NodeId>& factors,
+                                               const std::vector<std::vector<NodeId>>& columns) {
     const auto is_zero = [&](NodeId id) { return program.is_constant(id, 0); };
     const auto only_entry = [&](const std::vector<NodeId>& b) -> std::optional<std::size_t> {
         if (std::count_if(b.begin(), b.end(), is_zero) + 1 != static_cast<std::ptrdiff_t>(n)) return {};

@@ -32,8 +32,11 @@ ex column_of(const System& system, const ex& e, By by, std::size_t column) {
 struct Cell {
     ex link, source, capacity, energy, start;
     Cell(const RodField& f, const Symbols& symbols)
-        : link(symbols.without_definitions(f.link)), source(symbols.without_definitions(f.source)), capacity(symbols.without_definitions(f.capacity)),
-          energy(symbols.without_definitions(f.energy)), start(symbols.without_definitions(f.start)) {}
+        : link(symbols.without_definitions(f.link)),
+          source(symbols.without_definitions(f.source)),
+          capacity(symbols.without_definitions(f.capacity)),
+          energy(symbols.without_definitions(f.energy)),
+          start(symbols.without_definitions(f.start)) {}
 };
 
 void add_columns(FieldFunctions& functions, const System& system, const Cell& cell, By by, std::size_t count) {
@@ -88,11 +91,13 @@ std::vector<Wanted> wanted(std::vector<SumFunctions>& sums, SumOutputs& outputs,
         const ex term = symbols.without_definitions(system.cell_sums[i].term);
         result.push_back({&sums[i].term, {term}, cached});
         result.push_back({&sums[i].slope, {partial(term, system.heat.fields[system.cell_sums[i].field].here)}, cached});
-        for (auto& [input, function] : sums[i].by_input) result.push_back({&function, {partial(term, symbols.get(SymbolKind::input, input))}, cached});
+        for (auto& [input, function] : sums[i].by_input)
+            result.push_back({&function, {partial(term, symbols.get(SymbolKind::input, input))}, cached});
     }
     if (sums.empty()) return result;
     std::vector<ex> values, letters;
-    for (const std::size_t i : outputs.outputs) values.push_back(symbols.without_definitions(system.with_rates(*system.outputs[i].with_sums)));
+    for (const std::size_t i : outputs.outputs)
+        values.push_back(symbols.without_definitions(system.with_rates(*system.outputs[i].with_sums)));
     for (const CellSum& sum : system.cell_sums) letters.push_back(sum.letter);
     result.push_back({&outputs.values, values, cached});
     result.push_back({&outputs.by_state, columns(values, letters_of(column_variables(symbols, By::state))), cached});
@@ -169,7 +174,8 @@ std::unique_ptr<FieldCode> make_field_code(const System& system) {
 std::vector<AuditEntry> verify_fields(const FieldCode& field_code) {
     const System& system = field_code.code.system;
     Prover prover(system);
-    Raiser cached(field_code.update.program, field_code.code.atoms, [](std::uint32_t) -> ex { throw std::logic_error("cached values of cached values"); });
+    Raiser cached(field_code.update.program, field_code.code.atoms,
+                  [](std::uint32_t) -> ex { throw std::logic_error("cached values of cached values"); });
     std::vector<AuditEntry> entries;
     const auto compare = [&](AuditEntry& entry, const ex& a, const ex& b) {
         Comparison result = prover.equal(a, b);
@@ -177,7 +183,8 @@ std::vector<AuditEntry> verify_fields(const FieldCode& field_code) {
     };
     const auto compare_all = [&](AuditEntry& entry, const std::vector<Wanted>& all) {
         for (const Wanted& one : all) {
-            Raiser raise(one.function->program, field_code.code.atoms, [&](std::uint32_t index) { return cached(field_code.update.results[index]); });
+            Raiser raise(one.function->program, field_code.code.atoms,
+                         [&](std::uint32_t index) { return cached(field_code.update.results[index]); });
             for (std::size_t i = 0; i < one.values.size(); ++i) compare(entry, raise(one.function->results[i]), one.values[i]);
         }
     };

@@ -88,7 +88,8 @@ private:
     }
 
     Polynomial multiply(const Polynomial& a, const Polynomial& b) {
-        if (a.size() > 1 && b.size() > 1 && a.size() * b.size() > most_terms) return multiply(kept_whole(a, 1, atoms_), kept_whole(b, 1, atoms_));
+        if (a.size() > 1 && b.size() > 1 && a.size() * b.size() > most_terms)
+            return multiply(kept_whole(a, 1, atoms_), kept_whole(b, 1, atoms_));
         work_ += static_cast<double>(a.size()) * static_cast<double>(b.size());
         if (work_ > budget::code_work) throw TooManyTerms();
         return Polynomial::product(a, b, SIZE_MAX);
@@ -123,9 +124,11 @@ private:
             using Symmetry = ScalarFunction::Symmetry;
             std::vector<Polynomial> arguments;
             for (const ex& argument : e) arguments.push_back(folded((*this)(argument), atoms_));
-            const bool flip = (known->symmetry == Symmetry::odd || known->symmetry == Symmetry::even) && atoms_.leading_sign(arguments[0]) < 0;
+            const bool flip =
+                (known->symmetry == Symmetry::odd || known->symmetry == Symmetry::even) && atoms_.leading_sign(arguments[0]) < 0;
             if (flip) arguments[0] = negated(arguments[0]);
-            if (known->symmetry == Symmetry::symmetric && atoms_.key(arguments[1]) < atoms_.key(arguments[0])) std::swap(arguments[0], arguments[1]);
+            if (known->symmetry == Symmetry::symmetric && atoms_.key(arguments[1]) < atoms_.key(arguments[0]))
+                std::swap(arguments[0], arguments[1]);
             const Polynomial result = Polynomial::letter(atoms_.letter(known->op, std::move(arguments)));
             return flip && known->symmetry == Symmetry::odd ? negated(result) : result;
         }
@@ -135,7 +138,9 @@ private:
     /// One element of an array. The elements of an inverse are numbered through.
     Polynomial network(const ex& e) {
         const bool is_inverse = is_ex_the_function(e, network_inverse);
-        const Op op = is_inverse ? Op::network_inverse : is_ex_the_function(e, junction_root) ? Op::junction_root : Op::balanced_temperature;
+        const Op op = is_inverse                             ? Op::network_inverse
+                      : is_ex_the_function(e, junction_root) ? Op::junction_root
+                                                             : Op::balanced_temperature;
         if (op == Op::balanced_temperature && NetworkData(e.op(1)).is_linear()) return (*this)(in_inverse(e));
         const ex& list = e.op(is_inverse ? 2 : 1);
         ex which = e.op(0);
@@ -221,7 +226,8 @@ Polynomial with_extrema_joined(Polynomial p, const Atoms& atoms) {
     std::map<std::vector<Polynomial>, std::array<std::optional<Letter>, 2>> pairs;
     for (const auto& [monomial, coefficient] : p.terms())
         for (const LetterPower& power : monomial)
-            if (const Op op = atoms[power.letter].op; op == Op::max || op == Op::min) pairs[atoms[power.letter].arguments][op == Op::max ? 0 : 1] = power.letter;
+            if (const Op op = atoms[power.letter].op; op == Op::max || op == Op::min)
+                pairs[atoms[power.letter].arguments][op == Op::max ? 0 : 1] = power.letter;
     for (const auto& [arguments, letters] : pairs) {
         const auto [largest, smallest] = letters;
         if (!largest || !smallest) continue;

@@ -8,7 +8,8 @@
 
 namespace dalembert {
 
-/// The expression multiplied out, as far as that stays small, with sin^2 + cos^2 folded and max(a, b) + min(a, b) joined. Exact: no rule that needs an assumption.
+/// The expression multiplied out, as far as that stays small, with sin^2 + cos^2 folded and max(a, b) + min(a, b) joined. Exact: no rule
+/// that needs an assumption.
 Polynomial lower(const GiNaC::ex& e, Atoms& atoms);
 
 /// A sum kept whole, to a power, with its sign, content and common factors taken out.

@@ -14,7 +14,8 @@ namespace {
 
 class ChainLowerer {
 public:
-    ChainLowerer(const System& system, Atoms& atoms, const std::vector<By>& jacobians) : system_(system), atoms_(atoms), jacobians_(jacobians) {}
+    ChainLowerer(const System& system, Atoms& atoms, const std::vector<By>& jacobians)
+        : system_(system), atoms_(atoms), jacobians_(jacobians) {}
 
     LoweredChain run() {
         LoweredChain result;
@@ -25,7 +26,9 @@ public:
         for (const By by : jacobians_) {
             const auto variables = column_variables(system_.symbols, by);
             for (std::size_t c = 0; c < variables.size(); ++c) {
-                const auto slope = [&](const std::vector<ex>& of) { return derivatives(of, [&](const ex& e) { return by_column(system_, e, *variables[c]); }); };
+                const auto slope = [&](const std::vector<ex>& of) {
+                    return derivatives(of, [&](const ex& e) { return by_column(system_, e, *variables[c]); });
+                };
                 LoweredChain::Column column{c, slope(ground), slope(system_.chain->rest)};
                 if (matters(column.ground) || matters(column.rest)) result.by[static_cast<std::size_t>(by)].push_back(std::move(column));
             }
@@ -50,7 +53,8 @@ private:
         };
         if (link.base) by_letters(result.by_base, system_.chain->links[*link.base]);
         by_letters(result.by_own, link);
-        const bool has_definitions = std::any_of(symbols.begin(), symbols.end(), [&](const ex& s) { return kind_of(s) == SymbolKind::definition; });
+        const bool has_definitions =
+            std::any_of(symbols.begin(), symbols.end(), [&](const ex& s) { return kind_of(s) == SymbolKind::definition; });
         for (const By by : jacobians_) {
             const auto variables = column_variables(system_.symbols, by);
             for (std::size_t c = 0; c < variables.size(); ++c) {
@@ -101,6 +105,8 @@ private:
 
 }  // namespace
 
-LoweredChain lower_chain(const System& system, Atoms& atoms, const std::vector<By>& jacobians) { return ChainLowerer(system, atoms, jacobians).run(); }
+LoweredChain lower_chain(const System& system, Atoms& atoms, const std::vector<By>& jacobians) {
+    return ChainLowerer(system, atoms, jacobians).run();
+}
 
 }  // namespace dalembert

@@ -46,9 +46,13 @@ public:
             for (const auto& column : p.held) columns.held.push_back(all(column));
         }
         for (const auto& column : output_by_acceleration(system_)) l.output_by_acceleration.push_back(all(column));
-        l.scalars = all({system_.kinetic_energy, system_.potential_energy, system_.supplied_power, system_.dissipated_power, system_.prescribed_power, system_.internal_energy, system_.exchanged_power});
+        l.scalars = all({system_.kinetic_energy, system_.potential_energy, system_.supplied_power, system_.dissipated_power,
+                         system_.prescribed_power, system_.internal_energy, system_.exchanged_power});
 
-        if (system_.chain && chain_ != ChainUse::never) l.chain = lower_chain(system_, atoms_, l.has_long_chain ? std::vector<By>{By::state, By::input, By::parameter, By::time} : std::vector<By>{By::state});
+        if (system_.chain && chain_ != ChainUse::never)
+            l.chain =
+                lower_chain(system_, atoms_,
+                            l.has_long_chain ? std::vector<By>{By::state, By::input, By::parameter, By::time} : std::vector<By>{By::state});
 
         canonicalise(l);
         if (!rewrites) return l;
@@ -80,11 +84,14 @@ private:
         for (unsigned i = 0; i < motion.unknowns(); ++i)
             for (unsigned j = 0; j <= i; ++j) {
                 const bool is_in_mass = motion.accelerations.empty() && motion.weight.is_zero() && i < n;
-                l.solve_mass.push_back(is_in_mass ? l.mass[lower_index(std::max(motion.free[i], motion.free[j]), std::min(motion.free[i], motion.free[j]))] : one(solved(i, j)));
+                l.solve_mass.push_back(
+                    is_in_mass ? l.mass[lower_index(std::max(motion.free[i], motion.free[j]), std::min(motion.free[i], motion.free[j]))]
+                               : one(solved(i, j)));
             }
         for (const auto& [coordinate, acceleration] : motion.accelerations) {
             l.held.push_back(one(acceleration));
-            for (const std::size_t k : motion.free) l.held_by_free.push_back(one(partial(acceleration, system_.symbols.get(SymbolKind::acceleration, k))));
+            for (const std::size_t k : motion.free)
+                l.held_by_free.push_back(one(partial(acceleration, system_.symbols.get(SymbolKind::acceleration, k))));
         }
         for (const auto& [coordinate, rate] : motion.velocities) {
             l.held_drift.push_back(one(rate.drift));
@@ -167,14 +174,17 @@ private:
         const auto one = [&](Polynomial& p) { visit(p, where); };
         const auto list = [&](std::vector<Polynomial>& polynomials) { std::for_each(polynomials.begin(), polynomials.end(), one); };
         const std::vector<std::pair<const char*, std::vector<std::vector<Polynomial>*>>> parts{
-            {"motion", {&l.mass, &l.force, &l.bias, &l.generalised_force, &l.solve_mass, &l.motion_rate, &l.held_jerks, &l.held, &l.held_by_free, &l.held_drift, &l.held_factors}},
+            {"motion",
+             {&l.mass, &l.force, &l.bias, &l.generalised_force, &l.solve_mass, &l.motion_rate, &l.held_jerks, &l.held, &l.held_by_free,
+              &l.held_drift, &l.held_factors}},
             {"rates of states", {&l.state_rate}},
             {"outputs", {&l.output}},
             {"definitions", {&l.definitions}},
             {"start", {&l.start}},
             {"guards and events", {&l.guards, &l.events, &l.event_rates, &l.conditions}},
             {"energies and powers", {&l.scalars}},
-            {"constraints", {&l.projection.position, &l.projection.rate, &l.projection.force, &l.projection.jacobian, &l.projection.bordered}}};
+            {"constraints",
+             {&l.projection.position, &l.projection.rate, &l.projection.force, &l.projection.jacobian, &l.projection.bordered}}};
         for (const auto& [name, of] : parts) {
             where = name;
             for (auto* part : of) list(*part);
@@ -189,7 +199,8 @@ private:
             }
         where = "Jacobians";
         for (auto& columns : l.by)
-            for (auto* part : {&columns.residual, &columns.state_rate, &columns.output, &columns.held}) std::for_each(part->begin(), part->end(), list);
+            for (auto* part : {&columns.residual, &columns.state_rate, &columns.output, &columns.held})
+                std::for_each(part->begin(), part->end(), list);
         std::for_each(l.output_by_acceleration.begin(), l.output_by_acceleration.end(), list);
     }
 
@@ -203,10 +214,12 @@ private:
 std::vector<ModeCondition> conditions(const System& system) {
     std::vector<ModeCondition> result;
     const auto place = [&](SymbolKind kind, std::size_t position) { return system.symbols.place(kind, position); };
-    for (const auto& [coordinate, value] : system.motion.positions) result.push_back({place(SymbolKind::coordinate, coordinate), value, true});
+    for (const auto& [coordinate, value] : system.motion.positions)
+        result.push_back({place(SymbolKind::coordinate, coordinate), value, true});
     for (const auto& [coordinate, rate] : system.motion.velocities) {
         ex velocity = rate.drift;
-        for (std::size_t i = 0; i < system.motion.free.size(); ++i) velocity += rate.jacobian[i] * system.symbols.get(SymbolKind::velocity, system.motion.free[i]);
+        for (std::size_t i = 0; i < system.motion.free.size(); ++i)
+            velocity += rate.jacobian[i] * system.symbols.get(SymbolKind::velocity, system.motion.free[i]);
         result.push_back({place(SymbolKind::velocity, coordinate), velocity, false});
     }
     for (const std::size_t constraint : system.motion.multipliers) {
@@ -268,7 +281,8 @@ std::vector<ex> motion_rates(const System& system) {
     // Of accelerations that constraints determine the rates stay, without what free ones contribute to them.
     const std::vector<ex> jerks = held_jerks(system);
     GiNaC::exmap held;
-    for (std::size_t i = 0; i < jerks.size(); ++i) held[system.symbols.get(SymbolKind::jerk, system.motion.accelerations[i].first)] = jerks[i];
+    for (std::size_t i = 0; i < jerks.size(); ++i)
+        held[system.symbols.get(SymbolKind::jerk, system.motion.accelerations[i].first)] = jerks[i];
     std::vector<ex> result;
     for (const ex& residual : system.solved_motion().residual) {
         const ex rate = system.with_rates(system.symbols.time_derivative(residual));
@@ -279,7 +293,8 @@ std::vector<ex> motion_rates(const System& system) {
 
 std::vector<ex> held_jerks(const System& system) {
     std::vector<ex> result;
-    for (const auto& [coordinate, acceleration] : system.motion.accelerations) result.push_back(system.with_rates(system.symbols.time_derivative(acceleration)));
+    for (const auto& [coordinate, acceleration] : system.motion.accelerations)
+        result.push_back(system.with_rates(system.symbols.time_derivative(acceleration)));
     return result;
 }
 
@@ -296,6 +311,8 @@ std::vector<ex> start_values(const System& system) {
     return values;
 }
 
-LoweredSystem lower_system(const System& system, Atoms& atoms, bool rewrites, ChainUse chain) { return Lowerer(system, atoms, chain).run(rewrites); }
+LoweredSystem lower_system(const System& system, Atoms& atoms, bool rewrites, ChainUse chain) {
+    return Lowerer(system, atoms, chain).run(rewrites);
+}
 
 }  // namespace dalembert

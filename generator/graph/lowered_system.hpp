@@ -13,7 +13,7 @@ namespace dalembert {
 struct LoweredSystem {
     std::vector<Polynomial> mass, force, bias, generalised_force, state_rate, output, definitions, start, guards;
     std::vector<Polynomial> solve_mass;         ///< of what is solved for: mass, but for constraints
-    std::vector<Polynomial> motion_rate;        ///< right sides for the rates of what is solved for; with multipliers in machines that switch
+    std::vector<Polynomial> motion_rate;  ///< right sides for the rates of what is solved for; with multipliers in machines that switch
     std::vector<Polynomial> held_jerks;         ///< rates of accelerations that constraints determine, there, too
     /// Of all constraints of the scene, where runs are brought back to them; zero for those that do not hold.
     struct Projection {
@@ -50,7 +50,8 @@ struct LoweredSystem {
 /// What the model gives as start of x = [q; v; z].
 std::vector<GiNaC::ex> start_values(const System& system);
 
-/// What a mode asks for that holds constraints: entries of x, by place, that these determine, and their values; and what is to be zero itself.
+/// What a mode asks for that holds constraints: entries of x, by place, that these determine, and their values; and what is to be zero
+/// itself.
 struct ModeCondition {
     std::optional<std::size_t> place;
     GiNaC::ex value;

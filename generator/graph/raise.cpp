@@ -74,7 +74,8 @@ ex Raiser::raise(const Node& node) {
 
 CachedMeaning cached_meaning(const Code& code) {
     const FunctionCode& update = code[Function::update];
-    auto raiser = std::make_shared<Raiser>(update.program, code.atoms, [](std::uint32_t) -> ex { throw std::logic_error("cached values of cached values"); });
+    auto raiser = std::make_shared<Raiser>(update.program, code.atoms,
+                                           [](std::uint32_t) -> ex { throw std::logic_error("cached values of cached values"); });
     const std::size_t first = code.definition_order.size();
     const Solve& s = code.solve;
     return [&update, &s, raiser, first](std::uint32_t index) {

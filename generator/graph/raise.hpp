@@ -16,7 +16,8 @@ using CachedMeaning = std::function<GiNaC::ex(std::uint32_t)>;
 
 class Raiser {
 public:
-    Raiser(const Program& program, const Atoms& atoms, CachedMeaning cached) : program_(program), atoms_(atoms), cached_(std::move(cached)) {}
+    Raiser(const Program& program, const Atoms& atoms, CachedMeaning cached)
+        : program_(program), atoms_(atoms), cached_(std::move(cached)) {}
     GiNaC::ex operator()(NodeId id);
     /// Takes a node for a letter instead of raising it.
     void define(NodeId id, const GiNaC::ex& letter) { known_[id] = letter; }

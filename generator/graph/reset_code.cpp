@@ -13,7 +13,13 @@ namespace {
 class ResetMaker {
 public:
     ResetMaker(Code& code, const LoweredSystem& lowered, const FactorsOfMass& factors)
-        : code_(code), system_(code.system), lowered_(lowered), factors_(factors), n_(code.solve.n), free_(code.system.motion.free.size()), degrees_(code.system.symbols.degrees()) {}
+        : code_(code),
+          system_(code.system),
+          lowered_(lowered),
+          factors_(factors),
+          n_(code.solve.n),
+          free_(code.system.motion.free.size()),
+          degrees_(code.system.symbols.degrees()) {}
 
     void run() {
         FunctionCode& f = code_[Function::resets];
@@ -21,7 +27,8 @@ public:
         ProgramBuilder builder(code_.atoms, code_.cache, ParameterParts::if_cached, f.program, code_.passes);
         Roots roots;
         const auto is_struck = [](const LoweredSystem::Reset& reset) { return !reset.direction.empty(); };
-        const bool any_impact = std::any_of(lowered_.resets.begin(), lowered_.resets.end(), is_struck) || std::any_of(lowered_.rests.begin(), lowered_.rests.end(), is_struck);
+        const bool any_impact = std::any_of(lowered_.resets.begin(), lowered_.resets.end(), is_struck) ||
+                                std::any_of(lowered_.rests.begin(), lowered_.rests.end(), is_struck);
         const std::size_t mass = any_impact && !s.is_constant ? roots.add(lowered_.solve_mass) : 0;
         const std::size_t held_drift = any_impact ? roots.add(lowered_.held_drift) : 0;
         const std::size_t held_factors = any_impact ? roots.add(lowered_.held_factors) : 0;
@@ -48,7 +55,8 @@ public:
                     code.places.push_back(reset.values[i].first);
                     f.results.push_back(builder.root(firsts[at] + i));
                 }
-                if (is_struck(lowered[e])) impact(f, builder, code, *reset.impact, firsts[at] + lowered[e].values.size(), held_drift, held_factors);
+                if (is_struck(lowered[e]))
+                    impact(f, builder, code, *reset.impact, firsts[at] + lowered[e].values.size(), held_drift, held_factors);
                 codes.push_back(std::move(code));
             }
         };
@@ -57,9 +65,10 @@ public:
     }
 
 private:
-    /// With s = M^-1*a and the rate w = a*v + b: v+ = v - s*(1 + e)*w/(a*s). `first` is the root of a, behind it stand b and e. Multipliers go
-    /// on holding their rates, by impulses of their own.
-    void impact(FunctionCode& f, ProgramBuilder& builder, ResetCode& code, const Impact& impact, std::size_t first, std::size_t held_drift, std::size_t held_factors) {
+    /// With s = M^-1*a and the rate w = a*v + b: v+ = v - s*(1 + e)*w/(a*s). `first` is the root of a, behind it stand b and e. Multipliers
+    /// go on holding their rates, by impulses of their own.
+    void impact(FunctionCode& f, ProgramBuilder& builder, ResetCode& code, const Impact& impact, std::size_t first, std::size_t held_drift,
+                std::size_t held_factors) {
         Program& p = f.program;
         std::vector<NodeId> direction, velocity;
         for (std::size_t i = 0; i < free_; ++i) {
@@ -83,7 +92,8 @@ private:
         f.solved.entries.insert(f.solved.entries.end(), solved.begin(), solved.end());
         auto rate = product(direction, velocity);
         rate.emplace_back(false, drift);
-        const NodeId impulse = p.product({p.sum({{false, p.constant(1)}, {false, restitution}}), p.sum(std::move(rate)), p.reciprocal(p.sum(product(direction, solved)))});
+        const NodeId impulse = p.product({p.sum({{false, p.constant(1)}, {false, restitution}}), p.sum(std::move(rate)),
+                                          p.reciprocal(p.sum(product(direction, solved)))});
         std::vector<NodeId> after;
         for (std::size_t i = 0; i < free_; ++i) after.push_back(p.difference(velocity[i], p.product({solved[i], impulse})));
         if (impact.pivot) {
@@ -98,7 +108,8 @@ private:
         for (std::size_t i = 0; i < free_; ++i) set(system_.motion.free[i], after[i]);
         for (std::size_t h = 0; h < system_.motion.velocities.size(); ++h) {
             std::vector<std::pair<bool, NodeId>> terms{{false, builder.root(held_drift + h)}};
-            for (std::size_t i = 0; i < free_; ++i) terms.emplace_back(false, p.product({builder.root(held_factors + h * free_ + i), after[i]}));
+            for (std::size_t i = 0; i < free_; ++i)
+                terms.emplace_back(false, p.product({builder.root(held_factors + h * free_ + i), after[i]}));
             set(system_.motion.velocities[h].first, p.sum(std::move(terms)));
         }
     }

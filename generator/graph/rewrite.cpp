@@ -20,11 +20,12 @@ constexpr int point_count = 420;  ///< what is lost in one corner of the ranges 
 constexpr int most_steps = 8;
 constexpr double good_enough = 4;  ///< ulp beyond the condition: what loses no more is left as it is
 constexpr double least_gain = 2;       ///< of one step,
-constexpr double least_whole_gain = 6; ///< and of all together: what gains less is not seen in compiled code, where terms come in another order
+constexpr double least_whole_gain =
+    6;  ///< and of all together: what gains less is not seen in compiled code, where terms come in another order
 constexpr double vanishing = 1e-100;   ///< what is smaller in any units has fewer digits, and a condition that overflows
 
-/// Sums that are left as they are, of the machine that was measured last: its modes have most of them in common. The text stands for all that a
-/// measurement depends on.
+/// Sums that are left as they are, of the machine that was measured last: its modes have most of them in common. The text stands for all
+/// that a measurement depends on.
 struct LeftAsTheyAre {
     std::string machine;
     std::unordered_set<std::string> sums;
@@ -39,14 +40,16 @@ LeftAsTheyAre& left_as_they_are(const std::string& machine) {
 /// Every scalar that a point has a value of.
 std::vector<const Variable*> scalars(const Symbols& symbols) {
     std::vector<const Variable*> variables;
-    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state, SymbolKind::acceleration, SymbolKind::state_rate,
-                                  SymbolKind::multiplier, SymbolKind::multiplier_rate, SymbolKind::residual})
+    for (const SymbolKind kind :
+         {SymbolKind::parameter, SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state,
+          SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier, SymbolKind::multiplier_rate, SymbolKind::residual})
         for (const Variable& variable : symbols.all(kind)) variables.push_back(&variable);
     return variables;
 }
 
 /// Names, ranges by the first points in them, definitions, and the guards that say where the model holds.
-std::string text_of_machine(const System& system, const Atoms& atoms, const std::vector<Polynomial>& definitions, const std::vector<Polynomial>& guards) {
+std::string text_of_machine(const System& system, const Atoms& atoms, const std::vector<Polynomial>& definitions,
+                            const std::vector<Polynomial>& guards) {
     const std::vector<const Variable*> variables = scalars(system.symbols);
     std::string text;
     for (const Variable* variable : variables) text += variable->name + " ";
@@ -166,7 +169,8 @@ std::size_t Rewriter::points_with_value(const Polynomial& exact_form) {
 
 /// Those of one rule in one part are told together.
 void Rewriter::note(const Rewriting& one) {
-    const auto same = std::find_if(log_.begin(), log_.end(), [&](const Rewriting& r) { return r.rule == one.rule && r.where == one.where; });
+    const auto same =
+        std::find_if(log_.begin(), log_.end(), [&](const Rewriting& r) { return r.rule == one.rule && r.where == one.where; });
     if (same == log_.end()) {
         log_.push_back(one);
         return;
@@ -209,7 +213,8 @@ Polynomial Rewriter::operator()(const Polynomial& p, const char* where) {
         const std::vector<OtherForm>& forms = other_forms(best, atoms_, forms_);
         for (const OtherForm& form : forms) {
             const Loss one = loss(reference, form.form);
-            if (one.without_value > least.without_value || (one.without_value == least.without_value && !(one.error < least.error))) continue;
+            if (one.without_value > least.without_value || (one.without_value == least.without_value && !(one.error < least.error)))
+                continue;
             least = one;
             better = &form;
         }

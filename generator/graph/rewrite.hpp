@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Forms that lose digits get other ones before code is made of them. A rule is applied where it helps, and nowhere else: what a sum loses at random
-// and edge points of the declared ranges is measured with every operation rounded to double, before and after.
+// Forms that lose digits get other ones before code is made of them. A rule is applied where it helps, and nowhere else: what a sum loses
+// at random and edge points of the declared ranges is measured with every operation rounded to double, before and after.
 #pragma once
 
 #include "form/edge_points.hpp"

@@ -19,17 +19,21 @@ std::optional<LetterPower> largest_exponential(const Atom& atom, const Atoms& at
     const std::vector<Letter> exponentials = letters_of(atom.arguments[0], atoms, Op::exp);
     if (exponentials.size() != 1) return std::nullopt;
     int highest = 0;
-    for (const auto& [monomial, coefficient] : atom.arguments[0].terms()) highest = std::max(highest, exponent_of(monomial, exponentials[0]));
+    for (const auto& [monomial, coefficient] : atom.arguments[0].terms())
+        highest = std::max(highest, exponent_of(monomial, exponentials[0]));
     return highest > 0 ? std::optional(LetterPower{exponentials[0], highest}) : std::nullopt;
 }
 
-bool grows(Letter letter, const Atoms& atoms) { return is_hyperbolic(atoms[letter]) || atoms[letter].op == Op::expm1 || largest_exponential(atoms[letter], atoms); }
+bool grows(Letter letter, const Atoms& atoms) {
+    return is_hyperbolic(atoms[letter]) || atoms[letter].op == Op::expm1 || largest_exponential(atoms[letter], atoms);
+}
 
 /// Without sums kept whole, so that what is in several exponents cancels.
 Polynomial multiplied_out(const Polynomial& p, const Atoms& atoms) {
     Polynomial result;
     for (const auto& [monomial, coefficient] : p.terms()) {
-        const auto sum = std::find_if(monomial.begin(), monomial.end(), [&](const LetterPower& each) { return each.exponent == 1 && atoms[each.letter].op == Op::sum; });
+        const auto sum = std::find_if(monomial.begin(), monomial.end(),
+                                      [&](const LetterPower& each) { return each.exponent == 1 && atoms[each.letter].op == Op::sum; });
         if (sum == monomial.end()) result.add(monomial, coefficient);
         else result += multiplied_out(times(without(monomial, sum->letter), coefficient, atoms[sum->letter].arguments[0]), atoms);
     }
@@ -74,7 +78,9 @@ Grown grown(const LetterPower& power, bool towards_negative, Atoms& atoms) {
 }  // namespace
 
 Forms overflowing_quotients(const Polynomial& p, Atoms& atoms) {
-    const auto is_quotient = [&](const Monomial& m) { return std::any_of(m.begin(), m.end(), [&](const LetterPower& each) { return each.exponent < 0 && grows(each.letter, atoms); }); };
+    const auto is_quotient = [&](const Monomial& m) {
+        return std::any_of(m.begin(), m.end(), [&](const LetterPower& each) { return each.exponent < 0 && grows(each.letter, atoms); });
+    };
     std::set<Letter> hyperbolic;
     bool found = false;
     for (const auto& [monomial, coefficient] : p.terms()) {

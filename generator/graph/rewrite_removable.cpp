@@ -10,7 +10,8 @@ namespace dalembert {
 
 /// sin(x)/x, (1 - cos(x))/x^2, (exp(x) - 1)/x and log(1 + x)/x, which have values at zero.
 Forms removable(const Polynomial& p, Atoms& atoms) {
-    static constexpr std::array<std::tuple<Op, Op, int>, 4> pairs{{{Op::sin, Op::sinc, 1}, {Op::one_minus_cos, Op::cosc, 2}, {Op::expm1, Op::growth_mean, 1}, {Op::log1p, Op::logc, 1}}};
+    static constexpr std::array<std::tuple<Op, Op, int>, 4> pairs{
+        {{Op::sin, Op::sinc, 1}, {Op::one_minus_cos, Op::cosc, 2}, {Op::expm1, Op::growth_mean, 1}, {Op::log1p, Op::logc, 1}}};
     Forms forms;
     for (const auto& [op, quotient, power] : pairs)
         for (const Letter letter : letters_of(p, atoms, op)) {
@@ -20,10 +21,15 @@ Forms removable(const Polynomial& p, Atoms& atoms) {
             Polynomial result;
             bool changed = false;
             for (const auto& [monomial, coefficient] : p.terms()) {
-                const bool is_divided = exponent_of(monomial, letter) == 1 && std::all_of(x.begin(), x.end(), [&m = monomial, n = power](const LetterPower& each) { return exponent_of(m, each.letter) <= -n * each.exponent; });
+                const bool is_divided = exponent_of(monomial, letter) == 1 &&
+                                        std::all_of(x.begin(), x.end(), [&m = monomial, n = power](const LetterPower& each) {
+                                            return exponent_of(m, each.letter) <= -n * each.exponent;
+                                        });
                 changed = changed || is_divided;
                 if (!is_divided) result.add(monomial, coefficient);
-                else result.add(without(monomial, letter) * raised(x, power) * Monomial{{atoms.letter(quotient, argument), 1}}, coefficient * cln::expt(factor, cln::cl_I(power)));
+                else
+                    result.add(without(monomial, letter) * raised(x, power) * Monomial{{atoms.letter(quotient, argument), 1}},
+                               coefficient * cln::expt(factor, cln::cl_I(power)));
             }
             if (changed) forms.push_back(std::move(result));
         }
@@ -40,14 +46,18 @@ struct SlopePart {
 
 /// k*T*(sum of parts) -> k*T*replacement: `parts` are of an argument c*x, the first one says which terms to look at.
 Forms slope_of(const Polynomial& p, const Polynomial& argument, const std::vector<SlopePart>& parts, const Polynomial& replacement) {
-    const auto part = [&](std::size_t i) { return Polynomial::product(parts[i].factor, power_of(argument, parts[i].power_of_x), SIZE_MAX); };
+    const auto part = [&](std::size_t i) {
+        return Polynomial::product(parts[i].factor, power_of(argument, parts[i].power_of_x), SIZE_MAX);
+    };
     const Polynomial first = part(0);
     if (!first.is_monomial()) return {};
     const auto& [first_monomial, first_coefficient] = *first.terms().begin();
     std::optional<Polynomial> result;
     for (const auto& [monomial, coefficient] : p.terms()) {
         const Monomial rest = monomial * raised(first_monomial, -1);
-        if (std::any_of(rest.begin(), rest.end(), [&](const LetterPower& each) { return exponent_of(parts[0].factor.terms().begin()->first, each.letter) != 0; })) continue;
+        if (std::any_of(rest.begin(), rest.end(),
+                        [&](const LetterPower& each) { return exponent_of(parts[0].factor.terms().begin()->first, each.letter) != 0; }))
+            continue;
         const Rational k = coefficient / first_coefficient;
         Polynomial whole;
         for (std::size_t i = 0; i < parts.size(); ++i) whole += times(rest, k, part(i));
@@ -86,7 +96,8 @@ Forms removable_slopes(const Polynomial& p, Atoms& atoms) {
     }
     for (const Letter exponential : letters_of(p, atoms, Op::exp)) {
         if (!is_single(exponential)) continue;
-        const Polynomial x = atoms[exponential].arguments[0], e = Polynomial::letter(exponential), slope = -function(Op::decay_mean_slope, -x);
+        const Polynomial x = atoms[exponential].arguments[0], e = Polynomial::letter(exponential),
+                         slope = -function(Op::decay_mean_slope, -x);
         look(x, {{e, -1}, {-e, -2}, {one, -2}}, slope);
         look(x, {{e, -1}, {-function(Op::expm1, x), -2}}, slope);
     }

@@ -65,7 +65,9 @@ Forms exponential_differences(const Polynomial& p, Atoms& atoms) {
         for (const auto& [other, other_coefficient] : p.terms()) {
             if (other_coefficient != -coefficient) continue;
             const Monomial quotient = monomial * raised(other, -1);
-            if (quotient.size() < 2 || quotient[0].exponent < 0 || std::any_of(quotient.begin(), quotient.end(), [&](const LetterPower& each) { return atoms[each.letter].op != Op::exp; })) continue;
+            if (quotient.size() < 2 || quotient[0].exponent < 0 ||
+                std::any_of(quotient.begin(), quotient.end(), [&](const LetterPower& each) { return atoms[each.letter].op != Op::exp; }))
+                continue;
             Polynomial& form = by_quotient.try_emplace(quotient, p).first->second;
             if (!form.terms().contains(monomial) || !form.terms().contains(other)) continue;
             Polynomial exponent;
@@ -128,7 +130,8 @@ void each_difference(const Polynomial& p, Letter letter, int exponent, const Vis
         const Monomial rest = without(monomial, letter);
         for (const auto& [other, other_coefficient] : p.terms()) {
             if (other == monomial || is_negative(other_coefficient) == is_negative(coefficient)) continue;
-            visit(monomial, coefficient, other, other_coefficient, rest, single(other * raised(rest, -1), -other_coefficient / coefficient));
+            visit(monomial, coefficient, other, other_coefficient, rest,
+                  single(other * raised(rest, -1), -other_coefficient / coefficient));
         }
     }
 }
@@ -139,30 +142,33 @@ Forms powers(const Polynomial& p, Atoms& atoms) {
     for (const Letter sum : letters_of(p, atoms, Op::sum)) {
         const Polynomial inside = atoms[sum].arguments[0];
         for (const int n : {2, 4})
-            each_difference(p, sum, n, [&](const Monomial& m, const Rational& c, const Monomial& other, const Rational& c_other, const Monomial& rest, const Polynomial& power) {
-                const auto& [y_n, c_n] = *power.terms().begin();
-                if (c_n != 1) return;
-                Monomial y = y_n;
-                for (LetterPower& each : y) {
-                    if (each.exponent % n != 0) return;
-                    each.exponent /= n;
-                }
-                const Polynomial root = single(y, 1), difference = inside - root;
-                if (difference.size() >= inside.size()) return;
-                Polynomial result = p;
-                result.add(m, -c);
-                result.add(other, -c_other);
-                Polynomial total = inside;
-                total += root;
-                Polynomial product = Polynomial::product(kept_whole(difference, 1, atoms), kept_whole(total, 1, atoms), SIZE_MAX);
-                if (n == 4) {
-                    Polynomial squares = Polynomial::letter(sum, 2);
-                    squares += single(raised(y, 2), 1);
-                    product = Polynomial::product(product, kept_whole(squares, 1, atoms), SIZE_MAX);
-                }
-                result += times(rest, c, product);
-                forms.push_back(std::move(result));
-            });
+            each_difference(p, sum, n,
+                            [&](const Monomial& m, const Rational& c, const Monomial& other, const Rational& c_other, const Monomial& rest,
+                                const Polynomial& power) {
+                                const auto& [y_n, c_n] = *power.terms().begin();
+                                if (c_n != 1) return;
+                                Monomial y = y_n;
+                                for (LetterPower& each : y) {
+                                    if (each.exponent % n != 0) return;
+                                    each.exponent /= n;
+                                }
+                                const Polynomial root = single(y, 1), difference = inside - root;
+                                if (difference.size() >= inside.size()) return;
+                                Polynomial result = p;
+                                result.add(m, -c);
+                                result.add(other, -c_other);
+                                Polynomial total = inside;
+                                total += root;
+                                Polynomial product =
+                                    Polynomial::product(kept_whole(difference, 1, atoms), kept_whole(total, 1, atoms), SIZE_MAX);
+                                if (n == 4) {
+                                    Polynomial squares = Polynomial::letter(sum, 2);
+                                    squares += single(raised(y, 2), 1);
+                                    product = Polynomial::product(product, kept_whole(squares, 1, atoms), SIZE_MAX);
+                                }
+                                result += times(rest, c, product);
+                                forms.push_back(std::move(result));
+                            });
     }
     return forms;
 }
@@ -172,24 +178,28 @@ Forms roots(const Polynomial& p, Atoms& atoms) {
     Forms forms;
     for (const Letter root : letters_of(p, atoms, Op::sqrt)) {
         const Polynomial inside = atoms[root].arguments[0];
-        each_difference(p, root, 1, [&](const Monomial& m, const Rational& c, const Monomial& other, const Rational& c_other, const Monomial& rest, const Polynomial& y) {
-            // The square of y, in which roots are no roots.
-            Polynomial square(1);
-            const auto& [y_monomial, y_coefficient] = *y.terms().begin();
-            square *= y_coefficient * y_coefficient;
-            for (const LetterPower& each : y_monomial) {
-                const bool is_root = atoms[each.letter].op == Op::sqrt && each.exponent == 1;
-                square = Polynomial::product(square, is_root ? atoms[each.letter].arguments[0] : Polynomial::letter(each.letter, 2 * each.exponent), SIZE_MAX);
-            }
-            const Polynomial difference = inside - square;
-            if (difference.is_zero() || difference.size() >= inside.size() + (square.size() > 1 ? square.size() - 1 : 0)) return;
-            Polynomial result = p, total = Polynomial::letter(root);
-            result.add(m, -c);
-            result.add(other, -c_other);
-            total += y;
-            result += times(rest, c, Polynomial::product(kept_whole(difference, 1, atoms), kept_whole(total, -1, atoms), SIZE_MAX));
-            forms.push_back(std::move(result));
-        });
+        each_difference(
+            p, root, 1,
+            [&](const Monomial& m, const Rational& c, const Monomial& other, const Rational& c_other, const Monomial& rest,
+                const Polynomial& y) {
+                // The square of y, in which roots are no roots.
+                Polynomial square(1);
+                const auto& [y_monomial, y_coefficient] = *y.terms().begin();
+                square *= y_coefficient * y_coefficient;
+                for (const LetterPower& each : y_monomial) {
+                    const bool is_root = atoms[each.letter].op == Op::sqrt && each.exponent == 1;
+                    square = Polynomial::product(
+                        square, is_root ? atoms[each.letter].arguments[0] : Polynomial::letter(each.letter, 2 * each.exponent), SIZE_MAX);
+                }
+                const Polynomial difference = inside - square;
+                if (difference.is_zero() || difference.size() >= inside.size() + (square.size() > 1 ? square.size() - 1 : 0)) return;
+                Polynomial result = p, total = Polynomial::letter(root);
+                result.add(m, -c);
+                result.add(other, -c_other);
+                total += y;
+                result += times(rest, c, Polynomial::product(kept_whole(difference, 1, atoms), kept_whole(total, -1, atoms), SIZE_MAX));
+                forms.push_back(std::move(result));
+            });
     }
     return forms;
 }
@@ -199,24 +209,29 @@ Forms real_powers(const Polynomial& p, Atoms& atoms) {
     Forms forms;
     for (const Letter power : letters_of(p, atoms, Op::power)) {
         const std::vector<Polynomial> of = atoms[power].arguments;
-        each_difference(p, power, 1, [&](const Monomial& m, const Rational& c, const Monomial& other, const Rational& c_other, const Monomial& rest, const Polynomial& y) {
-            const auto& [y_monomial, y_coefficient] = *y.terms().begin();
-            if (y_coefficient != 1 || y_monomial.size() != 1 || y_monomial[0].exponent != 1 || atoms[y_monomial[0].letter].op != Op::power) return;
-            const std::vector<Polynomial> by = atoms[y_monomial[0].letter].arguments;
-            if (!(by[1] == of[1])) return;
-            const Polynomial growth = Polynomial::product(of[1], Polynomial::letter(atoms.letter(Op::log_ratio, {of[0], by[0]})), SIZE_MAX);
-            Polynomial result = p;
-            result.add(m, -c);
-            result.add(other, -c_other);
-            result += times(rest * y_monomial, c, Polynomial::letter(atoms.letter(Op::expm1, {growth})));
-            forms.push_back(std::move(result));
-        });
+        each_difference(p, power, 1,
+                        [&](const Monomial& m, const Rational& c, const Monomial& other, const Rational& c_other, const Monomial& rest,
+                            const Polynomial& y) {
+                            const auto& [y_monomial, y_coefficient] = *y.terms().begin();
+                            if (y_coefficient != 1 || y_monomial.size() != 1 || y_monomial[0].exponent != 1 ||
+                                atoms[y_monomial[0].letter].op != Op::power)
+                                return;
+                            const std::vector<Polynomial> by = atoms[y_monomial[0].letter].arguments;
+                            if (!(by[1] == of[1])) return;
+                            const Polynomial growth =
+                                Polynomial::product(of[1], Polynomial::letter(atoms.letter(Op::log_ratio, {of[0], by[0]})), SIZE_MAX);
+                            Polynomial result = p;
+                            result.add(m, -c);
+                            result.add(other, -c_other);
+                            result += times(rest * y_monomial, c, Polynomial::letter(atoms.letter(Op::expm1, {growth})));
+                            forms.push_back(std::move(result));
+                        });
     }
     return forms;
 }
 
-/// The part of a term that terms of its product with S take away from n: 1 where it is equal and opposite to one of them, nothing where it is
-/// too small for that.
+/// The part of a term that terms of its product with S take away from n: 1 where it is equal and opposite to one of them, nothing where it
+/// is too small for that.
 Rational cancelling_part(const Polynomial& over, const Polynomial& multiplied) {
     Rational largest = 0;
     for (const auto& [monomial, coefficient] : multiplied.terms()) {
@@ -228,8 +243,8 @@ Rational cancelling_part(const Polynomial& over, const Polynomial& multiplied) {
     return largest;
 }
 
-/// a*S^(e + 1) + n*S^e, e < 0, where terms of a*S, or of a part of it, cancel with those of n: a weighted mean and what it is the mean of, and
-/// derivatives of such.
+/// a*S^(e + 1) + n*S^e, e < 0, where terms of a*S, or of a part of it, cancel with those of n: a weighted mean and what it is the mean of,
+/// and derivatives of such.
 std::optional<Polynomial> cancelled(const Polynomial& p, Letter sum, int exponent, const Atoms& atoms) {
     Polynomial over, rest;
     for (const auto& [monomial, coefficient] : p.terms())
@@ -279,9 +294,13 @@ const std::vector<RewriteRule>& rewrite_rules() {
         {"differences of roots", "sqrt(a) - y = (a - y^2)/(sqrt(a) + y)", roots},
         {"differences of real powers", "a^e - b^e = b^e*expm1(e*log(a/b))", real_powers},
         {"a quotient that cancels", "a - n/s = (a*s - n)/s, also with several quotients at once", quotients},
-        {"quotients that overflow", "sinh(x)/sinh(y) = exp(x - y)*expm1(-2*x)/expm1(-2*y), 1/(exp(x) - 1) = exp(-x)/(1 - exp(-x))", overflowing_quotients},
+        {"quotients that overflow", "sinh(x)/sinh(y) = exp(x - y)*expm1(-2*x)/expm1(-2*y), 1/(exp(x) - 1) = exp(-x)/(1 - exp(-x))",
+         overflowing_quotients},
         {"removable 0/0", "sin(x)/x, (1 - cos(x))/x^2, (exp(x) - 1)/x and log(1 + x)/x have values at 0", removable},
-        {"slopes of removable 0/0", "(x*cos(x) - sin(x))/x^2, (x*sin(x) - 2*(1 - cos(x)))/x^3, (x*exp(x) - exp(x) + 1)/x^2 and (x/(1 + x) - log(1 + x))/x^2 have values at 0", removable_slopes},
+        {"slopes of removable 0/0",
+         "(x*cos(x) - sin(x))/x^2, (x*sin(x) - 2*(1 - cos(x)))/x^3, (x*exp(x) - exp(x) + 1)/x^2 and (x/(1 + x) - log(1 + x))/x^2 have "
+         "values at 0",
+         removable_slopes},
     };
     return rules;
 }
@@ -290,7 +309,8 @@ const std::vector<OtherForm>& other_forms(const Polynomial& p, Atoms& atoms, For
     if (const auto found = known.find(p); found != known.end()) return found->second;
     std::vector<OtherForm> result;
     for (const RewriteRule& rule : rewrite_rules())
-        for (Polynomial& form : rule.forms(p, atoms)) result.push_back({rule.name, folded(std::move(form), atoms), rule.forms == removable || rule.forms == removable_slopes});
+        for (Polynomial& form : rule.forms(p, atoms))
+            result.push_back({rule.name, folded(std::move(form), atoms), rule.forms == removable || rule.forms == removable_slopes});
     std::set<Letter> letters;
     for (const auto& [monomial, coefficient] : p.terms())
         for (const LetterPower& power : monomial)
@@ -309,7 +329,8 @@ const std::vector<OtherForm>& other_forms(const Polynomial& p, Atoms& atoms, For
                     }
                     std::vector<Polynomial> replaced = arguments;
                     replaced[i] = inner.form;
-                    const Polynomial power = op == Op::sum ? kept_whole(replaced[0], exponent, atoms) : Polynomial::letter(atoms.letter(op, std::move(replaced)), exponent);
+                    const Polynomial power = op == Op::sum ? kept_whole(replaced[0], exponent, atoms)
+                                                           : Polynomial::letter(atoms.letter(op, std::move(replaced)), exponent);
                     form += times(without(monomial, letter), coefficient, power);
                 }
                 result.push_back({inner.rule, std::move(form), inner.fills_gaps});

@@ -37,14 +37,16 @@ const MaybeExact& RoundedPolynomials::exact_letter(Letter letter) {
     if (atom.op == Op::pi) value = arithmetic_.pi();
     else if (atom.op == Op::sum) value = exact(atom.arguments[0]);
     else if (atom.op == Op::symbol) {
-        if (const auto input = inputs_.find(letter); input != inputs_.end()) value = arithmetic_.input(rational_of(input->second.value), input->second.number, slope_count_);
+        if (const auto input = inputs_.find(letter); input != inputs_.end())
+            value = arithmetic_.input(rational_of(input->second.value), input->second.number, slope_count_);
     } else {
         std::vector<MaybeExact> arguments;
         for (const Polynomial& argument : atom.arguments) arguments.push_back(exact(argument));
         std::vector<const MaybeExact*> pointers;
         for (std::size_t i = is_array(atom.op) ? 1 : 0; i < arguments.size(); ++i) pointers.push_back(&arguments[i]);
         if (!is_array(atom.op)) value = arithmetic_.function(atom.op, pointers);
-        else if (arguments[0]) value = arithmetic_.element(atom.op, pointers, static_cast<std::size_t>(std::lround(cln::double_approx(arguments[0]->value))));
+        else if (arguments[0])
+            value = arithmetic_.element(atom.op, pointers, static_cast<std::size_t>(std::lround(cln::double_approx(arguments[0]->value))));
     }
     return exact_[letter] = value;
 }

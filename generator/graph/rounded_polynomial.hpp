@@ -11,7 +11,8 @@ namespace dalembert {
 
 class RoundedPolynomials {
 public:
-    RoundedPolynomials(const Atoms& atoms, int digits, std::size_t slope_count) : atoms_(atoms), arithmetic_(digits), slope_count_(slope_count) {}
+    RoundedPolynomials(const Atoms& atoms, int digits, std::size_t slope_count)
+        : atoms_(atoms), arithmetic_(digits), slope_count_(slope_count) {}
 
     /// A point: values of symbols, each with the number of its slope, below `slope_count`; nothing for those that have none there.
     struct Input {

@@ -11,7 +11,8 @@ namespace {
 
 class SeriesMaker : private SeriesAlgebra {
 public:
-    SeriesMaker(const Atoms& atoms, const FunctionCode& given) : atoms_(atoms), given_(given), program_(result_.function.program), new_(given.program.size()) {}
+    SeriesMaker(const Atoms& atoms, const FunctionCode& given)
+        : atoms_(atoms), given_(given), program_(result_.function.program), new_(given.program.size()) {}
 
     SeriesCode run(const std::vector<std::size_t>& places) {
         FunctionCode& f = result_.function;
@@ -77,7 +78,8 @@ private:
     /// Two factors at a time: what does not move, then what does, and then what divides.
     NodeId product(const std::vector<NodeId>& factors) override {
         std::vector<NodeId> fixed, above, below;
-        for (const NodeId factor : factors) (!moves(factor) ? fixed : program_[factor].kind == Node::Kind::reciprocal ? below : above).push_back(factor);
+        for (const NodeId factor : factors)
+            (!moves(factor) ? fixed : program_[factor].kind == Node::Kind::reciprocal ? below : above).push_back(factor);
         above.insert(above.end(), below.begin(), below.end());
         if (above.empty()) return program_.product(fixed);
         NodeId result = above[0];
@@ -169,7 +171,8 @@ private:
 }  // namespace
 
 bool SeriesCode::is_quotient(const Node& product) const {
-    return moves[product.arguments[0]] && moves[product.arguments[1]] && function.program[product.arguments[1]].kind == Node::Kind::reciprocal;
+    return moves[product.arguments[0]] && moves[product.arguments[1]] &&
+           function.program[product.arguments[1]].kind == Node::Kind::reciprocal;
 }
 
 std::optional<Diagnostic> missing_series(const Code& code) {
@@ -180,9 +183,12 @@ std::optional<Diagnostic> missing_series(const Code& code) {
     const auto& coordinates = system.symbols.all(SymbolKind::coordinate);
     if (missing->in_motion && missing->index < coordinates.size()) of = &coordinates[missing->index];
     if (!missing->in_motion && missing->index < system.symbols.states()) of = &system.symbols.all(SymbolKind::state)[missing->index];
-    const std::string what = of == nullptr ? (missing->in_motion ? "a force of constraints" : "the power") : "the " + std::string(missing->in_motion ? "acceleration" : "rate") + " of '" + of->recorded_name() + "'";
+    const std::string what = of == nullptr
+                                 ? (missing->in_motion ? "a force of constraints" : "the power")
+                                 : "the " + std::string(missing->in_motion ? "acceleration" : "rate") + " of '" + of->recorded_name() + "'";
     return Diagnostic{Id::no_series, of != nullptr && of->declared != nullptr ? of->declared->span : system.scene.model->name_span,
-                      fmt::format("{} contains '{}', of which no Taylor series is known; leave out --taylor, or take another method", what, name_of(missing->op))};
+                      fmt::format("{} contains '{}', of which no Taylor series is known; leave out --taylor, or take another method", what,
+                                  name_of(missing->op))};
 }
 
 SeriesCode make_series(const Atoms& atoms, const FunctionCode& given, const std::vector<std::size_t>& places) {

@@ -122,7 +122,8 @@ private:
         for (std::size_t j = 0; j < code_.solve.n; ++j) compare(function, raise(f.force[j]), derived.force[j]);
         if (system_.motion.accelerations.empty()) return;
         const GiNaC::exmap known = solutions(f, raise);
-        for (const auto& [j, acceleration] : system_.motion.accelerations) compare(function, raise(solved_for(f)[j]), acceleration.subs(known, GiNaC::subs_options::no_pattern));
+        for (const auto& [j, acceleration] : system_.motion.accelerations)
+            compare(function, raise(solved_for(f)[j]), acceleration.subs(known, GiNaC::subs_options::no_pattern));
     }
 
     /// The equations of the links mean M and Q - bias; what solves them was proven to.
@@ -148,8 +149,10 @@ private:
         for (std::size_t c = 0; c < p.residual.size() && is_open(); ++c) {
             const std::vector<ex> meant = columns.with_letters(c);
             for (std::size_t j = 0; j < meant.size() && is_open(); ++j)
-                if (!prover_.proven_equal(meant[j], -p.residual[c][j])) compare(function, columns.with_solutions(c)[j], with_solutions(-p.residual[c][j]));
-            for (std::size_t i = 0; i < p.state_rate[c].size(); ++i) compare(function, plain(f.below.at(i, c)), with_solutions(p.state_rate[c][i]));
+                if (!prover_.proven_equal(meant[j], -p.residual[c][j]))
+                    compare(function, columns.with_solutions(c)[j], with_solutions(-p.residual[c][j]));
+            for (std::size_t i = 0; i < p.state_rate[c].size(); ++i)
+                compare(function, plain(f.below.at(i, c)), with_solutions(p.state_rate[c][i]));
         }
     }
 
@@ -159,7 +162,9 @@ private:
         AuditEntry& e = entry("emitted solve from body to body");
         Comparison result = chain_solve_is_right(f, code_.atoms);
         Raiser raise(f.program, code_.atoms, cached_);
-        const auto is_reciprocal = [&](NodeId reciprocal, NodeId pivot) { return pivot < f.program.size() && prover_.proven_equal(raise(reciprocal) * raise(pivot), 1); };
+        const auto is_reciprocal = [&](NodeId reciprocal, NodeId pivot) {
+            return pivot < f.program.size() && prover_.proven_equal(raise(reciprocal) * raise(pivot), 1);
+        };
         if (!chain_is_solved_so(f, is_reciprocal)) result = {Verdict::wrong};
         if (is_worse(result.verdict, e.result.verdict)) e.result = std::move(result);
     }
@@ -187,13 +192,15 @@ private:
         MovingRaisers raise{Raiser(f.program, code_.atoms, cached_), Raiser(f.program, code_.atoms, cached_)};
         const std::vector<ex> unknowns = system_.unknowns();
         const std::vector<std::size_t> places = system_.unknown_places();
-        for (std::size_t i = 0; !solved_for(f).empty() && i < unknowns.size(); ++i) raise.with_letters.define(solved_for(f)[places[i]], unknowns[i]);
+        for (std::size_t i = 0; !solved_for(f).empty() && i < unknowns.size(); ++i)
+            raise.with_letters.define(solved_for(f)[places[i]], unknowns[i]);
         return raise;
     }
 
     void compare_moving(Function function, MovingRaisers& raise, NodeId node, const ex& derived) {
         if (prover_.proven_equal(raise.with_letters(node), derived)) return compare(function, derived, derived);
-        compare(function, raise.with_solutions(node), derived.subs(solutions(code_[function], raise.with_solutions), GiNaC::subs_options::no_pattern));
+        compare(function, raise.with_solutions(node),
+                derived.subs(solutions(code_[function], raise.with_solutions), GiNaC::subs_options::no_pattern));
     }
 
     /// Rates and Jacobian, and behind them outputs and energies.
@@ -205,7 +212,9 @@ private:
         GiNaC::exmap held;
         for (const auto& [j, acceleration] : system_.motion.accelerations) held[this->acceleration(j)] = acceleration;
         values.insert(values.end(), {system_.kinetic_energy, system_.potential_energy, system_.internal_energy});
-        for (std::size_t i = 0; i < values.size(); ++i) compare_moving(Function::together, raise, f.results[system_.state_rates.size() + i], values[i].subs(held, GiNaC::subs_options::no_pattern));
+        for (std::size_t i = 0; i < values.size(); ++i)
+            compare_moving(Function::together, raise, f.results[system_.state_rates.size() + i],
+                           values[i].subs(held, GiNaC::subs_options::no_pattern));
     }
 
     /// By the chain rule through the free accelerations, whose slopes are letters here.
@@ -241,12 +250,19 @@ private:
             for (std::size_t j = 0; j <= i; ++j) {
                 const NodeId node = f.mass[lower_index(i, j)];
                 is_zero.push_back(f.is_zero(node));
-                compare(Function::correction, raise(node), i < n ? mass[lower_index(i, j)] : j < n ? ex(-jacobian[holding[i - n] * n + j]) : ex(0));
+                compare(Function::correction, raise(node),
+                        i < n   ? mass[lower_index(i, j)]
+                        : j < n ? ex(-jacobian[holding[i - n] * n + j])
+                                : ex(0));
             }
-        for (std::size_t i = 0; i < n + constraints; ++i) compare(Function::correction, raise(f.force[i]), i < n ? ex(0) : ex(-system_.symbols.get(SymbolKind::residual, holding[i - n])));
+        for (std::size_t i = 0; i < n + constraints; ++i)
+            compare(Function::correction, raise(f.force[i]),
+                    i < n ? ex(0) : ex(-system_.symbols.get(SymbolKind::residual, holding[i - n])));
         solve_is_right("emitted solve of constraints: M*x = b", n + constraints, constraints, is_zero);
         Program program = f.program;
-        const bool is_that_one = factorise(program, n + constraints, constraints, f.mass, nullptr, chosen_of_held(program, code_, holding)) == f.factors && solve(program, n + constraints, f.factors, f.force) == f.solved_for;
+        const bool is_that_one =
+            factorise(program, n + constraints, constraints, f.mass, nullptr, chosen_of_held(program, code_, holding)) == f.factors &&
+            solve(program, n + constraints, f.factors, f.force) == f.solved_for;
         if (!is_that_one) entry("emitted solve of constraints: M*x = b").result = {Verdict::wrong};
     }
 
@@ -272,7 +288,8 @@ private:
         const FunctionCode& f = code_[Function::resets];
         const Motion& motion = system_.motion;
         Raiser raise(f.program, code_.atoms, cached_);
-        for (std::size_t i = 0; i < derived.values.size(); ++i) compare(Function::resets, raise(f.results[code.first + i]), derived.values[i].second);
+        for (std::size_t i = 0; i < derived.values.size(); ++i)
+            compare(Function::resets, raise(f.results[code.first + i]), derived.values[i].second);
         if (!derived.impact) return;
         std::vector<ex> slope;
         for (std::size_t i = 0; i < motion.free.size(); ++i) {
@@ -313,20 +330,29 @@ private:
             for (const auto& [j, acceleration] : system_.motion.accelerations) held[this->acceleration(j)] = acceleration;
         if (!f.rates_solved_for.empty()) {
             const std::vector<ex> rates = motion_rates(system_), jerks = held_jerks(system_);
-            for (std::size_t i = 0; i < rates.size(); ++i) compare(function, plain(f.right.at(i, 0)), rates[i].subs(held, GiNaC::subs_options::no_pattern).subs(solutions(f, plain), GiNaC::subs_options::no_pattern));
-            for (std::size_t i = 0; i < jerks.size(); ++i) held[system_.symbols.get(SymbolKind::jerk, system_.motion.accelerations[i].first)] = jerks[i].subs(held, GiNaC::subs_options::no_pattern);
+            for (std::size_t i = 0; i < rates.size(); ++i)
+                compare(function, plain(f.right.at(i, 0)),
+                        rates[i].subs(held, GiNaC::subs_options::no_pattern).subs(solutions(f, plain), GiNaC::subs_options::no_pattern));
+            for (std::size_t i = 0; i < jerks.size(); ++i)
+                held[system_.symbols.get(SymbolKind::jerk, system_.motion.accelerations[i].first)] =
+                    jerks[i].subs(held, GiNaC::subs_options::no_pattern);
         }
         for (std::size_t i = 0; i < derived.size(); ++i) {
             const ex expected = held.empty() ? derived[i] : derived[i].subs(held, GiNaC::subs_options::no_pattern);
-            if (f.solved_for.empty() || prover_.proven_equal(raise(f.results[i]), expected)) compare(function, raise(f.results[i]), expected);
-            else compare(function, plain(f.results[i]), expected.subs(rate_solutions(f, plain), GiNaC::subs_options::no_pattern).subs(solutions(f, plain), GiNaC::subs_options::no_pattern));
+            if (f.solved_for.empty() || prover_.proven_equal(raise(f.results[i]), expected))
+                compare(function, raise(f.results[i]), expected);
+            else
+                compare(function, plain(f.results[i]),
+                        expected.subs(rate_solutions(f, plain), GiNaC::subs_options::no_pattern)
+                            .subs(solutions(f, plain), GiNaC::subs_options::no_pattern));
         }
     }
 
     std::vector<ex> rates_of_unknowns() const {
         std::vector<ex> letters;
         for (const std::size_t k : system_.motion.free) letters.push_back(system_.symbols.get(SymbolKind::jerk, k));
-        for (const std::size_t constraint : system_.motion.multipliers) letters.push_back(system_.symbols.get(SymbolKind::multiplier_rate, constraint));
+        for (const std::size_t constraint : system_.motion.multipliers)
+            letters.push_back(system_.symbols.get(SymbolKind::multiplier_rate, constraint));
         return letters;
     }
 
@@ -358,10 +384,13 @@ private:
         GiNaC::exmap held;
         if (!f.solved_for.empty())
             for (const auto& [j, acceleration] : system_.motion.accelerations) held[this->acceleration(j)] = acceleration;
-        const auto with = [&](const ex& e) { return known.empty() ? e : e.subs(held, GiNaC::subs_options::no_pattern).subs(known, GiNaC::subs_options::no_pattern); };
+        const auto with = [&](const ex& e) {
+            return known.empty() ? e : e.subs(held, GiNaC::subs_options::no_pattern).subs(known, GiNaC::subs_options::no_pattern);
+        };
         for (std::size_t i = 0; i < system_.outputs.size(); ++i) {
             for (std::size_t c = 0; c < p.output.size(); ++c) compare(function, raise(f.by_output.at(i, c)), with(p.output[c][i]));
-            for (std::size_t c = 0; c < by_acceleration.size(); ++c) compare(function, raise(f.by_acceleration.at(i, c)), with(by_acceleration[c][i]));
+            for (std::size_t c = 0; c < by_acceleration.size(); ++c)
+                compare(function, raise(f.by_acceleration.at(i, c)), with(by_acceleration[c][i]));
         }
         if (!f.whole_output.entries.empty()) whole_output(function, f, p);
     }
@@ -371,14 +400,17 @@ private:
         for (std::size_t c = 0; c < p.residual.size(); ++c) {
             Raiser raise(f.program, code_.atoms, cached_);
             const GiNaC::exmap known = solutions(f, raise);
-            for (std::size_t j = 0; j < p.residual[c].size(); ++j) compare(function, raise(f.right.at(j, c)), (-p.residual[c][j]).subs(known, GiNaC::subs_options::no_pattern));
+            for (std::size_t j = 0; j < p.residual[c].size(); ++j)
+                compare(function, raise(f.right.at(j, c)), (-p.residual[c][j]).subs(known, GiNaC::subs_options::no_pattern));
         }
         Program program = f.program;
         for (std::size_t c = 0; c < f.whole_output.columns; ++c)
             for (std::size_t r = 0; r < f.whole_output.rows; ++r) {
                 std::vector<std::pair<bool, NodeId>> terms{{false, f.by_output.at(r, c)}};
-                for (std::size_t k = 0; k < f.solved.rows; ++k) terms.emplace_back(false, program.product({f.by_acceleration.at(r, k), f.solved.at(k, c)}));
-                if (program.sum(std::move(terms)) != f.whole_output.at(r, c)) entry(std::string("emitted = derived, ") + name_of(function)).result = {Verdict::wrong};
+                for (std::size_t k = 0; k < f.solved.rows; ++k)
+                    terms.emplace_back(false, program.product({f.by_acceleration.at(r, k), f.solved.at(k, c)}));
+                if (program.sum(std::move(terms)) != f.whole_output.at(r, c))
+                    entry(std::string("emitted = derived, ") + name_of(function)).result = {Verdict::wrong};
             }
     }
 
@@ -434,7 +466,8 @@ private:
             for (const std::size_t j : places) entries.push_back(of(j));
             return entries;
         };
-        if (!solved_for(f).empty()) require(solve(program, s.n, f.factors, f.force) == solved([&](std::size_t j) { return solved_for(f)[j]; }));
+        if (!solved_for(f).empty())
+            require(solve(program, s.n, f.factors, f.force) == solved([&](std::size_t j) { return solved_for(f)[j]; }));
         if (!f.rates_solved_for.empty()) require(solve(program, s.n, f.factors, f.right.entries) == f.rates_solved_for);
         const bool is_everything = f.solved.rows == s.n && function == Function::resets;
         std::vector<std::vector<NodeId>> rights, emitted;
@@ -447,11 +480,14 @@ private:
             rights.push_back(column(f.right));
             emitted.push_back(is_everything ? column(f.solved) : solved([&](std::size_t j) { return f.solved.at(j, c); }));
         }
-        for (std::size_t c = 0; c < rights.size(); ++c) require(solve(program, s.n, f.factors, rights[c]) == emitted[c] || is_multiple_of_a_unit_solution(program, f.factors, rights[c], emitted[c]));
+        for (std::size_t c = 0; c < rights.size(); ++c)
+            require(solve(program, s.n, f.factors, rights[c]) == emitted[c] ||
+                    is_multiple_of_a_unit_solution(program, f.factors, rights[c], emitted[c]));
     }
 
     /// Whether x is M^-1 of a unit vector, times the one entry that b has.
-    bool is_multiple_of_a_unit_solution(Program& program, const std::vector<NodeId>& factors, const std::vector<NodeId>& b, const std::vector<NodeId>& x) const {
+    bool is_multiple_of_a_unit_solution(Program& program, const std::vector<NodeId>& factors, const std::vector<NodeId>& b,
+                                        const std::vector<NodeId>& x) const {
         const auto is_entry = [&](NodeId id) { return !program.is_constant(id, 0); };
         const auto entry = std::find_if(b.begin(), b.end(), is_entry);
         if (std::count_if(b.begin(), b.end(), is_entry) != 1) return false;

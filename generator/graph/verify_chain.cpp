@@ -49,16 +49,21 @@ Twist twist_sum(const Twist& a, const Twist& b) {
     return result;
 }
 
-std::vector<ex> meant_force(const std::vector<LinkNodes>& links, const std::vector<TwistMatrix>& transfers, const ChainLoads& loads, Raiser& raise) {
+std::vector<ex> meant_force(const std::vector<LinkNodes>& links, const std::vector<TwistMatrix>& transfers, const ChainLoads& loads,
+                            Raiser& raise) {
     std::vector<Twist> accelerations, needed;
     for (std::size_t b = 0; b < links.size(); ++b) {
-        accelerations.push_back(twist_sum(image_under(transfers[b], links[b].base ? accelerations[*links[b].base] : raised_six(loads.ground, raise)), raised_six(loads.remainder[b], raise)));
-        needed.push_back(twist_sum(image_under(raised_matrix(links[b].inertia, raise), accelerations[b]), raised_six(loads.force[b], raise)));
+        accelerations.push_back(
+            twist_sum(image_under(transfers[b], links[b].base ? accelerations[*links[b].base] : raised_six(loads.ground, raise)),
+                      raised_six(loads.remainder[b], raise)));
+        needed.push_back(
+            twist_sum(image_under(raised_matrix(links[b].inertia, raise), accelerations[b]), raised_six(loads.force[b], raise)));
     }
     std::vector<ex> result;
     for (const NodeId rest : loads.rest) result.push_back(raise(rest));
     for (std::size_t b = links.size(); b-- > 0;) {
-        for (std::size_t j = 0; j < links[b].coordinates.size(); ++j) result[links[b].coordinates[j]] -= inner_product(raised_six(links[b].directions[j], raise), needed[b]);
+        for (std::size_t j = 0; j < links[b].coordinates.size(); ++j)
+            result[links[b].coordinates[j]] -= inner_product(raised_six(links[b].directions[j], raise), needed[b]);
         if (links[b].base) needed[*links[b].base] = twist_sum(needed[*links[b].base], image_under_transposed(transfers[b], needed[b]));
     }
     return result;
@@ -180,7 +185,8 @@ private:
 }  // namespace
 
 MeantColumns::MeantColumns(const FunctionCode& f, const System& system, const Raiser& plain) : f_(f), plain_(plain), with_letters_(plain) {
-    for (std::size_t j = 0; j < f.accelerations.size(); ++j) with_letters_.define(f.accelerations[j], system.symbols.get(SymbolKind::acceleration, j));
+    for (std::size_t j = 0; j < f.accelerations.size(); ++j)
+        with_letters_.define(f.accelerations[j], system.symbols.get(SymbolKind::acceleration, j));
     // What is the same in all columns is raised once.
     const std::vector<bool> varies = f.varying();
     for (const NodeId id : f.program.in_order(f.loop->results))
@@ -202,7 +208,8 @@ MeantMotion meant_motion(const std::vector<LinkNodes>& links, const ChainLoads& 
         auto& jacobian = jacobians.emplace_back();
         if (links[b].base)
             for (const auto& [j, column] : jacobians[*links[b].base]) jacobian.emplace_back(j, image_under(transfers[b], column));
-        for (std::size_t j = 0; j < links[b].coordinates.size(); ++j) jacobian.emplace_back(links[b].coordinates[j], raised_six(links[b].directions[j], raise));
+        for (std::size_t j = 0; j < links[b].coordinates.size(); ++j)
+            jacobian.emplace_back(links[b].coordinates[j], raised_six(links[b].directions[j], raise));
         const TwistMatrix inertia = raised_matrix(links[b].inertia, raise);
         for (const auto& [j, column] : jacobian) {
             const Twist image = image_under(inertia, column);

@@ -45,7 +45,8 @@ Comparison solve_gives_solution(std::size_t n, std::size_t constraints, const st
     Program program;
     std::vector<NodeId> mass, right;
     for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j <= i; ++j) mass.push_back(has_zero(i, j) ? program.constant(0) : program.cached(static_cast<std::uint32_t>(lower_index(i, j))));
+        for (std::size_t j = 0; j <= i; ++j)
+            mass.push_back(has_zero(i, j) ? program.constant(0) : program.cached(static_cast<std::uint32_t>(lower_index(i, j))));
     for (std::size_t i = 0; i < n; ++i) {
         ex b = 0;
         for (std::size_t j = 0; j < n; ++j) b += meaning[i >= j ? lower_index(i, j) : lower_index(j, i)] * x[j];
@@ -62,7 +63,8 @@ Comparison solve_gives_solution(std::size_t n, std::size_t constraints, const st
         else if (is_worse(result.verdict, worst.verdict)) worst = std::move(result);
     };
     for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j <= i; ++j) is_proven(factors[lower_index(i, j)], (i == j ? ex(1) : v[lower_index(i, j)]) / v[lower_index(j, j)]);
+        for (std::size_t j = 0; j <= i; ++j)
+            is_proven(factors[lower_index(i, j)], (i == j ? ex(1) : v[lower_index(i, j)]) / v[lower_index(j, j)]);
     for (std::size_t i = 0; i < n; ++i) {
         ex half = v[lower_index(i, i)] * x[i];
         for (std::size_t k = i + 1; k < n; ++k) half += v[lower_index(k, i)] * x[k];
@@ -79,7 +81,8 @@ bool leaves_out_any(std::size_t n, std::size_t constraints, const std::vector<bo
         chosen[out + constraints - n] = program.constant(0);
         for (std::size_t i = 0; i < n; ++i) {
             for (std::size_t j = 0; j <= i; ++j) {
-                mass.push_back(is_zero[lower_index(i, j)] ? program.constant(0) : program.cached(static_cast<std::uint32_t>(lower_index(i, j))));
+                mass.push_back(is_zero[lower_index(i, j)] ? program.constant(0)
+                                                          : program.cached(static_cast<std::uint32_t>(lower_index(i, j))));
                 if (i != out && j != out) mass_without.push_back(mass.back());
             }
             right.push_back(program.cached(static_cast<std::uint32_t>(is_zero.size() + i)));

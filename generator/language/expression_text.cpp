@@ -33,7 +33,11 @@ Binding binding(const Expression& e) {
         case Kind::divide: return as_product;
         case Kind::negate: return as_negative;
         case Kind::power: return as_power;
-        case Kind::number: return !e.name.empty() ? as_primary : is_negative(e.value) ? as_negative : number_text(e.value).find('/') != std::string::npos ? as_product : as_primary;
+        case Kind::number:
+            return !e.name.empty()                                       ? as_primary
+                   : is_negative(e.value)                                ? as_negative
+                   : number_text(e.value).find('/') != std::string::npos ? as_product
+                                                                         : as_primary;
         default: return as_primary;
     }
 }
@@ -53,7 +57,8 @@ public:
             case Kind::number: return e.name.empty() ? number_text(e.value) : "(" + number_text(e.value) + " " + e.name + ")";
             case Kind::name: return e.children.empty() ? e.name : e.name + "[" + list(e.children, {}) + "]";
             case Kind::call:
-                if (e.name == "if" && e.children.size() == 3) return "if(" + (*this)(*e.children[0]) + " >= 0, " + (*this)(*e.children[1]) + ", " + (*this)(*e.children[2]) + ")";
+                if (e.name == "if" && e.children.size() == 3)
+                    return "if(" + (*this)(*e.children[0]) + " >= 0, " + (*this)(*e.children[1]) + ", " + (*this)(*e.children[2]) + ")";
                 return readable_ && e.name == "cases" ? cases(e) : e.name + "(" + list(e.children, {}) + ")";
             case Kind::sum: return "sum(" + list(e.children, e.name) + ")";
             case Kind::negate: return "-" + child(0, as_negative);

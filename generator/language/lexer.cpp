@@ -57,8 +57,9 @@ std::vector<Token> tokenise(const Excerpt& excerpt) {
             continue;
         }
         if (tokens.size() == budget::words)
-            throw Failure(Diagnostic{Id::too_long, excerpt.span(i, i + 1),
-                                     fmt::format("the expression has more than {} words and signs; split it into definitions", budget::words)});
+            throw Failure(
+                Diagnostic{Id::too_long, excerpt.span(i, i + 1),
+                           fmt::format("the expression has more than {} words and signs; split it into definitions", budget::words)});
         const std::string_view rest = text.substr(i);
         std::size_t length = 1;
         Token::Kind kind = Token::Kind::sign;

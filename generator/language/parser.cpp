@@ -80,8 +80,9 @@ private:
     struct Depth {
         explicit Depth(Parser& parser) : parser_(parser) {
             if (++parser_.depth_ > budget::nesting)
-                throw Failure(Diagnostic{Id::too_deep, parser_.token().span,
-                                         fmt::format("the expression is nested more than {} levels deep; split it into definitions", budget::nesting)});
+                throw Failure(Diagnostic{
+                    Id::too_deep, parser_.token().span,
+                    fmt::format("the expression is nested more than {} levels deep; split it into definitions", budget::nesting)});
         }
         ~Depth() { --parser_.depth_; }
         Depth(const Depth&) = delete;
@@ -154,7 +155,8 @@ private:
         const Depth depth(*this);
         const Span begin = next().span;
         // The sign belongs to the number: -5 degC is 268.15 K.
-        if (token().kind == Token::Kind::number && at_ + 1 < tokens_.size() && tokens_[at_ + 1].kind == Token::Kind::word) return number(true);
+        if (token().kind == Token::Kind::number && at_ + 1 < tokens_.size() && tokens_[at_ + 1].kind == Token::Kind::word)
+            return number(true);
         ExpressionPtr operand = factor();
         Span span = cover(begin, operand->span);
         return std::make_shared<Expression>(Expression{Kind::negate, std::move(span), 0, {}, {std::move(operand)}});
@@ -213,17 +215,23 @@ private:
         if (token().kind != Token::Kind::word) return make_number(*read, first.span);
         if (at_ + 1 < tokens_.size() && tokens_[at_ + 1].text == "(") fail("an operator or the end of the expression");
         if (!is_unit(token()))
-            throw Failure(Diagnostic{Id::unknown_unit, token().span, fmt::format("'{1}' behind '{0}' is not a unit; a product is written '{0}*{1}'", first.text, token().text)});
+            throw Failure(
+                Diagnostic{Id::unknown_unit, token().span,
+                           fmt::format("'{1}' behind '{0}' is not a unit; a product is written '{0}*{1}'", first.text, token().text)});
         bool is_product = false;
         ExpressionPtr written = unit_power();
-        while ((is_sign("*") || is_sign("/")) && tokens_[at_ + 1].kind == Token::Kind::word && tokens_[at_ + 1].text != "t" && is_unit(tokens_[at_ + 1])) {  // t is the time
+        while ((is_sign("*") || is_sign("/")) && tokens_[at_ + 1].kind == Token::Kind::word && tokens_[at_ + 1].text != "t" &&
+               is_unit(tokens_[at_ + 1])) {  // t is the time
             is_product = true;
             const Kind kind = next().text == "*" ? Kind::multiply : Kind::divide;
             written = binary(kind, std::move(written), unit_power());
         }
         const Span span = cover(tokens_[begin].span, tokens_[at_ - 1].span);
         if (is_product && !(is_edge(begin == 0 ? nullptr : &tokens_[begin - 1]) && is_edge(&token())))
-            throw Failure(Diagnostic{Id::syntax, span, fmt::format("within a longer expression, a number with such a unit stands in brackets: '({})', so that it is clear where the unit ends", span.text())});
+            throw Failure(Diagnostic{Id::syntax, span,
+                                     fmt::format("within a longer expression, a number with such a unit stands in brackets: '({})', so "
+                                                 "that it is clear where the unit ends",
+                                                 span.text())});
         return in_unit(is_negative ? -*read : *read, evaluate_unit(*written), span);
     }
 
@@ -278,7 +286,8 @@ private:
         }
     };
 
-    /// if(condition, a, b) becomes if(difference, a, b): a where the difference is not negative. Of several conditions one stands inside the other.
+    /// if(condition, a, b) becomes if(difference, a, b): a where the difference is not negative. Of several conditions one stands inside
+    /// the other.
     ExpressionPtr choice(const Token& function) {
         next();
         comparisons_ = 0;
@@ -296,7 +305,8 @@ private:
         switch (c.kind) {
             case Condition::Kind::both: return chosen(c.parts[0], chosen(c.parts[1], a, b, span), b, span);
             case Condition::Kind::either: return chosen(c.parts[0], a, chosen(c.parts[1], a, b, span), span);
-            case Condition::Kind::negative: return std::make_shared<Expression>(Expression{Kind::call, span, 0, "if", {c.difference, b, a}});
+            case Condition::Kind::negative:
+                return std::make_shared<Expression>(Expression{Kind::call, span, 0, "if", {c.difference, b, a}});
             case Condition::Kind::not_negative: break;
         }
         return std::make_shared<Expression>(Expression{Kind::call, span, 0, "if", {c.difference, a, b}});
@@ -353,7 +363,9 @@ private:
     Condition compared(ExpressionPtr& left) {
         constexpr int most = 10;  // each may double what is written out
         if (!is_sign("<") && !is_sign(">")) fail("'<', '<=', '>' or '>='");
-        if (++comparisons_ > most) throw Failure(Diagnostic{Id::too_large, token().span, fmt::format("the condition compares more than {} times; split it into definitions", most)});
+        if (++comparisons_ > most)
+            throw Failure(Diagnostic{Id::too_large, token().span,
+                                     fmt::format("the condition compares more than {} times; split it into definitions", most)});
         const bool is_less = next().text == "<";
         const bool or_equal = is_sign("=");
         if (or_equal) next();

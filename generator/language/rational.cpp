@@ -69,7 +69,8 @@ cln::cl_RA ten_to(int exponent) { return cln::expt(cln::cl_RA(10), cln::cl_I(exp
 /// The exponent of the leading decimal digit: 10^e <= |value| < 10^(e+1).
 int decimal_exponent(const Rational& value) {
     const Rational size = cln::abs(value);
-    const auto bits = static_cast<int>(cln::integer_length(cln::numerator(size))) - static_cast<int>(cln::integer_length(cln::denominator(size)));
+    const auto bits =
+        static_cast<int>(cln::integer_length(cln::numerator(size))) - static_cast<int>(cln::integer_length(cln::denominator(size)));
     int exponent = static_cast<int>(bits * 0.30103) - 2;
     while (ten_to(exponent + 1) <= size) ++exponent;
     return exponent;

@@ -54,7 +54,9 @@ const std::map<std::string, Known, std::less<>>& known_units() {
             {"T", {unit(volt * D::time() / D::length() / D::length()), true, "tesla"}},
             {"bar", {unit(pascal, 100000), true, "bar, 100000 Pa"}},
             {"atm", {unit(pascal, 101325), false, "standard atmosphere, 101325 Pa"}},
-            {"psi", {unit(pascal, Rational(44482216152605L) / Rational(6451600000L)), false, "pound-force per square inch, 4.4482216152605 N/(0.0254 m)^2"}},
+            {"psi",
+             {unit(pascal, Rational(44482216152605L) / Rational(6451600000L)), false,
+              "pound-force per square inch, 4.4482216152605 N/(0.0254 m)^2"}},
             {"l", {unit(D::length().raised({3, 1}), Rational(1) / 1000), true, "litre"}},
             {"L", {unit(D::length().raised({3, 1}), Rational(1) / 1000), true, "litre"}},
             {"t", {unit(D::mass(), 1000), false, "tonne, 1000 kg"}},
@@ -64,7 +66,8 @@ const std::map<std::string, Known, std::less<>>& known_units() {
             {"deg", {unit(D::none(), Rational(1) / 180, 1), false, "degree of an angle"}},
             {"rev", {unit(D::none(), 2, 1), false, "revolution"}},
             {"rpm", {unit(D::none() / D::time(), 2 / r60, 1), false, "revolutions per minute"}},
-            {"degC", {Unit{D::base(4), 1, 0, Rational(27315) / 100, {}}, false, "degree Celsius, for temperatures but not for differences"}},
+            {"degC",
+             {Unit{D::base(4), 1, 0, Rational(27315) / 100, {}}, false, "degree Celsius, for temperatures but not for differences"}},
             {"percent", {unit(D::none(), Rational(1) / 100), false, "percent"}},
         };
     }();
@@ -102,18 +105,61 @@ std::string other_unit(const std::string& name) {
     static constexpr const char* masses = ", and masses are in g and t, with prefixes as kg, mg";
     static constexpr const char* powers = ", and powers are in W, with prefixes as kW";
     static constexpr const char* forces = ", and forces are in N, with prefixes as kN";
-    static const std::map<std::string, Other, std::less<>> others{
-        {"Nm", {"N*m"}}, {"kNm", {"kN*m"}}, {"Ns", {"N*s"}}, {"Ws", {"W*s"}}, {"Wh", {"W*h"}}, {"kWh", {"kW*h"}}, {"As", {"A*s"}}, {"Ah", {"A*h"}}, {"kmh", {"km/h"}}, {"kph", {"km/h"}},
-        {"sec", {"s"}}, {"secs", {"s"}}, {"hr", {"h"}}, {"hour", {"h"}}, {"minute", {"min"}}, {"day", {"d"}}, {"degree", {"deg"}}, {"degrees", {"deg"}}, {"Celsius", {"degC"}}, {"celsius", {"degC"}}, {"Kelvin", {"K"}},
-        {"meter", {"m"}}, {"metre", {"m"}}, {"micron", {"um"}}, {"cc", {"cm^3"}}, {"liter", {"l"}}, {"litre", {"l"}}, {"ton", {"t"}},
-        {"ft", {"0.3048 m", lengths}}, {"inch", {"0.0254 m", lengths}}, {"yd", {"0.9144 m", lengths}}, {"mile", {"1609.344 m", lengths}}, {"nmi", {"1852 m", lengths}},
-        {"mmHg", {"133.3224 Pa", pressures}}, {"torr", {"133.3224 Pa", pressures}}, {"Torr", {"133.3224 Pa", pressures}},
-        {"lb", {"0.45359237 kg", masses}}, {"lbm", {"0.45359237 kg", masses}}, {"oz", {"0.02834952 kg", masses}}, {"lbf", {"4.448222 N", forces}}, {"kgf", {"9.80665 N", forces}}, {"kp", {"9.80665 N", forces}},
-        {"hp", {"745.6999 W", powers}}, {"PS", {"735.49875 W", powers}}, {"mph", {"0.44704 m/s"}}, {"knot", {"0.514444 m/s"}}, {"cal", {"4.184 J"}}, {"kcal", {"4184 J"}}, {"BTU", {"1055.056 J"}}, {"eV", {"1.602176634e-19 J"}}};
+    static const std::map<std::string, Other, std::less<>> others{{"Nm", {"N*m"}},
+                                                                  {"kNm", {"kN*m"}},
+                                                                  {"Ns", {"N*s"}},
+                                                                  {"Ws", {"W*s"}},
+                                                                  {"Wh", {"W*h"}},
+                                                                  {"kWh", {"kW*h"}},
+                                                                  {"As", {"A*s"}},
+                                                                  {"Ah", {"A*h"}},
+                                                                  {"kmh", {"km/h"}},
+                                                                  {"kph", {"km/h"}},
+                                                                  {"sec", {"s"}},
+                                                                  {"secs", {"s"}},
+                                                                  {"hr", {"h"}},
+                                                                  {"hour", {"h"}},
+                                                                  {"minute", {"min"}},
+                                                                  {"day", {"d"}},
+                                                                  {"degree", {"deg"}},
+                                                                  {"degrees", {"deg"}},
+                                                                  {"Celsius", {"degC"}},
+                                                                  {"celsius", {"degC"}},
+                                                                  {"Kelvin", {"K"}},
+                                                                  {"meter", {"m"}},
+                                                                  {"metre", {"m"}},
+                                                                  {"micron", {"um"}},
+                                                                  {"cc", {"cm^3"}},
+                                                                  {"liter", {"l"}},
+                                                                  {"litre", {"l"}},
+                                                                  {"ton", {"t"}},
+                                                                  {"ft", {"0.3048 m", lengths}},
+                                                                  {"inch", {"0.0254 m", lengths}},
+                                                                  {"yd", {"0.9144 m", lengths}},
+                                                                  {"mile", {"1609.344 m", lengths}},
+                                                                  {"nmi", {"1852 m", lengths}},
+                                                                  {"mmHg", {"133.3224 Pa", pressures}},
+                                                                  {"torr", {"133.3224 Pa", pressures}},
+                                                                  {"Torr", {"133.3224 Pa", pressures}},
+                                                                  {"lb", {"0.45359237 kg", masses}},
+                                                                  {"lbm", {"0.45359237 kg", masses}},
+                                                                  {"oz", {"0.02834952 kg", masses}},
+                                                                  {"lbf", {"4.448222 N", forces}},
+                                                                  {"kgf", {"9.80665 N", forces}},
+                                                                  {"kp", {"9.80665 N", forces}},
+                                                                  {"hp", {"745.6999 W", powers}},
+                                                                  {"PS", {"735.49875 W", powers}},
+                                                                  {"mph", {"0.44704 m/s"}},
+                                                                  {"knot", {"0.514444 m/s"}},
+                                                                  {"cal", {"4.184 J"}},
+                                                                  {"kcal", {"4184 J"}},
+                                                                  {"BTU", {"1055.056 J"}},
+                                                                  {"eV", {"1.602176634e-19 J"}}};
     const auto found = others.find(name);
     if (found == others.end()) return {};
     const std::string_view instead = found->second.instead;
-    return instead.front() >= '0' && instead.front() <= '9' ? fmt::format("; 1 {} is {}{}", name, instead, found->second.kind) : fmt::format("; write {}", instead);
+    return instead.front() >= '0' && instead.front() <= '9' ? fmt::format("; 1 {} is {}{}", name, instead, found->second.kind)
+                                                            : fmt::format("; write {}", instead);
 }
 
 Unit lookup(const Expression& name) {
@@ -195,11 +241,13 @@ Unit evaluate(const Expression& e) {
 
 std::string unit_reference() {
     std::string text = "Units, joined by *, / and ^, as in kg*m/s^2:\n";
-    for (const auto& [name, known] : known_units()) text += fmt::format("  {:<8} {:<8} {}\n", name, known.takes_prefix ? "prefix" : "", known.doc);
+    for (const auto& [name, known] : known_units())
+        text += fmt::format("  {:<8} {:<8} {}\n", name, known.takes_prefix ? "prefix" : "", known.doc);
     return text +
            "Prefixes: p n u m c d h k M G, from 1e-12 to 1e9, as in mm, kPa, um.\n"
            "1 is the unit of what has none; 1/s a rate. Inches, feet, pounds and the like are given by their value in these.\n"
-           "A number without a unit counts in the declared unit of what it is given to; one with a unit, \"5 bar\", is converted. Within a longer expression\n"
+           "A number without a unit counts in the declared unit of what it is given to; one with a unit, \"5 bar\", is converted. Within a "
+           "longer expression\n"
            "a number with a composed unit stands in brackets: (3 m/s)*t.\n";
 }
 

@@ -85,7 +85,9 @@ struct QuantitySpec {
     bool is_velocity = false;  ///< of a body: as well, where velocities are
 
     /// Of a medium at a pressure and a temperature, rather than of a volume or reservoir.
-    bool is_of_medium(std::size_t entries) const { return (subscript == Subscript::medium || subscript == Subscript::fluid_or_medium) && entries == 3; }
+    bool is_of_medium(std::size_t entries) const {
+        return (subscript == Subscript::medium || subscript == Subscript::fluid_or_medium) && entries == 3;
+    }
 };
 
 /// kinetic_energy, mass_matrix[q, p], ...: usable in outputs and printed equations, properties also elsewhere.

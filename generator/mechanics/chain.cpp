@@ -27,7 +27,12 @@ struct Base {
 class ChainFinder {
 public:
     ChainFinder(const Scene& scene, const Translator& translate, const std::vector<BodyMotion>& bodies, Symbols& symbols)
-        : scene_(scene), translate_(translate), bodies_(bodies), symbols_(symbols), taken_(symbols.degrees(), false), places_(bodies.size()) {}
+        : scene_(scene),
+          translate_(translate),
+          bodies_(bodies),
+          symbols_(symbols),
+          taken_(symbols.degrees(), false),
+          places_(bodies.size()) {}
 
     std::optional<Chain> run() {
         if (!symbols_.attitudes().empty() || !scene_.kinetic.empty() || !scene_.jets.empty() || bodies_.empty()) return std::nullopt;
@@ -93,7 +98,9 @@ private:
 
     /// The coordinates in what places a body. False where one of them has moved another body already, or a plain state does.
     bool take_coordinates(const std::vector<ex>& placement, std::vector<std::size_t>& coordinates) {
-        const auto occurs = [&](const ex& symbol) { return std::any_of(placement.begin(), placement.end(), [&](const ex& e) { return e.has(symbol); }); };
+        const auto occurs = [&](const ex& symbol) {
+            return std::any_of(placement.begin(), placement.end(), [&](const ex& e) { return e.has(symbol); });
+        };
         for (const Variable& state : symbols_.all(SymbolKind::state))
             if (occurs(state.symbol)) return false;
         for (std::size_t j = 0; j < taken_.size(); ++j) {
@@ -130,7 +137,8 @@ private:
         if (item.position) position = translate_(*item.position, indices);
         const ex angle = item.rotation ? translate_(item.rotation, indices) : ex(0);
         if (!take_coordinates({position[0], position[1], position[2], angle}, link.coordinates)) return false;
-        if (on.turns_in_plane) position = {on.cos * position[0] - on.sin * position[1], on.sin * position[0] + on.cos * position[1], position[2]};
+        if (on.turns_in_plane)
+            position = {on.cos * position[0] - on.sin * position[1], on.sin * position[0] + on.cos * position[1], position[2]};
         SpaceVector omega{0, 0, 0};
         if (body.has_rotation) {
             const ex c = GiNaC::cos(angle), s = GiNaC::sin(angle);
@@ -138,7 +146,8 @@ private:
             link.letters = {{own.cos, on.cos * c - on.sin * s}, {own.sin, on.sin * c + on.cos * s}};
         }
         // What has no place is at the origin.
-        velocity = joined(omega, part(on.twist, linear) + SpaceVector{moved(position[0], on), moved(position[1], on), moved(position[2], on)});
+        velocity =
+            joined(omega, part(on.twist, linear) + SpaceVector{moved(position[0], on), moved(position[1], on), moved(position[2], on)});
         link.inertia.fill({0, 0, 0, 0, 0, 0});
         link.inertia[2][2] = body.inertia;
         for (std::size_t k = linear; body.has_position && k < 6; ++k) link.inertia[k][k] = body.mass;
@@ -151,12 +160,16 @@ private:
         const Body& item = *body.member.item;
         const SpaceVector centre = item.centre ? translate_(*item.centre, Translator::indices_of(body.member)) : SpaceVector{0, 0, 0};
         for (std::size_t r = 0; r < 3; ++r)
-            if (!symbols_.is_constant(centre[r]) || !symbols_.is_constant(body.tensor[r][0]) || !symbols_.is_constant(body.tensor[r][1]) || !symbols_.is_constant(body.tensor[r][2])) return false;
+            if (!symbols_.is_constant(centre[r]) || !symbols_.is_constant(body.tensor[r][0]) || !symbols_.is_constant(body.tensor[r][1]) ||
+                !symbols_.is_constant(body.tensor[r][2]))
+                return false;
         std::vector<ex> placement(frame.origin.begin(), frame.origin.end());
         for (const SpaceVector& row : frame.axes) placement.insert(placement.end(), row.begin(), row.end());
         if (!take_coordinates(placement, link.coordinates)) return false;
         SpaceVector base_omega = part(on.twist, angular), base_velocity = part(on.twist, linear);
-        if (on.turns_in_plane) base_velocity = {on.cos * base_velocity[0] + on.sin * base_velocity[1], on.cos * base_velocity[1] - on.sin * base_velocity[0], base_velocity[2]};
+        if (on.turns_in_plane)
+            base_velocity = {on.cos * base_velocity[0] + on.sin * base_velocity[1], on.cos * base_velocity[1] - on.sin * base_velocity[0],
+                             base_velocity[2]};
         const SpaceMatrix into = transposed(frame.axes);
         // What the frame turns by itself is its angular velocity less that of its base.
         const SpaceVector omega = own_turning(frame) + into * base_omega;

@@ -25,18 +25,21 @@ InertialForces christoffel(const Scene& scene, const Translator& translate) {
                 quadratic += hessian(j, l) * qd(j) * qd(l) / 2;
                 for (unsigned k = 0; k < n; ++k)
                     if (!partial(hessian(j, l), qd(k)).is_zero())
-                        throw Failure(Diagnostic{Id::not_quadratic, term.energy->span,
-                                                 fmt::format("the energy of kinetic term '{}' is not quadratic in the velocities", term.name)});
+                        throw Failure(
+                            Diagnostic{Id::not_quadratic, term.energy->span,
+                                       fmt::format("the energy of kinetic term '{}' is not quadratic in the velocities", term.name)});
             }
         if (!(energy - quadratic).expand().normal().is_zero())
-            throw Failure(Diagnostic{Id::not_quadratic, term.energy->span,
-                                     fmt::format("the energy of kinetic term '{}' has parts that are not quadratic in the velocities", term.name)});
+            throw Failure(
+                Diagnostic{Id::not_quadratic, term.energy->span,
+                           fmt::format("the energy of kinetic term '{}' has parts that are not quadratic in the velocities", term.name)});
         // Gamma_jkl = (dM_jk/dq_l + dM_jl/dq_k - dM_kl/dq_j)/2
         for (unsigned j = 0; j < n; ++j)
             for (unsigned k = 0; k < n; ++k) {
                 result.mass(j, k) += hessian(j, k);
                 for (unsigned l = 0; l < n; ++l)
-                    result.coriolis[j] += (partial(hessian(j, k), q(l)) + partial(hessian(j, l), q(k)) - partial(hessian(k, l), q(j))) / 2 * qd(k) * qd(l);
+                    result.coriolis[j] +=
+                        (partial(hessian(j, k), q(l)) + partial(hessian(j, l), q(k)) - partial(hessian(k, l), q(j))) / 2 * qd(k) * qd(l);
             }
     }
     return result;

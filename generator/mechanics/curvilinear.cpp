@@ -20,22 +20,36 @@ constexpr std::size_t most_lines = 3;
 CurvilinearCoordinates::CurvilinearCoordinates(const BodyMotion& body, const Translator& translate, const Span& place)
     : symbols_(translate.symbols()), squares_(PositiveByRange(translate)) {
     const std::string name = body.member.name();
-    if (!body.has_position) throw Failure(Diagnostic{Id::not_allowed_here, place, fmt::format("body '{}' has no position, so that no coordinate moves it along a line", name), {{body.member.item->span, "the body is defined here"}}});
+    if (!body.has_position)
+        throw Failure(Diagnostic{Id::not_allowed_here,
+                                 place,
+                                 fmt::format("body '{}' has no position, so that no coordinate moves it along a line", name),
+                                 {{body.member.item->span, "the body is defined here"}}});
     for (std::size_t j = 0; j < symbols_.degrees(); ++j) {
         SpaceVector tangent = body.along(j, symbols_);
         for (ex& component : tangent) component = squares_.shortened(component);
         if (is_zero(tangent)) continue;
         if (!symbols_.has_value(j))
-            throw Failure(Diagnostic{Id::not_allowed_here, place, fmt::format("the position of body '{}' turns with a quaternion, whose '{}' has no value and so no line", name, symbols_.all(SymbolKind::coordinate)[j].name), {{body.member.item->span, "the body is defined here"}}});
+            throw Failure(
+                Diagnostic{Id::not_allowed_here,
+                           place,
+                           fmt::format("the position of body '{}' turns with a quaternion, whose '{}' has no value and so no line", name,
+                                       symbols_.all(SymbolKind::coordinate)[j].name),
+                           {{body.member.item->span, "the body is defined here"}}});
         lines_.push_back(j);
         tangents_.push_back(tangent);
     }
     if (lines_.size() > most_lines)
-        throw Failure(Diagnostic{Id::not_allowed_here, place, fmt::format("the position of body '{}' depends on {} coordinates; a point in space has at most {}", name, lines_.size(), most_lines), {{body.member.item->span, "the body is defined here"}}});
+        throw Failure(Diagnostic{Id::not_allowed_here,
+                                 place,
+                                 fmt::format("the position of body '{}' depends on {} coordinates; a point in space has at most {}", name,
+                                             lines_.size(), most_lines),
+                                 {{body.member.item->span, "the body is defined here"}}});
     by_time_ = partial(body.position, symbols_.time());
     for (std::size_t a = 0; a < lines_.size(); ++a) {
         metric_.emplace_back();
-        for (std::size_t b = 0; b < lines_.size(); ++b) metric_[a].push_back(b < a ? metric_[b][a] : squares_.shortened(dot(tangents_[a], tangents_[b])));
+        for (std::size_t b = 0; b < lines_.size(); ++b)
+            metric_[a].push_back(b < a ? metric_[b][a] : squares_.shortened(dot(tangents_[a], tangents_[b])));
     }
     const std::size_t n = lines_.size();
     GiNaC::matrix g(static_cast<unsigned>(n), static_cast<unsigned>(n));
@@ -50,7 +64,9 @@ std::size_t CurvilinearCoordinates::at(std::size_t coordinate) const {
 
 ex CurvilinearCoordinates::scale_factor(std::size_t i) const { return at(i) == lines_.size() ? ex(0) : squares_.root(metric(i, i)); }
 
-ex CurvilinearCoordinates::drift(std::size_t a, const SpaceVector& v) const { return is_zero(v) ? ex(0) : squares_.shortened(dot(tangents_[a], v)); }
+ex CurvilinearCoordinates::drift(std::size_t a, const SpaceVector& v) const {
+    return is_zero(v) ? ex(0) : squares_.shortened(dot(tangents_[a], v));
+}
 
 /// v = (dr/dq_j) qd_j + dr/dt, of which dr/dq_j . e_i is left for j = i alone.
 ex CurvilinearCoordinates::velocity_along(std::size_t i) const {
@@ -64,14 +80,17 @@ ex CurvilinearCoordinates::acceleration_along(std::size_t i) const {
     ex sum = h * symbols_.get(SymbolKind::acceleration, i);
     const auto qd = [&](std::size_t a) { return symbols_.get(SymbolKind::velocity, lines_[a]); };
     for (std::size_t a = 0; a < lines_.size(); ++a) {
-        for (std::size_t b = a; b < lines_.size(); ++b) sum += (a == b ? 1 : 2) * christoffel_first(i, lines_[a], lines_[b]) / h * qd(a) * qd(b);
+        for (std::size_t b = a; b < lines_.size(); ++b)
+            sum += (a == b ? 1 : 2) * christoffel_first(i, lines_[a], lines_[b]) / h * qd(a) * qd(b);
         sum += 2 * drift(at(i), partial(by_time_, symbols_.get(SymbolKind::coordinate, lines_[a]))) / h * qd(a);
     }
     return sum + drift(at(i), partial(by_time_, symbols_.time())) / h;
 }
 
 ex CurvilinearCoordinates::christoffel_first(std::size_t k, std::size_t i, std::size_t j) const {
-    const auto slope = [&](std::size_t a, std::size_t b, std::size_t by) { return partial(metric(a, b), symbols_.get(SymbolKind::coordinate, by)); };
+    const auto slope = [&](std::size_t a, std::size_t b, std::size_t by) {
+        return partial(metric(a, b), symbols_.get(SymbolKind::coordinate, by));
+    };
     return squares_.shortened((slope(j, k, i) + slope(i, k, j) - slope(i, j, k)) / 2);
 }
 

@@ -22,7 +22,8 @@ public:
     GiNaC::ex metric(std::size_t i, std::size_t j) const { return metric_[at(i)][at(j)]; }
     /// h_i = |dr/dq_i|, (2.18); zero where a coordinate does not enter the position.
     GiNaC::ex scale_factor(std::size_t i) const;
-    /// v.e_i in m/s, e_i = (dr/dq_i)/h_i, (2.19) and (2.21). Only where lines are at right angles: what is said of g_ij for i != j is not used.
+    /// v.e_i in m/s, e_i = (dr/dq_i)/h_i, (2.19) and (2.21). Only where lines are at right angles: what is said of g_ij for i != j is not
+    /// used.
     GiNaC::ex velocity_along(std::size_t i) const;
     /// a.e_i in m/s^2, (2.27) and Aufgabe 2.2, by Christoffel symbols. Where lines are at right angles, as above.
     GiNaC::ex acceleration_along(std::size_t i) const;

@@ -21,8 +21,10 @@ struct Inertia {
     SpaceVector image(const SpaceVector& v) const { return tensor == nullptr ? v : *tensor * v; }
 };
 
-/// From the velocity itself, in axes that turn with omega: J_j = dv/dqd_j, and of the acceleration dv/dt + omega x v what does not contain qdd.
-Inertia moving(const ex& weight, const SpaceVector& velocity, const SpaceVector& omega, const SpaceMatrix* tensor, bool is_in_chain, const Symbols& symbols) {
+/// From the velocity itself, in axes that turn with omega: J_j = dv/dqd_j, and of the acceleration dv/dt + omega x v what does not contain
+/// qdd.
+Inertia moving(const ex& weight, const SpaceVector& velocity, const SpaceVector& omega, const SpaceMatrix* tensor, bool is_in_chain,
+               const Symbols& symbols) {
     Inertia result{weight, {}, velocity, {}, tensor};
     const auto as_letters = [&](const SpaceVector& v) { return is_in_chain ? kept(v) : v; };
     GiNaC::exmap still, unaccelerated;
@@ -116,8 +118,14 @@ InertialForces dalembert(const std::vector<BodyMotion>& bodies, const Symbols& s
     for (const BodyMotion& body : bodies) {
         const SpaceVector still{0, 0, 0};
         const bool is_plain = body.is_seen_from_ground && symbols.attitudes().empty();
-        if (!body.mass.is_zero()) inertias.push_back(is_plain ? translation(body, symbols) : moving(body.mass, body.used_velocity(), body.is_seen_from_ground ? still : body.frame->angular_velocity, nullptr, body.frame && body.frame->base, symbols));
-        if (body.has_tensor()) inertias.push_back(moving(1, body.frame->angular_velocity, body.frame->angular_velocity, &body.tensor, body.frame->base != nullptr, symbols));
+        if (!body.mass.is_zero())
+            inertias.push_back(is_plain ? translation(body, symbols)
+                                        : moving(body.mass, body.used_velocity(),
+                                                 body.is_seen_from_ground ? still : body.frame->angular_velocity, nullptr,
+                                                 body.frame && body.frame->base, symbols));
+        if (body.has_tensor())
+            inertias.push_back(
+                moving(1, body.frame->angular_velocity, body.frame->angular_velocity, &body.tensor, body.frame->base != nullptr, symbols));
         if (!body.inertia.is_zero()) inertias.push_back(rotation(body, symbols));
     }
     InertialForces result{GiNaC::matrix(static_cast<unsigned>(n), static_cast<unsigned>(n)), std::vector<ex>(n, 0), 0};
@@ -126,7 +134,8 @@ InertialForces dalembert(const std::vector<BodyMotion>& bodies, const Symbols& s
             WeightedProducts products;
             for (const Inertia& i : inertias) products.add(i.jacobian[j], i.image(i.jacobian[l]), i.weight);
             result.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)) = products.sum();
-            result.mass(static_cast<unsigned>(l), static_cast<unsigned>(j)) = result.mass(static_cast<unsigned>(j), static_cast<unsigned>(l));
+            result.mass(static_cast<unsigned>(l), static_cast<unsigned>(j)) =
+                result.mass(static_cast<unsigned>(j), static_cast<unsigned>(l));
         }
         // Terms with the same product of velocities are kept together, so that their weights can be summed.
         std::map<ex, WeightedProducts, GiNaC::ex_is_less> by_factor;

@@ -14,8 +14,8 @@ GiNaC::ex rotational_energy(const BodyMotion& body);
 /// Kinetic energies whose sum is T: one a body and one a plain term.
 std::vector<GiNaC::ex> kinetic_energies(const Scene& scene, const Translator& translate, const std::vector<BodyMotion>& bodies);
 
-/// d/dt(dT/dqd_j) - dT/dq_j for T the sum of the energies; contains qdd. Of an attitude with p = dT/d(omega): dp/dt + omega x p - dT/d(turned
-/// angle), since turns about different own axes do not commute.
+/// d/dt(dT/dqd_j) - dT/dq_j for T the sum of the energies; contains qdd. Of an attitude with p = dT/d(omega): dp/dt + omega x p -
+/// dT/d(turned angle), since turns about different own axes do not commute.
 std::vector<GiNaC::ex> euler_lagrange(const std::vector<GiNaC::ex>& kinetic, const Symbols& symbols);
 
 }  // namespace dalembert

@@ -57,7 +57,8 @@ SpaceVector in_used_axes_of(const BodyMotion& body, const SpaceVector& given, bo
 std::vector<Potential> potentials(const Scene& scene, const Translator& translate, Symbols& symbols, const std::vector<BodyMotion>& bodies);
 
 /// Dampers and dissipated generalised forces.
-std::vector<Resistance> resistances(const Scene& scene, const Translator& translate, Symbols& symbols, const std::vector<BodyMotion>& bodies);
+std::vector<Resistance> resistances(const Scene& scene, const Translator& translate, Symbols& symbols,
+                                    const std::vector<BodyMotion>& bodies);
 
 /// Forces, torques and supplied generalised forces.
 std::vector<Supply> supplies(const Scene& scene, const Translator& translate, const std::vector<BodyMotion>& bodies);

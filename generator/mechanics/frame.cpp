@@ -34,9 +34,15 @@ SpaceVector operator+(const SpaceVector& a, const SpaceVector& b) { return {a[0]
 SpaceVector operator-(const SpaceVector& a, const SpaceVector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 SpaceVector operator*(const ex& factor, const SpaceVector& v) { return {factor * v[0], factor * v[1], factor * v[2]}; }
 SpaceVector operator*(const SpaceMatrix& m, const SpaceVector& v) { return {dot(m[0], v), dot(m[1], v), dot(m[2], v)}; }
-SpaceVector cross(const SpaceVector& a, const SpaceVector& b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
-SpaceMatrix transposed(const SpaceMatrix& m) { return {SpaceVector{m[0][0], m[1][0], m[2][0]}, SpaceVector{m[0][1], m[1][1], m[2][1]}, SpaceVector{m[0][2], m[1][2], m[2][2]}}; }
-SpaceVector time_derivative(const SpaceVector& v, const Symbols& symbols) { return {symbols.time_derivative(v[0]), symbols.time_derivative(v[1]), symbols.time_derivative(v[2])}; }
+SpaceVector cross(const SpaceVector& a, const SpaceVector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+SpaceMatrix transposed(const SpaceMatrix& m) {
+    return {SpaceVector{m[0][0], m[1][0], m[2][0]}, SpaceVector{m[0][1], m[1][1], m[2][1]}, SpaceVector{m[0][2], m[1][2], m[2][2]}};
+}
+SpaceVector time_derivative(const SpaceVector& v, const Symbols& symbols) {
+    return {symbols.time_derivative(v[0]), symbols.time_derivative(v[1]), symbols.time_derivative(v[2])};
+}
 bool is_zero(const SpaceVector& v) { return v[0].is_zero() && v[1].is_zero() && v[2].is_zero(); }
 
 SpaceVector Frame::to_ground(SpaceVector v) const {
@@ -45,7 +51,8 @@ SpaceVector Frame::to_ground(SpaceVector v) const {
 }
 
 SpaceVector Frame::point_to_ground(SpaceVector p) const {
-    for (const Frame* frame = this; frame != nullptr; frame = frame->base.get()) p = frame->origin + frame->axes * (frame == this ? p : kept(p));
+    for (const Frame* frame = this; frame != nullptr; frame = frame->base.get())
+        p = frame->origin + frame->axes * (frame == this ? p : kept(p));
     return p;
 }
 
@@ -76,7 +83,8 @@ Orientation by_attitude(const Symbols::AttitudeSymbols& attitude, const Symbols&
     return result;
 }
 
-std::shared_ptr<const Frame> placed(std::shared_ptr<const Frame> base, const Orientation& orientation, const SpaceVector& origin, const Symbols& symbols) {
+std::shared_ptr<const Frame> placed(std::shared_ptr<const Frame> base, const Orientation& orientation, const SpaceVector& origin,
+                                    const Symbols& symbols) {
     Frame frame{std::move(base), orientation.axes, origin, orientation.angular_velocity, {}};
     SpaceVector velocity = time_derivative(origin, symbols);
     const SpaceMatrix into = transposed(frame.axes);

@@ -46,6 +46,7 @@ Orientation by_turns(const std::vector<std::pair<std::size_t, GiNaC::ex>>& turns
 Orientation by_attitude(const Symbols::AttitudeSymbols& attitude, const Symbols& symbols);
 
 /// A frame placed in another one, or in the ground.
-std::shared_ptr<const Frame> placed(std::shared_ptr<const Frame> base, const Orientation& orientation, const SpaceVector& origin, const Symbols& symbols);
+std::shared_ptr<const Frame> placed(std::shared_ptr<const Frame> base, const Orientation& orientation, const SpaceVector& origin,
+                                    const Symbols& symbols);
 
 }  // namespace dalembert

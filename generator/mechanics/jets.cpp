@@ -13,9 +13,11 @@ std::vector<Ejection> ejections(const Scene& scene, const Translator& translate,
         const Jet& jet = *member.item;
         const Indices indices = Translator::indices_of(member);
         const BodyMotion& body = body_of(jet.from, bodies, scene, indices);
-        const SpaceVector w = in_used_axes_of(body, translate(jet.velocity, indices), jet.in_axes, jet.span, fmt::format("the velocity of jet '{}'", member.name()));
+        const SpaceVector w = in_used_axes_of(body, translate(jet.velocity, indices), jet.in_axes, jet.span,
+                                              fmt::format("the velocity of jet '{}'", member.name()));
         const ex mu = translate(jet.mass_flow, indices);
-        Ejection one{member, &body, mu, along_velocity(fmt::format("jet {}", member.name()), -mu * w, body.used_velocity(), translate.symbols()), 0};
+        Ejection one{member, &body, mu,
+                     along_velocity(fmt::format("jet {}", member.name()), -mu * w, body.used_velocity(), translate.symbols()), 0};
         one.supply.power = mu * dot(w, w) / 2;
         const SpaceVector v = body.used_velocity() + w;
         one.leaving_power = mu * dot(v, v) / 2;
@@ -31,7 +33,8 @@ std::vector<Ejection> ejections(const Scene& scene, const Translator& translate,
 Generalised carried_momentum(const BodyMotion& body, const Symbols& symbols, const Rate& rate) {
     Generalised result(symbols.degrees(), 0);
     const auto carry = [&](const SpaceVector& momentum, const SpaceVector& velocity) {
-        for (std::size_t j = 0; j < symbols.degrees(); ++j) result[j] += dot(momentum, partial(velocity, symbols.get(SymbolKind::velocity, j)));
+        for (std::size_t j = 0; j < symbols.degrees(); ++j)
+            result[j] += dot(momentum, partial(velocity, symbols.get(SymbolKind::velocity, j)));
     };
     carry(rate(body.mass) * body.used_velocity(), body.used_velocity());
     if (body.has_tensor()) {

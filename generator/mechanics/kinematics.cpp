@@ -35,7 +35,10 @@ SpaceMatrix tensor_of(const Body& item, const Translator& translate, const Indic
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (!(tensor[i][j] - tensor[j][i]).expand().is_zero())
-                throw Failure(Diagnostic{Id::wrong_inertia, item.tensor[i][j]->span, fmt::format("the inertia of body '{}' is not symmetric: there is '{}' in row {}, but '{}' in row {}", item.name, item.tensor[i][j]->written(), i + 1, item.tensor[j][i]->written(), j + 1)});
+                throw Failure(
+                    Diagnostic{Id::wrong_inertia, item.tensor[i][j]->span,
+                               fmt::format("the inertia of body '{}' is not symmetric: there is '{}' in row {}, but '{}' in row {}",
+                                           item.name, item.tensor[i][j]->written(), i + 1, item.tensor[j][i]->written(), j + 1)});
     return tensor;
 }
 
@@ -46,7 +49,8 @@ Orientation orientation_of(const Body& item, const Translator& translate, const 
             const std::string& part = symbols.all(SymbolKind::state)[attitude.parts[0]].base;
             if (part.substr(0, part.size() - 2) == item.attitude->name) return by_attitude(attitude, symbols);
         }
-        throw Failure(Diagnostic{Id::needs_absent, item.attitude->span, fmt::format("scene '{}' has no attitude '{}'", translate.scene().name, item.attitude->name)});
+        throw Failure(Diagnostic{Id::needs_absent, item.attitude->span,
+                                 fmt::format("scene '{}' has no attitude '{}'", translate.scene().name, item.attitude->name)});
     }
     std::vector<std::pair<std::size_t, ex>> turns;
     for (const Turn& turn : item.turns) turns.emplace_back(turn.axis, translate(turn.angle, indices));
@@ -60,8 +64,12 @@ void move_in_space(BodyMotion& body, const BodyMotion* base, const Translator& t
     const Indices indices = Translator::indices_of(body.member);
     const Symbols& symbols = translate.symbols();
     if (item.inertia || item.angular_velocity)
-        throw Failure(Diagnostic{Id::not_allowed_here, (item.inertia ? item.inertia : item.angular_velocity)->span,
-                                 fmt::format("body '{}' is placed on '{}', which turns in space: its inertia is [Jx, Jy, Jz] or three rows, and its orientation is given by 'turns'", item.name, item.on->name), {{item.on->span, "it is placed here"}}});
+        throw Failure(Diagnostic{Id::not_allowed_here,
+                                 (item.inertia ? item.inertia : item.angular_velocity)->span,
+                                 fmt::format("body '{}' is placed on '{}', which turns in space: its inertia is [Jx, Jy, Jz] or three "
+                                             "rows, and its orientation is given by 'turns'",
+                                             item.name, item.on->name),
+                                 {{item.on->span, "it is placed here"}}});
     const auto vector = [&](const std::optional<VectorExpression>& v) { return v ? translate(*v, indices) : SpaceVector{0, 0, 0}; };
     if (item.mass) body.mass = translate(item.mass, indices);
     body.tensor = tensor_of(item, translate, indices);
@@ -83,7 +91,8 @@ std::shared_ptr<const Frame> frame_of(const BodyMotion& base, const Symbols& sym
     return placed(nullptr, by_turns({{2, base.rotation}}, symbols), base.has_position ? base.position : SpaceVector{0, 0, 0}, symbols);
 }
 
-const BodyMotion* find_motion(const std::vector<BodyMotion>& motions, const Reference& reference, const Scene& scene, const Indices& indices) {
+const BodyMotion* find_motion(const std::vector<BodyMotion>& motions, const Reference& reference, const Scene& scene,
+                              const Indices& indices) {
     const int index = reference.index ? index_value(*reference.index, scene, indices) : 0;
     for (const BodyMotion& motion : motions)
         if (motion.member.item->name == reference.name && motion.member.index == index) return &motion;
@@ -103,7 +112,8 @@ std::vector<BodyMotion> body_motions(const Scene& scene, const Translator& trans
             const BodyMotion* base = nullptr;
             if (item.on) {
                 base = find_motion(motions, *item.on, scene, indices);
-                const bool is_first_of_chain = item.on->name == item.name && index_value(*item.on->index, scene, indices) < bounds(*item.family, scene).first;
+                const bool is_first_of_chain =
+                    item.on->name == item.name && index_value(*item.on->index, scene, indices) < bounds(*item.family, scene).first;
                 if (base == nullptr && !is_first_of_chain) {
                     waiting.push_back(member);
                     continue;
@@ -129,7 +139,8 @@ std::vector<BodyMotion> body_motions(const Scene& scene, const Translator& trans
             if (item.rotation) body.angular_velocity = symbols.time_derivative(body.rotation);
             if (item.angular_velocity) {
                 body.angular_velocity = translate(item.angular_velocity, indices);
-                affine_rate(body.angular_velocity, symbols, item.angular_velocity->span, fmt::format("the angular velocity of body '{}'", member.name()));
+                affine_rate(body.angular_velocity, symbols, item.angular_velocity->span,
+                            fmt::format("the angular velocity of body '{}'", member.name()));
             }
             motions.push_back(std::move(body));
         }

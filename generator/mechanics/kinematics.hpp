@@ -26,9 +26,12 @@ struct BodyMotion {
     SpaceMatrix tensor = {};         ///< kg m^2 about the centre of mass, in own axes; zero for a point mass
 
     /// dr/dq_j of the position.
-    SpaceVector along(std::size_t j, const Symbols& symbols) const { return {symbols.along(position[0], j), symbols.along(position[1], j), symbols.along(position[2], j)}; }
+    SpaceVector along(std::size_t j, const Symbols& symbols) const {
+        return {symbols.along(position[0], j), symbols.along(position[1], j), symbols.along(position[2], j)};
+    }
     bool has_tensor() const { return frame && !(is_zero(tensor[0]) && is_zero(tensor[1]) && is_zero(tensor[2])); }
-    /// The velocity of the centre of mass, in the axes in which it is used: those of the ground or own ones; and a vector of the ground in these.
+    /// The velocity of the centre of mass, in the axes in which it is used: those of the ground or own ones; and a vector of the ground in
+    /// these.
     const SpaceVector& used_velocity() const { return is_seen_from_ground ? velocity : own_velocity; }
     SpaceVector in_used_axes(const SpaceVector& v) const { return is_seen_from_ground ? v : frame->from_ground(v); }
 };
@@ -40,6 +43,7 @@ std::shared_ptr<const Frame> frame_of(const BodyMotion& body, const Symbols& sym
 std::vector<BodyMotion> body_motions(const Scene& scene, const Translator& translate);
 
 /// The motion of the body that a reference names; null for the ground.
-const BodyMotion* find_motion(const std::vector<BodyMotion>& motions, const Reference& reference, const Scene& scene, const Indices& indices);
+const BodyMotion* find_motion(const std::vector<BodyMotion>& motions, const Reference& reference, const Scene& scene,
+                              const Indices& indices);
 
 }  // namespace dalembert

@@ -16,14 +16,16 @@ using GiNaC::ex_to;
 namespace {
 
 /// V = -m a_g.(r - r_ref), Q_j = m a_g.dr/dq_j (Beispiel 2.8, with gravity as a vector)
-Potential gravity_on(const BodyMotion& body, const SpaceVector& acceleration, const SpaceVector& reference, const Symbols& symbols, const Span& span) {
+Potential gravity_on(const BodyMotion& body, const SpaceVector& acceleration, const SpaceVector& reference, const Symbols& symbols,
+                     const Span& span) {
     Potential result{fmt::format("gravity on '{}'", body.member.name()), Potential::Origin::gravity, span, {}, 0};
     SpaceVector from_reference = body.position;
     for (std::size_t i = 0; i < 3; ++i) from_reference[i] -= reference[i];
     result.energy = -body.mass * dot(acceleration, from_reference);
     const SpaceVector pull = body.in_used_axes(acceleration);
     for (std::size_t j = 0; j < symbols.degrees(); ++j)
-        result.force.push_back(body.mass * (body.frame ? dot(pull, partial(body.used_velocity(), symbols.get(SymbolKind::velocity, j))) : dot(acceleration, body.along(j, symbols))));
+        result.force.push_back(body.mass * (body.frame ? dot(pull, partial(body.used_velocity(), symbols.get(SymbolKind::velocity, j)))
+                                                       : dot(acceleration, body.along(j, symbols))));
     return result;
 }
 
@@ -32,9 +34,11 @@ ex law_energy(const ex& force, const ex& letter, const Spring& spring, const Tra
     if (spring.energy) return translate(*spring.energy->body, indices, {{spring.energy->variable, letter}});
     const auto primitive = integrate(force, ex_to<GiNaC::symbol>(letter));
     if (!primitive)
-        throw Failure(Diagnostic{Id::cannot_integrate, spring.force->span,
-                                 fmt::format("the integral of the force law of spring '{}' is not one that the program can find; give it as energy = \"{} -> ...\"",
-                                             spring.name, spring.force->variable)});
+        throw Failure(Diagnostic{
+            Id::cannot_integrate, spring.force->span,
+            fmt::format(
+                "the integral of the force law of spring '{}' is not one that the program can find; give it as energy = \"{} -> ...\"",
+                spring.name, spring.force->variable)});
     return *primitive - primitive->subs(letter == 0);
 }
 
@@ -80,9 +84,11 @@ ex energy_of_forces(const PotentialTerm& term, const Generalised& force, const T
         const ex along = force[j].subs(later, GiNaC::subs_options::no_pattern);
         const auto primitive = integrate(along, ex_to<GiNaC::symbol>(q));
         if (!primitive)
-            throw Failure(Diagnostic{Id::cannot_integrate, entry.value->span,
-                                     fmt::format("the integral of the force on '{}' is not one that the program can find; give the energy of potential '{}' instead",
-                                                 entry.coordinate, term.name)});
+            throw Failure(Diagnostic{
+                Id::cannot_integrate, entry.value->span,
+                fmt::format(
+                    "the integral of the force on '{}' is not one that the program can find; give the energy of potential '{}' instead",
+                    entry.coordinate, term.name)});
         energy -= *primitive - primitive->subs(q == reference.at(q));
     }
     return energy;
@@ -110,12 +116,15 @@ void add_momentum(Potential& potential, Generalised momentum, const Symbols& sym
 Potential plain_potential(const Member<PotentialTerm>& member, const Translator& translate, const Symbols& symbols) {
     const PotentialTerm& term = *member.item;
     const Indices indices = Translator::indices_of(member);
-    Potential result{fmt::format("potential '{}'", member.name()), Potential::Origin::plain, term.span, Generalised(symbols.degrees(), 0), 0};
+    Potential result{fmt::format("potential '{}'", member.name()), Potential::Origin::plain, term.span, Generalised(symbols.degrees(), 0),
+                     0};
     if (term.energy) {
-        AffineRate energy = affine_rate(translate(term.energy, indices), symbols, term.energy->span, fmt::format("the energy of potential '{}'", term.name));
+        AffineRate energy = affine_rate(translate(term.energy, indices), symbols, term.energy->span,
+                                        fmt::format("the energy of potential '{}'", term.name));
         result.energy = energy.drift;
         for (std::size_t j = 0; j < symbols.degrees(); ++j) result.force[j] = -symbols.along(result.energy, j);
-        if (!std::all_of(energy.jacobian.begin(), energy.jacobian.end(), [](const ex& slope) { return slope.is_zero(); })) add_momentum(result, std::move(energy.jacobian), symbols);
+        if (!std::all_of(energy.jacobian.begin(), energy.jacobian.end(), [](const ex& slope) { return slope.is_zero(); }))
+            add_momentum(result, std::move(energy.jacobian), symbols);
         return result;
     }
     result.origin = Potential::Origin::forces;
@@ -133,13 +142,15 @@ ex Potential::moving_part(const Symbols& symbols) const {
     return sum;
 }
 
-std::vector<Potential> potentials(const Scene& scene, const Translator& translate, Symbols& symbols, const std::vector<BodyMotion>& bodies) {
+std::vector<Potential> potentials(const Scene& scene, const Translator& translate, Symbols& symbols,
+                                  const std::vector<BodyMotion>& bodies) {
     std::vector<Potential> result;
     if (scene.gravity != nullptr) {
         const SpaceVector acceleration = translate(scene.gravity->acceleration, {});
         const SpaceVector reference = scene.gravity->reference ? translate(*scene.gravity->reference, {}) : SpaceVector{0, 0, 0};
         for (const BodyMotion& body : bodies)
-            if (body.has_position && !body.mass.is_zero()) result.push_back(gravity_on(body, acceleration, reference, symbols, scene.gravity->span));
+            if (body.has_position && !body.mass.is_zero())
+                result.push_back(gravity_on(body, acceleration, reference, symbols, scene.gravity->span));
     }
     for (const auto& member : scene.springs) result.push_back(spring_potential(member, translate, symbols));
     for (const auto& member : scene.potentials) result.push_back(plain_potential(member, translate, symbols));

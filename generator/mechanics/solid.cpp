@@ -27,7 +27,8 @@ ex short_form(const ex& e) {
 /// Whether a sum stands in a denominator.
 bool divides_by_sum(const ex& e) {
     for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
-        if (GiNaC::is_a<GiNaC::power>(*part) && GiNaC::is_a<GiNaC::add>(part->op(0)) && part->op(1).info(GiNaC::info_flags::negative)) return true;
+        if (GiNaC::is_a<GiNaC::power>(*part) && GiNaC::is_a<GiNaC::add>(part->op(0)) && part->op(1).info(GiNaC::info_flags::negative))
+            return true;
     return false;
 }
 
@@ -98,7 +99,8 @@ public:
         const SpaceMatrix second = symmetric([&](std::size_t i, std::size_t j) { return scaled(integral(own[i] * own[j])); });
         SpaceVector centre;
         for (std::size_t i = 0; i < 3; ++i) centre[i] = quotient(first[i], mass);
-        const SpaceMatrix about_centre = inertia_from(symmetric([&](std::size_t i, std::size_t j) { return quotient((second[i][j] * mass - first[i] * first[j]).expand(), mass); }));
+        const SpaceMatrix about_centre = inertia_from(
+            symmetric([&](std::size_t i, std::size_t j) { return quotient((second[i][j] * mass - first[i] * first[j]).expand(), mass); }));
 
         SolidProperties result;
         result.mass = by_lengths(mass);
@@ -131,7 +133,10 @@ private:
         GiNaC::exmap at;
         for (std::size_t i = 0; i < 3; ++i) {
             if (!given.is_polynomial(place[i]))
-                throw Failure(Diagnostic{Id::cannot_integrate, solid_.density->span, fmt::format("the density of solid '{}' is not a polynomial in {}, so that it cannot be integrated exactly", solid_.name, "xyz"[i])});
+                throw Failure(
+                    Diagnostic{Id::cannot_integrate, solid_.density->span,
+                               fmt::format("the density of solid '{}' is not a polynomial in {}, so that it cannot be integrated exactly",
+                                           solid_.name, "xyz"[i])});
             at[place[i]] = shape_.place[i];
         }
         return given.subs(at, GiNaC::subs_options::no_pattern);
@@ -142,7 +147,9 @@ private:
         ex rest = (function * density_ * shape_.volume_element).expand();
         for (const ShapeIntegral& one : shape_.integrals) {
             const auto primitive = integrate(rest, one.variable);
-            if (!primitive) throw Failure(Diagnostic{Id::cannot_integrate, solid_.span, fmt::format("the integrals over solid '{}' are not ones that the program can find", solid_.name)});
+            if (!primitive)
+                throw Failure(Diagnostic{Id::cannot_integrate, solid_.span,
+                                         fmt::format("the integrals over solid '{}' are not ones that the program can find", solid_.name)});
             if (!rest.is_zero()) primitives_.push_back({rest, *primitive, one.variable});
             const auto at = [&](const ex& limit) { return primitive->subs(one.variable == limit, GiNaC::subs_options::no_pattern); };
             rest = (at(one.to) - at(one.from)).expand();
@@ -172,12 +179,14 @@ SolidProperties point_properties(const Solid& solid, const Translator& translate
     SolidProperties result;
     result.mass = translate(solid.mass, {});
     result.centre = origin;
-    result.direct = {result.mass, result.mass * origin, symmetric([&](std::size_t i, std::size_t j) { return result.mass * origin[i] * origin[j]; })};
+    result.direct = {result.mass, result.mass * origin,
+                     symmetric([&](std::size_t i, std::size_t j) { return result.mass * origin[i] * origin[j]; })};
     return result;
 }
 
 /// (2.58), and Steiner's theorem (2.173) from the centre of each part to that of the whole.
-SolidProperties composed(const Solid& solid, const std::function<const SolidProperties&(const Reference&)>& part, const SpaceMatrix& axes, const SpaceVector& origin) {
+SolidProperties composed(const Solid& solid, const std::function<const SolidProperties&(const Reference&)>& part, const SpaceMatrix& axes,
+                         const SpaceVector& origin) {
     std::vector<std::pair<int, const SolidProperties*>> parts;
     for (const Reference& one : solid.of) parts.emplace_back(1, &part(one));
     for (const Reference& one : solid.without) parts.emplace_back(-1, &part(one));
@@ -200,7 +209,9 @@ SolidProperties composed(const Solid& solid, const std::function<const SolidProp
     result.centre = origin + axes * centre;
     // Squares of distances from the centre stay such where that does not simplify: written out they would cancel.
     const bool is_simple = std::none_of(centre.begin(), centre.end(), divides_by_sum);
-    result.about_centre = turned(symmetric([&](std::size_t i, std::size_t j) { return is_simple ? short_form(inertia[i][j]) : without_quotients(inertia[i])[j]; }), axes);
+    result.about_centre = turned(
+        symmetric([&](std::size_t i, std::size_t j) { return is_simple ? short_form(inertia[i][j]) : without_quotients(inertia[i])[j]; }),
+        axes);
     // The integrals are sums over the parts.
     SolidMoments sum{0, {0, 0, 0}, symmetric([](std::size_t, std::size_t) { return ex(0); })};
     for (const auto& [sign, one] : parts) {
@@ -232,7 +243,8 @@ SpaceMatrix inertia_of_point(const ex& mass, const SpaceVector& r) {
     });
 }
 
-SolidProperties solid_properties(const Solid& solid, const Translator& translate, const std::function<const SolidProperties&(const Reference&)>& part) {
+SolidProperties solid_properties(const Solid& solid, const Translator& translate,
+                                 const std::function<const SolidProperties&(const Reference&)>& part) {
     const SpaceVector origin = solid.at ? translate(*solid.at, {}) : SpaceVector{0, 0, 0};
     std::vector<std::pair<std::size_t, ex>> turns;
     for (const Turn& turn : solid.turns) turns.emplace_back(turn.axis, translate(turn.angle, {}));
@@ -252,7 +264,8 @@ SolidProperties solid_properties(const Solid& solid, const Translator& translate
 const SolidProperties& Solids::of(const std::string& name) const {
     if (const auto found = known_.find(name); found != known_.end()) return found->second;
     const Solid& solid = *translate_.names().find_solid(name);
-    SolidProperties properties = solid_properties(solid, translate_, [this](const Reference& part) -> const SolidProperties& { return of(part.name); });
+    SolidProperties properties =
+        solid_properties(solid, translate_, [this](const Reference& part) -> const SolidProperties& { return of(part.name); });
     return known_.emplace(name, std::move(properties)).first->second;
 }
 

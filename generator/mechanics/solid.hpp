@@ -33,9 +33,10 @@ struct SolidProperties {
 /// Mass times the squares of distances from axes through the origin, for a point mass at r: m*(r.r - r r').
 SpaceMatrix inertia_of_point(const GiNaC::ex& mass, const SpaceVector& r);
 
-/// In the axes that it is placed in, made of parameters and definitions. Throws Failure (cannot-integrate: a density that is no polynomial in the place).
-/// What it is made of are solids too, found by `part`.
-SolidProperties solid_properties(const Solid& solid, const Translator& translate, const std::function<const SolidProperties&(const Reference&)>& part);
+/// In the axes that it is placed in, made of parameters and definitions. Throws Failure (cannot-integrate: a density that is no polynomial
+/// in the place). What it is made of are solids too, found by `part`.
+SolidProperties solid_properties(const Solid& solid, const Translator& translate,
+                                 const std::function<const SolidProperties&(const Reference&)>& part);
 
 /// The solids of a scene, each found when it is asked for first.
 class Solids {

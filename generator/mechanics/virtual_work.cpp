@@ -23,12 +23,16 @@ Supply along_velocity(std::string name, const SpaceVector& force, const SpaceVec
 
 const BodyMotion& body_of(const Reference& reference, const std::vector<BodyMotion>& bodies, const Scene& scene, const Indices& indices) {
     if (const BodyMotion* body = find_motion(bodies, reference, scene, indices)) return *body;
-    throw Failure(Diagnostic{Id::index_out_of_range, reference.span, fmt::format("there is no body '{}'", std::string(reference.span.text()))});
+    throw Failure(
+        Diagnostic{Id::index_out_of_range, reference.span, fmt::format("there is no body '{}'", std::string(reference.span.text()))});
 }
 
 SpaceVector in_used_axes_of(const BodyMotion& body, const SpaceVector& given, bool in_axes, const Span& place, const std::string& what) {
     if (in_axes && !body.frame)
-        throw Failure(Diagnostic{Id::not_allowed_here, place, fmt::format("{} is given in the axes of body '{}', which has none: it has no 'turns', 'attitude' or 'origin'", what, body.member.name())});
+        throw Failure(
+            Diagnostic{Id::not_allowed_here, place,
+                       fmt::format("{} is given in the axes of body '{}', which has none: it has no 'turns', 'attitude' or 'origin'", what,
+                                   body.member.name())});
     if (!body.frame) return given;
     if (!in_axes) return body.in_used_axes(given);
     return body.is_seen_from_ground ? body.frame->to_ground(given) : given;
@@ -50,7 +54,8 @@ ex damper_law(const Damper& damper, const ex& rate, const Translator& translate,
 }
 
 /// Resistance of a medium at rest: a force against the velocity, with the law of the speed (2.94).
-void resist_body(Resistance& resistance, const Damper& damper, const BodyMotion& body, const Translator& translate, Symbols& symbols, const Indices& indices) {
+void resist_body(Resistance& resistance, const Damper& damper, const BodyMotion& body, const Translator& translate, Symbols& symbols,
+                 const Indices& indices) {
     const std::string what = fmt::format("the velocity of body '{}'", body.member.name());
     if (damper.coefficient) {
         const ex coefficient = translate(damper.coefficient, indices);
@@ -74,7 +79,8 @@ Supply force_at(std::string name, const SpaceVector& force, const SpaceVector& p
     Supply result{std::move(name), {}, 0, 0};
     SpaceVector velocity;
     for (std::size_t i = 0; i < 3; ++i) velocity[i] = symbols.time_derivative(point[i]);
-    for (std::size_t j = 0; j < symbols.degrees(); ++j) result.force.push_back(dot(force, {symbols.along(point[0], j), symbols.along(point[1], j), symbols.along(point[2], j)}));
+    for (std::size_t j = 0; j < symbols.degrees(); ++j)
+        result.force.push_back(dot(force, {symbols.along(point[0], j), symbols.along(point[1], j), symbols.along(point[2], j)}));
     result.power = dot(force, velocity);
     result.prescribed = -dot(force, partial(point, symbols.time()));
     return result;
@@ -94,7 +100,9 @@ Supply torque_in_space(const Member<Torque>& member, const Translator& translate
     const auto in_space = [&](const Reference& reference) -> const BodyMotion& {
         const BodyMotion& body = body_of(reference, bodies, translate.scene(), indices);
         if (body.frame) return body;
-        throw Failure(Diagnostic{Id::wrong_type, torque.span, fmt::format("torque '{}' is a vector, but body '{}' does not turn in space; give it as one expression", member.name(), body.member.name())});
+        throw Failure(Diagnostic{Id::wrong_type, torque.span,
+                                 fmt::format("torque '{}' is a vector, but body '{}' does not turn in space; give it as one expression",
+                                             member.name(), body.member.name())});
     };
     const BodyMotion& body = in_space(*torque.on);
     const SpaceVector given = translate(*torque.vector, indices);
@@ -102,7 +110,10 @@ Supply torque_in_space(const Member<Torque>& member, const Translator& translate
     Supply result = along_velocity(name, own, body.frame->angular_velocity, translate.symbols());
     if (torque.against) {
         const BodyMotion& other = in_space(*torque.against);
-        add(result, along_velocity(name, other.frame->from_ground(torque.in_axes ? body.frame->to_ground(given) : given), other.frame->angular_velocity, translate.symbols()), -1);
+        add(result,
+            along_velocity(name, other.frame->from_ground(torque.in_axes ? body.frame->to_ground(given) : given),
+                           other.frame->angular_velocity, translate.symbols()),
+            -1);
     }
     return result;
 }
@@ -128,7 +139,8 @@ Supply torque_on(const Member<Torque>& member, const Translator& translate, cons
 
 }  // namespace
 
-std::vector<Resistance> resistances(const Scene& scene, const Translator& translate, Symbols& symbols, const std::vector<BodyMotion>& bodies) {
+std::vector<Resistance> resistances(const Scene& scene, const Translator& translate, Symbols& symbols,
+                                    const std::vector<BodyMotion>& bodies) {
     std::vector<Resistance> result;
     for (const auto& member : scene.dampers) {
         const Damper& damper = *member.item;
@@ -164,7 +176,8 @@ std::vector<Supply> supplies(const Scene& scene, const Translator& translate, co
         const Indices indices = Translator::indices_of(member);
         const BodyMotion* body = force.on ? &body_of(*force.on, bodies, scene, indices) : nullptr;
         if (force.in_axes || (body != nullptr && body->frame)) {
-            const SpaceVector own = in_used_axes_of(*body, translate(force.force, indices), force.in_axes, force.span, fmt::format("force '{}'", member.name()));
+            const SpaceVector own = in_used_axes_of(*body, translate(force.force, indices), force.in_axes, force.span,
+                                                    fmt::format("force '{}'", member.name()));
             result.push_back(along_velocity(fmt::format("force {}", member.name()), own, body->used_velocity(), symbols));
             continue;
         }
@@ -178,7 +191,8 @@ std::vector<Supply> supplies(const Scene& scene, const Translator& translate, co
         const CoordinateEntry& entry = member.item->coordinate;
         const std::size_t j = translate.coordinate(entry.coordinate, entry.index.get(), entry.span, indices);
         const ex value = translate(entry.value, indices);
-        Supply supply{fmt::format("generalised force {}", member.name()), Generalised(symbols.degrees(), 0), value * symbols.get(SymbolKind::velocity, j), 0};
+        Supply supply{fmt::format("generalised force {}", member.name()), Generalised(symbols.degrees(), 0),
+                      value * symbols.get(SymbolKind::velocity, j), 0};
         supply.force[j] = value;
         result.push_back(std::move(supply));
     }

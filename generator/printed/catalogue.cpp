@@ -55,7 +55,8 @@ private:
 Range range_about(const CatalogueLetter& letter) {
     const ExpressionPtr middle = letter.value ? letter.value : make_number(1, letter.span);
     const ExpressionPtr two = make_number(2, letter.span);
-    return {make_binary(Expression::Kind::divide, middle, two), make_binary(Expression::Kind::multiply, two, middle), letter.span, letter.value == nullptr};
+    return {make_binary(Expression::Kind::divide, middle, two), make_binary(Expression::Kind::multiply, two, middle), letter.span,
+            letter.value == nullptr};
 }
 
 /// A letter without a value of its own is a number like any other; what is positive is so by its range.
@@ -63,8 +64,10 @@ void add(Model& model, const CatalogueLetter& letter, bool is_dimensionless, Dia
     Quantity quantity = letter;
     if (is_dimensionless) quantity.unit = Unit{};
     if (letter.is_positive && !letter.range) quantity.range = range_about(letter);
-    if (letter.is_positive && letter.range && letter.range->low && letter.range->low->kind == Expression::Kind::number && !cln::plusp(letter.range->low->value))
-        diagnostics.error(Id::value_out_of_range, letter.range->span, fmt::format("'{}' is positive, so that its range begins above zero", letter.name));
+    if (letter.is_positive && letter.range && letter.range->low && letter.range->low->kind == Expression::Kind::number &&
+        !cln::plusp(letter.range->low->value))
+        diagnostics.error(Id::value_out_of_range, letter.range->span,
+                          fmt::format("'{}' is positive, so that its range begins above zero", letter.name));
     if (letter.moves) {
         Coordinate coordinate;
         static_cast<Quantity&>(coordinate) = quantity;
@@ -82,7 +85,9 @@ void add(Model& model, const CatalogueLetter& letter, bool is_dimensionless, Dia
 /// The letters that an entry uses, in order of declaration; its own come before those of the file.
 std::vector<const CatalogueLetter*> letters_of(const Catalogue& catalogue, const CatalogueEntry& entry, const UsedNames& used) {
     std::vector<const CatalogueLetter*> result;
-    const auto is_new = [&](const CatalogueLetter& letter) { return std::none_of(result.begin(), result.end(), [&](const CatalogueLetter* other) { return other->name == letter.name; }); };
+    const auto is_new = [&](const CatalogueLetter& letter) {
+        return std::none_of(result.begin(), result.end(), [&](const CatalogueLetter* other) { return other->name == letter.name; });
+    };
     for (const auto* letters : {&entry.own, &catalogue.letters})
         for (const CatalogueLetter& letter : *letters)
             if (used.names().contains(letter.name) && is_new(letter)) result.push_back(&letter);
@@ -116,9 +121,13 @@ void check_known(const PrintedEquation& entry, const Names& names, Diagnostics& 
     std::set<std::string> running, told;  // t and the indices of sums and integrals are known
     const auto visit = [&](const Expression& e) {
         if (e.kind == Expression::Kind::sum) running.insert(e.name);
-        if (e.kind == Expression::Kind::call && e.children.size() > 1 && (e.name == "integral" || e.name == "limit" || e.name == "at")) running.insert(e.children[1]->name);
-        if (e.kind != Expression::Kind::name || !e.children.empty() || e.name == "t" || e.name == "pi" || e.name == "infinity" || running.contains(e.name)) return;
-        const bool is_letter = std::any_of(entry.shown_letters.begin(), entry.shown_letters.end(), [&](const PrintedLetter& letter) { return letter.name == e.name; });
+        if (e.kind == Expression::Kind::call && e.children.size() > 1 && (e.name == "integral" || e.name == "limit" || e.name == "at"))
+            running.insert(e.children[1]->name);
+        if (e.kind != Expression::Kind::name || !e.children.empty() || e.name == "t" || e.name == "pi" || e.name == "infinity" ||
+            running.contains(e.name))
+            return;
+        const bool is_letter = std::any_of(entry.shown_letters.begin(), entry.shown_letters.end(),
+                                           [&](const PrintedLetter& letter) { return letter.name == e.name; });
         if (is_letter || names.find(e.name) != nullptr || find_quantity(e.name) != nullptr || !told.insert(e.name).second) return;
         diagnostics.error(Id::unknown_name, e.span, fmt::format("'{}' is not defined{}", e.name, did_you_mean(e.name, names.all())));
     };
@@ -137,22 +146,26 @@ ExpressionPtr with_eulers_number(const ExpressionPtr& e) {
 
 bool has_limit(const Equation& equation) {
     bool has = false;
-    for (const ExpressionPtr& side : equation.sides) for_each(*side, [&](const Expression& e) { has = has || (e.kind == Expression::Kind::call && e.name == "limit"); });
+    for (const ExpressionPtr& side : equation.sides)
+        for_each(*side, [&](const Expression& e) { has = has || (e.kind == Expression::Kind::call && e.name == "limit"); });
     return has;
 }
 
 bool declares_e(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) {
     const auto is_e = [](const auto& letter) { return letter.name == "e"; };
     const auto is_meant = [](const LatexMeaning& meaning) { return meaning.letter.text == "e"; };
-    return std::any_of(entry.own.begin(), entry.own.end(), is_e) || std::any_of(catalogue.letters.begin(), catalogue.letters.end(), is_e) || std::any_of(entry.letters.begin(), entry.letters.end(), is_e) ||
-           std::any_of(catalogue.notation.begin(), catalogue.notation.end(), is_meant) || std::any_of(entry.notation.begin(), entry.notation.end(), is_meant) || (model != nullptr && Names(*model).find("e") != nullptr);
+    return std::any_of(entry.own.begin(), entry.own.end(), is_e) || std::any_of(catalogue.letters.begin(), catalogue.letters.end(), is_e) ||
+           std::any_of(entry.letters.begin(), entry.letters.end(), is_e) ||
+           std::any_of(catalogue.notation.begin(), catalogue.notation.end(), is_meant) ||
+           std::any_of(entry.notation.begin(), entry.notation.end(), is_meant) || (model != nullptr && Names(*model).find("e") != nullptr);
 }
 
 /// An entry that solves equations says what letters are.
 void check_solution(const CatalogueEntry& entry) {
     for (const Equation& equation : entry.equations)
         if (const Expression& left = *equation.sides[0]; left.kind != Expression::Kind::name || !left.children.empty())
-            fail(Id::wrong_type, left.span, fmt::format("'{}' is not a letter; an entry with 'solves' says what letters are, as in 'x = ...'", left.written()));
+            fail(Id::wrong_type, left.span,
+                 fmt::format("'{}' is not a letter; an entry with 'solves' says what letters are, as in 'x = ...'", left.written()));
 }
 
 }  // namespace
@@ -163,17 +176,24 @@ namespace {
 void refuse_one_sided_signs(const LatexEquation& read) {
     const auto& has = read.has_both_signs;
     if (std::find(has.begin(), has.end(), true) != has.end() && std::find(has.begin(), has.end(), false) != has.end())
-        fail(Id::not_allowed_here, read.equation.span, fmt::format("'\\pm' stands on one side of '{}' only, so that it is not said which sign holds; write the sign, or say under 'solves' which equation both of them solve", read.equation.span.text()));
+        fail(Id::not_allowed_here, read.equation.span,
+             fmt::format("'\\pm' stands on one side of '{}' only, so that it is not said which sign holds; write the sign, or say under "
+                         "'solves' which equation both of them solve",
+                         read.equation.span.text()));
 }
 
 /// Adds one printed equation, in the words of the model language.
-void add_equation(LatexEquation& read, const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model, CatalogueEntry& result) {
+void add_equation(LatexEquation& read, const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model,
+                  CatalogueEntry& result) {
     // Said to be rounded: what stands without a unit is a number all the same.
     const bool is_rounded = std::find(read.relations.begin(), read.relations.end(), Relation::approximately) != read.relations.end();
     for (const Relation relation : read.relations)
         if (relation != Relation::equal && relation != Relation::approximately)
-            fail(Id::not_allowed_here, read.equation.span, fmt::format("'{}' is not an equation; what is compared by '{}' is not checked", read.equation.span.text(), sign_of(relation)));
-    if (read.relations.empty()) fail(Id::syntax, read.equation.span, fmt::format("'{}' is an expression where an equation is expected", read.equation.span.text()));
+            fail(Id::not_allowed_here, read.equation.span,
+                 fmt::format("'{}' is not an equation; what is compared by '{}' is not checked", read.equation.span.text(),
+                             sign_of(relation)));
+    if (read.relations.empty())
+        fail(Id::syntax, read.equation.span, fmt::format("'{}' is an expression where an equation is expected", read.equation.span.text()));
     for (ExpressionPtr& side : read.equation.sides) side = with_known_meaning(side, catalogue, entry, model);
     take_constants_out(read, catalogue, entry, model);
     const bool has_e = !declares_e(catalogue, entry, model) && has_limit(read.equation);  // of the whole chain
@@ -190,7 +210,8 @@ void add_equation(LatexEquation& read, const Catalogue& catalogue, const Catalog
 }
 
 /// Adds the equations of the LaTeX with the upper or the lower signs. Whether there are such signs.
-bool add_equations(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model, bool is_lower_sign, CatalogueEntry& result) {
+bool add_equations(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model, bool is_lower_sign,
+                   CatalogueEntry& result) {
     PrintedNotation notation = notation_of(catalogue, entry, model);
     if (is_lower_sign) notation.take_lower_signs();
     bool has_signs = false;
@@ -215,11 +236,13 @@ bool add_equations(const Catalogue& catalogue, const CatalogueEntry& entry, cons
     EntryParts& parts = result.parts;
     for (RefusedEquation& one : refused) {
         count = std::max(count, one.number);
-        const bool is_known = std::any_of(parts.refused.begin(), parts.refused.end(), [&](const RefusedEquation& other) { return other.number == one.number; });
+        const bool is_known = std::any_of(parts.refused.begin(), parts.refused.end(),
+                                          [&](const RefusedEquation& other) { return other.number == one.number; });
         if (!is_known) parts.refused.push_back(std::move(one));
     }
     parts.equations = std::max(parts.equations, count);
-    std::sort(parts.refused.begin(), parts.refused.end(), [](const RefusedEquation& a, const RefusedEquation& b) { return a.number < b.number; });
+    std::sort(parts.refused.begin(), parts.refused.end(),
+              [](const RefusedEquation& a, const RefusedEquation& b) { return a.number < b.number; });
     return has_signs;
 }
 

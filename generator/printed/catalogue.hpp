@@ -62,12 +62,12 @@ struct Catalogue {
 /// Whether a file says that it is a catalogue: it has a section [catalogue].
 bool is_catalogue(const SourcePtr& source);
 
-/// Reads and checks a catalogue, but for what its entries say of models. What is wrong in an entry is kept with it. Throws Failure with everything else
-/// that is wrong.
+/// Reads and checks a catalogue, but for what its entries say of models. What is wrong in an entry is kept with it. Throws Failure with
+/// everything else that is wrong.
 Catalogue read_catalogue(const SourcePtr& source, Diagnostics& diagnostics);
 
-/// The entry with its LaTeX read, if it has any: two of them where it says what letters are with \pm, one for each sign. What cannot be read of
-/// several equations stands in its parts. Throws Failure where nothing can be read, or what cannot may be a condition of the rest.
+/// The entry with its LaTeX read, if it has any: two of them where it says what letters are with \pm, one for each sign. What cannot be
+/// read of several equations stands in its parts. Throws Failure where nothing can be read, or what cannot may be a condition of the rest.
 std::vector<CatalogueEntry> with_equations(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model);
 
 /// A model with the letters of an entry and nothing else; with `base`, that model with those letters that it does not have.

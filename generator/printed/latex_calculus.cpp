@@ -77,7 +77,8 @@ int LatexParser::order() {
     const bool braced = take("{");
     const auto value = token().kind == LatexToken::Kind::number ? read_decimal(token().text) : std::nullopt;
     const auto result = value ? to_int(*value) : std::nullopt;
-    if (!result || *result < 1 || *result > 9) wrong(place(is_end() ? at(sign) : token()), "the order of a derivative is a number from 1 to 9");
+    if (!result || *result < 1 || *result > 9)
+        wrong(place(is_end() ? at(sign) : token()), "the order of a derivative is a number from 1 to 9");
     next();
     if (braced) expect("}");
     return *result;
@@ -106,7 +107,8 @@ ExpressionPtr LatexParser::derivative() {
             expected("the letter that is differentiated by");
         }
         ExpressionPtr variable = differential_variable();
-        if (is("(") && brackets_at(at_, closing_bracket(at_)).is_plain) at_ = std::min(closing_bracket(at_) + 1, tokens_.size() - 1);  // \partial q(t)
+        if (is("(") && brackets_at(at_, closing_bracket(at_)).is_plain)
+            at_ = std::min(closing_bracket(at_) + 1, tokens_.size() - 1);  // \partial q(t)
         skip_empty_order();
         const int times = is("^") ? order() : 1;
         for (int i = 0; i < times; ++i) variables.push_back(variable);
@@ -117,7 +119,9 @@ ExpressionPtr LatexParser::derivative() {
         wrong(from(denominator), fmt::format("the order is {} above and {} below", above, variables.size()));
     if (!inside) {
         inside = operand("what is differentiated");
-        if (starts_factor()) wrong(place(token()), fmt::format("it is not clear whether '{}' is differentiated as well; write brackets around what is", shown(token())));
+        if (starts_factor())
+            wrong(place(token()),
+                  fmt::format("it is not clear whether '{}' is differentiated as well; write brackets around what is", shown(token())));
     }
     return derived(std::move(inside), variables, is_partial, first);
 }
@@ -139,7 +143,10 @@ ExpressionPtr LatexParser::operand(const char* what) {
     if (!starts_factor()) expected(what);
     const std::size_t first = at_;
     ExpressionPtr result = factor();
-    const auto is_number = [](const Expression& e) { return e.kind == Kind::number || (e.kind == Kind::divide && e.children[0]->kind == Kind::number && e.children[1]->kind == Kind::number); };
+    const auto is_number = [](const Expression& e) {
+        return e.kind == Kind::number ||
+               (e.kind == Kind::divide && e.children[0]->kind == Kind::number && e.children[1]->kind == Kind::number);
+    };
     if (!is_number(*result)) return result;
     while (starts_factor()) {
         ExpressionPtr more = factor();
@@ -156,7 +163,8 @@ ExpressionPtr LatexParser::fraction() {
         const std::size_t close = closing_bracket(at_);
         const bool is_number = close == at_ + 2 && at(at_ + 1).kind == LatexToken::Kind::number;
         const Brackets found = brackets_at(at_, close);
-        return close + 1 < tokens_.size() && (is_number || found.is_list || found.is_plain) ? value_of(std::move(rate), first) : rate;  // \frac{\partial u}{\partial y}(x, 0)
+        return close + 1 < tokens_.size() && (is_number || found.is_list || found.is_plain) ? value_of(std::move(rate), first)
+                                                                                            : rate;  // \frac{\partial u}{\partial y}(x, 0)
     }
     if (auto rate = material_rate()) return *rate;
     if (token(1).is("{") && token(2).is("\\delta") && token(3).is("}") && token(4).is("{") && token(5).is("\\delta") && !token(6).is("}")) {

@@ -27,15 +27,18 @@ std::optional<Rational> plain_number(const ExpressionPtr& e) {
 
 class DeclaredRanges {
 public:
-    DeclaredRanges(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) : catalogue_(catalogue), entry_(entry), model_(model) {}
+    DeclaredRanges(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model)
+        : catalogue_(catalogue), entry_(entry), model_(model) {}
 
     /// Whether a condition holds for all that letters may be.
     bool holds(const Expression& condition) const {
         const auto part = [&](std::size_t i) { return holds(*condition.children[i]); };
         if (condition.name == "both") return part(0) && part(1);
         if (condition.name == "either") return part(0) || part(1);
-        if (condition.name == "not_equal") return plain_number(condition.children[1]).has_value();  // all but one point, at which nothing is checked anyway
-        if (condition.name == "equal") return std::any_of(entry_.at.begin(), entry_.at.end(), [&](const AtPoint& point) { return is_point(condition, point); });
+        if (condition.name == "not_equal")
+            return plain_number(condition.children[1]).has_value();  // all but one point, at which nothing is checked anyway
+        if (condition.name == "equal")
+            return std::any_of(entry_.at.begin(), entry_.at.end(), [&](const AtPoint& point) { return is_point(condition, point); });
         const bool is_less = condition.name.starts_with("less"), is_greater = condition.name.starts_with("greater");
         if (!is_less && !is_greater) return false;
         const KnownRange a = range_of(condition.children[is_less ? 0 : 1]), b = range_of(condition.children[is_less ? 1 : 0]);
@@ -46,18 +49,23 @@ private:
     /// x = 2 where the entry is checked at x = 2.
     static bool is_point(const Expression& condition, const AtPoint& point) {
         const auto number = plain_number(condition.children[1]), value = plain_number(point.value);
-        return condition.children[0]->kind == Expression::Kind::name && point.variable->name == condition.children[0]->name && number && value && *number == *value;
+        return condition.children[0]->kind == Expression::Kind::name && point.variable->name == condition.children[0]->name && number &&
+               value && *number == *value;
     }
 
     KnownRange range_of(const ExpressionPtr& e) const {
         if (const auto number = plain_number(e)) return {number, number};
         if (e->kind != Expression::Kind::name || !e->children.empty()) return {};
-        const auto of = [](const Quantity& quantity) { return quantity.range ? KnownRange{plain_number(quantity.range->low), plain_number(quantity.range->high)} : KnownRange{}; };
-        if (std::any_of(entry_.letters.begin(), entry_.letters.end(), [&](const PrintedLetter& letter) { return letter.name == e->name; })) return {};
+        const auto of = [](const Quantity& quantity) {
+            return quantity.range ? KnownRange{plain_number(quantity.range->low), plain_number(quantity.range->high)} : KnownRange{};
+        };
+        if (std::any_of(entry_.letters.begin(), entry_.letters.end(), [&](const PrintedLetter& letter) { return letter.name == e->name; }))
+            return {};
         if (model_ != nullptr) {
             const Names names(*model_);
             if (const Named* named = names.find(e->name)) {
-                const bool is_quantity = named->kind == Named::Kind::parameter || named->kind == Named::Kind::coordinate || named->kind == Named::Kind::input || named->kind == Named::Kind::state;
+                const bool is_quantity = named->kind == Named::Kind::parameter || named->kind == Named::Kind::coordinate ||
+                                         named->kind == Named::Kind::input || named->kind == Named::Kind::state;
                 return is_quantity ? of(named->quantity()) : KnownRange{};
             }
         }
@@ -78,18 +86,27 @@ private:
 };
 
 [[noreturn]] void refuse_condition(const Span& span) {
-    fail(Id::not_allowed_here, span, fmt::format("the condition '{}' does not follow from what is declared of its letters; put them under 'positive', give them a range, or a point with 'at'", span.text()));
+    fail(Id::not_allowed_here, span,
+         fmt::format("the condition '{}' does not follow from what is declared of its letters; put them under 'positive', give them a "
+                     "range, or a point with 'at'",
+                     span.text()));
 }
 
 ExpressionPtr relation_between(Relation relation, const ExpressionPtr& a, const ExpressionPtr& b) {
-    const char* name = relation == Relation::less ? "less" : relation == Relation::less_equal ? "less_equal" : relation == Relation::greater ? "greater" : relation == Relation::greater_equal ? "greater_equal" : relation == Relation::not_equal ? "not_equal" : "unknown";
+    const char* name = relation == Relation::less            ? "less"
+                       : relation == Relation::less_equal    ? "less_equal"
+                       : relation == Relation::greater       ? "greater"
+                       : relation == Relation::greater_equal ? "greater_equal"
+                       : relation == Relation::not_equal     ? "not_equal"
+                                                             : "unknown";
     return std::make_shared<Expression>(Expression{Expression::Kind::call, a->span, 0, name, {a, b}});
 }
 
 }  // namespace
 
 bool is_condition(const LatexEquation& read) {
-    return !read.relations.empty() && std::none_of(read.relations.begin(), read.relations.end(), [](Relation r) { return r == Relation::equal || r == Relation::approximately; });
+    return !read.relations.empty() && std::none_of(read.relations.begin(), read.relations.end(),
+                                                   [](Relation r) { return r == Relation::equal || r == Relation::approximately; });
 }
 
 void check_conditions(const LatexEquation& read, const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) {
@@ -98,7 +115,8 @@ void check_conditions(const LatexEquation& read, const Catalogue& catalogue, con
         if (!ranges.holds(*condition)) refuse_condition(condition->span);
     if (!is_condition(read)) return;
     for (std::size_t i = 0; i < read.relations.size(); ++i)
-        if (!ranges.holds(*relation_between(read.relations[i], read.equation.sides[i], read.equation.sides[i + 1]))) refuse_condition(read.equation.span);
+        if (!ranges.holds(*relation_between(read.relations[i], read.equation.sides[i], read.equation.sides[i + 1])))
+            refuse_condition(read.equation.span);
 }
 
 }  // namespace dalembert

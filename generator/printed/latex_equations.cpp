@@ -9,7 +9,9 @@ namespace dalembert {
 namespace {
 
 /// Words that stand between two equations, before a condition, and for a constant.
-const std::set<std::string, std::less<>> separators{"und", "and", "bzw", "mit", "with", "sowie", "wobei", "where", "oder", "or", "beziehungsweise", "also", "thus", "hence", "d.h", "i.e", "folgt"};
+const std::set<std::string, std::less<>> separators{
+    "und",  "and",  "bzw",   "mit", "with", "sowie", "wobei", "where", "oder", "or", "beziehungsweise",
+    "also", "thus", "hence", "d.h", "i.e",  "folgt"};
 const std::set<std::string, std::less<>> conditions{"für", "fuer", "for", "if", "wenn", "falls", "when"};
 const std::set<std::string, std::less<>> otherwises{"sonst", "otherwise", "else", "ansonsten"};
 const std::set<std::string, std::less<>> constants{"konst", "const", "constant", "konstant"};
@@ -112,7 +114,8 @@ bool LatexParser::skip_range(LatexEquation* equation) {
         for (std::size_t i = at_; i < tokens_.size(); ++i) {
             const LatexToken& t = at(i);
             depth += t.is("(") ? 1 : t.is(")") ? -1 : 0;
-            const bool belongs = depth >= 0 && (t.kind == LatexToken::Kind::number || t.kind == LatexToken::Kind::letter || t.is("=") || t.is(",") || t.is("\\dots") || t.is("(") || t.is(")") || t.is("+") || t.is("-"));
+            const bool belongs = depth >= 0 && (t.kind == LatexToken::Kind::number || t.kind == LatexToken::Kind::letter || t.is("=") ||
+                                                t.is(",") || t.is("\\dots") || t.is("(") || t.is(")") || t.is("+") || t.is("-"));
             if (!belongs || t.space == Space::quad) {
                 if (has_dots) {
                     at_ = i;
@@ -159,13 +162,16 @@ LatexEquation LatexParser::chain() {
         if (!sign) break;
         const LatexToken relation_sign = next();
         result.relations.push_back(*sign);
-        if (is_end() || is("\\\\") || is(",") || is_point() || relation()) wrong(place(relation_sign), fmt::format("there is nothing behind '{}'", shown(relation_sign)));
+        if (is_end() || is("\\\\") || is(",") || is_point() || relation())
+            wrong(place(relation_sign), fmt::format("there is nothing behind '{}'", shown(relation_sign)));
     }
     result.equation.span = from(first);
     return result;
 }
 
-bool LatexParser::is_between() const { return is(",") || is_point() || is(";") || is("\\\\") || is("&") || is("\\Rightarrow") || is("\\rightarrow"); }
+bool LatexParser::is_between() const {
+    return is(",") || is_point() || is(";") || is("\\\\") || is("&") || is("\\Rightarrow") || is("\\rightarrow");
+}
 
 /// An equation, or what is said beside one: a word, a condition, a range, a sign between equations.
 void LatexParser::statement(std::vector<LatexEquation>& all) {
@@ -173,7 +179,8 @@ void LatexParser::statement(std::vector<LatexEquation>& all) {
     const Word word = word_of(token());
     const bool is_name = word == Word::comment && is_phrase(token()) && relation_of(token(1));  // \text{equatorial radius} = ...
     if (!is_name && (is_between() || word == Word::separator || word == Word::comment || word == Word::otherwise)) {
-        if (word == Word::comment && token().text.find_first_of("<>=$") != std::string::npos) wrong(place(token()), "what stands in this text is not read; write a condition behind '\\text{for }'");
+        if (word == Word::comment && token().text.find_first_of("<>=$") != std::string::npos)
+            wrong(place(token()), "what stands in this text is not read; write a condition behind '\\text{for }'");
         next();
         if (word == Word::comment) take(":");
         return;
@@ -192,12 +199,15 @@ void LatexParser::statement(std::vector<LatexEquation>& all) {
             read.ranges.push_back(from(first));
         } else if (read.relations.empty()) {
             const Span span = read.equation.span;
-            if (is_end() || is_between()) wrong(span, fmt::format("'{}' is no equation; a relation such as '=' is expected in it", span.text()));
+            if (is_end() || is_between())
+                wrong(span, fmt::format("'{}' is no equation; a relation such as '=' is expected in it", span.text()));
             expected("an operator or '='");
         }
     }
     const Word behind = word_of(token());
-    const bool is_done = is_end() || is_between() || token().space == Space::quad || is("\\forall") || (is("(") && starts_condition_group()) || behind == Word::separator || behind == Word::condition || behind == Word::comment || behind == Word::otherwise;
+    const bool is_done = is_end() || is_between() || token().space == Space::quad || is("\\forall") ||
+                         (is("(") && starts_condition_group()) || behind == Word::separator || behind == Word::condition ||
+                         behind == Word::comment || behind == Word::otherwise;
     if (!is_done) expected("an operator, '=' or the end of the equation");
 }
 
@@ -213,9 +223,9 @@ bool LatexParser::may_be_condition(std::size_t begin, std::size_t end) const {
     return false;
 }
 
-// note [what an equation takes with it]  What cannot be read of a line takes the rest of that line with it, which it may belong to, and nothing
-// else: each "=" is a claim by itself. But what may be a condition of other equations takes all of them with it, because without it they claim
-// more than the text does.
+// note [what an equation takes with it]  What cannot be read of a line takes the rest of that line with it, which it may belong to, and
+// nothing else: each "=" is a claim by itself. But what may be a condition of other equations takes all of them with it, because without it
+// they claim more than the text does.
 std::vector<LatexEquation> LatexParser::equations(std::vector<RefusedEquation>* refused) {
     std::vector<LatexEquation> all;
     std::size_t count = 0;
@@ -230,7 +240,9 @@ std::vector<LatexEquation> LatexParser::equations(std::vector<RefusedEquation>* 
             at_ = begin;
             std::size_t end = begin;
             for (int depth = 0; end + 1 < tokens_.size() && !(depth <= 0 && at(end).is("\\\\")); ++end)
-                depth += at(end).is("{") || at(end).kind == LatexToken::Kind::begin ? 1 : at(end).is("}") || at(end).kind == LatexToken::Kind::end_of ? -1 : 0;
+                depth += at(end).is("{") || at(end).kind == LatexToken::Kind::begin    ? 1
+                         : at(end).is("}") || at(end).kind == LatexToken::Kind::end_of ? -1
+                                                                                       : 0;
             if (may_be_condition(begin, end)) throw;
             all.resize(known);
             refused->push_back({++count, failure.diagnostics().front()});
@@ -271,7 +283,8 @@ std::pair<std::string, std::vector<std::string>> LatexParser::whole_function() {
     if (!is("(")) expected("'(' with the letters that it is a function of, or the end,");
     next();
     for (const ExpressionPtr& argument : list_until_bracket(open)) {
-        if (argument->kind != Kind::name || !argument->children.empty()) wrong(argument->span, "a letter is expected that this is a function of");
+        if (argument->kind != Kind::name || !argument->children.empty())
+            wrong(argument->span, "a letter is expected that this is a function of");
         result.second.push_back(argument->name);
     }
     if (!is_end()) expected("the end of the function");

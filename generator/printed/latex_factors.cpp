@@ -85,7 +85,8 @@ ExpressionPtr LatexParser::postfix(ExpressionPtr base, std::size_t first) {
     for (;;) {
         if (is("^")) {
             base = superscript(std::move(base), first);
-        } else if (is_evaluation_bar() || (is("_") && (base->kind == Kind::call || at(at_ - 1).is(")") || at(at_ - 1).is("]") || at(at_ - 1).side == Side::right))) {
+        } else if (is_evaluation_bar() || (is("_") && (base->kind == Kind::call || at(at_ - 1).is(")") || at(at_ - 1).is("]") ||
+                                                       at(at_ - 1).side == Side::right))) {
             base = evaluated(std::move(base), first);
         } else if (is("_")) {
             wrong(place(token()), "an index is expected behind a letter only");
@@ -116,7 +117,8 @@ ExpressionPtr LatexParser::superscript(ExpressionPtr base, std::size_t first) {
     const bool is_braced = script.is("{");
     const LatexToken& inside = is_braced ? token(1) : script;
     const bool is_alone = !is_braced || token(2).is("}");
-    const bool is_turned = inside.is_letter("T") || inside.is("\\intercal") || (inside.kind == LatexToken::Kind::upright && inside.text == "T");
+    const bool is_turned =
+        inside.is_letter("T") || inside.is("\\intercal") || (inside.kind == LatexToken::Kind::upright && inside.text == "T");
     const bool is_scalar = base->kind == Kind::number || (base->kind == Kind::name && base->name == "euler_number");
     if (is_turned && is_alone && !is_scalar) {
         at_ += is_braced ? 3 : 1;
@@ -128,7 +130,8 @@ ExpressionPtr LatexParser::superscript(ExpressionPtr base, std::size_t first) {
     }
     const Inside brackets(*this);
     const ExpressionPtr exponent = braced("the exponent");
-    const bool is_inverse = exponent->kind == Kind::negate && exponent->children[0]->kind == Kind::number && exponent->children[0]->value == 1;
+    const bool is_inverse =
+        exponent->kind == Kind::negate && exponent->children[0]->kind == Kind::number && exponent->children[0]->value == 1;
     if (is_inverse && is_vector(*base)) return call("inverse", first, {std::move(base)});
     if (base->kind == Kind::name && base->name == "euler_number") return call("exp", first, {exponent});
     return node(Kind::power, first, {std::move(base), exponent});
@@ -172,12 +175,18 @@ ExpressionPtr LatexParser::bracket() {
             next();
             parts.push_back(expression());
         }
-        if (!closes(open, token())) expected(open.side == Side::left ? "'\\right' with a bracket" : fmt::format("'{}'", open.text == "(" ? ")" : open.text == "[" ? "]" : "\\}"));
+        if (!closes(open, token()))
+            expected(open.side == Side::left ? "'\\right' with a bracket"
+                                             : fmt::format("'{}'", open.text == "("   ? ")"
+                                                                   : open.text == "[" ? "]"
+                                                                                      : "\\}"));
         next();
     }
-    if (parts.size() == 2 && open.text == "[" && !is("^") && parts[0]->kind != Kind::number && parts[1]->kind != Kind::number) return call("pair", first, std::move(parts));
+    if (parts.size() == 2 && open.text == "[" && !is("^") && parts[0]->kind != Kind::number && parts[1]->kind != Kind::number)
+        return call("pair", first, std::move(parts));
     if (parts.size() > 1) return call(open.text == "\\{" ? "set" : "row", first, std::move(parts));
-    if (open.text == "[" && (is("_") || is("^")) && at(behind_argument(at_ + 1)).is(is("_") ? "^" : "_")) return between(std::move(parts[0]), first);
+    if (open.text == "[" && (is("_") || is("^")) && at(behind_argument(at_ + 1)).is(is("_") ? "^" : "_"))
+        return between(std::move(parts[0]), first);
     Expression whole = *parts[0];
     whole.span = from(first);
     return std::make_shared<Expression>(std::move(whole));
@@ -233,7 +242,9 @@ ExpressionPtr LatexParser::number_factor() {
     const std::size_t first = at_;
     const auto read = [&](const LatexToken& t) {
         const auto value = read_decimal(as_decimal(t.text));
-        if (!value) fail(Id::number_too_large, place(t), fmt::format("'{}' is not a decimal number with an exponent between -400 and 400", shown(t)));
+        if (!value)
+            fail(Id::number_too_large, place(t),
+                 fmt::format("'{}' is not a decimal number with an exponent between -400 and 400", shown(t)));
         return *value;
     };
     /// The power of ten that stands at i, and the place behind it.
@@ -288,7 +299,8 @@ ExpressionPtr LatexParser::root() {
     if (!degree || (degree->kind == Kind::number && degree->value == 2)) return call("sqrt", first, {std::move(inside)});
     const ExpressionPtr one = make_number(1, degree->span);
     const Span span = degree->span;
-    return node(Kind::power, first, {std::move(inside), std::make_shared<Expression>(Expression{Kind::divide, span, 0, {}, {one, degree}})});
+    return node(Kind::power, first,
+                {std::move(inside), std::make_shared<Expression>(Expression{Kind::divide, span, 0, {}, {one, degree}})});
 }
 
 /// \cancel of a factor in a fraction changes nothing; a term that is crossed out may be zero, or stand elsewhere too.
@@ -297,7 +309,8 @@ ExpressionPtr LatexParser::cancelled() {
     const auto is_sign = [](const LatexToken& t) { return t.is("+") || t.is("-") || relation_of(t).has_value(); };
     const std::size_t behind = behind_argument(at_ + 1);
     if (fractions_ == 0 || (at_ > 0 && is_sign(at(at_ - 1))) || is_sign(at(behind)))
-        wrong(excerpt_.span(at(first).begin, at(std::max(behind, first + 1) - 1).end), "it is not clear whether what is crossed out is zero; leave it out, or write it without '\\cancel'");
+        wrong(excerpt_.span(at(first).begin, at(std::max(behind, first + 1) - 1).end),
+              "it is not clear whether what is crossed out is zero; leave it out, or write it without '\\cancel'");
     next();
     return braced("what is crossed out");
 }

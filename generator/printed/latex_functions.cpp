@@ -9,26 +9,48 @@ namespace dalembert {
 namespace {
 
 /// What each is in the model language; "1/tan" is one over it.
-const std::map<std::string, std::string, std::less<>> function_names{{"sin", "sin"}, {"cos", "cos"}, {"tan", "tan"}, {"arcsin", "asin"}, {"arccos", "acos"}, {"arctan", "atan"}, {"asin", "asin"}, {"acos", "acos"}, {"atan", "atan"},
-    {"sinh", "sinh"}, {"cosh", "cosh"}, {"tanh", "tanh"}, {"sinc", "sinc"}, {"exp", "exp"}, {"ln", "log"}, {"log", "log"}, {"lg", "lg"}, {"cot", "1/tan"}, {"coth", "1/tanh"}, {"sec", "1/cos"}, {"csc", "1/sin"}, {"sign", "sign"},
-    {"sgn", "sign"}, {"signum", "sign"}, {"det", "determinant"}, {"tr", "trace"}, {"trace", "trace"}, {"diag", "diag"}, {"grad", "gradient"}, {"div", "divergence"}, {"rot", "curl"}, {"curl", "curl"},
-    {"min", "min"}, {"max", "max"}, {"abs", "abs"}, {"sqrt", "sqrt"}, {"atan2", "atan2"}, {"arctan2", "atan2"}, {"artanh", "artanh"}, {"arsinh", "arsinh"}, {"arcosh", "arcosh"},
-    {"atanh", "artanh"}, {"asinh", "arsinh"}, {"acosh", "arcosh"}, {"argmin", "argmin"}, {"argmax", "argmax"}, {"arg min", "argmin"}, {"arg max", "argmax"}, {"arg\\,min", "argmin"}, {"arg\\,max", "argmax"}, {"arctanh", "artanh"}, {"arcsinh", "arsinh"}, {"arccosh", "arcosh"}};
+const std::map<std::string, std::string, std::less<>> function_names{
+    {"sin", "sin"},        {"cos", "cos"},        {"tan", "tan"},        {"arcsin", "asin"},      {"arccos", "acos"},
+    {"arctan", "atan"},    {"asin", "asin"},      {"acos", "acos"},      {"atan", "atan"},        {"sinh", "sinh"},
+    {"cosh", "cosh"},      {"tanh", "tanh"},      {"sinc", "sinc"},      {"exp", "exp"},          {"ln", "log"},
+    {"log", "log"},        {"lg", "lg"},          {"cot", "1/tan"},      {"coth", "1/tanh"},      {"sec", "1/cos"},
+    {"csc", "1/sin"},      {"sign", "sign"},      {"sgn", "sign"},       {"signum", "sign"},      {"det", "determinant"},
+    {"tr", "trace"},       {"trace", "trace"},    {"diag", "diag"},      {"grad", "gradient"},    {"div", "divergence"},
+    {"rot", "curl"},       {"curl", "curl"},      {"min", "min"},        {"max", "max"},          {"abs", "abs"},
+    {"sqrt", "sqrt"},      {"atan2", "atan2"},    {"arctan2", "atan2"},  {"artanh", "artanh"},    {"arsinh", "arsinh"},
+    {"arcosh", "arcosh"},  {"atanh", "artanh"},   {"asinh", "arsinh"},   {"acosh", "arcosh"},     {"argmin", "argmin"},
+    {"argmax", "argmax"},  {"arg min", "argmin"}, {"arg max", "argmax"}, {"arg\\,min", "argmin"}, {"arg\\,max", "argmax"},
+    {"arctanh", "artanh"}, {"arcsinh", "arsinh"}, {"arccosh", "arcosh"}};
 
 /// What \sin^{-1} may mean.
-const std::map<std::string, std::string, std::less<>> inverse_names{{"sin", "\\arcsin"}, {"cos", "\\arccos"}, {"tan", "\\arctan"}, {"sinh", "\\operatorname{arsinh}"}, {"cosh", "\\operatorname{arcosh}"}, {"tanh", "\\operatorname{artanh}"}};
+const std::map<std::string, std::string, std::less<>> inverse_names{{"sin", "\\arcsin"},
+                                                                    {"cos", "\\arccos"},
+                                                                    {"tan", "\\arctan"},
+                                                                    {"sinh", "\\operatorname{arsinh}"},
+                                                                    {"cosh", "\\operatorname{arcosh}"},
+                                                                    {"tanh", "\\operatorname{artanh}"}};
 
 /// Letters that are angles by custom and so end the argument of a function without brackets.
-const std::set<std::string, std::less<>> angles{"\\alpha", "\\beta", "\\gamma", "\\delta", "\\theta", "\\vartheta", "\\phi", "\\varphi", "\\psi", "\\chi"};
+const std::set<std::string, std::less<>> angles{"\\alpha",    "\\beta", "\\gamma",  "\\delta", "\\theta",
+                                                "\\vartheta", "\\phi",  "\\varphi", "\\psi",   "\\chi"};
 
 /// The inverse of a hyperbolic function, by logarithms, where it is real.
 ExpressionPtr inverse_hyperbolic(const std::string& name, const ExpressionPtr& x, const Span& span) {
-    const auto joined = [&](Expression::Kind kind, ExpressionPtr a, ExpressionPtr b) { return std::make_shared<Expression>(Expression{kind, span, 0, {}, {std::move(a), std::move(b)}}); };
-    const auto of = [&](const char* function, ExpressionPtr a) { return std::make_shared<Expression>(Expression{Expression::Kind::call, span, 0, function, {std::move(a)}}); };
+    const auto joined = [&](Expression::Kind kind, ExpressionPtr a, ExpressionPtr b) {
+        return std::make_shared<Expression>(Expression{kind, span, 0, {}, {std::move(a), std::move(b)}});
+    };
+    const auto of = [&](const char* function, ExpressionPtr a) {
+        return std::make_shared<Expression>(Expression{Expression::Kind::call, span, 0, function, {std::move(a)}});
+    };
     const ExpressionPtr one = make_number(1, span), two = make_number(2, span);
-    if (name == "artanh") return joined(Expression::Kind::divide, of("log", joined(Expression::Kind::divide, joined(Expression::Kind::add, one, x), joined(Expression::Kind::subtract, one, x))), two);
+    if (name == "artanh")
+        return joined(
+            Expression::Kind::divide,
+            of("log", joined(Expression::Kind::divide, joined(Expression::Kind::add, one, x), joined(Expression::Kind::subtract, one, x))),
+            two);
     const ExpressionPtr square = joined(Expression::Kind::power, x, two);
-    return of("log", joined(Expression::Kind::add, x, of("sqrt", joined(name == "arsinh" ? Expression::Kind::add : Expression::Kind::subtract, square, one))));
+    return of("log", joined(Expression::Kind::add, x,
+                            of("sqrt", joined(name == "arsinh" ? Expression::Kind::add : Expression::Kind::subtract, square, one))));
 }
 
 std::string bare(const LatexToken& t) { return t.kind == LatexToken::Kind::command ? t.text.substr(1) : t.text; }
@@ -36,7 +58,8 @@ std::string bare(const LatexToken& t) { return t.kind == LatexToken::Kind::comma
 }  // namespace
 
 bool LatexParser::is_function(const LatexToken& t) const {
-    return (t.kind == LatexToken::Kind::command && t.text.size() > 1 && function_names.contains(std::string_view(t.text).substr(1))) || (t.kind == LatexToken::Kind::upright && function_names.contains(t.text));
+    return (t.kind == LatexToken::Kind::command && t.text.size() > 1 && function_names.contains(std::string_view(t.text).substr(1))) ||
+           (t.kind == LatexToken::Kind::upright && function_names.contains(t.text));
 }
 
 /// Brackets hold the whole argument; without them note [how a product is read].
@@ -44,7 +67,9 @@ ExpressionPtr LatexParser::function_argument(const std::string& name) {
     const Depth depth(*this);
     const LatexToken& t = token();
     const Inside brackets(*this);
-    if (t.side != Side::right && (t.is("(") || t.is("[") || t.is("\\{") || (t.side == Side::left && !t.is("|") && !t.is("\\|") && !t.is(".")))) return bracket();
+    if (t.side != Side::right &&
+        (t.is("(") || t.is("[") || t.is("\\{") || (t.side == Side::left && !t.is("|") && !t.is("\\|") && !t.is("."))))
+        return bracket();
     if (t.is("{") && !starts_letter(at_)) return group();
     if (t.is("|") || t.is("\\|")) return magnitude();
     if (t.is("-") || (is_function(t) && !t.is("\\sqrt"))) expected(fmt::format("a bracket around the argument of '{}'", name));
@@ -57,12 +82,16 @@ ExpressionPtr LatexParser::function_argument(const std::string& name) {
         const bool is_fraction = part.is("\\frac") && !is_derivative();
         const bool is_plain_letter = (part.kind == LatexToken::Kind::letter || is_greek(part.text)) && !at_differential();
         const bool is_marked = !is_plain_letter && (part.kind == LatexToken::Kind::upright || starts_letter(at_) || part.is("\\sqrt"));
-        if (argument == nullptr && !is_number && !is_fraction && !is_plain_letter && !is_marked) expected(fmt::format("the argument of '{}'", name));
+        if (argument == nullptr && !is_number && !is_fraction && !is_plain_letter && !is_marked)
+            expected(fmt::format("the argument of '{}'", name));
         if (argument != nullptr) {
             if (part.space >= Space::thin) break;
             if (part.is("(") || part.is("[") || part.side == Side::left) {
                 if (is_only_number) break;
-                wrong(place(part), fmt::format("it is not clear whether this bracket belongs to the argument of '{}'; write brackets around the argument", name));
+                wrong(
+                    place(part),
+                    fmt::format("it is not clear whether this bracket belongs to the argument of '{}'; write brackets around the argument",
+                                name));
             }
             if (!is_number && !is_plain_letter && !(is_fraction && is_only_number)) break;
         }
@@ -70,10 +99,16 @@ ExpressionPtr LatexParser::function_argument(const std::string& name) {
         const std::size_t begin = at_;
         const auto marked = is_marked && part.kind == LatexToken::Kind::command && !part.is("\\sqrt") ? letter_at(at_) : std::nullopt;
         ExpressionPtr next_part = factor();
-        const bool may_go_on = marked && !marked->first.letter.marks.empty() && !marked->first.letter.is_vector() && !angles.contains(marked->first.letter.base);
-        if (may_go_on && token().space < Space::thin && (token().kind == LatexToken::Kind::letter || is_greek(token().text)) && starts_factor() && !at_differential())
-            wrong(place(token()), fmt::format("it is not clear whether '{}' belongs to the argument of '{}'; write brackets around the argument", shown(token()), name));  // \cos\bar\omega t
-        const bool is_numeric = next_part->kind == Kind::number || (next_part->kind == Kind::divide && next_part->children[0]->kind == Kind::number && next_part->children[1]->kind == Kind::number);
+        const bool may_go_on = marked && !marked->first.letter.marks.empty() && !marked->first.letter.is_vector() &&
+                               !angles.contains(marked->first.letter.base);
+        if (may_go_on && token().space < Space::thin && (token().kind == LatexToken::Kind::letter || is_greek(token().text)) &&
+            starts_factor() && !at_differential())
+            wrong(place(token()),
+                  fmt::format("it is not clear whether '{}' belongs to the argument of '{}'; write brackets around the argument",
+                              shown(token()), name));  // \cos\bar\omega t
+        const bool is_numeric =
+            next_part->kind == Kind::number || (next_part->kind == Kind::divide && next_part->children[0]->kind == Kind::number &&
+                                                next_part->children[1]->kind == Kind::number);
         is_only_number = is_only_number && (is_numeric || at(begin).is("\\pi"));
         argument = argument ? node(Kind::multiply, first, {std::move(argument), std::move(next_part)}) : std::move(next_part);
         if (is_angle || is_marked || (is_fraction && !is_numeric)) break;
@@ -99,7 +134,8 @@ ExpressionPtr LatexParser::function() {
     const std::string arg = take("\\arg") ? "arg" : "";
     const std::string printed = arg + bare(next());
     std::string name = function_names.find(printed)->second;
-    if (name.starts_with("arg") || ((name == "min" || name == "max" || name == "inf" || name == "sup") && is("_"))) return extremum_over(name, first);
+    if (name.starts_with("arg") || ((name == "min" || name == "max" || name == "inf" || name == "sup") && is("_")))
+        return extremum_over(name, first);
     if (name == "min" || name == "max") return extremum(name, first);
     if (name == "atan2") {
         const LatexToken open = token();
@@ -124,16 +160,22 @@ ExpressionPtr LatexParser::function() {
             more = true;
         }
     }
-    const bool is_inverse = power && power->kind == Kind::negate && power->children[0]->kind == Kind::number && power->children[0]->value == 1;
+    const bool is_inverse =
+        power && power->kind == Kind::negate && power->children[0]->kind == Kind::number && power->children[0]->value == 1;
     if (is_inverse) {
         const auto inverse = inverse_names.find(name);
-        if (inverse == inverse_names.end()) wrong(power->span, fmt::format("the inverse of '{}' is not read; write it out, or 1/{}", printed, printed));
-        wrong(power->span, fmt::format("it is not clear whether '\\{}^{{-1}}' is the inverse function or 1/\\{}; write '{}' or '\\frac{{1}}{{\\{} ...}}'", printed, printed, inverse->second, printed));
+        if (inverse == inverse_names.end())
+            wrong(power->span, fmt::format("the inverse of '{}' is not read; write it out, or 1/{}", printed, printed));
+        wrong(
+            power->span,
+            fmt::format("it is not clear whether '\\{}^{{-1}}' is the inverse function or 1/\\{}; write '{}' or '\\frac{{1}}{{\\{} ...}}'",
+                        printed, printed, inverse->second, printed));
     }
     const bool is_bracketed = token().kind == LatexToken::Kind::sign;
     ExpressionPtr argument = function_argument(printed);
     if (!is_bracketed && is("/") && token(1).kind == LatexToken::Kind::number)
-        wrong(place(token()), fmt::format("it is not clear whether '/{}' belongs to the argument of '{}'; write '\\frac' or brackets", shown(token(1)), printed));
+        wrong(place(token()), fmt::format("it is not clear whether '/{}' belongs to the argument of '{}'; write '\\frac' or brackets",
+                                          shown(token(1)), printed));
     if (name == "lg") {
         base = make_number(10, from(first));
         name = "log";

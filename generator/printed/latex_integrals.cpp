@@ -57,7 +57,10 @@ ExpressionPtr LatexParser::integral() {
         if (starts_factor() && !at_differential()) {
             integral_ = outer;
             inside = term();
-            if (is("+") || is("-")) wrong(place(token()), fmt::format("it is not clear whether what stands behind '{}' is integrated; the differential stands behind what is", shown(token())));
+            if (is("+") || is("-"))
+                wrong(place(token()),
+                      fmt::format("it is not clear whether what stands behind '{}' is integrated; the differential stands behind what is",
+                                  shown(token())));
             here.variable = std::move(variable);
             more = std::move(first_ones);
         } else {
@@ -75,7 +78,9 @@ ExpressionPtr LatexParser::integral() {
     }
     integral_ = outer;
     for (const ExpressionPtr& name : named)
-        if (name->kind != Kind::name || here.variable->kind != Kind::name || name->name != here.variable->name) wrong(name->span, fmt::format("the limit is one of '{}', but the integral runs over '{}'", name->span.text(), here.variable->span.text()));
+        if (name->kind != Kind::name || here.variable->kind != Kind::name || name->name != here.variable->name)
+            wrong(name->span,
+                  fmt::format("the limit is one of '{}', but the integral runs over '{}'", name->span.text(), here.variable->span.text()));
     if (!more.empty() || (here.variable->kind == Kind::power && !upper)) {
         std::vector<ExpressionPtr> parts{std::move(inside)};
         if (lower) parts.push_back(std::move(lower));
@@ -83,7 +88,9 @@ ExpressionPtr LatexParser::integral() {
         parts.insert(parts.end(), more.begin(), more.end());
         return call("integral_over", first, std::move(parts));
     }
-    if (is_differential_first && at_differential()) wrong(place(token()), fmt::format("it is not clear whether '{}' is integrated; the differential stands behind what is", shown(token())));
+    if (is_differential_first && at_differential())
+        wrong(place(token()),
+              fmt::format("it is not clear whether '{}' is integrated; the differential stands behind what is", shown(token())));
     if (here.variable->kind == Kind::name) integrated_ = here.variable->name;
     std::vector<ExpressionPtr> parts{std::move(inside), here.variable};
     for (ExpressionPtr* limit : {&lower, &upper})
@@ -96,7 +103,8 @@ ExpressionPtr LatexParser::counted() {
     const Depth depth(*this);
     const std::size_t first = at_;
     const LatexToken sign = next();
-    const std::string example = fmt::format("the limits of the {}, as in '{}_{{i=1}}^{{N}}',", sign.is("\\sum") ? "sum" : "product", sign.text);
+    const std::string example =
+        fmt::format("the limits of the {}, as in '{}_{{i=1}}^{{N}}',", sign.is("\\sum") ? "sum" : "product", sign.text);
     ExpressionPtr lower, upper, condition;
     std::string index;
     while (is("_") || is("^")) {
@@ -115,7 +123,8 @@ ExpressionPtr LatexParser::counted() {
         if (is_equal ? take(",") : !is("}")) {
             if (!is_equal) at_ = name;
             const bool is_set = !is_equal && at(name + 1).is("\\in") && !at(name + 2).is("[") && !at(name + 2).is("(");
-            if (is_set) wrong(place(at(name + 1)), fmt::format("the set that '{}' runs over is not read; {} expected", index, example + " is"));
+            if (is_set)
+                wrong(place(at(name + 1)), fmt::format("the set that '{}' runs over is not read; {} expected", index, example + " is"));
             condition = this->condition();
         }
         expect("}");
@@ -132,7 +141,8 @@ ExpressionPtr LatexParser::counted() {
 }
 
 /// \sum_i and \sum_{j \neq i}: over all that there are, which only letters say that are declared for this index.
-ExpressionPtr LatexParser::counted_without_limits(const LatexToken& sign, std::size_t first, const std::string& index, ExpressionPtr condition) {
+ExpressionPtr LatexParser::counted_without_limits(const LatexToken& sign, std::size_t first, const std::string& index,
+                                                  ExpressionPtr condition) {
     if (!index.empty()) counters_.push_back(index);
     ExpressionPtr inside = term();
     if (!index.empty()) counters_.pop_back();
@@ -145,7 +155,8 @@ ExpressionPtr LatexParser::counted_without_limits(const LatexToken& sign, std::s
 /// 0^+, 0^{-} and 0+ at the end of a place: what is read is taken out of the tokens. 1 from above, -1 from below.
 int LatexParser::take_side_of_limit() {
     std::size_t end = at_;
-    for (int depth = 0; end + 1 < tokens_.size() && !(depth == 0 && at(end).is("}")); ++end) depth += at(end).is("{") ? 1 : at(end).is("}") ? -1 : 0;
+    for (int depth = 0; end + 1 < tokens_.size() && !(depth == 0 && at(end).is("}")); ++end)
+        depth += at(end).is("{") ? 1 : at(end).is("}") ? -1 : 0;
     if (end < at_ + 2) return 0;
     std::size_t first = end - 1;
     const bool is_braced = at(first).is("}") && first >= at_ + 3;
@@ -191,12 +202,16 @@ ExpressionPtr LatexParser::limit() {
     return call("limit", first, std::move(parts));
 }
 
-bool LatexParser::is_evaluation_bar() const { return magnitudes_ == 0 && is("|") && token().side == Side::neutral && (token(1).is("_") || token(1).is("^")); }
+bool LatexParser::is_evaluation_bar() const {
+    return magnitudes_ == 0 && is("|") && token().side == Side::neutral && (token(1).is("_") || token(1).is("^"));
+}
 
 /// Behind a bar or a bracket: the point, x=a, or what a partial derivative holds constant.
 ExpressionPtr LatexParser::evaluated(ExpressionPtr e, std::size_t first) {
     const bool is_bar = take("|") || at(at_ - 1).is("|");  // \left. e \right|_0
-    const auto is_place = [](const ExpressionPtr& item, const ExpressionPtr& x) { return item->kind == Kind::name && x->kind == Kind::name && item->name.starts_with(x->name + "_"); };  // x_0 of x
+    const auto is_place = [](const ExpressionPtr& item, const ExpressionPtr& x) {
+        return item->kind == Kind::name && x->kind == Kind::name && item->name.starts_with(x->name + "_");
+    };  // x_0 of x
     const ExpressionPtr inside = e;
     ExpressionPtr variable;
     if (!is("_")) expected("'_' with the point, as in '|_{x=0}',");
@@ -211,7 +226,8 @@ ExpressionPtr LatexParser::evaluated(ExpressionPtr e, std::size_t first) {
                 variable = item;
                 const ExpressionPtr value = expression();
                 e = call("at", first, {e, item, value});
-            } else if (e->kind == Kind::call && (e->name == "partial" || (e->name == "derivative" && !is_bar)) && !is_place(item, e->children[1]) && (item->kind == Kind::name || (item->kind == Kind::call && item->name == "dot"))) {
+            } else if (e->kind == Kind::call && (e->name == "partial" || (e->name == "derivative" && !is_bar)) &&
+                       !is_place(item, e->children[1]) && (item->kind == Kind::name || (item->kind == Kind::call && item->name == "dot"))) {
                 auto held = std::make_shared<Expression>(*e);
                 held->span = from(first);
                 held->children.push_back(item);

@@ -8,7 +8,8 @@ namespace dalembert {
 
 namespace {
 
-const std::set<std::string, std::less<>> layouts{"aligned", "align", "alignat", "alignedat", "equation", "gather", "gathered", "split", "eqnarray", "multline", "flalign", "displaymath", "math", "subequations"};
+const std::set<std::string, std::less<>> layouts{"aligned", "align",    "alignat",  "alignedat", "equation",    "gather", "gathered",
+                                                 "split",   "eqnarray", "multline", "flalign",   "displaymath", "math",   "subequations"};
 const std::set<std::string, std::less<>> may_be_layout{"array", "cases", "dcases", "matrix", "rcases"};
 
 bool is_operator(const LatexToken& t) { return t.is("+") || t.is("-") || t.is("\\cdot") || t.is("\\times") || t.is("*") || t.is("/"); }
@@ -21,7 +22,8 @@ void LatexParser::take_signs() {
         LatexToken& t = tokens_[i];
         if (!t.is("\\pm") && !t.is("\\mp")) continue;
         const LatexToken* before = i > 0 ? &tokens_[i - 1] : nullptr;
-        const bool is_alone = before != nullptr && before->is("{") && i > 1 && (at(i - 2).is("_") || at(i - 2).is("^")) && at(i + 1).is("}");
+        const bool is_alone =
+            before != nullptr && before->is("{") && i > 1 && (at(i - 2).is("_") || at(i - 2).is("^")) && at(i + 1).is("}");
         if (is_alone || (before != nullptr && (before->is("_") || before->is("^")))) continue;
         both_signs_.insert(t.begin);
         t.kind = LatexToken::Kind::sign;
@@ -33,9 +35,11 @@ void LatexParser::take_signs() {
 void LatexParser::drop_empty_groups() {
     Tokens kept;
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-        const bool is_sign = is_operator(at(i + 1)) || at(i + 1).is("=") || ((at(i + 1).is("\\differential") || at(i + 1).is("\\nabla")) && (kept.empty() || !kept.back().is("\\frac"))) ||
+        const bool is_sign = is_operator(at(i + 1)) || at(i + 1).is("=") ||
+                             ((at(i + 1).is("\\differential") || at(i + 1).is("\\nabla")) && (kept.empty() || !kept.back().is("\\frac"))) ||
                              (at(i + 1).kind == LatexToken::Kind::upright && !kept.empty() && kept.back().is("{"));  // {{\mathrm{D}}t}
-        const bool is_power = at(i).is("{") && (at(i + 1).is("\\times") || at(i + 1).is("\\cdot")) && at(i + 2).text == "10" && at(i + 3).is("^");  // 8.0{\times 10^3}
+        const bool is_power = at(i).is("{") && (at(i + 1).is("\\times") || at(i + 1).is("\\cdot")) && at(i + 2).text == "10" &&
+                              at(i + 3).is("^");  // 8.0{\times 10^3}
         if (is_power && closing_brace(i) + 1 < tokens_.size()) {
             tokens_.erase(tokens_.begin() + static_cast<std::ptrdiff_t>(closing_brace(i)));
             continue;
@@ -48,7 +52,9 @@ void LatexParser::drop_empty_groups() {
         const LatexToken* before = kept.empty() ? nullptr : &kept.back();
         bool is_idle = at(i).is("{") && at(i + 1).is("}");
         if (is_idle && before != nullptr) {
-            const bool takes_argument = before->is("_") || before->is("^") || before->is("]") || before->is("}") || (before->kind == LatexToken::Kind::command && !is_greek(before->text) && !is_operator(*before) && !relation_of(*before) && !before->is("\\differential"));
+            const bool takes_argument = before->is("_") || before->is("^") || before->is("]") || before->is("}") ||
+                                        (before->kind == LatexToken::Kind::command && !is_greek(before->text) && !is_operator(*before) &&
+                                         !relation_of(*before) && !before->is("\\differential"));
             // Of \frac{a}{} the second one is missing, and has to be said.
             bool is_second = false;
             if (before->is("}")) {
@@ -63,7 +69,9 @@ void LatexParser::drop_empty_groups() {
             is_idle = !takes_argument || (before->is("]") || (before->is("}") && !is_second));
         }
         const bool has_scripts = at(i + 2).is("^") || at(i + 2).is("_");
-        const bool is_behind = before != nullptr && at(i).space == Space::none && (before->kind == LatexToken::Kind::letter || before->kind == LatexToken::Kind::upright || is_greek(before->text) || before->is("}") || before->is(")"));
+        const bool is_behind = before != nullptr && at(i).space == Space::none &&
+                               (before->kind == LatexToken::Kind::letter || before->kind == LatexToken::Kind::upright ||
+                                is_greek(before->text) || before->is("}") || before->is(")"));
         if (is_idle && has_scripts && !is_behind) is_idle = false;
         if (is_idle) ++i;
         else kept.push_back(tokens_[i]);
@@ -91,7 +99,8 @@ void LatexParser::take_over() {
         tokens_.insert(here(i + 1), made(LatexToken::Kind::sign, "{", sign.end));
         const std::size_t begin = at(open).begin;
         const LatexToken& takes = at(open >= 2 ? open - 2 : 0);  // what is before the brace may need it
-        const bool is_argument = open >= 2 && (takes.is("_") || takes.is("^") || takes.is("}") || takes.is("]") || (takes.kind == LatexToken::Kind::command && !is_greek(takes.text) && !is_operator(takes)));
+        const bool is_argument = open >= 2 && (takes.is("_") || takes.is("^") || takes.is("}") || takes.is("]") ||
+                                               (takes.kind == LatexToken::Kind::command && !is_greek(takes.text) && !is_operator(takes)));
         if (open > 0 && !is_argument) {
             tokens_.erase(here(close + 2));
             tokens_[open - 1] = made(LatexToken::Kind::command, "\\frac", begin);
@@ -122,8 +131,10 @@ void LatexParser::take_frames() {
 /// "\quad (\text{steady flow})" behind an equation.
 void LatexParser::drop_remarks() {
     for (std::size_t i = 1; i + 2 < tokens_.size(); ++i) {
-        const bool is_remark = at(i).is("(") && at(i).space == Space::quad && at(i + 1).kind == LatexToken::Kind::upright && at(i + 2).is(")") && at(i + 1).text.find_first_of("<>=$") == std::string::npos;
-        if (is_remark) tokens_.erase(tokens_.begin() + static_cast<std::ptrdiff_t>(i), tokens_.begin() + static_cast<std::ptrdiff_t>(i + 3));
+        const bool is_remark = at(i).is("(") && at(i).space == Space::quad && at(i + 1).kind == LatexToken::Kind::upright &&
+                               at(i + 2).is(")") && at(i + 1).text.find_first_of("<>=$") == std::string::npos;
+        if (is_remark)
+            tokens_.erase(tokens_.begin() + static_cast<std::ptrdiff_t>(i), tokens_.begin() + static_cast<std::ptrdiff_t>(i + 3));
     }
 }
 
@@ -132,7 +143,9 @@ void LatexParser::drop_marks_of_nabla() {
     for (std::size_t i = tokens_.size(); i-- > 0;) {  // the innermost mark first
         if (!at(i).is("\\vec") && !at(i).is("\\mathbf") && !at(i).is("\\underline") && !at(i).is("\\bar")) continue;
         const auto here = tokens_.begin() + static_cast<std::ptrdiff_t>(i);
-        const auto is_unmarked = [](const LatexToken& t) { return t.is("\\nabla") || t.is("\\cdot") || t.is("\\times") || t.is("\\otimes"); };
+        const auto is_unmarked = [](const LatexToken& t) {
+            return t.is("\\nabla") || t.is("\\cdot") || t.is("\\times") || t.is("\\otimes");
+        };
         if (is_unmarked(at(i + 1))) tokens_.erase(here);
         else if (at(i + 1).is("{") && is_unmarked(at(i + 2)) && at(i + 3).is("}")) tokens_.erase(here + 3), tokens_.erase(here, here + 2);
     }
@@ -152,7 +165,8 @@ void LatexParser::prepare() {
         const std::size_t n = split.size();
         const bool is_argument = n > 0 && (split[n - 1].is("_") || split[n - 1].is("^") || split[n - 1].is("\\frac"));
         const bool is_second = n > 1 && split[n - 2].is("\\frac") && split[n - 1].kind == LatexToken::Kind::number;
-        if (t.kind == LatexToken::Kind::number && (is_argument || is_second) && t.text.size() > 1 && t.text.find_first_not_of("0123456789") == std::string::npos) {
+        if (t.kind == LatexToken::Kind::number && (is_argument || is_second) && t.text.size() > 1 &&
+            t.text.find_first_not_of("0123456789") == std::string::npos) {
             const bool is_fraction = !split.empty() && (split[n - 1].is("\\frac"));
             LatexToken digit = t;
             digit.text = t.text.substr(0, 1);
@@ -176,7 +190,8 @@ void LatexParser::prepare() {
         split.push_back(t);
         // y^{*T} is y^* ^T
         const std::size_t m = split.size();
-        if (m >= 5 && split[m - 1].is("}") && split[m - 2].is_letter("T") && split[m - 3].is("*") && split[m - 4].is("{") && split[m - 5].is("^")) {
+        if (m >= 5 && split[m - 1].is("}") && split[m - 2].is_letter("T") && split[m - 3].is("*") && split[m - 4].is("{") &&
+            split[m - 5].is("^")) {
             const LatexToken sign = split[m - 5];
             const LatexToken turn = split[m - 2];
             split[m - 4] = split[m - 3];
@@ -199,7 +214,8 @@ void LatexParser::drop_tags() {
         bool is_tag = open.is("(") && open.side == Side::neutral && i > 0 && open.space != Space::none;
         if (is_tag && at(k).kind == LatexToken::Kind::letter && at(k).text[0] <= 'Z') ++k;  // of an appendix: (A.3)
         const std::string& number = at(k).text;
-        is_tag = is_tag && at(k).kind == LatexToken::Kind::number && number.find('.') != std::string::npos && number.find_first_not_of("0123456789.") == std::string::npos;
+        is_tag = is_tag && at(k).kind == LatexToken::Kind::number && number.find('.') != std::string::npos &&
+                 number.find_first_not_of("0123456789.") == std::string::npos;
         if (is_tag) ++k;
         if (is_tag && at(k).kind == LatexToken::Kind::letter && at(k).space == Space::none) ++k;
         is_tag = is_tag && at(k).is(")");
@@ -221,9 +237,12 @@ bool LatexParser::is_layout(std::size_t begin) const {
     if (!may_be_layout.contains(tokens_[begin].text)) return false;
     if (begin > 0) {
         const LatexToken& before = tokens_[begin - 1];
-        const bool is_start = before.is("\\\\") || before.is("&") || before.kind == LatexToken::Kind::begin || before.is(",") || (before.side == Side::left && (before.is(".") || before.is("\\{"))) || before.is("\\{");
+        const bool is_start = before.is("\\\\") || before.is("&") || before.kind == LatexToken::Kind::begin || before.is(",") ||
+                              (before.side == Side::left && (before.is(".") || before.is("\\{"))) || before.is("\\{");
         if (!is_start) return false;
-        if (before.side == Side::left && begin > 1 && !at(begin - 2).is("\\\\") && !at(begin - 2).is("&") && !at(begin - 2).is(",") && at(begin - 2).kind != LatexToken::Kind::begin) return false;
+        if (before.side == Side::left && begin > 1 && !at(begin - 2).is("\\\\") && !at(begin - 2).is("&") && !at(begin - 2).is(",") &&
+            at(begin - 2).kind != LatexToken::Kind::begin)
+            return false;
     }
     int depth = 0;
     for (std::size_t i = begin; i < tokens_.size(); ++i) {
@@ -262,13 +281,18 @@ bool LatexParser::continues(std::size_t line_break) const {
 
 /// a &= b & c &= d: whether another equation begins behind this column.
 bool LatexParser::divides_columns(std::size_t column) const {
-    const auto is_edge = [](const LatexToken& t) { return t.is("\\\\") || t.kind == LatexToken::Kind::begin || t.kind == LatexToken::Kind::end_of || t.kind == LatexToken::Kind::end; };
+    const auto is_edge = [](const LatexToken& t) {
+        return t.is("\\\\") || t.kind == LatexToken::Kind::begin || t.kind == LatexToken::Kind::end_of || t.kind == LatexToken::Kind::end;
+    };
     const LatexToken &before = at(column > 0 ? column - 1 : 0), &behind = at(column + 1);
-    if (column == 0 || relation_of(before) || is_operator(before) || relation_of(behind) || word_of(behind) == Word::condition) return false;
+    if (column == 0 || relation_of(before) || is_operator(before) || relation_of(behind) || word_of(behind) == Word::condition)
+        return false;
     bool has_relation = false;
     int columns = 0, depth = 0;
     for (std::size_t k = column; k-- > 0 && !(depth == 0 && is_edge(at(k)));) {
-        depth += at(k).is("}") || at(k).kind == LatexToken::Kind::end_of ? 1 : at(k).is("{") || at(k).kind == LatexToken::Kind::begin ? -1 : 0;
+        depth += at(k).is("}") || at(k).kind == LatexToken::Kind::end_of  ? 1
+                 : at(k).is("{") || at(k).kind == LatexToken::Kind::begin ? -1
+                                                                          : 0;
         has_relation = has_relation || (depth == 0 && relation_of(at(k)));
         columns += depth == 0 && at(k).is("&") ? 1 : 0;
     }
@@ -276,7 +300,9 @@ bool LatexParser::divides_columns(std::size_t column) const {
     depth = 0;
     for (std::size_t k = column + 1; k < tokens_.size() && depth >= 0 && !(depth == 0 && is_edge(at(k))); ++k) {
         if (depth == 0 && relation_of(at(k))) return true;
-        depth += at(k).is("{") || at(k).kind == LatexToken::Kind::begin ? 1 : at(k).is("}") || at(k).kind == LatexToken::Kind::end_of ? -1 : 0;
+        depth += at(k).is("{") || at(k).kind == LatexToken::Kind::begin    ? 1
+                 : at(k).is("}") || at(k).kind == LatexToken::Kind::end_of ? -1
+                                                                           : 0;
     }
     return false;
 }
@@ -319,12 +345,16 @@ void LatexParser::drop_layout() {
     }
     // {a = b}: braces around an equation.
     for (std::size_t i = 0; i < tokens_.size(); ++i) {
-        if (!at(i).is("{") || (i > 0 && !dropped[i - 1] && !at(i - 1).is("\\\\") && !at(i - 1).is(",") && !at(i - 1).is("\\Rightarrow") && !at(i - 1).is("\\rightarrow") && at(i).space != Space::quad)) continue;
+        if (!at(i).is("{") || (i > 0 && !dropped[i - 1] && !at(i - 1).is("\\\\") && !at(i - 1).is(",") && !at(i - 1).is("\\Rightarrow") &&
+                               !at(i - 1).is("\\rightarrow") && at(i).space != Space::quad))
+            continue;
         const std::size_t close = closing_brace(i);
         int depth = 0;
         bool has_equation = false;
         for (std::size_t k = i; k < close; ++k) {
-            depth += at(k).is("{") || at(k).kind == LatexToken::Kind::begin ? 1 : at(k).is("}") || at(k).kind == LatexToken::Kind::end_of ? -1 : 0;
+            depth += at(k).is("{") || at(k).kind == LatexToken::Kind::begin    ? 1
+                     : at(k).is("}") || at(k).kind == LatexToken::Kind::end_of ? -1
+                                                                               : 0;
             has_equation = has_equation || (depth == 1 && relation_of(at(k)));
         }
         if (has_equation && close + 1 < tokens_.size()) dropped[i] = dropped[close] = true;

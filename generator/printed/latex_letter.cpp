@@ -10,14 +10,24 @@ namespace dalembert {
 namespace {
 
 constexpr auto greek_letters = std::to_array<std::string_view>(
-    {"alpha", "beta", "gamma", "delta", "epsilon", "varepsilon", "zeta", "eta", "theta", "vartheta", "iota", "kappa", "varkappa", "lambda", "mu", "nu", "xi", "omicron", "pi", "varpi", "rho", "varrho",
-     "sigma", "varsigma", "tau", "upsilon", "phi", "varphi", "chi", "psi", "omega", "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Upsilon", "Phi", "Psi", "Omega", "ell", "hbar", "imath", "jmath"});
+    {"alpha",    "beta",    "gamma",   "delta",  "epsilon", "varepsilon", "zeta",  "eta",   "theta", "vartheta", "iota",   "kappa",
+     "varkappa", "lambda",  "mu",      "nu",     "xi",      "omicron",    "pi",    "varpi", "rho",   "varrho",   "sigma",  "varsigma",
+     "tau",      "upsilon", "phi",     "varphi", "chi",     "psi",        "omega", "Gamma", "Delta", "Theta",    "Lambda", "Xi",
+     "Pi",       "Sigma",   "Upsilon", "Phi",    "Psi",     "Omega",      "ell",   "hbar",  "imath", "jmath"});
 
-const std::map<std::string, std::string, std::less<>> mark_names{{"\\mathbf", "bold"}, {"\\vec", "vec"}, {"\\mathcal", "cal"}, {"\\mathfrak", "frak"}, {"\\mathbb", "bb"}, {"\\mathsf", "sf"}, {"\\mathtt", "tt"},
-    {"\\bar", "bar"}, {"\\hat", "hat"}, {"\\tilde", "tilde"}, {"\\overline", "over"}, {"\\underline", "under"}, {"\\check", "check"}, {"\\breve", "breve"}, {"\\acute", "acute"}, {"\\grave", "grave"}, {"\\mathring", "ring"}};
+const std::map<std::string, std::string, std::less<>> mark_names{
+    {"\\mathbf", "bold"},   {"\\vec", "vec"},         {"\\mathcal", "cal"}, {"\\mathfrak", "frak"}, {"\\mathbb", "bb"},
+    {"\\mathsf", "sf"},     {"\\mathtt", "tt"},       {"\\bar", "bar"},     {"\\hat", "hat"},       {"\\tilde", "tilde"},
+    {"\\overline", "over"}, {"\\underline", "under"}, {"\\check", "check"}, {"\\breve", "breve"},   {"\\acute", "acute"},
+    {"\\grave", "grave"},   {"\\mathring", "ring"}};
 
-const std::map<std::string, std::string, std::less<>> sign_names{{"*", "star"}, {"+", "plus"}, {"-", "minus"}, {"\\infty", "inf"}, {"\\circ", "circ"}, {"°", "circ"}, {"\\max", "max"}, {"\\min", "min"}, {"\\perp", "perp"}, {"\\parallel", "par"},
-    {"'", "prime"}, {"\\prime", "prime"}, {"\\differential", "d"}, {"\\times", "times"}, {"\\dagger", "dagger"}, {"\\partial", "border"}, {"=", "is"}, {"\\star", "star"}, {"\\rightarrow", "to"}, {"\\Sigma", "Sigma"}, {"\\lim", "lim"}, {"\\sup", "sup"}, {"\\odot", "odot"}, {"\\oplus", "oplus"}, {"\\complement", "complement"}, {"\\cap", "cap"}, {"\\cup", "cup"}, {"\\pm", "pm"}, {"\\mp", "mp"}};
+const std::map<std::string, std::string, std::less<>> sign_names{
+    {"*", "star"},           {"+", "plus"},        {"-", "minus"},          {"\\infty", "inf"},     {"\\circ", "circ"},
+    {"°", "circ"},           {"\\max", "max"},     {"\\min", "min"},        {"\\perp", "perp"},     {"\\parallel", "par"},
+    {"'", "prime"},          {"\\prime", "prime"}, {"\\differential", "d"}, {"\\times", "times"},   {"\\dagger", "dagger"},
+    {"\\partial", "border"}, {"=", "is"},          {"\\star", "star"},      {"\\rightarrow", "to"}, {"\\Sigma", "Sigma"},
+    {"\\lim", "lim"},        {"\\sup", "sup"},     {"\\odot", "odot"},      {"\\oplus", "oplus"},   {"\\complement", "complement"},
+    {"\\cap", "cap"},        {"\\cup", "cup"},     {"\\pm", "pm"},          {"\\mp", "mp"}};
 
 bool is_alphanumeric(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
 
@@ -49,7 +59,9 @@ std::string words_of(std::string_view base) {
 
 }  // namespace
 
-bool is_greek(std::string_view command) { return command.starts_with('\\') && std::find(greek_letters.begin(), greek_letters.end(), command.substr(1)) != greek_letters.end(); }
+bool is_greek(std::string_view command) {
+    return command.starts_with('\\') && std::find(greek_letters.begin(), greek_letters.end(), command.substr(1)) != greek_letters.end();
+}
 
 std::string greek_name(std::string_view command) {
     std::string_view name = command.substr(1);
@@ -129,6 +141,8 @@ std::optional<std::string> LatexLetter::meant_by_dummy() const {
     return meant.plain_name();
 }
 
-bool LatexLetter::is_vector() const { return std::any_of(marks.begin(), marks.end(), [](const std::string& mark) { return mark == "\\mathbf" || mark == "\\vec"; }); }
+bool LatexLetter::is_vector() const {
+    return std::any_of(marks.begin(), marks.end(), [](const std::string& mark) { return mark == "\\mathbf" || mark == "\\vec"; });
+}
 
 }  // namespace dalembert

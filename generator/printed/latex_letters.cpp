@@ -9,15 +9,20 @@ namespace dalembert {
 
 namespace {
 
-const std::set<std::string, std::less<>> letter_marks{"\\mathbf", "\\vec", "\\mathcal", "\\mathfrak", "\\mathbb", "\\mathsf", "\\mathtt", "\\bar", "\\hat", "\\tilde", "\\overline", "\\underline", "\\check", "\\breve", "\\acute", "\\grave", "\\mathring"};
+const std::set<std::string, std::less<>> letter_marks{"\\mathbf", "\\vec",   "\\mathcal", "\\mathfrak", "\\mathbb",   "\\mathsf",
+                                                      "\\mathtt", "\\bar",   "\\hat",     "\\tilde",    "\\overline", "\\underline",
+                                                      "\\check",  "\\breve", "\\acute",   "\\grave",    "\\mathring"};
 
-int dots_of(std::string_view command) { return command == "\\dot" ? 1 : command == "\\ddot" ? 2 : command == "\\dddot" ? 3 : command == "\\ddddot" ? 4 : 0; }
+int dots_of(std::string_view command) {
+    return command == "\\dot" ? 1 : command == "\\ddot" ? 2 : command == "\\dddot" ? 3 : command == "\\ddddot" ? 4 : 0;
+}
 
 bool is_fancy(const LatexToken& t) { return t.kind == LatexToken::Kind::command && (letter_marks.contains(t.text) || dots_of(t.text) > 0); }
 
 bool is_word(std::string_view text) {
     const auto is_latin = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-    return !text.empty() && is_latin(text[0]) && std::all_of(text.begin(), text.end(), [&](char c) { return is_latin(c) || (c >= '0' && c <= '9'); });
+    return !text.empty() && is_latin(text[0]) &&
+           std::all_of(text.begin(), text.end(), [&](char c) { return is_latin(c) || (c >= '0' && c <= '9'); });
 }
 
 /// Letters that count by custom.
@@ -26,8 +31,12 @@ bool is_customary_index(std::string_view text) { return text.size() == 1 && text
 }  // namespace
 
 bool LatexParser::is_phrase(const LatexToken& t) {
-    static const std::set<std::string, std::less<>> of_sentences{"is", "are", "we", "if", "where", "for", "when", "since", "because", "let", "thus", "hence", "so", "then", "that", "with", "and", "or", "which", "subject"};
-    if (t.kind != LatexToken::Kind::upright || t.text.find(' ') == std::string::npos || t.text.find("  ") != std::string::npos || t.text.ends_with(' ')) return false;
+    static const std::set<std::string, std::less<>> of_sentences{"is",    "are",     "we",  "if",   "where", "for",    "when",
+                                                                 "since", "because", "let", "thus", "hence", "so",     "then",
+                                                                 "that",  "with",    "and", "or",   "which", "subject"};
+    if (t.kind != LatexToken::Kind::upright || t.text.find(' ') == std::string::npos || t.text.find("  ") != std::string::npos ||
+        t.text.ends_with(' '))
+        return false;
     for (std::size_t begin = 0; begin < t.text.size();) {
         const std::size_t end = std::min(t.text.find_first_of(" -", begin), t.text.size());
         const std::string word = t.text.substr(begin, end - begin);
@@ -80,7 +89,9 @@ std::optional<LatexParser::Read> LatexParser::try_letter() {
     return read;
 }
 
-bool LatexParser::starts_scripts_before(std::size_t i) const { return at(i).is("{") && at(i + 1).is("}") && (at(i + 2).is("^") || at(i + 2).is("_")); }
+bool LatexParser::starts_scripts_before(std::size_t i) const {
+    return at(i).is("{") && at(i + 1).is("}") && (at(i + 2).is("^") || at(i + 2).is("_"));
+}
 
 /// {}^A_B x
 bool LatexParser::read_scripts_before(Read& read) {
@@ -89,7 +100,8 @@ bool LatexParser::read_scripts_before(Read& read) {
         next();
         const Tokens script = script_tokens();
         if (script_name(script).empty() || !std::all_of(script.begin(), script.end(), can_be_script)) return false;
-        if (!read.letter.before.empty()) read.letter.before.push_back({LatexToken::Kind::sign, ",", script.front().begin, script.front().begin});
+        if (!read.letter.before.empty())
+            read.letter.before.push_back({LatexToken::Kind::sign, ",", script.front().begin, script.front().begin});
         read.letter.before.insert(read.letter.before.end(), script.begin(), script.end());
     }
     return starts_letter(at_);
@@ -100,7 +112,10 @@ bool LatexParser::read_long_mark(Read& read) {
     const std::size_t end = closing_brace(at_ - 1);
     Tokens inside(tokens_.begin() + static_cast<std::ptrdiff_t>(at_), tokens_.begin() + static_cast<std::ptrdiff_t>(end));
     std::erase_if(inside, [](const LatexToken& t) { return t.is("{") || t.is("}"); });
-    const auto is_part = [](const LatexToken& t) { return t.kind == LatexToken::Kind::letter || is_greek(t.text) || t.is("'") || t.is("\\prime") || t.is("_") || t.is("^") || t.kind == LatexToken::Kind::upright; };
+    const auto is_part = [](const LatexToken& t) {
+        return t.kind == LatexToken::Kind::letter || is_greek(t.text) || t.is("'") || t.is("\\prime") || t.is("_") || t.is("^") ||
+               t.kind == LatexToken::Kind::upright;
+    };
     for (std::size_t i = 0; i < inside.size(); ++i) {
         const bool is_script = i > 0 && (inside[i - 1].is("^") || inside[i - 1].is("_"));
         if (!is_part(inside[i]) && !(is_script && inside[i].kind == LatexToken::Kind::number)) return false;
@@ -154,7 +169,8 @@ bool LatexParser::read_marked(Read& read) {
     LatexLetter& letter = read.letter;
     const bool braced = take("{");
     const std::size_t inside = at_;
-    const bool is_digit = token().kind == LatexToken::Kind::number && token().text.size() == 1 && token().text != "0" && mark.starts_with("\\math");
+    const bool is_digit =
+        token().kind == LatexToken::Kind::number && token().text.size() == 1 && token().text != "0" && mark.starts_with("\\math");
     if (is_digit) letter.base = next().text;  // \mathbf{1}
     else if (!read_nucleus(read)) return false;
     if (const int dots = dots_of(mark); dots > 0) letter.dots += dots;
@@ -234,7 +250,9 @@ bool LatexParser::read_superscript(Read& read) {
     }
     Tokens script = script_tokens();
     const auto all = [&](auto test) { return std::all_of(script.begin(), script.end(), test); };
-    const auto is_turn = [](const LatexToken& t) { return t.is_letter("T") || t.is("\\intercal") || (t.kind == LatexToken::Kind::upright && t.text == "T"); };
+    const auto is_turn = [](const LatexToken& t) {
+        return t.is_letter("T") || t.is("\\intercal") || (t.kind == LatexToken::Kind::upright && t.text == "T");
+    };
     LatexLetter labelled = letter;
     labelled.label = script;
     bool is_label = notation_.find(labelled.canonical()) != nullptr || notation_.find_function(labelled.canonical()) != nullptr;
@@ -248,15 +266,24 @@ bool LatexParser::read_superscript(Read& read) {
         return true;
     }
     is_label = is_label || (script.size() > 2 && front.is("(") && script.back().is(")") && all([](const LatexToken& t) {
-                   return t.kind == LatexToken::Kind::letter || t.kind == LatexToken::Kind::number || t.kind == LatexToken::Kind::upright || t.is("(") || t.is(")") || t.is(",") || t.is("*");
-               }));
-    is_label = is_label || (script.size() == 1 && (front.is("*") || front.is("\\star") || front.is("\\circ") || front.is("°") || front.is("+") || front.is("-") || front.is("\\dagger") || front.is("\\infty")));
+                                return t.kind == LatexToken::Kind::letter || t.kind == LatexToken::Kind::number ||
+                                       t.kind == LatexToken::Kind::upright || t.is("(") || t.is(")") || t.is(",") || t.is("*");
+                            }));
+    is_label = is_label || (script.size() == 1 && (front.is("*") || front.is("\\star") || front.is("\\circ") || front.is("°") ||
+                                                   front.is("+") || front.is("-") || front.is("\\dagger") || front.is("\\infty")));
     is_label = is_label || (script.size() == 1 && front.kind == LatexToken::Kind::upright && !is_turn(front) && is_word(front.text));
-    is_label = is_label || (letter.is_vector() && script.size() < 4 && all([&](const LatexToken& t) { return t.kind == LatexToken::Kind::letter && !is_turn(t) && !t.is_letter("t"); }));
+    is_label = is_label || (letter.is_vector() && script.size() < 4 && all([&](const LatexToken& t) {
+                                return t.kind == LatexToken::Kind::letter && !is_turn(t) && !t.is_letter("t");
+                            }));
     // \bar{r}^{P/Q}, {}^A v^P: points and bodies. x^0 is no power that anybody writes.
-    const bool is_body = all([](const LatexToken& t) { return (t.kind == LatexToken::Kind::letter && (t.text[0] <= 'Z' || t.text[0] == 'i')) || t.kind == LatexToken::Kind::number || t.is("_") || t.is("/"); }) && front.kind == LatexToken::Kind::letter && front.text[0] <= 'Z';
+    const bool is_body = all([](const LatexToken& t) {
+                             return (t.kind == LatexToken::Kind::letter && (t.text[0] <= 'Z' || t.text[0] == 'i')) ||
+                                    t.kind == LatexToken::Kind::number || t.is("_") || t.is("/");
+                         }) &&
+                         front.kind == LatexToken::Kind::letter && front.text[0] <= 'Z';
     const bool is_quotient = std::any_of(script.begin(), script.end(), [](const LatexToken& t) { return t.is("/"); });
-    is_label = is_label || (is_body && !(script.size() == 1 && is_turn(front)) && (!letter.before.empty() || (is_quotient && !letter.marks.empty())));
+    is_label = is_label ||
+               (is_body && !(script.size() == 1 && is_turn(front)) && (!letter.before.empty() || (is_quotient && !letter.marks.empty())));
     is_label = is_label || (script.size() == 1 && front.kind == LatexToken::Kind::number && front.text == "0");
     if (is_label && letter.label.empty()) {
         letter.label = std::move(script);
@@ -271,7 +298,8 @@ bool LatexParser::read_superscript(Read& read) {
 }
 
 bool LatexParser::counts(const LatexToken& t) const {
-    return t.kind == LatexToken::Kind::letter && (notation_.is_index(t.text) || std::find(counters_.begin(), counters_.end(), t.text) != counters_.end());
+    return t.kind == LatexToken::Kind::letter &&
+           (notation_.is_index(t.text) || std::find(counters_.begin(), counters_.end(), t.text) != counters_.end());
 }
 
 /// The indices in brackets of a letter that counts, and its name without them: m_i is m[i], r_{S,i} is r_S[i], F_{ij} is F[i, j].
@@ -297,7 +325,8 @@ std::optional<std::vector<ExpressionPtr>> LatexParser::family_indices(const Late
         }
         Tokens label;
         for (const LatexToken& t : part) {
-            const bool is_index = counts(t) || (has_counter && t.kind == LatexToken::Kind::letter && is_customary_index(t.text)) || (has_counter && t.kind == LatexToken::Kind::number && label.empty());
+            const bool is_index = counts(t) || (has_counter && t.kind == LatexToken::Kind::letter && is_customary_index(t.text)) ||
+                                  (has_counter && t.kind == LatexToken::Kind::number && label.empty());
             if (is_index) indices.push_back(LatexParser(*this, {t}).whole_expression());
             else label.push_back(t);
         }
@@ -337,10 +366,12 @@ ExpressionPtr LatexParser::translate(const LatexLetter& letter, std::size_t firs
         result = make_name(still.plain_name(), span);
         const auto [known, is_new] = called_.emplace(result->name, still.canonical());
         if (!is_new && known->second != still.canonical())
-            wrong(span, fmt::format("'{}' and '{}' would both be called '{}'; name one of them in the notation", known->second, still.canonical(), result->name));
+            wrong(span, fmt::format("'{}' and '{}' would both be called '{}'; name one of them in the notation", known->second,
+                                    still.canonical(), result->name));
     }
     remember(result);
-    for (int left = letter.dots; left > 0; left -= 2) result = std::make_shared<Expression>(Expression{Kind::call, span, 0, left >= 2 ? "ddot" : "dot", {result}});
+    for (int left = letter.dots; left > 0; left -= 2)
+        result = std::make_shared<Expression>(Expression{Kind::call, span, 0, left >= 2 ? "ddot" : "dot", {result}});
     return result;
 }
 
@@ -369,7 +400,8 @@ ExpressionPtr LatexParser::letter_factor() {
         return number(0, first);
     }
     if (at_differential()) return differential();
-    if (is("\\delta") && notation_.find("\\delta") == nullptr && !token(1).is("_") && !token(1).is("^") && token(1).space < Space::thin && starts_letter(at_ + 1)) {
+    if (is("\\delta") && notation_.find("\\delta") == nullptr && !token(1).is("_") && !token(1).is("^") && token(1).space < Space::thin &&
+        starts_letter(at_ + 1)) {
         next();
         const std::size_t varied = at_;
         const auto read = try_letter();

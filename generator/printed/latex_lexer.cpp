@@ -18,29 +18,122 @@ namespace {
 using Words = std::set<std::string, std::less<>>;
 
 /// Nothing but their looks.
-const Words without_meaning{"\\displaystyle", "\\textstyle", "\\scriptstyle", "\\limits", "\\nolimits", "\\nonumber", "\\notag", "\\hfill", "\\noindent", "\\hline",
-                            "\\boxed", "\\fbox", "\\ensuremath", "\\mathstrut", "\\strut", "\\qty", "\\null", "\\hfil", "\\par", "\\medskip", "\\smallskip", "\\bigskip", "\\tiny", "\\small", "\\footnotesize", "\\scriptsize", "\\normalsize", "\\large", "\\Large", "\\rm", "\\it", "\\protect", "\\centering", "\\[", "\\]", "\\(", "\\)", "\\/", "\\mathord", "\\mathop",
-                            "\\mathbin", "\\mathrel", "\\mathinner", "\\unboldmath", "\\boldmath", "\\allowbreak", "\\nobreak", "\\checkmark", "\\newline", "\\relax"};
+const Words without_meaning{
+    "\\displaystyle", "\\textstyle",  "\\scriptstyle", "\\limits",     "\\nolimits",   "\\nonumber",   "\\notag",   "\\hfill",
+    "\\noindent",     "\\hline",      "\\boxed",       "\\fbox",       "\\ensuremath", "\\mathstrut",  "\\strut",   "\\qty",
+    "\\null",         "\\hfil",       "\\par",         "\\medskip",    "\\smallskip",  "\\bigskip",    "\\tiny",    "\\small",
+    "\\footnotesize", "\\scriptsize", "\\normalsize",  "\\large",      "\\Large",      "\\rm",         "\\it",      "\\protect",
+    "\\centering",    "\\[",          "\\]",           "\\(",          "\\)",          "\\/",          "\\mathord", "\\mathop",
+    "\\mathbin",      "\\mathrel",    "\\mathinner",   "\\unboldmath", "\\boldmath",   "\\allowbreak", "\\nobreak", "\\checkmark",
+    "\\newline",      "\\relax"};
 /// With an argument that says nothing either.
-const Words with_idle_argument{"\\label", "\\tag", "\\hspace", "\\vspace", "\\phantom", "\\hphantom", "\\vphantom", "\\color", "\\footnote", "\\textcolor", "\\stackrel", "\\overset", "\\underset", "\\mathclap", "\\cite", "\\ref", "\\eqref"};
+const Words with_idle_argument{"\\label",    "\\tag",      "\\hspace",   "\\vspace",    "\\phantom",  "\\hphantom",
+                               "\\vphantom", "\\color",    "\\footnote", "\\textcolor", "\\stackrel", "\\overset",
+                               "\\underset", "\\mathclap", "\\cite",     "\\ref",       "\\eqref"};
 const Words wraps_second_argument{"\\stackrel", "\\overset", "\\underset"};
 const Words thin_spaces{"\\,", "\\;", "\\:", "\\!", "\\ ", "\\>", "\\thinspace", "\\medspace", "\\thickspace", "\\enspace", "\\space"};
-const Words upright_commands{"\\mathrm", "\\text", "\\textrm", "\\textnormal", "\\textit", "\\mathit", "\\mathnormal", "\\textsf", "\\textup", "\\mbox", "\\hbox", "\\operatorname", "\\mathup", "\\unit", "\\si"};
-const Words sizes{"\\left", "\\right", "\\middle", "\\big", "\\Big", "\\bigg", "\\Bigg", "\\bigl", "\\Bigl", "\\biggl", "\\Biggl", "\\bigr", "\\Bigr", "\\biggr", "\\Biggr", "\\bigm", "\\Bigm"};
+const Words upright_commands{"\\mathrm", "\\text", "\\textrm", "\\textnormal",   "\\textit", "\\mathit", "\\mathnormal", "\\textsf",
+                             "\\textup", "\\mbox", "\\hbox",   "\\operatorname", "\\mathup", "\\unit",   "\\si"};
+const Words sizes{"\\left",  "\\right", "\\middle", "\\big",  "\\Big",   "\\bigg",  "\\Bigg", "\\bigl", "\\Bigl",
+                  "\\biggl", "\\Biggl", "\\bigr",   "\\Bigr", "\\biggr", "\\Biggr", "\\bigm", "\\Bigm"};
 
-const std::map<std::string, std::string, std::less<>> one_spelling{
-    {"\\dfrac", "\\frac"}, {"\\tfrac", "\\frac"}, {"\\cfrac", "\\frac"}, {"\\nicefrac", "\\frac"}, {"\\sfrac", "\\frac"}, {"\\leq", "\\le"}, {"\\leqslant", "\\le"}, {"\\geq", "\\ge"},
-    {"\\geqslant", "\\ge"}, {"\\ne", "\\neq"}, {"\\varpropto", "\\propto"}, {"\\approxeq", "\\approx"}, {"\\triangleq", ":="}, {"\\doteq", ":="}, {"\\eqdef", ":="}, {"\\lt", "<"}, {"\\gt", ">"}, {"\\simeq", "\\approx"}, {"\\cong", "\\approx"}, {"\\to", "\\rightarrow"}, {"\\longrightarrow", "\\rightarrow"},
-    {"\\Longrightarrow", "\\Rightarrow"}, {"\\Leftrightarrow", "\\Rightarrow"}, {"\\Longleftrightarrow", "\\Rightarrow"}, {"\\iff", "\\Rightarrow"}, {"\\therefore", "\\Rightarrow"}, {"\\because", "\\Rightarrow"}, {"\\leadsto", "\\Rightarrow"}, {"\\implies", "\\Rightarrow"},
-    {"\\ldots", "\\dots"}, {"\\cdots", "\\dots"}, {"\\dotsc", "\\dots"}, {"\\dotsb", "\\dots"}, {"\\dotsm", "\\dots"}, {"\\vdots", "\\dots"}, {"\\ddots", "\\dots"},
-    {"\\lbrace", "\\{"}, {"\\rbrace", "\\}"}, {"\\lbrack", "["}, {"\\rbrack", "]"}, {"\\vert", "|"}, {"\\lvert", "|"}, {"\\rvert", "|"}, {"\\mid", "|"},
-    {"\\Vert", "\\|"}, {"\\lVert", "\\|"}, {"\\rVert", "\\|"}, {"\\ast", "*"}, {"\\colon", ":"}, {"\\coloneqq", ":="}, {"\\colonequals", ":="}, {"\\bm", "\\mathbf"},
-    {"\\boldsymbol", "\\mathbf"}, {"\\textbf", "\\mathbf"}, {"\\pmb", "\\mathbf"}, {"\\mathscr", "\\mathcal"}, {"\\overrightarrow", "\\vec"}, {"\\widetilde", "\\tilde"},
-    {"\\widehat", "\\hat"}, {"\\varGamma", "\\Gamma"}, {"\\varDelta", "\\Delta"}, {"\\varTheta", "\\Theta"}, {"\\varLambda", "\\Lambda"}, {"\\varXi", "\\Xi"}, {"\\varPi", "\\Pi"}, {"\\varSigma", "\\Sigma"}, {"\\varUpsilon", "\\Upsilon"}, {"\\varPhi", "\\Phi"}, {"\\varPsi", "\\Psi"}, {"\\varOmega", "\\Omega"}, {"\\bcancel", "\\cancel"}, {"\\xcancel", "\\cancel"}, {"\\textbullet", "\\cdot"}, {"\\bullet", "\\cdot"}, {"\\ddag", "\\dagger"}, {"\\lg", "\\log_{10}"}, {"\\dd", "\\differential"}, {"\\diff", "\\differential"}, {"\\oint", "\\int"}, {"\\iint", "\\int"}, {"\\iiint", "\\int"}, {"\\oiint", "\\int"}, {"\\mapsto", "\\rightarrow"}, {"\\infin", "\\infty"}, {"\\dbinom", "\\binom"}, {"\\tbinom", "\\binom"}, {"\\top", "\\intercal"}, {"\\degree", "\\circ"}, {"\\textdegree", "\\circ"}, {"\\centerdot", "\\cdot"}};
+const std::map<std::string, std::string, std::less<>> one_spelling{{"\\dfrac", "\\frac"},
+                                                                   {"\\tfrac", "\\frac"},
+                                                                   {"\\cfrac", "\\frac"},
+                                                                   {"\\nicefrac", "\\frac"},
+                                                                   {"\\sfrac", "\\frac"},
+                                                                   {"\\leq", "\\le"},
+                                                                   {"\\leqslant", "\\le"},
+                                                                   {"\\geq", "\\ge"},
+                                                                   {"\\geqslant", "\\ge"},
+                                                                   {"\\ne", "\\neq"},
+                                                                   {"\\varpropto", "\\propto"},
+                                                                   {"\\approxeq", "\\approx"},
+                                                                   {"\\triangleq", ":="},
+                                                                   {"\\doteq", ":="},
+                                                                   {"\\eqdef", ":="},
+                                                                   {"\\lt", "<"},
+                                                                   {"\\gt", ">"},
+                                                                   {"\\simeq", "\\approx"},
+                                                                   {"\\cong", "\\approx"},
+                                                                   {"\\to", "\\rightarrow"},
+                                                                   {"\\longrightarrow", "\\rightarrow"},
+                                                                   {"\\Longrightarrow", "\\Rightarrow"},
+                                                                   {"\\Leftrightarrow", "\\Rightarrow"},
+                                                                   {"\\Longleftrightarrow", "\\Rightarrow"},
+                                                                   {"\\iff", "\\Rightarrow"},
+                                                                   {"\\therefore", "\\Rightarrow"},
+                                                                   {"\\because", "\\Rightarrow"},
+                                                                   {"\\leadsto", "\\Rightarrow"},
+                                                                   {"\\implies", "\\Rightarrow"},
+                                                                   {"\\ldots", "\\dots"},
+                                                                   {"\\cdots", "\\dots"},
+                                                                   {"\\dotsc", "\\dots"},
+                                                                   {"\\dotsb", "\\dots"},
+                                                                   {"\\dotsm", "\\dots"},
+                                                                   {"\\vdots", "\\dots"},
+                                                                   {"\\ddots", "\\dots"},
+                                                                   {"\\lbrace", "\\{"},
+                                                                   {"\\rbrace", "\\}"},
+                                                                   {"\\lbrack", "["},
+                                                                   {"\\rbrack", "]"},
+                                                                   {"\\vert", "|"},
+                                                                   {"\\lvert", "|"},
+                                                                   {"\\rvert", "|"},
+                                                                   {"\\mid", "|"},
+                                                                   {"\\Vert", "\\|"},
+                                                                   {"\\lVert", "\\|"},
+                                                                   {"\\rVert", "\\|"},
+                                                                   {"\\ast", "*"},
+                                                                   {"\\colon", ":"},
+                                                                   {"\\coloneqq", ":="},
+                                                                   {"\\colonequals", ":="},
+                                                                   {"\\bm", "\\mathbf"},
+                                                                   {"\\boldsymbol", "\\mathbf"},
+                                                                   {"\\textbf", "\\mathbf"},
+                                                                   {"\\pmb", "\\mathbf"},
+                                                                   {"\\mathscr", "\\mathcal"},
+                                                                   {"\\overrightarrow", "\\vec"},
+                                                                   {"\\widetilde", "\\tilde"},
+                                                                   {"\\widehat", "\\hat"},
+                                                                   {"\\varGamma", "\\Gamma"},
+                                                                   {"\\varDelta", "\\Delta"},
+                                                                   {"\\varTheta", "\\Theta"},
+                                                                   {"\\varLambda", "\\Lambda"},
+                                                                   {"\\varXi", "\\Xi"},
+                                                                   {"\\varPi", "\\Pi"},
+                                                                   {"\\varSigma", "\\Sigma"},
+                                                                   {"\\varUpsilon", "\\Upsilon"},
+                                                                   {"\\varPhi", "\\Phi"},
+                                                                   {"\\varPsi", "\\Psi"},
+                                                                   {"\\varOmega", "\\Omega"},
+                                                                   {"\\bcancel", "\\cancel"},
+                                                                   {"\\xcancel", "\\cancel"},
+                                                                   {"\\textbullet", "\\cdot"},
+                                                                   {"\\bullet", "\\cdot"},
+                                                                   {"\\ddag", "\\dagger"},
+                                                                   {"\\lg", "\\log_{10}"},
+                                                                   {"\\dd", "\\differential"},
+                                                                   {"\\diff", "\\differential"},
+                                                                   {"\\oint", "\\int"},
+                                                                   {"\\iint", "\\int"},
+                                                                   {"\\iiint", "\\int"},
+                                                                   {"\\oiint", "\\int"},
+                                                                   {"\\mapsto", "\\rightarrow"},
+                                                                   {"\\infin", "\\infty"},
+                                                                   {"\\dbinom", "\\binom"},
+                                                                   {"\\tbinom", "\\binom"},
+                                                                   {"\\top", "\\intercal"},
+                                                                   {"\\degree", "\\circ"},
+                                                                   {"\\textdegree", "\\circ"},
+                                                                   {"\\centerdot", "\\cdot"}};
 
-const std::map<std::string, std::string, std::less<>> spelt_out{{"·", "\\cdot"}, {"×", "\\times"}, {"−", "-"}, {"°", "°"}, {"≤", "\\le"}, {"≥", "\\ge"}, {"≈", "\\approx"}, {"∂", "\\partial"}, {"∞", "\\infty"}, {"≠", "\\neq"},
-    {"α", "\\alpha"}, {"β", "\\beta"}, {"γ", "\\gamma"}, {"δ", "\\delta"}, {"ε", "\\varepsilon"}, {"η", "\\eta"}, {"θ", "\\theta"}, {"κ", "\\kappa"}, {"λ", "\\lambda"}, {"μ", "\\mu"}, {"µ", "\\mu"},
-    {"ν", "\\nu"}, {"π", "\\pi"}, {"ρ", "\\rho"}, {"σ", "\\sigma"}, {"τ", "\\tau"}, {"φ", "\\varphi"}, {"ϕ", "\\phi"}, {"χ", "\\chi"}, {"ψ", "\\psi"}, {"ω", "\\omega"}, {"Δ", "\\Delta"}, {"Ω", "\\Omega"}, {"Φ", "\\Phi"}, {"Ψ", "\\Psi"}};
+const std::map<std::string, std::string, std::less<>> spelt_out{
+    {"·", "\\cdot"},       {"×", "\\times"}, {"−", "-"},       {"°", "°"},       {"≤", "\\le"},     {"≥", "\\ge"},     {"≈", "\\approx"},
+    {"∂", "\\partial"},    {"∞", "\\infty"}, {"≠", "\\neq"},   {"α", "\\alpha"}, {"β", "\\beta"},   {"γ", "\\gamma"},  {"δ", "\\delta"},
+    {"ε", "\\varepsilon"}, {"η", "\\eta"},   {"θ", "\\theta"}, {"κ", "\\kappa"}, {"λ", "\\lambda"}, {"μ", "\\mu"},     {"µ", "\\mu"},
+    {"ν", "\\nu"},         {"π", "\\pi"},    {"ρ", "\\rho"},   {"σ", "\\sigma"}, {"τ", "\\tau"},    {"φ", "\\varphi"}, {"ϕ", "\\phi"},
+    {"χ", "\\chi"},        {"ψ", "\\psi"},   {"ω", "\\omega"}, {"Δ", "\\Delta"}, {"Ω", "\\Omega"},  {"Φ", "\\Phi"},    {"Ψ", "\\Psi"}};
 
 bool is_latex_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_latin(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -48,7 +141,8 @@ bool is_latex_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == 
 
 class LatexLexer {
 public:
-    LatexLexer(const Excerpt& excerpt, std::size_t from, std::size_t to, char decimal_mark) : excerpt_(excerpt), text_(excerpt.text), i_(from), to_(to), decimal_mark_(decimal_mark) {}
+    LatexLexer(const Excerpt& excerpt, std::size_t from, std::size_t to, char decimal_mark)
+        : excerpt_(excerpt), text_(excerpt.text), i_(from), to_(to), decimal_mark_(decimal_mark) {}
 
     std::vector<LatexToken> run() {
         while (i_ < to_) word();
@@ -61,11 +155,14 @@ private:
     using Space = LatexToken::Space;
     using Side = LatexToken::Side;
 
-    [[noreturn]] void wrong(std::size_t begin, std::size_t end, std::string message) const { fail(Id::syntax, excerpt_.span(begin, end), std::move(message)); }
+    [[noreturn]] void wrong(std::size_t begin, std::size_t end, std::string message) const {
+        fail(Id::syntax, excerpt_.span(begin, end), std::move(message));
+    }
 
     void add(Kind kind, std::string text, std::size_t begin, std::size_t end, Side side = Side::neutral, std::size_t inside = 0) {
         if (tokens_.size() == budget::words)
-            fail(Id::too_long, excerpt_.span(begin, end), fmt::format("the equation has more than {} words and signs; split it", budget::words));
+            fail(Id::too_long, excerpt_.span(begin, end),
+                 fmt::format("the equation has more than {} words and signs; split it", budget::words));
         tokens_.push_back({kind, std::move(text), begin, end, space_, side, inside});
         space_ = Space::none;
     }
@@ -130,11 +227,13 @@ private:
             const auto is_digit_at = [&](std::size_t k) { return is_latex_digit(at(i_ + k)); };
             if (!is_fraction && (braced || rest.starts_with('.') || (rest.starts_with(',') && i_ > begin)) && is_digit_at(width)) {
                 const char mark = rest[braced ? 1 : 0];
-                const bool is_group = is_digit_at(width + 1) && is_digit_at(width + 2) && !is_digit_at(width + 3) && i_ - begin < 4 && text_[begin] != '0' && i_ > begin;
+                const bool is_group = is_digit_at(width + 1) && is_digit_at(width + 2) && !is_digit_at(width + 3) && i_ - begin < 4 &&
+                                      text_[begin] != '0' && i_ > begin;
                 const Mark meaning = meaning_of(mark, braced, is_group, begin, i_ + width + 3);
                 if (meaning == Mark::end) break;
                 if (meaning == Mark::thousands) {
-                    while (text_.substr(i_, width) == rest.substr(0, width) && is_digit_at(width) && is_digit_at(width + 1) && is_digit_at(width + 2) && !is_digit_at(width + 3)) {
+                    while (text_.substr(i_, width) == rest.substr(0, width) && is_digit_at(width) && is_digit_at(width + 1) &&
+                           is_digit_at(width + 2) && !is_digit_at(width + 3)) {
                         value += text_.substr(i_ + width, 3);
                         i_ += width + 3;
                     }
@@ -163,12 +262,25 @@ private:
         if (is_other) return Mark::thousands;
         const bool is_plain_point = mark == '.' && !is_braced;  // most texts have a decimal point, and those that have not may say so
         if (decimal_mark_ == mark || is_plain_point) return Mark::decimal;
-        wrong(begin, std::min(end, to_), fmt::format("it is not clear whether this '{}' stands between thousands or before decimals; say decimal = \".\" or decimal = \",\" under [catalogue], or write '1\\,234' for thousands", mark));
+        wrong(begin, std::min(end, to_),
+              fmt::format("it is not clear whether this '{}' stands between thousands or before decimals; say decimal = \".\" or decimal = "
+                          "\",\" under [catalogue], or write '1\\,234' for thousands",
+                          mark));
     }
 
     /// {\bf M} is \mathbf{M}, {\rm kg} is \mathrm{kg}.
     bool font_switch() {
-        static const std::map<std::string, std::string, std::less<>> switches{{"\\bf", "\\mathbf"}, {"\\bfseries", "\\mathbf"}, {"\\boldmath", "\\mathbf"}, {"\\cal", "\\mathcal"}, {"\\rm", "\\mathrm"}, {"\\sf", "\\mathrm"}, {"\\tt", "\\mathrm"}, {"\\it", ""}, {"\\em", ""}, {"\\sl", ""}, {"\\mit", ""}};
+        static const std::map<std::string, std::string, std::less<>> switches{{"\\bf", "\\mathbf"},
+                                                                              {"\\bfseries", "\\mathbf"},
+                                                                              {"\\boldmath", "\\mathbf"},
+                                                                              {"\\cal", "\\mathcal"},
+                                                                              {"\\rm", "\\mathrm"},
+                                                                              {"\\sf", "\\mathrm"},
+                                                                              {"\\tt", "\\mathrm"},
+                                                                              {"\\it", ""},
+                                                                              {"\\em", ""},
+                                                                              {"\\sl", ""},
+                                                                              {"\\mit", ""}};
         const std::size_t begin = i_++;
         skip_blanks();
         const std::size_t name_begin = i_;
@@ -257,7 +369,8 @@ private:
     /// A line of words between equations. One with a relation is refused: it may be a condition of what follows.
     void words_between(const std::string& name, std::size_t begin) {
         idle_argument(name, begin);
-        if (text_.substr(begin, i_ - begin).find_first_of("<>=") != std::string::npos) wrong(begin, i_, "what stands in this text is not read; end the block before it");
+        if (text_.substr(begin, i_ - begin).find_first_of("<>=") != std::string::npos)
+            wrong(begin, i_, "what stands in this text is not read; end the block before it");
         add(Kind::sign, "\\\\", begin, i_);
     }
 
@@ -269,7 +382,9 @@ private:
         if (!wraps_second_argument.contains(name)) return;
         skip_blanks();
         if (at(i_) != '{') return;
-        if (wraps_.size() == static_cast<std::size_t>(budget::nesting)) fail(Id::too_deep, excerpt_.span(begin, i_), fmt::format("'{}' is nested more than {} levels deep", name, static_cast<std::size_t>(budget::nesting)));
+        if (wraps_.size() == static_cast<std::size_t>(budget::nesting))
+            fail(Id::too_deep, excerpt_.span(begin, i_),
+                 fmt::format("'{}' is nested more than {} levels deep", name, static_cast<std::size_t>(budget::nesting)));
         wraps_.push_back(closing(i_));
         ++i_;
     }
@@ -287,7 +402,8 @@ private:
             if (text == ">" && size == "\\right") text = "\\rangle";
         }
         static const Words brackets{"(", ")", "[", "]", "\\{", "\\}", "|", "\\|", ".", "/"};
-        if (text == "\\langle" || text == "\\rangle") return add(Kind::command, text, begin, i_, text == "\\langle" ? Side::left : Side::right);
+        if (text == "\\langle" || text == "\\rangle")
+            return add(Kind::command, text, begin, i_, text == "\\langle" ? Side::left : Side::right);
         if (!brackets.contains(text)) wrong(begin, i_, fmt::format("a bracket is expected behind '{}'", size));
         const bool left = size == "\\left" || size.back() == 'l';
         const bool right = size == "\\right" || size.back() == 'r';
@@ -354,6 +470,8 @@ private:
 
 }  // namespace
 
-std::vector<LatexToken> latex_tokens(const Excerpt& excerpt, std::size_t from, std::size_t to, char decimal_mark) { return LatexLexer(excerpt, from, to, decimal_mark).run(); }
+std::vector<LatexToken> latex_tokens(const Excerpt& excerpt, std::size_t from, std::size_t to, char decimal_mark) {
+    return LatexLexer(excerpt, from, to, decimal_mark).run();
+}
 
 }  // namespace dalembert

@@ -36,8 +36,8 @@ struct LatexToken {
     bool is_letter(std::string_view other) const { return kind == Kind::letter && text == other; }
 };
 
-/// The words of bytes [from, to) of an excerpt, an end behind them. A comma or point before three digits may stand between thousands: it is refused
-/// where `decimal_mark`, '.' or ',', does not say which one does. Throws Failure (syntax, too-long).
+/// The words of bytes [from, to) of an excerpt, an end behind them. A comma or point before three digits may stand between thousands: it is
+/// refused where `decimal_mark`, '.' or ',', does not say which one does. Throws Failure (syntax, too-long).
 std::vector<LatexToken> latex_tokens(const Excerpt& excerpt, std::size_t from, std::size_t to, char decimal_mark = 0);
 
 }  // namespace dalembert

@@ -18,15 +18,29 @@ bool is_macro_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == 
 
 /// Of the package physics, where the text defines none of its own.
 const LatexMacros& usual_macros() {
-    static const LatexMacros macros{{"vb", {1, {}, "\\mathbf{#1}"}},       {"va", {1, {}, "\\vec{#1}"}},        {"abs", {1, {}, "\\left|#1\\right|"}}, {"norm", {1, {}, "\\left\\|#1\\right\\|"}},
-                                    {"grad", {0, {}, "\\nabla "}},         {"curl", {0, {}, "\\nabla\\times "}}, {"divergence", {0, {}, "\\nabla\\cdot "}}, {"laplacian", {0, {}, "\\nabla^2 "}},
-                                    {"ket", {1, {}, "|#1\\rangle "}}, {"bra", {1, {}, "\\langle #1|"}}, {"expval", {1, {}, "\\langle #1\\rangle "}}, {"mel", {3, {}, "\\langle #1|#2|#3\\rangle "}}, {"mathd", {0, {}, "\\mathrm{d}"}},     {"mathe", {0, {}, "\\mathrm{e}"}},    {"flatfrac", {2, {}, "{#1}/{#2}"}}};
+    static const LatexMacros macros{{"vb", {1, {}, "\\mathbf{#1}"}},
+                                    {"va", {1, {}, "\\vec{#1}"}},
+                                    {"abs", {1, {}, "\\left|#1\\right|"}},
+                                    {"norm", {1, {}, "\\left\\|#1\\right\\|"}},
+                                    {"grad", {0, {}, "\\nabla "}},
+                                    {"curl", {0, {}, "\\nabla\\times "}},
+                                    {"divergence", {0, {}, "\\nabla\\cdot "}},
+                                    {"laplacian", {0, {}, "\\nabla^2 "}},
+                                    {"ket", {1, {}, "|#1\\rangle "}},
+                                    {"bra", {1, {}, "\\langle #1|"}},
+                                    {"expval", {1, {}, "\\langle #1\\rangle "}},
+                                    {"mel", {3, {}, "\\langle #1|#2|#3\\rangle "}},
+                                    {"mathd", {0, {}, "\\mathrm{d}"}},
+                                    {"mathe", {0, {}, "\\mathrm{e}"}},
+                                    {"flatfrac", {2, {}, "{#1}/{#2}"}}};
     return macros;
 }
 
 bool is_derivative(std::string_view name) { return name == "dv" || name == "pdv" || name == "odv"; }
 
-bool defines(std::string_view name) { return name == "newcommand" || name == "renewcommand" || name == "providecommand" || name == "DeclareMathOperator" || name == "def"; }
+bool defines(std::string_view name) {
+    return name == "newcommand" || name == "renewcommand" || name == "providecommand" || name == "DeclareMathOperator" || name == "def";
+}
 
 /// A text that is written out from left to right.
 class MacroText {
@@ -153,7 +167,8 @@ private:
 
     void count(const std::string& name, std::size_t begin, std::size_t end) {
         if (++calls_ > most_macro_calls || text_.text.size() > longest_text)
-            fail(Id::too_long, text_.span(begin, end), fmt::format("the macro '\\{}' makes the equation too long, as it does where it calls itself", name));
+            fail(Id::too_long, text_.span(begin, end),
+                 fmt::format("the macro '\\{}' makes the equation too long, as it does where it calls itself", name));
     }
 
     std::size_t call(const LatexMacro& macro, const std::string& name, std::size_t begin, std::size_t i) {
@@ -165,9 +180,11 @@ private:
         std::string text;
         for (std::size_t k = 0; k < macro.body.size(); ++k) {
             const char c = macro.body[k];
-            const bool is_argument = c == '#' && k + 1 < macro.body.size() && macro.body[k + 1] >= '1' && static_cast<std::size_t>(macro.body[k + 1] - '0') <= macro.arguments;
+            const bool is_argument = c == '#' && k + 1 < macro.body.size() && macro.body[k + 1] >= '1' &&
+                                     static_cast<std::size_t>(macro.body[k + 1] - '0') <= macro.arguments;
             if (is_argument) append(text, arguments[static_cast<std::size_t>(macro.body[++k] - '1')]);
-            else if (is_macro_letter(c) && k > 0 && macro.body[k - 1] != '\\' && !is_macro_letter(macro.body[k - 1])) append(text, std::string_view(&macro.body[k], 1));
+            else if (is_macro_letter(c) && k > 0 && macro.body[k - 1] != '\\' && !is_macro_letter(macro.body[k - 1]))
+                append(text, std::string_view(&macro.body[k], 1));
             else text += c;
         }
         replace(begin, i, std::move(text));
@@ -204,7 +221,8 @@ private:
         if (at(i) == '*') ++i;
         const std::string order = optional_argument(i).value_or("");
         std::vector<std::string> arguments{argument(i, name)};
-        for (const std::size_t most = name == "pdv" ? 3 : 2; arguments.size() < most && at(i) == '{';) arguments.push_back(argument(i, name));
+        for (const std::size_t most = name == "pdv" ? 3 : 2; arguments.size() < most && at(i) == '{';)
+            arguments.push_back(argument(i, name));
         const std::string above = arguments.size() > 1 ? arguments.front() : "";
         const std::string times = arguments.size() > 2 ? "^2" : order.empty() ? "" : "^{" + order + "}";
         std::string text = "\\frac{" + d + times + " " + above + "}{" + d + (arguments.size() > 1 ? arguments[1] : arguments[0]);
@@ -265,10 +283,12 @@ private:
 void define_macro(LatexMacros& macros, const Excerpt& name, const std::string& body) {
     const std::string& text = name.text;
     if (text.size() < 2 || text[0] != '\\' || !std::all_of(text.begin() + 1, text.end(), is_macro_letter))
-        fail(Id::syntax, name.whole(), fmt::format("'{}' is not the name of a macro; a backslash and letters are expected, such as '\\v'", text));
+        fail(Id::syntax, name.whole(),
+             fmt::format("'{}' is not the name of a macro; a backslash and letters are expected, such as '\\v'", text));
     LatexMacro macro{0, {}, body};
     for (std::size_t i = 0; i + 1 < body.size(); ++i)
-        if (body[i] == '#' && is_macro_digit(body[i + 1])) macro.arguments = std::max(macro.arguments, static_cast<std::size_t>(body[i + 1] - '0'));
+        if (body[i] == '#' && is_macro_digit(body[i + 1]))
+            macro.arguments = std::max(macro.arguments, static_cast<std::size_t>(body[i + 1] - '0'));
     macros[text.substr(1)] = std::move(macro);
 }
 

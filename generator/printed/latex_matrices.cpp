@@ -10,10 +10,12 @@ ExpressionPtr LatexParser::environment() {
     const Depth depth(*this);
     const std::size_t first = at_;
     const std::string name = token().text;
-    static const std::set<std::string, std::less<>> matrices{"matrix", "bmatrix", "pmatrix", "Bmatrix", "smallmatrix", "array", "vmatrix", "Vmatrix"};
+    static const std::set<std::string, std::less<>> matrices{"matrix",      "bmatrix", "pmatrix", "Bmatrix",
+                                                             "smallmatrix", "array",   "vmatrix", "Vmatrix"};
     const Inside brackets(*this);
     if (name == "cases" || name == "dcases") return cases(first);
-    if (!matrices.contains(name)) wrong(place(token()), fmt::format("the environment '{}' cannot stand here; a matrix or cases are expected", name));
+    if (!matrices.contains(name))
+        wrong(place(token()), fmt::format("the environment '{}' cannot stand here; a matrix or cases are expected", name));
     next();
     std::vector<ExpressionPtr> lines;
     std::size_t columns = 0;
@@ -21,7 +23,8 @@ ExpressionPtr LatexParser::environment() {
     std::size_t line_first = at_;
     const auto end_line = [&] {
         if (lines.empty()) columns = cells.size();
-        else if (cells.size() != columns) wrong(from(line_first), fmt::format("this row has {} entries while the first one has {}", cells.size(), columns));
+        else if (cells.size() != columns)
+            wrong(from(line_first), fmt::format("this row has {} entries while the first one has {}", cells.size(), columns));
         lines.push_back(call("row", line_first, std::move(cells)));
         cells.clear();
     };
@@ -64,7 +67,8 @@ ExpressionPtr LatexParser::cases(std::size_t first) {
         if (word == Word::condition) next();
         if (word == Word::otherwise) next();
         const bool is_end_of_line = is("\\\\") || token().kind == LatexToken::Kind::end_of;
-        if (word == Word::condition && is_end_of_line) wrong(text, "a condition is expected behind the text; what stands in it is not read");
+        if (word == Word::condition && is_end_of_line)
+            wrong(text, "a condition is expected behind the text; what stands in it is not read");
         if (word == Word::otherwise || (is_end_of_line && (is_apart || word == Word::none))) is_complete = true;
         else parts.push_back(condition());
         while (is(",") || is_point() || is(";")) next();
@@ -84,10 +88,12 @@ ExpressionPtr LatexParser::condition() {
     std::string joined_by;
     for (;;) {
         const bool is_word = token().kind == LatexToken::Kind::upright && word_of(token()) == Word::separator;
-        const bool is_or = is("\\vee") || is("\\lor") || (is_word && (token().text.find("od") != std::string::npos || token().text.find("or") != std::string::npos));
+        const bool is_or = is("\\vee") || is("\\lor") ||
+                           (is_word && (token().text.find("od") != std::string::npos || token().text.find("or") != std::string::npos));
         if (!is_or && !is_word && !is("\\wedge") && !is("\\land") && !(is(",") && brackets_ > 0 && starts_factor_at(at_ + 1))) return left;
         const std::string join = is_or ? "either" : "both";
-        if (!joined_by.empty() && joined_by != join) wrong(place(token()), "it is not clear which conditions belong together; write brackets around them");
+        if (!joined_by.empty() && joined_by != join)
+            wrong(place(token()), "it is not clear which conditions belong together; write brackets around them");
         joined_by = join;
         next();
         ExpressionPtr right = single_condition();
@@ -100,7 +106,8 @@ void LatexParser::skip_remark() {
     if (word_of(token()) != Word::comment) return;
     std::string text = token().text;
     std::erase(text, ' ');
-    if (!text.starts_with('(') || !text.ends_with(')') || text.find_first_of("$<>=") != std::string::npos) wrong(place(token()), "what stands in this text is not read; a remark stands in round brackets");
+    if (!text.starts_with('(') || !text.ends_with(')') || text.find_first_of("$<>=") != std::string::npos)
+        wrong(place(token()), "what stands in this text is not read; a remark stands in round brackets");
     next();
 }
 

@@ -16,8 +16,12 @@ namespace {
 
 using Kind = Expression::Kind;
 
-ExpressionPtr node(Kind kind, const Span& span, std::vector<ExpressionPtr> children, std::string name = {}) { return std::make_shared<Expression>(Expression{kind, span, 0, std::move(name), std::move(children)}); }
-ExpressionPtr call(const char* name, const Span& span, std::vector<ExpressionPtr> children) { return node(Kind::call, span, std::move(children), name); }
+ExpressionPtr node(Kind kind, const Span& span, std::vector<ExpressionPtr> children, std::string name = {}) {
+    return std::make_shared<Expression>(Expression{kind, span, 0, std::move(name), std::move(children)});
+}
+ExpressionPtr call(const char* name, const Span& span, std::vector<ExpressionPtr> children) {
+    return node(Kind::call, span, std::move(children), name);
+}
 
 bool is_call_named(const Expression& e, std::string_view name) { return e.kind == Kind::call && e.name == name; }
 bool is_open_integral(const Expression& e) { return is_call_named(e, "integral") && e.children.size() == 2; }
@@ -55,7 +59,8 @@ private:
 
 class Meanings {
 public:
-    Meanings(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) : catalogue_(catalogue), entry_(entry), model_(model) {}
+    Meanings(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model)
+        : catalogue_(catalogue), entry_(entry), model_(model) {}
 
     ExpressionPtr operator()(const ExpressionPtr& e) const {
         auto copy = std::make_shared<Expression>(*e);
@@ -70,24 +75,34 @@ private:
     /// The bounds of the families with this index, where all that occur have the same ones.
     ExpressionPtr sum(const Expression& e) const {
         if (e.children.size() != 2) {
-            const char* const remedy = e.children.size() < 2 ? "write its index and limits, as in '\\sum_{i=1}^{N}'" : "write out the members, or a sum with limits";
+            const char* const remedy = e.children.size() < 2 ? "write its index and limits, as in '\\sum_{i=1}^{N}'"
+                                                             : "write out the members, or a sum with limits";
             fail(Id::not_allowed_here, e.span, fmt::format("which members the sum '{}' has is not known; {}", e.span.text(), remedy));
         }
         const std::string& index = e.children[1]->name;
         const Family* known = nullptr;
         for_each(*e.children[0], [&](const Expression& part) {
-            const bool is_member = part.kind == Kind::name && std::any_of(part.children.begin(), part.children.end(), [&](const ExpressionPtr& i) { return i->kind == Kind::name && i->name == index; });
+            const bool is_member =
+                part.kind == Kind::name && std::any_of(part.children.begin(), part.children.end(),
+                                                       [&](const ExpressionPtr& i) { return i->kind == Kind::name && i->name == index; });
             const Family* const family = is_member ? family_of(part.name) : nullptr;
             if (family == nullptr) return;
             if (known != nullptr && !(is_same(*known->from, *family->from) && is_same(*known->to, *family->to)))
-                fail(Id::not_allowed_here, e.span, fmt::format("the sum '{}' is over families of different sizes; write its limits", e.span.text()));
+                fail(Id::not_allowed_here, e.span,
+                     fmt::format("the sum '{}' is over families of different sizes; write its limits", e.span.text()));
             known = family;
         });
-        if (known == nullptr) fail(Id::not_allowed_here, e.span, fmt::format("from where to where '{}' runs in '{}' is not known; write '\\sum_{{{}=1}}^{{N}}', or declare a letter with for = \"{} = 1..3\"", index, e.span.text(), index, index));
+        if (known == nullptr)
+            fail(Id::not_allowed_here, e.span,
+                 fmt::format("from where to where '{}' runs in '{}' is not known; write '\\sum_{{{}=1}}^{{N}}', or declare a letter with "
+                             "for = \"{} = 1..3\"",
+                             index, e.span.text(), index, index));
         return node(Kind::sum, e.span, {known->from, known->to, e.children[0]}, index);
     }
 
-    static bool is_same(const Expression& a, const Expression& b) { return a.kind == Kind::number && b.kind == Kind::number && a.value == b.value; }
+    static bool is_same(const Expression& a, const Expression& b) {
+        return a.kind == Kind::number && b.kind == Kind::number && a.value == b.value;
+    }
 
     const Family* family_of(const std::string& name) const {
         for (const auto* letters : {&entry_.own, &catalogue_.letters})
@@ -103,10 +118,14 @@ private:
     ExpressionPtr nabla(const Expression& e) const {
         const ExpressionPtr& inside = e.children[0];
         if (catalogue_.coordinates.empty())
-            fail(Id::not_allowed_here, e.span, fmt::format("the coordinates of '\\nabla' in '{}' are not known; say coordinates = [\"x\", \"y\", \"z\"] under [catalogue] where they are Cartesian", e.span.text()));
+            fail(Id::not_allowed_here, e.span,
+                 fmt::format("the coordinates of '\\nabla' in '{}' are not known; say coordinates = [\"x\", \"y\", \"z\"] under "
+                             "[catalogue] where they are Cartesian",
+                             e.span.text()));
         const Reach reach(catalogue_, entry_, *inside);
         if (std::none_of(catalogue_.coordinates.begin(), catalogue_.coordinates.end(), [&](const std::string& x) { return reach.has(x); }))
-            fail(Id::not_allowed_here, inside->span, fmt::format("nothing says how '{}' depends on the coordinates; give its expression under 'with'", inside->span.text()));
+            fail(Id::not_allowed_here, inside->span,
+                 fmt::format("nothing says how '{}' depends on the coordinates; give its expression under 'with'", inside->span.text()));
         std::vector<ExpressionPtr> parts, places;
         for (const std::string& x : catalogue_.coordinates) {
             const ExpressionPtr place = make_name(x, e.span);
@@ -115,7 +134,8 @@ private:
             parts.push_back(e.name == "laplacian" ? call("diff", e.span, {std::move(slope), place}) : std::move(slope));
         }
         if (e.name == "gradient") return call("vector", e.span, std::move(parts));
-        if (e.name == "divergence") return call("trace", e.span, {call("diff", e.span, {inside, call("vector", e.span, std::move(places))})});
+        if (e.name == "divergence")
+            return call("trace", e.span, {call("diff", e.span, {inside, call("vector", e.span, std::move(places))})});
         ExpressionPtr total = parts.front();
         for (std::size_t i = 1; i < parts.size(); ++i) total = node(Kind::add, e.span, {std::move(total), parts[i]});
         return total;
@@ -129,15 +149,20 @@ private:
 /// Sides and their derivatives by the letter that is integrated over.
 class Differentiation {
 public:
-    Differentiation(const Catalogue& catalogue, const CatalogueEntry& entry, const std::string& variable) : catalogue_(catalogue), entry_(entry), variable_(variable) {}
+    Differentiation(const Catalogue& catalogue, const CatalogueEntry& entry, const std::string& variable)
+        : catalogue_(catalogue), entry_(entry), variable_(variable) {}
 
     ExpressionPtr operator()(const ExpressionPtr& e) const {
         const Span& span = e->span;
         if (is_constant(*e)) return make_number(0, span);
-        const bool has_constant = (e->kind == Kind::add || e->kind == Kind::subtract) && (is_constant(*e->children[0]) || is_constant(*e->children[1]));
+        const bool has_constant =
+            (e->kind == Kind::add || e->kind == Kind::subtract) && (is_constant(*e->children[0]) || is_constant(*e->children[1]));
         if (!has_open_integral(*e) && !has_constant) return call("diff", span, {e, make_name(variable_, span)});
         if (is_open_integral(*e)) {
-            if (e->children[1]->name != variable_) fail(Id::not_allowed_here, span, fmt::format("the integrals run over '{}' and '{}'; write limits, so that each has a value", variable_, e->children[1]->written()));
+            if (e->children[1]->name != variable_)
+                fail(Id::not_allowed_here, span,
+                     fmt::format("the integrals run over '{}' and '{}'; write limits, so that each has a value", variable_,
+                                 e->children[1]->written()));
             return e->children[0];
         }
         const auto part = [&](std::size_t i) { return (*this)(e->children[i]); };
@@ -149,12 +174,16 @@ public:
             case Kind::divide: {
                 const bool is_second = has_open_integral(*e->children[1]);
                 const Expression& factor = *e->children[is_second ? 0 : 1];
-                if ((is_second && e->kind == Kind::divide) || Reach(catalogue_, entry_, factor).has(variable_) || has_open_integral(factor)) break;
+                if ((is_second && e->kind == Kind::divide) || Reach(catalogue_, entry_, factor).has(variable_) || has_open_integral(factor))
+                    break;
                 return is_second ? node(e->kind, span, {e->children[0], part(1)}) : node(e->kind, span, {part(0), e->children[1]});
             }
             default: break;
         }
-        fail(Id::not_allowed_here, span, fmt::format("the integral without limits in '{}' does not stand in a sum, or with a constant factor, so that its constant matters; write limits", span.text()));
+        fail(Id::not_allowed_here, span,
+             fmt::format("the integral without limits in '{}' does not stand in a sum, or with a constant factor, so that its constant "
+                         "matters; write limits",
+                         span.text()));
     }
 
 private:
@@ -175,7 +204,9 @@ bool moves(const Model& model, const Reach& reach) {
 
 }  // namespace
 
-ExpressionPtr with_known_meaning(const ExpressionPtr& e, const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) { return Meanings(catalogue, entry, model)(e); }
+ExpressionPtr with_known_meaning(const ExpressionPtr& e, const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) {
+    return Meanings(catalogue, entry, model)(e);
+}
 
 void take_constants_out(LatexEquation& read, const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) {
     std::vector<ExpressionPtr>& sides = read.equation.sides;
@@ -192,19 +223,25 @@ void take_constants_out(LatexEquation& read, const Catalogue& catalogue, const C
         for (ExpressionPtr& side : sides) {
             const bool is_plain = !has_open_integral(*side) && !is_constant(*side);
             if (is_plain && !Reach(catalogue, entry, *side).has(variable))
-                fail(Id::not_allowed_here, side->span, fmt::format("nothing says how '{}' depends on '{}', over which '{}' is integrated; write limits, or give its expression under 'with'", side->span.text(), variable, integral->span.text()));
+                fail(Id::not_allowed_here, side->span,
+                     fmt::format("nothing says how '{}' depends on '{}', over which '{}' is integrated; write limits, or give its "
+                                 "expression under 'with'",
+                                 side->span.text(), variable, integral->span.text()));
             side = Differentiation(catalogue, entry, variable)(side);
         }
         return;
     }
-    if (sides.size() != 2 || model == nullptr || is_constant(*sides[0]) || !is_constant(*sides[1]) || !moves(*model, Reach(catalogue, entry, *sides[0]))) return;
+    if (sides.size() != 2 || model == nullptr || is_constant(*sides[0]) || !is_constant(*sides[1]) ||
+        !moves(*model, Reach(catalogue, entry, *sides[0])))
+        return;
     sides = {call("dot", sides[0]->span, {sides[0]}), make_number(0, sides[1]->span)};
 }
 
 void mark_rounded(Equation& equation) {
     const std::function<ExpressionPtr(const ExpressionPtr&)> marked = [&](const ExpressionPtr& e) -> ExpressionPtr {
         if (e->kind == Kind::negate) return node(Kind::negate, e->span, {marked(e->children[0])});
-        const bool has_decimals = e->kind == Kind::number && !is_zero(e->value) && e->span.text().find_first_of(".,") != std::string_view::npos;
+        const bool has_decimals =
+            e->kind == Kind::number && !is_zero(e->value) && e->span.text().find_first_of(".,") != std::string_view::npos;
         if (!has_decimals) return e;
         auto copy = std::make_shared<Expression>(*e);
         copy->name = "rounded";

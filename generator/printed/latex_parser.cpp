@@ -12,14 +12,27 @@ namespace dalembert {
 namespace {
 /// Commands that are no macro of an author.
 bool is_common_command(std::string_view text) {
-    static const std::set<std::string, std::less<>> common{"\\cdot", "\\times", "\\frac", "\\sqrt", "\\rightarrow", "\\Rightarrow", "\\approx", "\\le", "\\ge", "\\neq", "\\dots", "\\in", "\\forall", "\\circ", "\\prime", "\\langle", "\\rangle", "\\otimes", "\\int", "\\sum", "\\nabla", "\\partial", "\\not"};
+    static const std::set<std::string, std::less<>> common{"\\cdot",   "\\times", "\\frac",  "\\sqrt",    "\\rightarrow", "\\Rightarrow",
+                                                           "\\approx", "\\le",    "\\ge",    "\\neq",     "\\dots",       "\\in",
+                                                           "\\forall", "\\circ",  "\\prime", "\\langle",  "\\rangle",     "\\otimes",
+                                                           "\\int",    "\\sum",   "\\nabla", "\\partial", "\\not"};
     return common.contains(text);
 }
 }
 
-LatexParser::LatexParser(const Excerpt& excerpt, const PrintedNotation& notation) : excerpt_(excerpt), notation_(notation), tokens_(latex_tokens(excerpt, 0, excerpt.text.size(), notation.decimal_mark())) { prepare(); }
+LatexParser::LatexParser(const Excerpt& excerpt, const PrintedNotation& notation)
+    : excerpt_(excerpt), notation_(notation), tokens_(latex_tokens(excerpt, 0, excerpt.text.size(), notation.decimal_mark())) {
+    prepare();
+}
 
-LatexParser::LatexParser(const LatexParser& whole, Tokens part) : excerpt_(whole.excerpt_), notation_(whole.notation_), tokens_(std::move(part)), depth_(whole.depth_), brackets_(1), counters_(whole.counters_), both_signs_(whole.both_signs_) {
+LatexParser::LatexParser(const LatexParser& whole, Tokens part)
+    : excerpt_(whole.excerpt_),
+      notation_(whole.notation_),
+      tokens_(std::move(part)),
+      depth_(whole.depth_),
+      brackets_(1),
+      counters_(whole.counters_),
+      both_signs_(whole.both_signs_) {
     const std::size_t end = tokens_.back().end;
     tokens_.push_back({LatexToken::Kind::end, "", end, end});
 }
@@ -27,7 +40,8 @@ LatexParser::LatexParser(const LatexParser& whole, Tokens part) : excerpt_(whole
 LatexParser::Depth::Depth(LatexParser& parser) : parser_(parser) {
     if (++parser_.depth_ > budget::nesting) {
         --parser_.depth_;
-        fail(Id::too_deep, parser_.place(parser_.token()), fmt::format("the equation is nested more than {} levels deep; split it into definitions", budget::nesting));
+        fail(Id::too_deep, parser_.place(parser_.token()),
+             fmt::format("the equation is nested more than {} levels deep; split it into definitions", budget::nesting));
     }
 }
 
@@ -40,12 +54,18 @@ std::string LatexParser::shown(const LatexToken& token) const { return excerpt_.
 
 void LatexParser::expected(std::string_view what) const {
     const LatexToken& found = token();
-    if (found.is("\\cancelto")) wrong(place(found), "'\\cancelto' says that something is replaced by something else; write what stands there afterwards");
+    if (found.is("\\cancelto"))
+        wrong(place(found), "'\\cancelto' says that something is replaced by something else; write what stands there afterwards");
     for (const char* command : {"\\SI", "\\qty", "\\num", "\\unit", "\\si"})
-        if (found.is(command)) wrong(place(found), fmt::format("'{}' is not read; write the number with its unit behind it, as in '9.81\\,\\mathrm{{m/s^2}}'", shown(found)));
+        if (found.is(command))
+            wrong(place(found), fmt::format("'{}' is not read; write the number with its unit behind it, as in '9.81\\,\\mathrm{{m/s^2}}'",
+                                            shown(found)));
     if (found.kind == LatexToken::Kind::command && !is_greek(found.text))
-        wrong(place(found), fmt::format("'{}' cannot be read here; {} is expected{}", shown(found), what, is_common_command(found.text) ? "" : ". If it is a macro of the text, say under [macros] what it stands for"));
-    wrong(place(found), is_end() ? fmt::format("the text ends where {} is expected", what) : fmt::format("there is '{}' where {} is expected", shown(found), what));
+        wrong(place(found),
+              fmt::format("'{}' cannot be read here; {} is expected{}", shown(found), what,
+                          is_common_command(found.text) ? "" : ". If it is a macro of the text, say under [macros] what it stands for"));
+    wrong(place(found), is_end() ? fmt::format("the text ends where {} is expected", what)
+                                 : fmt::format("there is '{}' where {} is expected", shown(found), what));
 }
 
 bool LatexParser::take(std::string_view text) {
@@ -112,8 +132,16 @@ ExpressionPtr LatexParser::signed_term() {
         const Expression& innermost = *path.back();
         ExpressionPtr result;
         const Span span{innermost.span.source, place(at(first)).begin, innermost.span.end};
-        const bool has_offset = innermost.kind == Kind::call && innermost.name == "quantity" && innermost.children[1]->name == "degC" && innermost.children[0]->kind == Kind::number;
-        if (has_offset) result = std::make_shared<Expression>(Expression{Kind::call, span, 0, "quantity", {make_number(-innermost.children[0]->value, Span{span.source, span.begin, innermost.children[0]->span.end}), innermost.children[1]}});
+        const bool has_offset = innermost.kind == Kind::call && innermost.name == "quantity" && innermost.children[1]->name == "degC" &&
+                                innermost.children[0]->kind == Kind::number;
+        if (has_offset)
+            result = std::make_shared<Expression>(
+                Expression{Kind::call,
+                           span,
+                           0,
+                           "quantity",
+                           {make_number(-innermost.children[0]->value, Span{span.source, span.begin, innermost.children[0]->span.end}),
+                            innermost.children[1]}});
         else result = std::make_shared<Expression>(Expression{Kind::negate, span, 0, {}, {std::make_shared<Expression>(innermost)}});
         for (std::size_t i = path.size() - 1; i-- > 0;) {
             Expression whole = *path[i];
@@ -143,7 +171,8 @@ ExpressionPtr LatexParser::term() {
             if (integral_ != nullptr && at_differential()) return left;  // \mathbf{f} \cdot d\mathbf{r}
             ExpressionPtr right = is("-") ? signed_term() : product();
             const bool both = is_vector(*left) && is_vector(*right);
-            left = both ? call(is_cross ? "cross" : "inner", first, {std::move(left), std::move(right)}) : node(Kind::multiply, first, {std::move(left), std::move(right)});
+            left = both ? call(is_cross ? "cross" : "inner", first, {std::move(left), std::move(right)})
+                        : node(Kind::multiply, first, {std::move(left), std::move(right)});
         } else {
             return left;
         }
@@ -157,11 +186,13 @@ ExpressionPtr LatexParser::product() {
     bool is_number = left->kind == Kind::number;
     while (starts_factor()) {
         const LatexToken& second = token();
-        if (second.kind == LatexToken::Kind::number && is_number) wrong(place(second), "there are two numbers beside each other; '\\cdot' or a unit is expected between them");
+        if (second.kind == LatexToken::Kind::number && is_number)
+            wrong(place(second), "there are two numbers beside each other; '\\cdot' or a unit is expected between them");
         const bool is_fraction = second.is("\\frac") && second.space == Space::none;
         if (!is_number) refuse_unit_behind_letters();
         ExpressionPtr right = factor();
-        if (is_number && is_fraction && right->kind == Kind::divide && right->children[0]->kind == Kind::number && right->children[1]->kind == Kind::number)
+        if (is_number && is_fraction && right->kind == Kind::divide && right->children[0]->kind == Kind::number &&
+            right->children[1]->kind == Kind::number)
             wrong(from(first), "it is not clear whether this is a sum, as in one and a half, or a product; write '+' or '\\cdot'");
         is_number = right->kind == Kind::number;
         left = node(Kind::multiply, first, {std::move(left), std::move(right)});
@@ -176,19 +207,23 @@ ExpressionPtr LatexParser::quotient(ExpressionPtr left, std::size_t first) {
     if (integral_ != nullptr && at_differential()) expected("what is divided by");
     ExpressionPtr right = factor();
     const auto is_plain = [](const Expression& e) { return e.kind == Kind::number; };
-    const auto is_small = [](const Expression& e) { return e.kind == Kind::call && (e.name == "differential" || e.name == "partial_differential"); };
+    const auto is_small = [](const Expression& e) {
+        return e.kind == Kind::call && (e.name == "differential" || e.name == "partial_differential");
+    };
     if (is_small(*left) && is_small(*right) && left->name == right->name) {
         const bool is_partial = left->name == "partial_differential";
         return derived(left->children[0], {right->children[0]}, is_partial, first);
     }
     for (const ExpressionPtr* part : {&left, &right})
-        if (is_small(**part) && (*part)->name == "partial_differential") wrong((*part)->span, "'\\partial' stands alone; '\\partial f/\\partial x' is expected");
+        if (is_small(**part) && (*part)->name == "partial_differential")
+            wrong((*part)->span, "'\\partial' stands alone; '\\partial f/\\partial x' is expected");
     ExpressionPtr result = node(Kind::divide, first, {left, right});
     if (starts_factor()) {
         const bool is_function_behind = is_function(token()) && is_plain(*right);
         const bool is_fraction = is_plain(*left) && is_plain(*right);
         if (!is_function_behind && !is_fraction && token().space != Space::thin)
-            wrong(place(at(slash)), fmt::format("it is not clear whether '{}' is divided by as well; write '\\frac' or brackets", shown(token())));
+            wrong(place(at(slash)),
+                  fmt::format("it is not clear whether '{}' is divided by as well; write '\\frac' or brackets", shown(token())));
         while (starts_factor()) {
             ExpressionPtr behind = factor();
             result = node(Kind::multiply, first, {std::move(result), std::move(behind)});
@@ -218,7 +253,9 @@ bool LatexParser::starts_factor() {
         }
         case LatexToken::Kind::begin: return true;
         case LatexToken::Kind::command: {
-            static const std::set<std::string, std::less<>> others{"\\frac", "\\sqrt", "\\int", "\\sum", "\\prod", "\\lim", "\\nabla", "\\infty", "\\underbrace", "\\overbrace", "\\differential", "\\partial", "\\cancel", "\\langle", "\\dots", "\\binom", "\\inframe", "\\arg"};
+            static const std::set<std::string, std::less<>> others{
+                "\\frac",      "\\sqrt",         "\\int",     "\\sum",    "\\prod",   "\\lim",  "\\nabla", "\\infty",   "\\underbrace",
+                "\\overbrace", "\\differential", "\\partial", "\\cancel", "\\langle", "\\dots", "\\binom", "\\inframe", "\\arg"};
             return others.contains(t.text) || is_greek(t.text) || is_function(t) || starts_letter(at_);
         }
         case LatexToken::Kind::sign:
@@ -271,7 +308,8 @@ bool LatexParser::is_vector(const Expression& e) const {
         }
         case Kind::call: {
             static const std::set<std::string, std::less<>> made{"matrix", "row", "inverse", "cross", "gradient", "curl", "diag"};
-            static const std::set<std::string, std::less<>> of_first{"dot", "ddot", "derivative", "partial", "differential", "variation", "integral", "at", "limit", "transpose"};
+            static const std::set<std::string, std::less<>> of_first{"dot",       "ddot",     "derivative", "partial", "differential",
+                                                                     "variation", "integral", "at",         "limit",   "transpose"};
             if (made.contains(e.name)) return true;
             if (e.name == "partial" && !child(0) && e.children.size() > 1) return child(1);
             return of_first.contains(e.name) && child(0);

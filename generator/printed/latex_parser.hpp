@@ -4,9 +4,9 @@
 // note [how a product is read]  Letters beside each other are a product, and so bind more strongly than a sign: a \cdot b c is a (b c).
 // "/" divides by one factor; what is ambiguous to a reader (a/b c) is refused. A function without brackets (\sin 2\theta x) takes numbers,
 // letters and fractions up to a space \, , a sign, a bracket, a dotted or bold letter or another function; a letter that is an angle by
-// custom (\alpha ... \theta, \varphi, \psi) ends it. \frac{d}{dt} and \nabla take the one factor behind them, \sum and \lim the rest of the product.
-// f(...) is a function where the notation says so, where the bracket holds letters and commas only, or one letter without index; where it is not
-// clear what it is a function of, and the expression of f says that it matters, it is refused.
+// custom (\alpha ... \theta, \varphi, \psi) ends it. \frac{d}{dt} and \nabla take the one factor behind them, \sum and \lim the rest of the
+// product. f(...) is a function where the notation says so, where the bracket holds letters and commas only, or one letter without index;
+// where it is not clear what it is a function of, and the expression of f says that it matters, it is refused.
 #pragma once
 
 #include <algorithm>
@@ -70,7 +70,9 @@ private:
     std::size_t behind_argument(std::size_t i) const;
 
     ExpressionPtr node(Kind kind, std::size_t first, std::vector<ExpressionPtr> children, std::string name = {}) const;
-    ExpressionPtr call(std::string name, std::size_t first, std::vector<ExpressionPtr> children) const { return node(Kind::call, first, std::move(children), std::move(name)); }
+    ExpressionPtr call(std::string name, std::size_t first, std::vector<ExpressionPtr> children) const {
+        return node(Kind::call, first, std::move(children), std::move(name));
+    }
     ExpressionPtr number(Rational value, std::size_t first) const { return make_number(std::move(value), from(first)); }
 
     ExpressionPtr expression();
@@ -168,7 +170,8 @@ private:
         std::size_t first, bracket, close;
     };
     ExpressionPtr applied(ExpressionPtr function, const LatexLetter& letter, std::size_t first);
-    ExpressionPtr of_letters(ExpressionPtr function, const LatexLetter& letter, const Brackets& found, Place place, const std::function<void(const std::string&)>& unclear);
+    ExpressionPtr of_letters(ExpressionPtr function, const LatexLetter& letter, const Brackets& found, Place place,
+                             const std::function<void(const std::string&)>& unclear);
     ExpressionPtr value_at(const ExpressionPtr& function, const std::string& argument, const ExpressionPtr& value, std::size_t first);
     Brackets brackets_at(std::size_t open, std::size_t close);
     const LetterDependence* dependence_of(const Expression& function) const;

@@ -4,27 +4,22 @@
 // note [calls from LaTeX]  Beside the functions of the vocabulary the reader makes these calls:
 //   dot(e), ddot(e)                 time derivatives: \dot{x}, \frac{d}{dt} e, \frac{d^2 x}{dt^2}
 //   derivative(e, x)                \frac{de}{dx}; second ones are nested
-//   partial(e, x, held...)          \frac{\partial e}{\partial x}; what is held constant behind it: \left(\frac{\partial e}{\partial x}\right)_{p,T}
-//   differential(e), variation(e)   de outside of an integral, \delta e
-//   integral(e, x, a, b)            \int_a^b e dx; integral(e, x) without limits; integral(e, x, R) over a region, \int_R e dx
-//   limit(e, x, a)                  \lim_{x \to a} e
-//   at(e, x, a)                     \left. e \right|_{x=a}, and f(a) of a function f of x
-//   product(e, k, a, b)             \prod_{k=a}^b e; \sum is the `sum` of the model language
-//   sum_over(e, k), sum_over(e, k, condition), product_over(...)    \sum_k e, \sum_{k \neq i} e, without limits
-//   factorial(n), average(e), mean(e), tensor(a, b)    n!, \langle e \rangle, \overline{a + b}, a \otimes b
-//   matrix(row(...), ...), row(...), transpose(A), inverse(A), determinant(A), trace(A), diag(v)
-//   inner(a, b), cross(a, b), norm(v)       between what is bold or has an arrow: \cdot, \times, \|v\|
-//   gradient(e), divergence(v), curl(v), laplacian(e)     \nabla e, \nabla \cdot v, \nabla \times v, \nabla^2 e
-//   quantity(number, unit)          9.81\,\mathrm{m}/\mathrm{s}^2; the unit is a tree of the grammar of units
-//   cases(e, condition, ..., e)     pieces with their conditions; the last one without a condition holds otherwise
-//   value(f, a, b)                  f(a, b), f(x_0) and f(0) where nothing says what f is a function of
-//   minimum_over(e, x), maximum_over, infimum_over, supremum_over, minimiser(e, x), maximiser    \min_x e, ..., \arg\min_x e
-//   integral_over(e, R), integral_over(e, R, x, y)    \int_R e, \int_R e dx dy
-//   dots()                          an ellipsis as a term, factor or entry
-//   ket(a), bra(a), braket(a, b), braket(a, e, b), pairing(a, b)    |a\rangle, \langle a|, ..., \langle a, b\rangle
-//   component(e, i), taken_at(e, a), in_frame(e, A), derivative_by_index(e, i)    (a + b)_i, e|_a, \frac{{}^A d e}{dt}, \partial_i e
-//   material_rate(e), binomial(n, k), set(a, b), member(a, A)    \frac{De}{Dt}, \binom{n}{k}, \{a, b\}, a \in A
-//   equal, not_equal, less, less_equal, greater, greater_equal (a, b), both(c, d), either(c, d)     conditions
+//   partial(e, x, held...)          \frac{\partial e}{\partial x}; what is held constant behind it: \left(\frac{\partial e}{\partial
+//   x}\right)_{p,T} differential(e), variation(e)   de outside of an integral, \delta e integral(e, x, a, b)            \int_a^b e dx;
+//   integral(e, x) without limits; integral(e, x, R) over a region, \int_R e dx limit(e, x, a)                  \lim_{x \to a} e at(e, x,
+//   a)                     \left. e \right|_{x=a}, and f(a) of a function f of x product(e, k, a, b)             \prod_{k=a}^b e; \sum is
+//   the `sum` of the model language sum_over(e, k), sum_over(e, k, condition), product_over(...)    \sum_k e, \sum_{k \neq i} e, without
+//   limits factorial(n), average(e), mean(e), tensor(a, b)    n!, \langle e \rangle, \overline{a + b}, a \otimes b matrix(row(...), ...),
+//   row(...), transpose(A), inverse(A), determinant(A), trace(A), diag(v) inner(a, b), cross(a, b), norm(v)       between what is bold or
+//   has an arrow: \cdot, \times, \|v\| gradient(e), divergence(v), curl(v), laplacian(e)     \nabla e, \nabla \cdot v, \nabla \times v,
+//   \nabla^2 e quantity(number, unit)          9.81\,\mathrm{m}/\mathrm{s}^2; the unit is a tree of the grammar of units cases(e,
+//   condition, ..., e)     pieces with their conditions; the last one without a condition holds otherwise value(f, a, b) f(a, b), f(x_0)
+//   and f(0) where nothing says what f is a function of minimum_over(e, x), maximum_over, infimum_over, supremum_over, minimiser(e, x),
+//   maximiser    \min_x e, ..., \arg\min_x e integral_over(e, R), integral_over(e, R, x, y)    \int_R e, \int_R e dx dy dots() an ellipsis
+//   as a term, factor or entry ket(a), bra(a), braket(a, b), braket(a, e, b), pairing(a, b)    |a\rangle, \langle a|, ..., \langle a,
+//   b\rangle component(e, i), taken_at(e, a), in_frame(e, A), derivative_by_index(e, i)    (a + b)_i, e|_a, \frac{{}^A d e}{dt}, \partial_i
+//   e material_rate(e), binomial(n, k), set(a, b), member(a, A)    \frac{De}{Dt}, \binom{n}{k}, \{a, b\}, a \in A equal, not_equal, less,
+//   less_equal, greater, greater_equal (a, b), both(c, d), either(c, d)     conditions
 // and the names `pi`, `infinity`, `constant` ("= const."), `nabla`.
 #pragma once
 
@@ -34,7 +29,23 @@
 
 namespace dalembert {
 
-enum class Relation { equal, approximately, less, less_equal, greater, greater_equal, not_equal, proportional, similar, much_less, much_greater, precedes, precedes_equal, succeeds, succeeds_equal };
+enum class Relation {
+    equal,
+    approximately,
+    less,
+    less_equal,
+    greater,
+    greater_equal,
+    not_equal,
+    proportional,
+    similar,
+    much_less,
+    much_greater,
+    precedes,
+    precedes_equal,
+    succeeds,
+    succeeds_equal
+};
 
 /// "=", "\approx", ...
 const char* sign_of(Relation relation);
@@ -57,7 +68,8 @@ struct RefusedEquation {
 
 /// All equations of the text, in order. Throws Failure (syntax, too-deep, too-long, number-too-large) with a caret inside the text.
 std::vector<LatexEquation> read_latex(const Excerpt& excerpt, const PrintedNotation& notation);
-/// The same without the equations that cannot be read, which are added to `refused`: note [what an equation takes with it]. Throws where nothing is read.
+/// The same without the equations that cannot be read, which are added to `refused`: note [what an equation takes with it]. Throws where
+/// nothing is read.
 std::vector<LatexEquation> read_latex(const Excerpt& excerpt, const PrintedNotation& notation, std::vector<RefusedEquation>& refused);
 /// The text is one expression without a relation. Throws the same.
 ExpressionPtr read_latex_expression(const Excerpt& excerpt, const PrintedNotation& notation);

@@ -14,12 +14,15 @@ struct ScaledNumber {
     ExpressionPtr number, rest;
 };
 
-ExpressionPtr quotient_of(const Span& span, const ExpressionPtr& a, const ExpressionPtr& b) { return std::make_shared<Expression>(Expression{Expression::Kind::divide, span, 0, {}, {a, b}}); }
+ExpressionPtr quotient_of(const Span& span, const ExpressionPtr& a, const ExpressionPtr& b) {
+    return std::make_shared<Expression>(Expression{Expression::Kind::divide, span, 0, {}, {a, b}});
+}
 
 /// Nothing where no number stands first.
 std::optional<ScaledNumber> scaled_number(const ExpressionPtr& e) {
     using Kind = Expression::Kind;
-    if (e->kind == Kind::number || (e->kind == Kind::call && e->name == "quantity" && e->children[0]->kind == Kind::number)) return ScaledNumber{e, nullptr};
+    if (e->kind == Kind::number || (e->kind == Kind::call && e->name == "quantity" && e->children[0]->kind == Kind::number))
+        return ScaledNumber{e, nullptr};
     if (e->kind != Kind::negate && e->kind != Kind::multiply && e->kind != Kind::divide) return std::nullopt;
     auto scaled = scaled_number(e->children[0]);
     if (!scaled) return std::nullopt;
@@ -66,7 +69,10 @@ std::vector<Equation> with_rounded_numbers(const LatexEquation& read) {
         }
         if (const auto right = scaled_number(sides[i + 1])) add(quotient_of(sides[i]->span, sides[i], right->rest), right->number);
         else if (const auto left = scaled_number(sides[i])) add(left->number, quotient_of(sides[i + 1]->span, sides[i + 1], left->rest));
-        else fail(Id::not_allowed_here, read.equation.span, fmt::format("'\\approx' between '{}' and '{}' does not say how near they are; a rounded number is expected on one side", sides[i]->written(), sides[i + 1]->written()));
+        else
+            fail(Id::not_allowed_here, read.equation.span,
+                 fmt::format("'\\approx' between '{}' and '{}' does not say how near they are; a rounded number is expected on one side",
+                             sides[i]->written(), sides[i + 1]->written()));
     }
     return result;
 }

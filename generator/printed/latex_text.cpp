@@ -32,7 +32,9 @@ Binding binding(const Expression& e) {
 }
 
 const std::map<std::string, std::string, std::less<>> function_commands{
-    {"sin", "\\sin"}, {"cos", "\\cos"}, {"tan", "\\tan"}, {"asin", "\\arcsin"}, {"acos", "\\arccos"}, {"atan", "\\arctan"}, {"sinh", "\\sinh"}, {"cosh", "\\cosh"}, {"tanh", "\\tanh"}, {"exp", "\\exp"}, {"log", "\\ln"}, {"min", "\\min"}, {"max", "\\max"}};
+    {"sin", "\\sin"},     {"cos", "\\cos"},   {"tan", "\\tan"},   {"asin", "\\arcsin"}, {"acos", "\\arccos"},
+    {"atan", "\\arctan"}, {"sinh", "\\sinh"}, {"cosh", "\\cosh"}, {"tanh", "\\tanh"},   {"exp", "\\exp"},
+    {"log", "\\ln"},      {"min", "\\min"},   {"max", "\\max"}};
 
 /// Line breaks, alignment and repeated blanks say nothing.
 std::string on_one_line(std::string_view text) {
@@ -56,7 +58,8 @@ bool is_letter_of_command(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' &
 
 /// "\\alpha" and "x" are not "\\alphax".
 std::string beside(const std::string& left, const std::string& right) {
-    const bool is_number_beside_number = !left.empty() && !right.empty() && left.back() >= '0' && left.back() <= '9' && right.front() >= '0' && right.front() <= '9';
+    const bool is_number_beside_number =
+        !left.empty() && !right.empty() && left.back() >= '0' && left.back() <= '9' && right.front() >= '0' && right.front() <= '9';
     return left + (is_number_beside_number ? " \\cdot " : " ") + right;
 }
 
@@ -84,10 +87,12 @@ private:
         }
         std::vector<std::string> above, below;
         add_factors(e, false, is_negative, above, below);
-        terms.push_back(fmt::format("{}{}{}{}", is_negative ? "-" : "+", fmt::join(above, "*"), below.empty() ? "" : "/", fmt::join(below, "/")));
+        terms.push_back(
+            fmt::format("{}{}{}{}", is_negative ? "-" : "+", fmt::join(above, "*"), below.empty() ? "" : "/", fmt::join(below, "/")));
     }
 
-    static void add_factors(const Expression& e, bool is_below, bool& is_negative, std::vector<std::string>& above, std::vector<std::string>& below) {
+    static void add_factors(const Expression& e, bool is_below, bool& is_negative, std::vector<std::string>& above,
+                            std::vector<std::string>& below) {
         if (e.kind == Kind::negate) {
             is_negative = !is_negative;
             return add_factors(*e.children[0], is_below, is_negative, above, below);
@@ -150,9 +155,12 @@ std::optional<std::size_t> sign_between(std::string_view text, std::size_t from,
 
 }  // namespace
 
-LatexText::LatexText(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model, const PrintedEquation& read) : catalogue_(catalogue), entry_(entry), model_(model), equations_(read.shown) {
+LatexText::LatexText(const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model, const PrintedEquation& read)
+    : catalogue_(catalogue), entry_(entry), model_(model), equations_(read.shown) {
     const Span whole = entry.latex->whole();
-    const auto is_inside = [&](const Span& place) { return place.source == whole.source && place.begin >= whole.begin && place.end <= whole.end; };
+    const auto is_inside = [&](const Span& place) {
+        return place.source == whole.source && place.begin >= whole.begin && place.end <= whole.end;
+    };
     for (const auto* meanings : {&catalogue.notation, &entry.notation})
         for (const LatexMeaning& meaning : *meanings)
             if (meaning.value->kind == Kind::name && meaning.value->children.empty()) letters_[meaning.value->name] = meaning.letter.text;
@@ -161,7 +169,8 @@ LatexText::LatexText(const Catalogue& catalogue, const CatalogueEntry& entry, co
             for_each(*side, [&](const Expression& e) {
                 if (!is_inside(e.span)) return;
                 originals_.insert(&e);
-                const bool is_letter = e.kind == Kind::name && e.children.empty() && e.span.text().find_first_of("(+-") == std::string_view::npos && !e.span.text().starts_with("\\d");
+                const bool is_letter = e.kind == Kind::name && e.children.empty() &&
+                                       e.span.text().find_first_of("(+-") == std::string_view::npos && !e.span.text().starts_with("\\d");
                 if (is_letter) letters_.emplace(e.name, on_one_line(e.span.text()));
             });
 }
@@ -169,7 +178,9 @@ LatexText::LatexText(const Catalogue& catalogue, const CatalogueEntry& entry, co
 std::string LatexText::letter(const std::string& name) const {
     if (const auto known = letters_.find(name); known != letters_.end()) return known->second;
     const std::size_t end = name.find('_');
-    const auto part = [](const std::string& word) { return is_greek("\\" + word) ? "\\" + word : word.size() > 1 ? "\\mathrm{" + word + "}" : word; };
+    const auto part = [](const std::string& word) {
+        return is_greek("\\" + word) ? "\\" + word : word.size() > 1 ? "\\mathrm{" + word + "}" : word;
+    };
     std::string text = part(name.substr(0, end));
     if (end == std::string::npos) return text;
     std::vector<std::string> indices;
@@ -214,7 +225,9 @@ std::string LatexText::made(const Expression& e) const {
     const auto part = [&](std::size_t i, int least) { return text_of(*e.children[i], least); };
     switch (e.kind) {
         case Kind::number:
-            if (!is_integer(e.value)) return fmt::format("{}\\frac{{{}}}{{{}}}", is_negative(e.value) ? "-" : "", to_string(cln::abs(Rational(cln::numerator(e.value)))), to_string(Rational(cln::denominator(e.value))));
+            if (!is_integer(e.value))
+                return fmt::format("{}\\frac{{{}}}{{{}}}", is_negative(e.value) ? "-" : "",
+                                   to_string(cln::abs(Rational(cln::numerator(e.value)))), to_string(Rational(cln::denominator(e.value))));
             return to_string(e.value);
         case Kind::name:
             if (!e.children.empty()) throw NotSpelled();
@@ -227,9 +240,11 @@ std::string LatexText::made(const Expression& e) const {
         case Kind::power: {
             const Expression& base = *e.children[0];
             const bool is_rate = base.kind == Kind::call && (base.name == "dot" || base.name == "ddot");
-            const bool is_letter = is_rate || base.kind == Kind::name || (base.kind == Kind::number && is_integer(base.value) && !is_negative(base.value));
+            const bool is_letter =
+                is_rate || base.kind == Kind::name || (base.kind == Kind::number && is_integer(base.value) && !is_negative(base.value));
             const std::string exponent = part(1, as_sum);
-            return (is_letter ? part(0, as_primary) : text_of(base, as_primary + (is_printed(base) ? 1 : 0))) + "^" + (exponent.size() == 1 ? exponent : "{" + exponent + "}");
+            return (is_letter ? part(0, as_primary) : text_of(base, as_primary + (is_printed(base) ? 1 : 0))) + "^" +
+                   (exponent.size() == 1 ? exponent : "{" + exponent + "}");
         }
         case Kind::call: {
             if (e.name == "dot" || e.name == "ddot") return "\\" + e.name + "{" + part(0, as_primary) + "}";
@@ -276,11 +291,14 @@ std::optional<std::string> LatexText::mended(std::size_t which, const Slip& slip
     const std::string_view text = from.span.source->text();
     const auto with = [&](const Span& place, const std::string& instead) -> std::optional<std::string> {
         const auto between = [&](std::size_t begin, std::size_t end) { return std::string(text.substr(begin, end - begin)); };
-        if (!reads_as(between(whole.begin, place.begin) + instead + between(place.end, whole.end), which, slip.equation)) return std::nullopt;
-        return on_one_line(between(std::min(equation.begin, place.begin), place.begin) + instead + between(place.end, std::max(equation.end, place.end)));
+        if (!reads_as(between(whole.begin, place.begin) + instead + between(place.end, whole.end), which, slip.equation))
+            return std::nullopt;
+        return on_one_line(between(std::min(equation.begin, place.begin), place.begin) + instead +
+                           between(place.end, std::max(equation.end, place.end)));
     };
     const auto has_same_children = [&] { return from.children == to.children; };
-    const bool is_other_sign = (from.kind == Kind::add && to.kind == Kind::subtract) || (from.kind == Kind::subtract && to.kind == Kind::add);
+    const bool is_other_sign =
+        (from.kind == Kind::add && to.kind == Kind::subtract) || (from.kind == Kind::subtract && to.kind == Kind::add);
     if (is_other_sign && has_same_children() && is_printed(*from.children[0]) && is_printed(*from.children[1]))
         if (const auto sign = sign_between(text, from.children[0]->span.end, from.children[1]->span.begin))
             if (auto result = with({from.span.source, *sign, *sign + 1}, to.kind == Kind::add ? "+" : "-")) return result;
@@ -296,8 +314,10 @@ std::optional<std::string> LatexText::mended(std::size_t which, const Slip& slip
         const std::string instead = text_of(to, as_sum);
         const Span wide = with_brackets(own);
         const std::string bracketed = "\\left(" + instead + "\\right)";
-        for (const auto& [place, replacement] : {std::pair(wide, instead), std::pair(own, instead), std::pair(own, bracketed), std::pair(wide, bracketed), std::pair(own, "{" + instead + "}")}) {
-            const bool needs_space = is_letter_of_command(replacement.front()) && place.begin > 0 && is_letter_of_command(text[place.begin - 1]);
+        for (const auto& [place, replacement] : {std::pair(wide, instead), std::pair(own, instead), std::pair(own, bracketed),
+                                                 std::pair(wide, bracketed), std::pair(own, "{" + instead + "}")}) {
+            const bool needs_space =
+                is_letter_of_command(replacement.front()) && place.begin > 0 && is_letter_of_command(text[place.begin - 1]);
             if (auto result = with(place, (needs_space ? " " : "") + replacement)) return result;
         }
     } catch (const NotSpelled&) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Units behind numbers: 9.81\,\mathrm{m}/\mathrm{s}^2, \frac{\mathrm{kg}}{\mathrm{m}^3}, \mathrm{W\,m^{-2}\,K^{-1}}, ^\circ\text{C}, \%, [\mathrm{N}].
+// Units behind numbers: 9.81\,\mathrm{m}/\mathrm{s}^2, \frac{\mathrm{kg}}{\mathrm{m}^3}, \mathrm{W\,m^{-2}\,K^{-1}}, ^\circ\text{C}, \%,
+// [\mathrm{N}].
 #include <fmt/format.h>
 
 #include "language/dimension.hpp"
@@ -98,7 +99,8 @@ private:
             at_ += is_celsius ? 1 : 0;
             word = is_celsius ? "degC" : "deg";
         } else {
-            while (token().kind == LatexToken::Kind::letter && (at_ == first || word == "u" || token().space == LatexToken::Space::none)) word += tokens_[at_++].text;
+            while (token().kind == LatexToken::Kind::letter && (at_ == first || word == "u" || token().space == LatexToken::Space::none))
+                word += tokens_[at_++].text;
         }
         return word.empty() ? nullptr : make_name(word, span(first));
     }
@@ -161,7 +163,9 @@ ExpressionPtr LatexParser::unit_factor() {
         }
         return node(Kind::divide, first, std::move(parts));
     }
-    const bool is_degree = is("°") || (is("^") && (token(1).is("\\circ") || token(1).is("°") || (token(1).is("{") && token(2).is("\\circ") && token(3).is("}"))));
+    const bool is_degree =
+        is("°") ||
+        (is("^") && (token(1).is("\\circ") || token(1).is("°") || (token(1).is("{") && token(2).is("\\circ") && token(3).is("}"))));
     if (is_degree) {
         at_ += is("°") ? 1 : token(1).is("{") ? 4 : 2;
         const bool is_celsius = (token().kind == LatexToken::Kind::upright && token().text == "C");
@@ -220,7 +224,11 @@ void LatexParser::refuse_unit_behind_letters() {
     const bool ends = unit && (is_end() || relation() || is(",") || is_point() || is("\\\\"));
     const Span span = from(first);
     at_ = first;
-    if (ends) fail(Id::unknown_unit, span, fmt::format("'{}' looks like a unit behind an expression, whose letters have units of their own; leave it out, or write a number before it", span.text()));
+    if (ends)
+        fail(Id::unknown_unit, span,
+             fmt::format("'{}' looks like a unit behind an expression, whose letters have units of their own; leave it out, or write a "
+                         "number before it",
+                         span.text()));
 }
 
 ExpressionPtr LatexParser::unit_product() {

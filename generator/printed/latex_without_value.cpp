@@ -87,7 +87,9 @@ ExpressionPtr LatexParser::pairing() {
 
 /// \min_x e, \max_{x \in X} e, \arg\min_x e: over what stands below, of the product behind.
 ExpressionPtr LatexParser::extremum_over(const std::string& name, std::size_t first) {
-    static const std::map<std::string, std::string, std::less<>> names{{"min", "minimum_over"}, {"max", "maximum_over"}, {"inf", "infimum_over"}, {"sup", "supremum_over"}, {"argmin", "minimiser"}, {"argmax", "maximiser"}};
+    static const std::map<std::string, std::string, std::less<>> names{{"min", "minimum_over"}, {"max", "maximum_over"},
+                                                                       {"inf", "infimum_over"}, {"sup", "supremum_over"},
+                                                                       {"argmin", "minimiser"}, {"argmax", "maximiser"}};
     std::vector<ExpressionPtr> over;
     if (!is("_")) expected("'_' with the letter that varies");
     next();
@@ -127,15 +129,20 @@ bool LatexParser::has_odd_bars(std::size_t open, std::size_t close) const {
     return bars % 2 == 1;
 }
 
-/// k, k+1, n-m in brackets, of letters that count by custom; where brackets may be a factor, as in e(k+1), only if other letters of the text have this one in brackets.
+/// k, k+1, n-m in brackets, of letters that count by custom; where brackets may be a factor, as in e(k+1), only if other letters of the
+/// text have this one in brackets.
 bool LatexParser::is_sample(std::size_t open, std::size_t close, bool is_known) {
     const LatexToken& index = at(open + 1);
     if (index.kind != LatexToken::Kind::letter || index.text[0] < 'i' || index.text[0] > 'n') return false;
-    if (close != open + 2 && (close != open + 4 || !(at(open + 2).is("+") || at(open + 2).is("-")) || (at(open + 3).kind != LatexToken::Kind::number && at(open + 3).kind != LatexToken::Kind::letter))) return false;
-    const bool has_two = close == open + 4 && at(open + 3).kind == LatexToken::Kind::letter && at(open + 3).text[0] >= 'i' && at(open + 3).text[0] <= 'n';
+    if (close != open + 2 && (close != open + 4 || !(at(open + 2).is("+") || at(open + 2).is("-")) ||
+                              (at(open + 3).kind != LatexToken::Kind::number && at(open + 3).kind != LatexToken::Kind::letter)))
+        return false;
+    const bool has_two =
+        close == open + 4 && at(open + 3).kind == LatexToken::Kind::letter && at(open + 3).text[0] >= 'i' && at(open + 3).text[0] <= 'n';
     if (is_known || has_two) return true;
     find_calls();
-    return std::any_of(called_with_letters_->begin(), called_with_letters_->end(), [&](const auto& call) { return call.second.size() == 1 && call.second.front() == index.text; });
+    return std::any_of(called_with_letters_->begin(), called_with_letters_->end(),
+                       [&](const auto& call) { return call.second.size() == 1 && call.second.front() == index.text; });
 }
 
 /// x[n+1], E[...], F[f]: behind a letter, and no factor in square brackets.
@@ -151,13 +158,15 @@ bool LatexParser::starts_square_value(const LatexLetter& letter) {
 
 /// What is no factor in brackets: z(t), j\omega, k+1 where k counts; and all of O(...).
 bool LatexParser::starts_plain_value(std::size_t open, std::size_t close, const LatexLetter* letter) {
-    const bool is_frequency = close == open + 3 && (at(open + 1).is_letter("j") || at(open + 1).is_letter("i")) && at(open + 2).is("\\omega");
+    const bool is_frequency =
+        close == open + 3 && (at(open + 1).is_letter("j") || at(open + 1).is_letter("i")) && at(open + 2).is("\\omega");
     const bool is_order = letter != nullptr && letter->base == "O" && letter->index.empty();
     if (is_frequency || is_order || has_odd_bars(open, close)) return true;
     if (letter != nullptr && at(open + 1).is_letter(letter->base)) return false;  // n(n+1)
     if (is_sample(open, close, false) && close != open + 2) return true;
     const auto inner = starts_letter(open + 1) ? letter_at(open + 1) : std::nullopt;
-    return inner && inner->first.power_at == 0 && at(inner->second).is("(") && closing_bracket(inner->second) + 1 == close && (brackets_at(inner->second, close - 1).is_plain || starts_plain_value(inner->second, close - 1, nullptr));
+    return inner && inner->first.power_at == 0 && at(inner->second).is("(") && closing_bracket(inner->second) + 1 == close &&
+           (brackets_at(inner->second, close - 1).is_plain || starts_plain_value(inner->second, close - 1, nullptr));
 }
 
 /// \frac{D u}{Dt} and \frac{\mathrm{D}}{\mathrm{D}t} u, moving with the fluid. Nothing, and not moved, where none stands here.
@@ -166,7 +175,8 @@ std::optional<ExpressionPtr> LatexParser::material_rate() {
     const auto is_sign = [](const LatexToken& t) { return t.is_letter("D") || (t.kind == LatexToken::Kind::upright && t.text == "D"); };
     const bool is_braced = token(1).is("{");
     const std::size_t above = at_ + (is_braced ? 2 : 1), below = behind_argument(at_ + 1);
-    if (!is_sign(at(above)) || !at(below).is("{") || !is_sign(at(below + 1)) || !at(below + 2).is_letter("t") || !at(below + 3).is("}")) return std::nullopt;
+    if (!is_sign(at(above)) || !at(below).is("{") || !is_sign(at(below + 1)) || !at(below + 2).is_letter("t") || !at(below + 3).is("}"))
+        return std::nullopt;
     at_ = above + 1;
     ExpressionPtr inside;
     if (is_braced && !is("}")) {
@@ -214,7 +224,8 @@ bool LatexParser::starts_named_value() {
     const auto read = starts_letter(at_ + 1) ? letter_at(at_ + 1) : std::nullopt;
     if (!read || !at(read->second).is("=")) return false;
     const std::size_t close = closing_bracket(at_);
-    return std::none_of(tokens_.begin() + static_cast<std::ptrdiff_t>(read->second), tokens_.begin() + static_cast<std::ptrdiff_t>(close), [](const LatexToken& t) { return t.is(",") || t.is("\\dots"); });
+    return std::none_of(tokens_.begin() + static_cast<std::ptrdiff_t>(read->second), tokens_.begin() + static_cast<std::ptrdiff_t>(close),
+                        [](const LatexToken& t) { return t.is(",") || t.is("\\dots"); });
 }
 
 /// f(y = 0)
@@ -260,8 +271,11 @@ ExpressionPtr LatexParser::partial_by_index() {
         variables.assign(static_cast<std::size_t>(times), variables.front());
     }
     ExpressionPtr inside = operand("what is differentiated");
-    if (starts_factor()) wrong(place(token()), fmt::format("it is not clear whether '{}' is differentiated as well; write brackets around what is", shown(token())));
-    if (std::none_of(variables.begin(), variables.end(), [](const ExpressionPtr& x) { return counts_by_custom(*x); })) return derived(std::move(inside), variables, true, first);
+    if (starts_factor())
+        wrong(place(token()),
+              fmt::format("it is not clear whether '{}' is differentiated as well; write brackets around what is", shown(token())));
+    if (std::none_of(variables.begin(), variables.end(), [](const ExpressionPtr& x) { return counts_by_custom(*x); }))
+        return derived(std::move(inside), variables, true, first);
     std::vector<ExpressionPtr> parts{std::move(inside)};
     parts.insert(parts.end(), variables.begin(), variables.end());
     return call("derivative_by_index", first, std::move(parts));
@@ -304,8 +318,13 @@ bool LatexParser::has_differential_ahead() const {
         if (depth == 0 && t.is("\\int") && i > 0 && (at(i - 1).is("+") || at(i - 1).is("-"))) return false;  // another one, with its own
         if (t.is_letter("d") || t.is("\\differential")) return true;
         const bool is_bracket = t.kind == LatexToken::Kind::sign;
-        if (t.side == Side::left || (is_bracket && t.side == Side::neutral && (t.text == "{" || t.text == "(" || t.text == "[" || t.text == "\\{"))) ++depth;
-        if ((t.side == Side::right || (is_bracket && t.side == Side::neutral && (t.text == "}" || t.text == ")" || t.text == "]" || t.text == "\\}"))) && depth-- == 0) return false;
+        if (t.side == Side::left ||
+            (is_bracket && t.side == Side::neutral && (t.text == "{" || t.text == "(" || t.text == "[" || t.text == "\\{")))
+            ++depth;
+        if ((t.side == Side::right ||
+             (is_bracket && t.side == Side::neutral && (t.text == "}" || t.text == ")" || t.text == "]" || t.text == "\\}"))) &&
+            depth-- == 0)
+            return false;
     }
     return false;
 }
@@ -316,7 +335,8 @@ std::size_t LatexParser::behind_zero_vector(std::size_t i) const {
     const std::size_t mark = is_grouped ? i + 1 : i;
     if (!at(mark).is("\\mathbf") && !at(mark).is("\\vec")) return 0;
     const std::size_t digit = mark + (at(mark + 1).is("{") ? 2 : 1), end = behind_argument(mark + 1);
-    const bool is_zero = at(digit).kind == LatexToken::Kind::number && at(digit).text == "0" && (digit == mark + 1 || at(digit + 1).is("}"));
+    const bool is_zero =
+        at(digit).kind == LatexToken::Kind::number && at(digit).text == "0" && (digit == mark + 1 || at(digit + 1).is("}"));
     if (!is_zero || (is_grouped && !at(end).is("}"))) return 0;
     return is_grouped ? end + 1 : end;
 }

@@ -35,7 +35,10 @@ void letters_in(const ExpressionPtr& e, std::vector<ExpressionPtr>& letters, std
     const bool is_rate = e->kind == Kind::call && (e->name == "dot" || e->name == "ddot") && e->children[0]->kind == Kind::name;
     if (e->kind == Kind::name || is_rate) {
         const std::string& name = is_rate ? e->children[0]->name : e->name;
-        if (find_quantity(name) != nullptr) fail(Id::not_allowed_here, e->span, fmt::format("what '{}' depends on is not seen here, so that no small change of it can be made; write out its change", e->written()));
+        if (find_quantity(name) != nullptr)
+            fail(Id::not_allowed_here, e->span,
+                 fmt::format("what '{}' depends on is not seen here, so that no small change of it can be made; write out its change",
+                             e->written()));
         if (name != "pi" && seen.insert((is_rate ? e->name : "") + name).second) letters.push_back(e);
         return;
     }
@@ -59,7 +62,8 @@ ExpressionPtr total_differential(const Expression& whole, const std::string& pre
     letters_in(inside, letters, seen);
     ExpressionPtr total;
     for (const ExpressionPtr& letter : letters) {
-        ExpressionPtr term = joined(Kind::multiply, whole.span, call_of(whole.span, "diff", {inside, letter}), small_letter(prefix, *letter, whole.span));
+        ExpressionPtr term =
+            joined(Kind::multiply, whole.span, call_of(whole.span, "diff", {inside, letter}), small_letter(prefix, *letter, whole.span));
         total = total ? joined(Kind::add, whole.span, total, term) : term;
     }
     return total ? total : make_number(0, whole.span);
@@ -67,7 +71,8 @@ ExpressionPtr total_differential(const Expression& whole, const std::string& pre
 
 /// Conditions have a meaning in cases only.
 ExpressionPtr condition_in_model_words(const ExpressionPtr& e) {
-    if (e->name == "member") fail(Id::not_allowed_here, e->span, fmt::format("the set in '{}' is not read; write the condition as a relation", shown(*e)));
+    if (e->name == "member")
+        fail(Id::not_allowed_here, e->span, fmt::format("the set in '{}' is not read; write the condition as a relation", shown(*e)));
     auto copy = std::make_shared<Expression>(*e);
     const bool is_joint = e->name == "both" || e->name == "either";
     for (ExpressionPtr& child : copy->children) child = is_joint ? condition_in_model_words(child) : in_model_words(child);
@@ -76,14 +81,17 @@ ExpressionPtr condition_in_model_words(const ExpressionPtr& e) {
 
 ExpressionPtr cases_in_model_words(const Expression& e) {
     auto copy = std::make_shared<Expression>(e);
-    for (std::size_t i = 0; i < copy->children.size(); ++i) copy->children[i] = i % 2 == 1 ? condition_in_model_words(e.children[i]) : in_model_words(e.children[i]);
+    for (std::size_t i = 0; i < copy->children.size(); ++i)
+        copy->children[i] = i % 2 == 1 ? condition_in_model_words(e.children[i]) : in_model_words(e.children[i]);
     return copy;
 }
 
 ExpressionPtr factorial_of(const Expression& e) {
     constexpr int largest = 170;
     const auto whole = e.children[0]->kind == Kind::number ? to_int(e.children[0]->value) : std::nullopt;
-    if (!whole || *whole < 0 || *whole > largest) fail(Id::not_allowed_here, e.span, fmt::format("the factorial '{}' has a value of a whole number up to {} only; write it out", e.written(), largest));
+    if (!whole || *whole < 0 || *whole > largest)
+        fail(Id::not_allowed_here, e.span,
+             fmt::format("the factorial '{}' has a value of a whole number up to {} only; write it out", e.written(), largest));
     Rational value = 1;
     for (int i = 2; i <= *whole; ++i) value = value * i;
     return make_number(value, e.span);
@@ -93,7 +101,8 @@ ExpressionPtr factorial_of(const Expression& e) {
 std::string unknown_function(const Expression& value) {
     const std::string name = shown(*value.children[0]);
     const bool may_be_factor = value.children.size() == 2 && value.children[1]->kind != Kind::number;
-    return fmt::format("nothing says what '{}' in '{}' is a function of; say it, as in functions = ['{}(x)']{}", name, shown(value), name, may_be_factor ? fmt::format(", or write '{} \\cdot' for a product", name) : "");
+    return fmt::format("nothing says what '{}' in '{}' is a function of; say it, as in functions = ['{}(x)']{}", name, shown(value), name,
+                       may_be_factor ? fmt::format(", or write '{} \\cdot' for a product", name) : "");
 }
 
 }  // namespace
@@ -103,7 +112,8 @@ ExpressionPtr in_model_words(const ExpressionPtr& e) {
     auto copy = std::make_shared<Expression>(*e);
     for (std::size_t i = 0; i < copy->children.size(); ++i)
         if (!(e->kind == Kind::call && e->name == "quantity" && i == 1)) copy->children[i] = in_model_words(e->children[i]);
-    if (e->kind == Kind::name && e->name == "constant") fail(Id::not_allowed_here, e->span, "'const.' is no value; say what the constant is, or that the derivative vanishes");
+    if (e->kind == Kind::name && e->name == "constant")
+        fail(Id::not_allowed_here, e->span, "'const.' is no value; say what the constant is, or that the derivative vanishes");
     if (e->kind != Kind::call) return copy;
     if (e->name == "partial" || e->name == "derivative") {
         copy->name = "diff";
@@ -114,16 +124,30 @@ ExpressionPtr in_model_words(const ExpressionPtr& e) {
     if (e->name == "differential") return total_differential(*copy, "d_");
     if (e->name == "variation") return total_differential(*copy, "delta_");
     if (e->name == "inner") return joined(Kind::multiply, e->span, call_of(e->span, "transpose", {copy->children[0]}), copy->children[1]);
-    if (e->name == "norm") return call_of(e->span, "sqrt", {joined(Kind::multiply, e->span, call_of(e->span, "transpose", {copy->children[0]}), copy->children[0])});
+    if (e->name == "norm")
+        return call_of(e->span, "sqrt",
+                       {joined(Kind::multiply, e->span, call_of(e->span, "transpose", {copy->children[0]}), copy->children[0])});
     if (e->name == "factorial") return factorial_of(*copy);
     if (e->name == "dots") fail(Id::not_allowed_here, e->span, "what the dots stand for must be written out");
-    if (e->name == "taken_at") fail(Id::not_allowed_here, e->span, fmt::format("it is not clear which letter is '{}' here; write the point as in '|_{{x=0}}'", shown(*e->children[1])));
-    if (e->name == "pair") fail(Id::not_allowed_here, e->span, fmt::format("it is not clear whether '{}' is a row, an interval or a commutator; write a row as a matrix", shown(*e)));
+    if (e->name == "taken_at")
+        fail(Id::not_allowed_here, e->span,
+             fmt::format("it is not clear which letter is '{}' here; write the point as in '|_{{x=0}}'", shown(*e->children[1])));
+    if (e->name == "pair")
+        fail(Id::not_allowed_here, e->span,
+             fmt::format("it is not clear whether '{}' is a row, an interval or a commutator; write a row as a matrix", shown(*e)));
     if (e->name == "value") fail(Id::not_allowed_here, e->span, unknown_function(*e));
-    static const std::set<std::string, std::less<>> without_meaning{"minimum_over", "maximum_over", "infimum_over", "supremum_over", "minimiser", "maximiser", "integral_over", "ket", "bra", "braket", "pairing", "component", "in_frame", "derivative_by_index", "binomial", "material_rate", "set", "product", "product_over", "sum_over", "gradient", "divergence", "curl", "laplacian", "average", "mean", "tensor", "equal", "not_equal", "less", "less_equal", "greater", "greater_equal", "both", "either"};
-    if (without_meaning.contains(e->name)) fail(Id::not_allowed_here, e->span, fmt::format("'{}' is read, but nothing is made of it yet; write out what it means", shown(*e)));
-    if (e->name == "integral" && e->children[1]->kind == Kind::power) fail(Id::not_allowed_here, e->span, fmt::format("'{}' runs over a space, and not over a letter between limits", shown(*e)));
-    if (e->name == "integral" && e->children.size() != 4) fail(Id::not_allowed_here, e->span, fmt::format("'{}' has no limits that it could be computed for", shown(*e)));
+    static const std::set<std::string, std::less<>> without_meaning{
+        "minimum_over", "maximum_over",  "infimum_over", "supremum_over", "minimiser",     "maximiser", "integral_over",
+        "ket",          "bra",           "braket",       "pairing",       "component",     "in_frame",  "derivative_by_index",
+        "binomial",     "material_rate", "set",          "product",       "product_over",  "sum_over",  "gradient",
+        "divergence",   "curl",          "laplacian",    "average",       "mean",          "tensor",    "equal",
+        "not_equal",    "less",          "less_equal",   "greater",       "greater_equal", "both",      "either"};
+    if (without_meaning.contains(e->name))
+        fail(Id::not_allowed_here, e->span, fmt::format("'{}' is read, but nothing is made of it yet; write out what it means", shown(*e)));
+    if (e->name == "integral" && e->children[1]->kind == Kind::power)
+        fail(Id::not_allowed_here, e->span, fmt::format("'{}' runs over a space, and not over a letter between limits", shown(*e)));
+    if (e->name == "integral" && e->children.size() != 4)
+        fail(Id::not_allowed_here, e->span, fmt::format("'{}' has no limits that it could be computed for", shown(*e)));
     return copy;
 }
 

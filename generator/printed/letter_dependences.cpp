@@ -35,12 +35,14 @@ private:
 
     std::optional<LetterDependence> of_name(const std::string& name) {
         const auto is_name = [&](const auto& item) { return item.name == name; };
-        if (const auto letter = std::find_if(entry_.letters.begin(), entry_.letters.end(), is_name); letter != entry_.letters.end()) return of_value(name, *letter->value);
+        if (const auto letter = std::find_if(entry_.letters.begin(), entry_.letters.end(), is_name); letter != entry_.letters.end())
+            return of_value(name, *letter->value);
         if (name == "pi") return LetterDependence{};
         if (name == "t") return LetterDependence{false, false, {"t"}};
         if (const Named* named = names_ ? names_->find(name) : nullptr) {
             if (named->kind == Named::Kind::parameter || named->kind == Named::Kind::size) return LetterDependence{};
-            if (named->kind == Named::Kind::coordinate || named->kind == Named::Kind::input || named->kind == Named::Kind::state) return moving(name);
+            if (named->kind == Named::Kind::coordinate || named->kind == Named::Kind::input || named->kind == Named::Kind::state)
+                return moving(name);
             return std::nullopt;
         }
         for (const auto* letters : {&entry_.own, &catalogue_.letters})
@@ -48,7 +50,8 @@ private:
                 if (letter->moves) return moving(name);
                 return letter->value ? LetterDependence{} : LetterDependence{false, false, {name}};
             }
-        const auto meaning = std::find_if(catalogue_.notation.begin(), catalogue_.notation.end(), [&](const LatexMeaning& m) { return m.letter.text == name; });
+        const auto meaning = std::find_if(catalogue_.notation.begin(), catalogue_.notation.end(),
+                                          [&](const LatexMeaning& m) { return m.letter.text == name; });
         return meaning != catalogue_.notation.end() ? of_value(name, *meaning->value) : std::nullopt;
     }
 
@@ -67,8 +70,12 @@ private:
             if (part) result.of.insert(part->of.begin(), part->of.end());
             return part.has_value();
         }
-        const auto all = [&](std::size_t from, std::size_t to) { return std::all_of(e.children.begin() + static_cast<std::ptrdiff_t>(from), e.children.begin() + static_cast<std::ptrdiff_t>(to), [&](const ExpressionPtr& child) { return add_letters(*child, result); }); };
-        const bool is_sum = e.kind == Kind::sum, is_place = e.kind == Kind::call && e.children.size() > 2 && (e.name == "integral" || e.name == "limit" || e.name == "at");
+        const auto all = [&](std::size_t from, std::size_t to) {
+            return std::all_of(e.children.begin() + static_cast<std::ptrdiff_t>(from), e.children.begin() + static_cast<std::ptrdiff_t>(to),
+                               [&](const ExpressionPtr& child) { return add_letters(*child, result); });
+        };
+        const bool is_sum = e.kind == Kind::sum, is_place = e.kind == Kind::call && e.children.size() > 2 &&
+                                                            (e.name == "integral" || e.name == "limit" || e.name == "at");
         if (!is_sum && !is_place) return all(0, e.children.size());
         // The letter that runs is none of those that the whole depends on.
         const auto running = running_.insert(is_sum ? e.name : e.children[1]->name);
@@ -86,6 +93,8 @@ private:
 
 }  // namespace
 
-void add_dependences(PrintedNotation& notation, const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) { LetterDependences(catalogue, entry, model).add_to(notation); }
+void add_dependences(PrintedNotation& notation, const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model) {
+    LetterDependences(catalogue, entry, model).add_to(notation);
+}
 
 }  // namespace dalembert

@@ -7,7 +7,8 @@
 
 namespace dalembert {
 
-/// Tells the notation what each letter that the entry explains, or that is declared, depends on. Numbers and parameters of the model do not vary.
+/// Tells the notation what each letter that the entry explains, or that is declared, depends on. Numbers and parameters of the model do not
+/// vary.
 void add_dependences(PrintedNotation& notation, const Catalogue& catalogue, const CatalogueEntry& entry, const Model* model);
 
 }  // namespace dalembert

@@ -15,7 +15,9 @@ Excerpt notation_text(const std::string& text) { return excerpt_of(std::make_sha
 void PrintedNotation::add_word(std::string word) {
     const auto is_latin_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     const bool is_latin = std::all_of(word.begin(), word.end(), is_latin_letter);
-    if (const std::size_t index = word.find('_'); index != std::string::npos && index > 1 && std::all_of(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(index), is_latin_letter))
+    if (const std::size_t index = word.find('_');
+        index != std::string::npos && index > 1 &&
+        std::all_of(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(index), is_latin_letter))
         stems_.insert(word.substr(0, index));
     if (word.size() > 1 && is_latin) words_.insert(std::move(word));
 }
@@ -25,7 +27,9 @@ void PrintedNotation::define(const Excerpt& letter, ExpressionPtr meaning) {
     letters_[canonical_letter(letter, *this)] = std::move(meaning);
 }
 
-void PrintedNotation::define(const std::string& letter, const std::string& meaning) { define(notation_text(letter), parse_expression(notation_text(meaning))); }
+void PrintedNotation::define(const std::string& letter, const std::string& meaning) {
+    define(notation_text(letter), parse_expression(notation_text(meaning)));
+}
 
 void PrintedNotation::define_function(const Excerpt& function) {
     add_word(function.text.substr(0, function.text.find('(')));

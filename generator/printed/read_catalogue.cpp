@@ -24,15 +24,19 @@ CatalogueLetter read_letter(const Entry& e, bool is_positive) {
     letter.value = e.constant("value", letter.unit);
     letter.is_positive = is_positive;
     letter.moves = e.has("of");
-    if (letter.moves && e.text("of") != "t") e.error(Id::wrong_type, e.span_of("of"), fmt::format("'{}' is not the time: a letter is a function of 't' or of nothing", e.text("of")));
-    if (letter.moves && letter.value) e.error(Id::unknown_key, e.span_of("value"), fmt::format("'{}' is a function of time and so no number", e.name()));
+    if (letter.moves && e.text("of") != "t")
+        e.error(Id::wrong_type, e.span_of("of"),
+                fmt::format("'{}' is not the time: a letter is a function of 't' or of nothing", e.text("of")));
+    if (letter.moves && letter.value)
+        e.error(Id::unknown_key, e.span_of("value"), fmt::format("'{}' is a function of time and so no number", e.name()));
     return letter;
 }
 
 std::vector<PrintedLetter> read_with(const Entry& e, std::string_view key) {
     std::vector<PrintedLetter> letters;
     for (const RunEntry& letter : e.by_name(key)) {
-        if (letter.variable->kind == Expression::Kind::name && letter.variable->children.empty()) letters.push_back({letter.variable->name, letter.value, letter.span});
+        if (letter.variable->kind == Expression::Kind::name && letter.variable->children.empty())
+            letters.push_back({letter.variable->name, letter.value, letter.span});
         else e.error(Id::bad_name, letter.span, fmt::format("'{}' is not a letter", letter.variable->written()));
     }
     return letters;
@@ -58,26 +62,42 @@ CatalogueEntry read_entry(const Entry& e) {
     entry.not_checkable = e.text("not_checkable");
     entry.is_dimensionless = e.boolean("dimensionless");
     if (entry.is_dimensionless && !entry.model.empty())
-        e.error(Id::not_allowed_here, e.span_of("dimensionless"), fmt::format("entry '{}' is checked against a model, whose quantities have units; write those of the equation, or leave the model out", e.name()));
+        e.error(
+            Id::not_allowed_here, e.span_of("dimensionless"),
+            fmt::format(
+                "entry '{}' is checked against a model, whose quantities have units; write those of the equation, or leave the model out",
+                e.name()));
     for (const RunEntry& point : e.by_name("at")) entry.at.push_back({point.variable, point.value});
     for (const bool is_positive : {false, true})
-        e.each_named(is_positive ? "positive" : "letters", catalogue_section("letters"), [&](const Entry& letter) { entry.own.push_back(read_letter(letter, is_positive)); });
-    const auto given = [&](std::initializer_list<const char*> keys) { return std::count_if(keys.begin(), keys.end(), [&](const char* key) { return e.has(key); }); };
-    if (const auto ways = given({"equation", "equations", "latex", "printed", "not_checkable"}); ways > 1 || (ways == 0 && entry.model.empty()))
-        e.error(ways > 1 ? Id::doubly_defined : Id::missing_key, e.span(), fmt::format("entry '{}' {} of these: an equation, a list of equations, LaTeX, a model that has it printed, or a reason why it is not checkable", e.name(), ways > 1 ? "has several, and needs one" : "needs one"));
+        e.each_named(is_positive ? "positive" : "letters", catalogue_section("letters"),
+                     [&](const Entry& letter) { entry.own.push_back(read_letter(letter, is_positive)); });
+    const auto given = [&](std::initializer_list<const char*> keys) {
+        return std::count_if(keys.begin(), keys.end(), [&](const char* key) { return e.has(key); });
+    };
+    if (const auto ways = given({"equation", "equations", "latex", "printed", "not_checkable"});
+        ways > 1 || (ways == 0 && entry.model.empty()))
+        e.error(ways > 1 ? Id::doubly_defined : Id::missing_key, e.span(),
+                fmt::format("entry '{}' {} of these: an equation, a list of equations, LaTeX, a model that has it printed, or a reason why "
+                            "it is not checkable",
+                            e.name(), ways > 1 ? "has several, and needs one" : "needs one"));
     for (const char* key : {"printed", "scene", "mode"})
-        if (e.has(key) && entry.model.empty()) e.error(Id::missing_key, e.span_of(key), fmt::format("entry '{}' has a {} but no model", e.name(), key));
+        if (e.has(key) && entry.model.empty())
+            e.error(Id::missing_key, e.span_of(key), fmt::format("entry '{}' has a {} but no model", e.name(), key));
     if (e.has("expect")) {
         entry.expected = read_verdict(e.text("expect"));
         if (!entry.expected)
-            e.error(Id::wrong_type, e.span_of("expect"), fmt::format("'{}' is not a verdict; the verdicts are {}", e.text("expect"), quoted_list({verdict_names.begin(), verdict_names.end()})));
+            e.error(Id::wrong_type, e.span_of("expect"),
+                    fmt::format("'{}' is not a verdict; the verdicts are {}", e.text("expect"),
+                                quoted_list({verdict_names.begin(), verdict_names.end()})));
     }
     return entry;
 }
 
 class CatalogueReader {
 public:
-    CatalogueReader(const SourcePtr& source, Diagnostics& diagnostics) : root_(parse_document(source)), diagnostics_(diagnostics) { catalogue_.source = source; }
+    CatalogueReader(const SourcePtr& source, Diagnostics& diagnostics) : root_(parse_document(source)), diagnostics_(diagnostics) {
+        catalogue_.source = source;
+    }
 
     Catalogue read_all() {
         header();
@@ -85,7 +105,8 @@ public:
         for (const SectionSpec& section : catalogue_sections()) known.emplace_back(section.name);
         for (const DocumentNode::Member& member : root_.members)
             if (std::find(known.begin(), known.end(), member.key) == known.end())
-                diagnostics_.error(Id::unknown_key, member.key_span, fmt::format("a catalogue has no section [{}]{}", member.key, did_you_mean(member.key, known)));
+                diagnostics_.error(Id::unknown_key, member.key_span,
+                                   fmt::format("a catalogue has no section [{}]{}", member.key, did_you_mean(member.key, known)));
         for (const bool is_positive : {false, true})
             each(is_positive ? "positive" : "letters", [&](const Entry& e) { catalogue_.letters.push_back(read_letter(e, is_positive)); });
         each("notation", [&](const Entry& e) {
@@ -101,7 +122,8 @@ private:
     void header() {
         const Entry entry(*root_.find("catalogue"), catalogue_section("catalogue"), diagnostics_);
         if (const int format = entry.whole_number("format", newest_catalogue); format != newest_catalogue)
-            throw Failure(Diagnostic{Id::unknown_format, entry.span_of("format"), fmt::format("the file has format {}, this program reads format {}", format, newest_catalogue)});
+            throw Failure(Diagnostic{Id::unknown_format, entry.span_of("format"),
+                                     fmt::format("the file has format {}, this program reads format {}", format, newest_catalogue)});
         catalogue_.title = entry.text("source");
         catalogue_.edition = entry.text("edition");
         catalogue_.functions = entry.excerpts("functions");
@@ -151,7 +173,8 @@ private:
         std::map<std::string, Span> seen;
         for (const CatalogueLetter& letter : letters)
             if (const auto [first, is_new] = seen.emplace(letter.name, letter.span); !is_new)
-                diagnostics.error(Id::doubly_defined, letter.span, fmt::format("'{}' is defined twice", letter.name), {{first->second, fmt::format("'{}' is first defined here", letter.name)}});
+                diagnostics.error(Id::doubly_defined, letter.span, fmt::format("'{}' is defined twice", letter.name),
+                                  {{first->second, fmt::format("'{}' is first defined here", letter.name)}});
     }
 
     DocumentNode root_;

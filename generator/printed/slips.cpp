@@ -37,23 +37,30 @@ ExpressionPtr call(const std::string& name, const ExpressionPtr& argument) { ret
 bool is_sum(const Expression& e) { return e.kind == Kind::add || e.kind == Kind::subtract; }
 
 /// Entries of matrices and values of cases are terms of their own.
-bool has_entries(const Expression& e) { return e.kind == Kind::call && (e.name == "row" || e.name == "vector" || e.name == "diag" || e.name == "cases"); }
+bool has_entries(const Expression& e) {
+    return e.kind == Kind::call && (e.name == "row" || e.name == "vector" || e.name == "diag" || e.name == "cases");
+}
 
 /// Where cases leave nothing out, another condition does not either; else it would only say less.
-bool is_condition(const Expression& e, std::size_t i) { return e.kind == Kind::call && e.name == "cases" && i % 2 == 1 && e.children.size() % 2 == 0; }
+bool is_condition(const Expression& e, std::size_t i) {
+    return e.kind == Kind::call && e.name == "cases" && i % 2 == 1 && e.children.size() % 2 == 0;
+}
 
 /// "m_1" and "m_2" have the stem "m".
 std::string stem(const std::string& name) { return name.substr(0, name.find('_')); }
 
 /// The name of a function that another is mixed up with.
 using NamePair = std::pair<const char*, const char*>;
-constexpr NamePair mixed_up[]{{"sin", "cos"}, {"sinh", "cosh"}, {"sin", "sinh"}, {"cos", "cosh"}, {"tan", "tanh"}, {"asin", "acos"}, {"tan", "atan"}, {"exp", "expm1"}, {"log", "log1p"}, {"min", "max"}};
+constexpr NamePair mixed_up[]{{"sin", "cos"},   {"sinh", "cosh"}, {"sin", "sinh"},  {"cos", "cosh"},  {"tan", "tanh"},
+                              {"asin", "acos"}, {"tan", "atan"},  {"exp", "expm1"}, {"log", "log1p"}, {"min", "max"}};
 constexpr NamePair rarely_mixed_up[]{{"tanh", "cosh"}, {"tanh", "sinh"}, {"tan", "sin"}, {"tan", "cos"}};
 
 /// A letter of the text may stand for an expression. Dots of a letter belong to the text.
 bool stands_for_letter(const Expression& e) {
     if (!e.span || (e.kind == Kind::call && (e.name == "dot" || e.name == "ddot"))) return false;
-    return std::any_of(e.children.begin(), e.children.end(), [&](const ExpressionPtr& child) { return child->span.source == e.span.source && child->span.begin == e.span.begin && child->span.end == e.span.end; });
+    return std::any_of(e.children.begin(), e.children.end(), [&](const ExpressionPtr& child) {
+        return child->span.source == e.span.source && child->span.begin == e.span.begin && child->span.end == e.span.end;
+    });
 }
 
 class Slips {
@@ -63,7 +70,9 @@ public:
     /// Every change of a tree. `is_term` says that it stands alone or in a sum, so that it may have a sign and a factor of its own.
     std::vector<Change> of(const ExpressionPtr& e, bool is_term) {
         std::vector<Change> found;
-        const auto add = [&](SlipKind kind, std::string words, const ExpressionPtr& tree) { found.push_back({kind, std::move(words), tree, e, tree}); };
+        const auto add = [&](SlipKind kind, std::string words, const ExpressionPtr& tree) {
+            found.push_back({kind, std::move(words), tree, e, tree});
+        };
         if (is_term) term(e, add);
         if (stands_for_letter(*e)) return found;
         switch (e->kind) {
@@ -81,7 +90,9 @@ public:
         if (options_.is_wide && !is_term && is_sum(*e)) square(e, add);
         for (std::size_t i = 0; i < e->children.size(); ++i) {
             if (e->kind == Kind::sum && i < 2) continue;
-            if (e->kind == Kind::call && (e->name == "diff" || e->name == "integral" || e->name == "limit" || e->name == "at" || e->name == "quantity") && i == 1) continue;
+            if (e->kind == Kind::call &&
+                (e->name == "diff" || e->name == "integral" || e->name == "limit" || e->name == "at" || e->name == "quantity") && i == 1)
+                continue;
             if (e->kind == Kind::call && e->name == "limit" && i == 3) continue;  // its side
             if (is_condition(*e, i)) continue;
             for (Change& change : of(e->children[i], (is_sum(*e) || has_entries(*e)) && !is_sum(*e->children[i]))) {
@@ -99,7 +110,8 @@ private:
 
     template <class Add>
     void square(const ExpressionPtr& e, Add add) {
-        add(SlipKind::exponent, fmt::format("'{}' is to be squared", spelled(*e)), node(Kind::power, e->span, {e, make_number(2, e->span)}));
+        add(SlipKind::exponent, fmt::format("'{}' is to be squared", spelled(*e)),
+            node(Kind::power, e->span, {e, make_number(2, e->span)}));
     }
 
     template <class Add>
@@ -108,14 +120,18 @@ private:
         const std::string text = spelled(*e);
         if (e->kind != Kind::negate) add(SlipKind::sign, fmt::format("the sign of '{}'", text), node(Kind::negate, e->span, {e}));
         for (const int factor : {2, 3, 4}) {
-            add(SlipKind::factor, fmt::format("'{}' lacks a factor {}", text, factor), node(Kind::multiply, e->span, {make_number(factor, e->span), e}));
-            add(SlipKind::factor, fmt::format("'{}' is {} times too large", text, factor), node(Kind::divide, e->span, {e, make_number(factor, e->span)}));
+            add(SlipKind::factor, fmt::format("'{}' lacks a factor {}", text, factor),
+                node(Kind::multiply, e->span, {make_number(factor, e->span), e}));
+            add(SlipKind::factor, fmt::format("'{}' is {} times too large", text, factor),
+                node(Kind::divide, e->span, {e, make_number(factor, e->span)}));
         }
         if (!options_.is_wide) return;
         for (const KnownLetter& letter : letters_) {
             const ExpressionPtr factor = make_name(letter.name, e->span);
-            add(SlipKind::letter, fmt::format("'{}' lacks the factor '{}'", text, spelled(*factor)), node(Kind::multiply, e->span, {factor, e}));
-            add(SlipKind::letter, fmt::format("'{}' has the factor '{}' too much", text, spelled(*factor)), node(Kind::divide, e->span, {e, factor}));
+            add(SlipKind::letter, fmt::format("'{}' lacks the factor '{}'", text, spelled(*factor)),
+                node(Kind::multiply, e->span, {factor, e}));
+            add(SlipKind::letter, fmt::format("'{}' has the factor '{}' too much", text, spelled(*factor)),
+                node(Kind::divide, e->span, {e, factor}));
         }
     }
 
@@ -124,7 +140,8 @@ private:
         const auto other = [&](const Rational& value) { return make_number(value, e.span); };
         if (is_zero(e.value)) return;
         add(SlipKind::factor, fmt::format("{} instead of {}", spelled(*other(e.value + 1)), spelled(e)), other(e.value + 1));
-        if (e.value != 1) add(SlipKind::factor, fmt::format("{} instead of {}", spelled(*other(e.value - 1)), spelled(e)), other(e.value - 1));
+        if (e.value != 1)
+            add(SlipKind::factor, fmt::format("{} instead of {}", spelled(*other(e.value - 1)), spelled(e)), other(e.value - 1));
         add(SlipKind::factor, fmt::format("{} instead of {}", spelled(*other(e.value * 2)), spelled(e)), other(e.value * 2));
         add(SlipKind::factor, fmt::format("{} instead of {}", spelled(*other(e.value / 2)), spelled(e)), other(e.value / 2));
     }
@@ -172,18 +189,23 @@ private:
     void sum(const Expression& e, Add add) {
         const bool plus = e.kind == Kind::add;
         const ExpressionPtr &a = e.children[0], &b = e.children[1];
-        add(SlipKind::sign, fmt::format("'{}' instead of '{}' before '{}'", plus ? '-' : '+', plus ? '+' : '-', spelled(*b)), node(plus ? Kind::subtract : Kind::add, e.span, {a, b}));
+        add(SlipKind::sign, fmt::format("'{}' instead of '{}' before '{}'", plus ? '-' : '+', plus ? '+' : '-', spelled(*b)),
+            node(plus ? Kind::subtract : Kind::add, e.span, {a, b}));
         add(SlipKind::term, fmt::format("without '{}'", spelled(*b)), a);
         add(SlipKind::term, fmt::format("without '{}'", spelled(*a)), plus ? b : node(Kind::negate, e.span, {b}));
         // a*b + c for a*(b + c), a/c + b for (a + b)/c, and the like.
         const auto sums = [&](const ExpressionPtr& x, const ExpressionPtr& y) { return node(e.kind, e.span, {x, y}); };
-        const auto bracket = [&](ExpressionPtr tree) { add(SlipKind::bracket, fmt::format("a bracket around '{}'", spelled(e)), std::move(tree)); };
+        const auto bracket = [&](ExpressionPtr tree) {
+            add(SlipKind::bracket, fmt::format("a bracket around '{}'", spelled(e)), std::move(tree));
+        };
         if (a->kind == Kind::multiply) bracket(rebuilt(*a, {a->children[0], sums(a->children[1], b)}));
         if (b->kind == Kind::multiply) bracket(rebuilt(*b, {sums(a, b->children[0]), b->children[1]}));
         if (b->kind == Kind::divide) bracket(rebuilt(*b, {sums(a, b->children[0]), b->children[1]}));
         if (a->kind == Kind::divide) bracket(rebuilt(*a, {a->children[0], sums(a->children[1], b)}));
         if (a->kind == Kind::call && a->children.size() == 1) bracket(rebuilt(*a, {sums(a->children[0], b)}));
-        if (is_sum(*b)) add(SlipKind::bracket, fmt::format("no bracket around '{}'", spelled(*b)), rebuilt(*b, {sums(a, b->children[0]), b->children[1]}));
+        if (is_sum(*b))
+            add(SlipKind::bracket, fmt::format("no bracket around '{}'", spelled(*b)),
+                rebuilt(*b, {sums(a, b->children[0]), b->children[1]}));
     }
 
     template <class Add>
@@ -192,10 +214,12 @@ private:
         const bool times = e.kind == Kind::multiply;
         if (times) add(SlipKind::exponent, fmt::format("'{}' belongs below", spelled(*b)), node(Kind::divide, e.span, {a, b}));
         else add(SlipKind::exponent, fmt::format("'{}' belongs above", spelled(*b)), node(Kind::multiply, e.span, {a, b}));
-        if (times && options_.is_wide && a->kind != Kind::multiply && a->kind != Kind::divide) add(SlipKind::exponent, fmt::format("'{}' belongs below", spelled(*a)), node(Kind::divide, e.span, {b, a}));
+        if (times && options_.is_wide && a->kind != Kind::multiply && a->kind != Kind::divide)
+            add(SlipKind::exponent, fmt::format("'{}' belongs below", spelled(*a)), node(Kind::divide, e.span, {b, a}));
         if (!times) add(SlipKind::exponent, fmt::format("'{}' is upside down", spelled(e)), node(Kind::divide, e.span, {b, a}));
         const auto opened = [&](const Expression& inner, const ExpressionPtr& first, const ExpressionPtr& second) {
-            add(SlipKind::bracket, fmt::format("no bracket around '{}'", in_model_language(inner)), node(inner.kind, e.span, {first, second}));
+            add(SlipKind::bracket, fmt::format("no bracket around '{}'", in_model_language(inner)),
+                node(inner.kind, e.span, {first, second}));
         };
         if (is_sum(*b)) opened(*b, rebuilt(e, {a, b->children[0]}), b->children[1]);
         if (is_sum(*a)) opened(*a, a->children[0], rebuilt(e, {a->children[1], b}));
@@ -205,15 +229,21 @@ private:
     template <class Add>
     void power(const ExpressionPtr& e, Add add) {
         const ExpressionPtr &base = e->children[0], &exponent = e->children[1];
-        const auto other = [&](const Rational& value) { add(SlipKind::exponent, fmt::format("'{}' to the power {}", spelled(*base), spelled(*make_number(value, e->span))), value == 1 ? base : rebuilt(*e, {base, make_number(value, e->span)})); };
+        const auto other = [&](const Rational& value) {
+            add(SlipKind::exponent, fmt::format("'{}' to the power {}", spelled(*base), spelled(*make_number(value, e->span))),
+                value == 1 ? base : rebuilt(*e, {base, make_number(value, e->span)}));
+        };
         if (exponent->kind == Kind::number) {
             other(exponent->value + 1);
             if (exponent->value != 1) other(exponent->value - 1);
             other(-exponent->value);
         } else {
-            add(SlipKind::exponent, fmt::format("the sign of the exponent of '{}'", spelled(*base)), rebuilt(*e, {base, node(Kind::negate, e->span, {exponent})}));
+            add(SlipKind::exponent, fmt::format("the sign of the exponent of '{}'", spelled(*base)),
+                rebuilt(*e, {base, node(Kind::negate, e->span, {exponent})}));
         }
-        if (base->kind == Kind::multiply || base->kind == Kind::divide) add(SlipKind::bracket, fmt::format("no bracket around '{}'", spelled(*base)), rebuilt(*base, {base->children[0], rebuilt(*e, {base->children[1], exponent})}));
+        if (base->kind == Kind::multiply || base->kind == Kind::divide)
+            add(SlipKind::bracket, fmt::format("no bracket around '{}'", spelled(*base)),
+                rebuilt(*base, {base->children[0], rebuilt(*e, {base->children[1], exponent})}));
     }
 
     template <class Add>
@@ -239,18 +269,24 @@ private:
         if (e->name == "cases" && e->children.size() > 2) {
             std::vector<ExpressionPtr> children = e->children;
             std::swap(children[0], children[2]);
-            add(SlipKind::sign, fmt::format("'{}' and '{}' change places", spelled(*x), spelled(*e->children[2])), rebuilt(*e, std::move(children)));
+            add(SlipKind::sign, fmt::format("'{}' and '{}' change places", spelled(*x), spelled(*e->children[2])),
+                rebuilt(*e, std::move(children)));
         }
         if (e->name == "less" || e->name == "greater" || e->name == "less_equal" || e->name == "greater_equal") {
             auto other = std::make_shared<Expression>(*e);
             other->name = e->name.starts_with("less") ? "greater" : "less";
-            add(SlipKind::sign, fmt::format("'{}' instead of '{}' between '{}' and '{}'", e->name.starts_with("less") ? '>' : '<', e->name.starts_with("less") ? '<' : '>', spelled(*x), spelled(*e->children[1])), other);
+            add(SlipKind::sign,
+                fmt::format("'{}' instead of '{}' between '{}' and '{}'", e->name.starts_with("less") ? '>' : '<',
+                            e->name.starts_with("less") ? '<' : '>', spelled(*x), spelled(*e->children[1])),
+                other);
         }
         if (e->name == "sqrt") add(SlipKind::exponent, fmt::format("no root of '{}'", spelled(*x)), x);
         const FunctionSpec* known = find_function(e->name);
         if (known == nullptr || e->children.size() != 1) return;
         square(e, add);
-        if (is_sum(*x)) add(SlipKind::bracket, fmt::format("'{}' does not belong into {}", spelled(*x->children[1]), e->name), rebuilt(*x, {rebuilt(*e, {x->children[0]}), x->children[1]}));
+        if (is_sum(*x))
+            add(SlipKind::bracket, fmt::format("'{}' does not belong into {}", spelled(*x->children[1]), e->name),
+                rebuilt(*x, {rebuilt(*e, {x->children[0]}), x->children[1]}));
     }
 
     const std::vector<KnownLetter>& letters_;
@@ -266,10 +302,13 @@ std::vector<Slip> slips_of(const Equation& equation, const std::vector<KnownLett
         for (Change& change : slips.of(equation.sides[i], !is_sum(*equation.sides[i]))) {
             Equation other = equation;
             other.sides[i] = std::move(change.tree);
-            result.push_back({change.kind, i, std::move(change.words), std::move(other), std::move(change.printed), std::move(change.mended)});
+            result.push_back(
+                {change.kind, i, std::move(change.words), std::move(other), std::move(change.printed), std::move(change.mended)});
         }
     // Of a letter that is said to be something the slip is seldom.
-    const auto rank = [&](const Slip& slip) { return std::pair(slip.kind, options.is_wide && equation.sides[slip.side]->kind == Kind::name); };
+    const auto rank = [&](const Slip& slip) {
+        return std::pair(slip.kind, options.is_wide && equation.sides[slip.side]->kind == Kind::name);
+    };
     std::stable_sort(result.begin(), result.end(), [&](const Slip& a, const Slip& b) { return rank(a) < rank(b); });
     return result;
 }

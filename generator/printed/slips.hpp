@@ -20,7 +20,8 @@ struct Slip {
 };
 
 struct SlipOptions {
-    /// Also slips that are many: a letter that lacks as a factor or is one too much, the square of a bracket or rate, all hyperbolic functions.
+    /// Also slips that are many: a letter that lacks as a factor or is one too much, the square of a bracket or rate, all hyperbolic
+    /// functions.
     bool is_wide = false;
     /// How the words of a slip write parts of the equation; in the model language, if left out.
     std::function<std::string(const Expression&)> spelled = {};
@@ -32,8 +33,8 @@ struct KnownLetter {
     std::string unit;
 };
 
-/// Every equation that differs from this one by a single slip, by kind and then by place. What stands for one letter of a text, and so has the
-/// same place as its parts, is changed as a whole only.
+/// Every equation that differs from this one by a single slip, by kind and then by place. What stands for one letter of a text, and so has
+/// the same place as its parts, is changed as a whole only.
 std::vector<Slip> slips_of(const Equation& equation, const std::vector<KnownLetter>& letters, const SlipOptions& options = {});
 
 }  // namespace dalembert

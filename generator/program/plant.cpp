@@ -31,7 +31,8 @@ PlantPattern pattern_of(const PlantPattern& core, const PlantFields& fields) {
         const auto place = std::lower_bound(fields.positions.begin(), fields.positions.end(), column);
         if (place != fields.positions.end() && *place == column) {
             const auto c = static_cast<std::size_t>(place - fields.positions.begin());
-            for (std::size_t i = core.column_starts[c]; i < core.column_starts[c + 1]; ++i) rows.insert(fields.positions[core.row_indices[i]]);
+            for (std::size_t i = core.column_starts[c]; i < core.column_starts[c + 1]; ++i)
+                rows.insert(fields.positions[core.row_indices[i]]);
         }
         result.row_indices.insert(result.row_indices.end(), rows.begin(), rows.end());
         result.column_starts.push_back(result.row_indices.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A plant as data: names, units, sizes, start values, patterns, modes, events, constraints and functions. Printers of languages make their text
-// of it, and need nothing else.
+// A plant as data: names, units, sizes, start values, patterns, modes, events, constraints and functions. Printers of languages make their
+// text of it, and need nothing else.
 #pragma once
 
 #include <optional>
@@ -91,7 +91,8 @@ struct PlantChoice {
 
 struct PlantConstraints {
     std::vector<PlantConstraint> list;
-    std::vector<bool> starts_to_find;  ///< of coordinates, then of velocities: those that constraints determine; empty: no start is looked for
+    std::vector<bool>
+        starts_to_find;  ///< of coordinates, then of velocities: those that constraints determine; empty: no start is looked for
     std::optional<PlantChoice> choice;
 };
 

@@ -39,8 +39,12 @@ Value Value::list(std::vector<Value> parts) { return with_parts(Kind::list, std:
 Value Value::parenthesised(Value value) { return with_parts(Kind::parenthesised, {std::move(value)}); }
 Value Value::all_of(std::vector<Value> conditions) { return with_parts(Kind::all_of, std::move(conditions)); }
 
-Value Value::choice(Value condition, Value then, Value otherwise) { return with_parts(Kind::choice, {std::move(condition), std::move(then), std::move(otherwise)}); }
-Value Value::comparison(Comparison holds, Value a, Value b) { return Value({.kind = Kind::comparison, .parts = {std::move(a), std::move(b)}, .comparison = holds}); }
+Value Value::choice(Value condition, Value then, Value otherwise) {
+    return with_parts(Kind::choice, {std::move(condition), std::move(then), std::move(otherwise)});
+}
+Value Value::comparison(Comparison holds, Value a, Value b) {
+    return Value({.kind = Kind::comparison, .parts = {std::move(a), std::move(b)}, .comparison = holds});
+}
 
 Value Value::sum(std::vector<Value> terms, std::vector<bool> negative) {
     negative.resize(terms.size());
@@ -54,7 +58,8 @@ Value Value::product(std::vector<Value> factors, std::vector<Value> divisors) {
 }
 
 Value Value::call(Where where, std::string function, std::vector<Value> arguments, std::vector<std::size_t> sizes) {
-    return Value({.kind = Kind::call, .where = where, .text = std::move(function), .parts = std::move(arguments), .sizes = std::move(sizes)});
+    return Value(
+        {.kind = Kind::call, .where = where, .text = std::move(function), .parts = std::move(arguments), .sizes = std::move(sizes)});
 }
 
 Value::Kind Value::kind() const { return content_ ? content_->kind : Kind::none; }

@@ -109,8 +109,8 @@ private:
 /// 1 sum, 2 product or quotient, 3 what binds tighter. A constant that is more than one literal counts as a sum.
 int precedence(const Value& value);
 
-/// A constant as literals, products, quotients and sums: exact in every scalar type that holds the literals; to 45 digits where `float` could not
-/// hold numerator or denominator.
+/// A constant as literals, products, quotients and sums: exact in every scalar type that holds the literals; to 45 digits where `float`
+/// could not hold numerator or denominator.
 Value written_out(const Rational& exact);
 
 /// How long a value is when it is written, in characters of the notation of generated headers. Decides which parts get a name.
@@ -248,8 +248,8 @@ struct Unused {
 };
 
 struct Statement {
-    using Content = std::variant<Declaration, Assignment, Invocation, Filling, Loop, OnEvent, ByMode, Return, Braces, Unused, If, IfRoomForWork, FirstInputs,
-                                 NextInputs>;
+    using Content = std::variant<Declaration, Assignment, Invocation, Filling, Loop, OnEvent, ByMode, Return, Braces, Unused, If,
+                                 IfRoomForWork, FirstInputs, NextInputs>;
     Content content;
     template <class T>
         requires std::is_constructible_v<Content, T>
@@ -265,8 +265,8 @@ struct Argument {
         result,  ///< an array that is written
         room,    ///< several of `type`, which the caller lends and the function reads and writes
     };
-    /// "Scalar", "Mode", "EventNumber", "Index", a vector's name in the plant's interface: "State", "JacobianX", ..., or "StateOrMore", of which
-    /// IfRoomForWork tells, or "Inputs", which gives Taylor series of inputs.
+    /// "Scalar", "Mode", "EventNumber", "Index", a vector's name in the plant's interface: "State", "JacobianX", ..., or "StateOrMore", of
+    /// which IfRoomForWork tells, or "Inputs", which gives Taylor series of inputs.
     std::string type;
     std::string name;
     Passing passing = Passing::read;

@@ -11,7 +11,8 @@ namespace {
 /// Of what a value is made of, itself included.
 bool any_part(const Value& value, const auto& is_it) {
     if (value.kind() == Value::Kind::none) return false;
-    return is_it(value) || std::any_of(value.parts().begin(), value.parts().end(), [&](const Value& part) { return any_part(part, is_it); });
+    return is_it(value) ||
+           std::any_of(value.parts().begin(), value.parts().end(), [&](const Value& part) { return any_part(part, is_it); });
 }
 
 template <class... Cases>
@@ -41,8 +42,11 @@ bool any_statement(const Statements& statements, const auto& is_it) {
         if (is_it(statement)) return true;
         return std::visit(Overloaded{
             [&](const auto& s) requires requires { s.body; } { return any_statement(s.body, is_it); },
-            [&](const ByMode& s) { return std::any_of(s.cases.begin(), s.cases.end(), [&](const ByMode::Case& c) { return any_statement(c.body, is_it); }); },
-            [](const auto&) { return false; }}, statement.content);
+            [&](const ByMode& s) {
+        return std::any_of(s.cases.begin(), s.cases.end(), [&](const ByMode::Case& c) { return any_statement(c.body, is_it); }); },
+            [](const auto&) {
+        return false; }
+}, statement.content);
     });
 }
 

@@ -32,8 +32,10 @@ std::vector<AuditEntry> compare_derivations(const System& system, Prover& prover
     }
     std::vector<AuditEntry> entries;
     for (std::size_t j = 0; j < symbols.degrees(); ++j) {
-        const ex other = system.with_rates(lagrange[j]) + symbols.along(system.potential_energy, j) - system.dissipative[j] - system.supplied[j] - system.fluids.force[j] - carried[j];
-        entries.push_back({fmt::format("d'Alembert = Euler-Lagrange, {}", symbols.all(SymbolKind::coordinate)[j].name), prover.equal(system.residual[j], other)});
+        const ex other = system.with_rates(lagrange[j]) + symbols.along(system.potential_energy, j) - system.dissipative[j] -
+                         system.supplied[j] - system.fluids.force[j] - carried[j];
+        entries.push_back({fmt::format("d'Alembert = Euler-Lagrange, {}", symbols.all(SymbolKind::coordinate)[j].name),
+                           prover.equal(system.residual[j], other)});
     }
     return entries;
 }
@@ -43,7 +45,8 @@ std::vector<AuditEntry> compare_potentials(const System& system, Prover& prover)
     for (const Potential& p : system.potentials) {
         const bool is_moving = !p.momentum.empty();
         AuditEntry entry{fmt::format("force = {}-d(energy)/dq, {}", is_moving ? "d/dt d(energy)/dqd " : "", p.name), {Verdict::proven}};
-        const std::vector<ex> of_velocity = is_moving ? euler_lagrange({p.moving_part(system.symbols)}, system.symbols) : Generalised(system.symbols.degrees(), 0);
+        const std::vector<ex> of_velocity =
+            is_moving ? euler_lagrange({p.moving_part(system.symbols)}, system.symbols) : Generalised(system.symbols.degrees(), 0);
         for (std::size_t j = 0; j < system.symbols.degrees(); ++j) {
             Comparison one = prover.equal(p.force[j], of_velocity[j] - system.symbols.along(p.energy, j));
             if (is_worse(one.verdict, entry.result.verdict)) entry.result = std::move(one);
@@ -54,7 +57,8 @@ std::vector<AuditEntry> compare_potentials(const System& system, Prover& prover)
 }
 
 /// d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged on every motion: the two sides differ by sum of residual times
-/// velocity, of what constraints leave free, and by sum of multiplier times rate, of what constraints hold at zero. E is that of the media, its change by the chain rule.
+/// velocity, of what constraints leave free, and by sum of multiplier times rate, of what constraints hold at zero. E is that of the media,
+/// its change by the chain rule.
 AuditEntry balance_power(const System& system, Prover& prover) {
     const Symbols& symbols = system.symbols;
     GiNaC::exvector change;
@@ -65,8 +69,10 @@ AuditEntry balance_power(const System& system, Prover& prover) {
     for (const NodeState& node : system.heat.nodes)
         if (node.is_tapped) change.push_back(symbols.time_derivative(node.stored_energy));
     ex power = system.supplied_power - system.dissipated_power + system.prescribed_power + system.exchanged_power;
-    for (std::size_t i = 0; i < system.motion.free.size(); ++i) power += system.motion.residual[i] * symbols.get(SymbolKind::velocity, system.motion.free[i]);
-    for (const std::size_t constraint : system.motion.multipliers) power += symbols.get(SymbolKind::multiplier, constraint) * system.constraints[constraint].whole_rate;
+    for (std::size_t i = 0; i < system.motion.free.size(); ++i)
+        power += system.motion.residual[i] * symbols.get(SymbolKind::velocity, system.motion.free[i]);
+    for (const std::size_t constraint : system.motion.multipliers)
+        power += symbols.get(SymbolKind::multiplier, constraint) * system.constraints[constraint].whole_rate;
     for (const auto& [node, heat] : system.heat.defined) power -= heat;
     const GiNaC::exmap held = system.held_motion();
     const auto in = [&](const ex& e) { return held.empty() ? e : e.subs(held, GiNaC::subs_options::no_pattern); };
@@ -102,11 +108,13 @@ std::vector<AuditEntry> compare_balances(const System& system, Prover& prover) {
             }
         }
         entries.push_back({"balance of mass, " + name, prover.equal(system.with_rates(symbols.time_derivative(v.mass())), mass)});
-        entries.push_back({"balance of energy, " + name, prover.equal(system.with_rates(symbols.time_derivative(v.stored_energy())), power)});
+        entries.push_back(
+            {"balance of energy, " + name, prover.equal(system.with_rates(symbols.time_derivative(v.stored_energy())), power)});
     }
     for (const JunctionState& junction : fluids.containers.junctions) {
         ex inflow = 0;
-        for (const FlowState& f : fluids.flows) inflow += (f.to_junction == &junction ? f.mass_flow : ex(0)) - (f.from_junction == &junction ? f.mass_flow : ex(0));
+        for (const FlowState& f : fluids.flows)
+            inflow += (f.to_junction == &junction ? f.mass_flow : ex(0)) - (f.from_junction == &junction ? f.mass_flow : ex(0));
         entries.push_back({"balance of mass, " + junction.member.name(), prover.equal(0, inflow)});
     }
     for (const FlowState& f : fluids.flows)
@@ -116,10 +124,15 @@ std::vector<AuditEntry> compare_balances(const System& system, Prover& prover) {
         const ex change = system.with_rates(symbols.time_derivative(node.stored_energy));
         // Where the temperature is defined by a balance, that is the balance of this node.
         const auto defined = system.heat.defined.find(&node);
-        entries.push_back({"balance of heat, " + node.name, prover.equal(defined == system.heat.defined.end() ? change : defined->second, system.heat.heat_into(node) - system.heat.steam_power(node, symbols))});
+        entries.push_back(
+            {"balance of heat, " + node.name, prover.equal(defined == system.heat.defined.end() ? change : defined->second,
+                                                           system.heat.heat_into(node) - system.heat.steam_power(node, symbols))});
     }
     for (const FlowState& f : fluids.flows)
-        if (f.velocity_state) entries.push_back({"balance of energy, " + f.member.name(), prover.equal(system.with_rates(symbols.time_derivative(f.stored_energy)), f.leaving() - f.arriving() + f.shaft_power)});
+        if (f.velocity_state)
+            entries.push_back(
+                {"balance of energy, " + f.member.name(),
+                 prover.equal(system.with_rates(symbols.time_derivative(f.stored_energy)), f.leaving() - f.arriving() + f.shaft_power)});
     return entries;
 }
 
@@ -137,9 +150,10 @@ std::vector<AuditEntry> compare_media(const System& system, Prover& prover) {
     return entries;
 }
 
-/// (2.200): in every virtual displacement, an increment of the coordinates at fixed time that the constraint allows, its force does no work.
-/// Of a position f the force in the equations of motion is along the gradient, lambda*df/dq, so that its work is lambda times the change of
-/// f, which is none. Of a rate A qd + b its power is lambda*A*qd: where the rate is zero, only the -lambda*b of a prescribed motion is left.
+/// (2.200): in every virtual displacement, an increment of the coordinates at fixed time that the constraint allows, its force does no
+/// work. Of a position f the force in the equations of motion is along the gradient, lambda*df/dq, so that its work is lambda times the
+/// change of f, which is none. Of a rate A qd + b its power is lambda*A*qd: where the rate is zero, only the -lambda*b of a prescribed
+/// motion is left.
 std::vector<AuditEntry> compare_virtual_work(const System& system, Prover& prover) {
     const Symbols& symbols = system.symbols;
     const Motion& motion = system.motion;
@@ -196,12 +210,16 @@ bool Audit::all_proven() const {
 }
 
 const char* Audit::power_balance_name(const System& system) {
-    return !system.has_exchange() ? "d(T + V)/dt = supplied - dissipated" : !system.has_balances() ? "d(T + V)/dt = supplied - dissipated + exchanged" : "d(T + V + E)/dt = supplied - dissipated + exchanged";
+    return !system.has_exchange()   ? "d(T + V)/dt = supplied - dissipated"
+           : !system.has_balances() ? "d(T + V)/dt = supplied - dissipated + exchanged"
+                                    : "d(T + V + E)/dt = supplied - dissipated + exchanged";
 }
 
 Audit audit(const System& system) {
     Prover prover(system);
-    return {compare_derivations(system, prover), compare_potentials(system, prover), compare_media(system, prover), compare_balances(system, prover), compare_virtual_work(system, prover), compare_solids(system, prover), compare_loads(system, prover), balance_power(system, prover), passive_network(system, prover)};
+    return {compare_derivations(system, prover), compare_potentials(system, prover),   compare_media(system, prover),
+            compare_balances(system, prover),    compare_virtual_work(system, prover), compare_solids(system, prover),
+            compare_loads(system, prover),       balance_power(system, prover),        passive_network(system, prover)};
 }
 
 std::optional<NotIntegrable> integrability(const System& system, const Generalised& force) {

@@ -48,9 +48,15 @@ void check_tensor(const BodyMotion& body, const System& system, const GiNaC::exm
     const Body& item = *body.member.item;
     const Span& place = item.tensor[0][0]->span;
     if (small < -rounding)
-        throw Failure(Diagnostic{Id::wrong_inertia, place, fmt::format("the inertia of body '{}' has the principal moments {:.6g}, {:.6g} and {:.6g} kg*m^2; none can be negative", item.name, small, middle, large)});
+        throw Failure(Diagnostic{
+            Id::wrong_inertia, place,
+            fmt::format("the inertia of body '{}' has the principal moments {:.6g}, {:.6g} and {:.6g} kg*m^2; none can be negative",
+                        item.name, small, middle, large)});
     if (large > small + middle + rounding)
-        throw Failure(Diagnostic{Id::wrong_inertia, place, fmt::format("the inertia of body '{}' has the principal moments {:.6g}, {:.6g} and {:.6g} kg*m^2; no mass is spread so that one is larger than the sum of the others", item.name, small, middle, large)});
+        throw Failure(Diagnostic{Id::wrong_inertia, place,
+                                 fmt::format("the inertia of body '{}' has the principal moments {:.6g}, {:.6g} and {:.6g} kg*m^2; no mass "
+                                             "is spread so that one is larger than the sum of the others",
+                                             item.name, small, middle, large)});
 }
 
 }  // namespace
@@ -67,7 +73,10 @@ std::optional<UnbalancedMass> unbalanced_mass(const System& system) {
         }
         const auto check_moment = [&](const ExpressionPtr& moment) {
             if (one.jets.empty() && moment && (dependence(*moment, system.names) & on_states) != 0)
-                throw Failure(Diagnostic{Id::mass_not_balanced, moment->span, fmt::format("the inertia of body '{}' changes with a state, but no jet takes mass away; what moves inside it is a body of its own", item.name)});
+                throw Failure(Diagnostic{Id::mass_not_balanced, moment->span,
+                                         fmt::format("the inertia of body '{}' changes with a state, but no jet takes mass away; what "
+                                                     "moves inside it is a body of its own",
+                                                     item.name)});
         };
         check_moment(item.inertia);
         for (const auto& row : item.tensor) std::for_each(row.begin(), row.end(), check_moment);
@@ -91,7 +100,10 @@ void check_body_values(const System& system, const Values& values) {
         const auto square = value_at(system.symbols.without_definitions(dot(direction, direction)), at, 20);
         const double length = square ? std::sqrt(cln::double_approx(*square)) : 1;
         if (std::fabs(length - 1) > 1e-6)
-            throw Failure(Diagnostic{Id::value_out_of_range, cut.direction[0]->span, fmt::format("the direction of cut '{}' has the length {:.6g} at the start; a direction has the length 1", member.name(), length)});
+            throw Failure(
+                Diagnostic{Id::value_out_of_range, cut.direction[0]->span,
+                           fmt::format("the direction of cut '{}' has the length {:.6g} at the start; a direction has the length 1",
+                                       member.name(), length)});
     }
     for (const Symbols::AttitudeSymbols& attitude : system.symbols.attitudes()) {
         cln::cl_R square = 0;
@@ -102,7 +114,9 @@ void check_body_values(const System& system, const Values& values) {
         const double norm = std::sqrt(cln::double_approx(square));
         if (std::fabs(norm - 1) <= 1e-6) continue;
         const State& item = *system.scene.states[attitude.parts[0]].item;
-        throw Failure(Diagnostic{Id::value_out_of_range, item.span, fmt::format("the quaternion '{}' has the norm {:.6g} at the start; that of an orientation has the norm 1", item.name.substr(0, item.name.size() - 2), norm)});
+        throw Failure(Diagnostic{Id::value_out_of_range, item.span,
+                                 fmt::format("the quaternion '{}' has the norm {:.6g} at the start; that of an orientation has the norm 1",
+                                             item.name.substr(0, item.name.size() - 2), norm)});
     }
 }
 

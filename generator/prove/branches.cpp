@@ -25,7 +25,8 @@ Branches::Branches(const ex& e, const Symbols& symbols) {
             if (!GiNaC::is_a<GiNaC::symbol>(*inner)) continue;
             letters.insert(GiNaC::ex_to<GiNaC::symbol>(*inner).get_name());
             const Variable* variable = symbols.find(*inner);
-            has_free = has_free || variable == nullptr || !(variable->is_positive || (variable->declared != nullptr && variable->declared->range));
+            has_free =
+                has_free || variable == nullptr || !(variable->is_positive || (variable->declared != nullptr && variable->declared->range));
         }
         Switch found{by, {}};
         for (const std::string& letter : letters) found.letters += fmt::format("{}'{}'", found.letters.empty() ? "" : ", ", letter);
@@ -49,7 +50,9 @@ std::string Branches::missed() const {
     for (const Switch& one : switches_)
         if (!one.was_positive || !one.was_negative) letters.insert(one.letters);
     std::string text;
-    for (const std::string& one : letters) text += (text.empty() ? "" : "; ") + fmt::format("no point came into one of the cases that {} decide{}", one, one.find(',') == std::string::npos ? "s" : "");
+    for (const std::string& one : letters)
+        text += (text.empty() ? "" : "; ") +
+                fmt::format("no point came into one of the cases that {} decide{}", one, one.find(',') == std::string::npos ? "s" : "");
     return text;
 }
 

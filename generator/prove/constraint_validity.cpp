@@ -20,7 +20,9 @@ public:
         if (!start.broken.empty() || !start.broken_rates.empty()) refuse(start);
         for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity})
             for (const Variable& variable : system_.symbols.all(kind))
-                if (!values_.is_written(kind, variable.position) && (kind == SymbolKind::velocity || system_.symbols.has_value(variable.position))) values_.find(kind, variable.position, start.values.at(variable.symbol));
+                if (!values_.is_written(kind, variable.position) &&
+                    (kind == SymbolKind::velocity || system_.symbols.has_value(variable.position)))
+                    values_.find(kind, variable.position, start.values.at(variable.symbol));
     }
 
 private:
@@ -39,8 +41,10 @@ private:
         const ConstraintEquation& c = system_.constraints[is_position ? start.broken.front() : start.broken_rates.front()];
         const GiNaC::ex& held = is_position ? *c.position : c.whole_rate;
         throw Failure(Diagnostic{Id::value_out_of_range, c.item->span,
-                                 fmt::format("the start values do not meet constraint '{}': its {} is {:.6g} there, not zero. Leave out a {} that the constraint can determine, or correct it", c.name,
-                                             is_position ? "position" : "rate", cln::double_approx(points_.value(held, start.values)), is_position ? "start" : "start_rate"),
+                                 fmt::format("the start values do not meet constraint '{}': its {} is {:.6g} there, not zero. Leave out a "
+                                             "{} that the constraint can determine, or correct it",
+                                             c.name, is_position ? "position" : "rate",
+                                             cln::double_approx(points_.value(held, start.values)), is_position ? "start" : "start_rate"),
                                  written(held, is_position)});
     }
 
@@ -50,10 +54,14 @@ private:
         std::vector<Note> notes;
         for (const ConstraintEquation& other : system_.constraints)
             if (other.holds && &other != &c) notes.push_back({other.item->span, fmt::format("'{}' holds, too", other.name)});
-        throw Failure(Diagnostic{Id::doubly_determined, c.item->span,
-                                 notes.empty() ? fmt::format("constraint '{}' cannot be met: near the start its {} comes no closer to zero than {:.6g}", c.name, what, left)
-                                               : fmt::format("constraint '{}' contradicts the others: where they come closest to being met together, its {} is {:.6g}", c.name, what, left),
-                                 std::move(notes)});
+        throw Failure(Diagnostic{
+            Id::doubly_determined, c.item->span,
+            notes.empty()
+                ? fmt::format("constraint '{}' cannot be met: near the start its {} comes no closer to zero than {:.6g}", c.name, what,
+                              left)
+                : fmt::format("constraint '{}' contradicts the others: where they come closest to being met together, its {} is {:.6g}",
+                              c.name, what, left),
+            std::move(notes)});
     }
 
     /// Where the start values stand that the constraint is about.
@@ -63,7 +71,8 @@ private:
             const Coordinate& item = *system_.scene.coordinates[j].item;
             const ExpressionPtr& start = is_position ? item.start : item.start_rate;
             const SymbolKind kind = is_position ? SymbolKind::coordinate : SymbolKind::velocity;
-            if (start && values_.is_written(kind, j) && held.has(system_.symbols.get(kind, j))) notes.push_back({start->span, fmt::format("the {} of '{}' in the model", is_position ? "start" : "start_rate", item.name)});
+            if (start && values_.is_written(kind, j) && held.has(system_.symbols.get(kind, j)))
+                notes.push_back({start->span, fmt::format("the {} of '{}' in the model", is_position ? "start" : "start_rate", item.name)});
         }
         return notes;
     }

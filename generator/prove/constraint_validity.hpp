@@ -14,7 +14,8 @@ void meet_constraints(const System& system, Values& values);
 /// The same, also of one mode of a machine that switches.
 void meet_constraints_in_mode(const System& system, Values& values);
 
-/// Which start values of coordinates, and behind them of velocities, constraints determine that runs are brought back to; empty where there are none.
+/// Which start values of coordinates, and behind them of velocities, constraints determine that runs are brought back to; empty where there
+/// are none.
 std::vector<bool> starts_to_find(const System& system);
 
 }  // namespace dalembert

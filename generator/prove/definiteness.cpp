@@ -21,8 +21,8 @@ class Signs {
 public:
     explicit Signs(const Symbols& symbols) {
         for (const Variable& p : symbols.all(SymbolKind::parameter))
-            if (!p.is_positive && p.declared != nullptr && p.declared->range && p.declared->range->low && p.declared->range->low->kind == Expression::Kind::number &&
-                cln::zerop(p.declared->range->low->value))
+            if (!p.is_positive && p.declared != nullptr && p.declared->range && p.declared->range->low &&
+                p.declared->range->low->kind == Expression::Kind::number && cln::zerop(p.declared->range->low->value))
                 from_zero_.emplace(p.symbol, p.name);
     }
 
@@ -72,7 +72,8 @@ std::optional<DefinitenessVerdict> by_pivots(GiNaC::matrix A, const Symbols& sym
         auto pivot = left.end();
         PivotSign sign = PivotSign::zero;
         for (auto i = left.begin(); i != left.end(); ++i)
-            if (const PivotSign s = signs.of_fraction(A(*i, *i)); s == PivotSign::positive || (s == PivotSign::inside && sign == PivotSign::zero)) {
+            if (const PivotSign s = signs.of_fraction(A(*i, *i));
+                s == PivotSign::positive || (s == PivotSign::inside && sign == PivotSign::zero)) {
                 pivot = i;
                 sign = s;
                 if (s == PivotSign::positive) break;
@@ -109,7 +110,9 @@ std::string at_values(const GiNaC::matrix& A, const System& system) {
             S[i][j] = *value;
             largest = cln::max(largest, cln::abs(*value));
         }
-    const auto is_zero = [&](const cln::cl_R& x) { return cln::zerop(x) || cln::abs(x) < largest / cln::expt_pos(cln::cl_I(10), digits / 2); };
+    const auto is_zero = [&](const cln::cl_R& x) {
+        return cln::zerop(x) || cln::abs(x) < largest / cln::expt_pos(cln::cl_I(10), digits / 2);
+    };
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (!is_zero(S[i][j] - S[j][i])) return "not symmetric";
@@ -117,7 +120,8 @@ std::string at_values(const GiNaC::matrix& A, const System& system) {
     for (std::size_t i = 0; i < n; ++i) left.insert(i);
     std::size_t positive = 0, negative = 0;
     while (!left.empty()) {
-        const std::size_t p = *std::max_element(left.begin(), left.end(), [&](std::size_t i, std::size_t j) { return cln::abs(S[i][i]) < cln::abs(S[j][j]); });
+        const std::size_t p = *std::max_element(left.begin(), left.end(),
+                                                [&](std::size_t i, std::size_t j) { return cln::abs(S[i][i]) < cln::abs(S[j][j]); });
         if (is_zero(S[p][p])) {
             for (const std::size_t i : left)
                 for (const std::size_t j : left)
@@ -138,7 +142,9 @@ std::string at_values(const GiNaC::matrix& A, const System& system) {
 
 std::string DefinitenessVerdict::sentence() const {
     if (kind == "zero") return kind;
-    const std::string inside = where.empty() ? "" : fmt::format(", definite where {} {}", fmt::join(where, ", "), where.size() == 1 ? "is not zero" : "are not zero");
+    const std::string inside =
+        where.empty() ? ""
+                      : fmt::format(", definite where {} {}", fmt::join(where, ", "), where.size() == 1 ? "is not zero" : "are not zero");
     return kind + (is_proven ? " for all parameters in their ranges" + inside : " at the values of the parameters");
 }
 

@@ -9,7 +9,8 @@ namespace dalembert {
 struct DefinitenessVerdict {
     std::string kind;                     ///< "positive definite", "positive semidefinite", "zero", "indefinite", "not symmetric", ...
     bool is_proven;                       ///< for all parameters in their ranges; else at their values
-    std::vector<std::string> where = {};  ///< proven semidefinite, and definite where these parameters, whose ranges begin at zero, are not zero
+    std::vector<std::string> where =
+        {};  ///< proven semidefinite, and definite where these parameters, whose ranges begin at zero, are not zero
     /// "positive definite for all parameters in their ranges"
     std::string sentence() const;
 };

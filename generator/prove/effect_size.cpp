@@ -33,7 +33,9 @@ std::map<std::string, cln::cl_R> rates(const System& system) {
 std::string difference(const System& without, const System& with) {
     std::string text;
     const auto before = without.scene.state_count(), after = with.scene.state_count();
-    if (before != after) text = fmt::format("{} {} state{}", after > before ? "adds" : "removes", after > before ? after - before : before - after, after + 1 == before || before + 1 == after ? "" : "s");
+    if (before != after)
+        text = fmt::format("{} {} state{}", after > before ? "adds" : "removes", after > before ? after - before : before - after,
+                           after + 1 == before || before + 1 == after ? "" : "s");
     std::string name;
     cln::cl_R largest = 0;
     const cln::cl_RA rounding = cln::expt(cln::cl_RA(10), 10 - digits);
@@ -49,7 +51,9 @@ std::string difference(const System& without, const System& with) {
         name = rate;
     }
     const double percent = 100 * cln::double_approx(largest);
-    if (!name.empty()) return fmt::format("{}{}changes {} by {} %", text, text.empty() ? "" : ", ", name, percent < 10 ? fmt::format("{:.2g}", percent) : fmt::format("{:.0f}", percent));
+    if (!name.empty())
+        return fmt::format("{}{}changes {} by {} %", text, text.empty() ? "" : ", ", name,
+                           percent < 10 ? fmt::format("{:.2g}", percent) : fmt::format("{:.0f}", percent));
     return text.empty() ? "changes nothing" : text;
 }
 

@@ -29,7 +29,9 @@ bool has_nested_roots(const ex& e) {
         if (!is_square_root(*part)) continue;
         const ex inside = part->op(0);
         for (auto inner = inside.preorder_begin(); inner != inside.preorder_end(); ++inner)
-            if (is_square_root(*inner) || (GiNaC::is_a<GiNaC::power>(*inner) && inner->op(1).info(GiNaC::info_flags::negint) && GiNaC::is_a<GiNaC::add>(inner->op(0)))) return true;
+            if (is_square_root(*inner) || (GiNaC::is_a<GiNaC::power>(*inner) && inner->op(1).info(GiNaC::info_flags::negint) &&
+                                           GiNaC::is_a<GiNaC::add>(inner->op(0))))
+                return true;
     }
     return false;
 }
@@ -65,14 +67,17 @@ public:
     bool has_any() const { return !letters_.empty(); }
     /// With all that letters stand for, which may have letters itself.
     ex written_out(ex e) const {
-        for (auto last = meaning_.rbegin(); last != meaning_.rend(); ++last) e = e.subs(last->first == last->second, GiNaC::subs_options::no_pattern);
+        for (auto last = meaning_.rbegin(); last != meaning_.rend(); ++last)
+            e = e.subs(last->first == last->second, GiNaC::subs_options::no_pattern);
         return e;
     }
 
 private:
     ex argument(const ex& e) { return (*this)(e).expand(GiNaC::expand_options::expand_function_args); }
     static bool is_first(const ex& x) { return x.compare((-x).expand()) <= 0; }
-    static bool is_exponential(const ex& e) { return GiNaC::is_a<GiNaC::function>(e) && GiNaC::ex_to<GiNaC::function>(e).get_name() == "exp"; }
+    static bool is_exponential(const ex& e) {
+        return GiNaC::is_a<GiNaC::function>(e) && GiNaC::ex_to<GiNaC::function>(e).get_name() == "exp";
+    }
     ex above_zero(const ex& x) {
         const ex negative = (-x).expand();
         return is_first(x) ? letter(maximum(x, 0)) : x + letter(maximum(negative, 0));
@@ -130,7 +135,8 @@ bool stays(const Prover::Evaluation& evaluate, const ex& difference, const Point
     return fine && 100 * cln::abs(*fine - *rough) < cln::abs(*rough);
 }
 
-/// Whether two sides differ at one of a few points, where a proof would be long: of products of sums. Of polynomials numbers say so for certain.
+/// Whether two sides differ at one of a few points, where a proof would be long: of products of sums. Of polynomials numbers say so for
+/// certain.
 bool is_long_and_differs(const System& system, const ex& difference) {
     constexpr double long_from = 1000;
     constexpr int tries = 3;
@@ -139,7 +145,9 @@ bool is_long_and_differs(const System& system, const ex& difference) {
     for (int i = 0; i < tries; ++i) {
         const Point point = points.next();
         const auto evaluate = [&](const ex& e, const Point& at, int digits) { return value_at(e, system.symbols, at, digits); };
-        if (sign_at([&](int digits) { return evaluate(difference, point, digits); }) == Sign::not_zero && stays(evaluate, difference, point)) return true;
+        if (sign_at([&](int digits) { return evaluate(difference, point, digits); }) == Sign::not_zero &&
+            stays(evaluate, difference, point))
+            return true;
     }
     return false;
 }
@@ -191,7 +199,10 @@ bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>&
 
 Comparison Prover::equal(const ex& a, const ex& b) {
     // A balance of a node that stores nothing is zero by its temperature, which random points do not know.
-    const auto at_points = [&] { return compare_at_points([&](const ex& e, const Point& point, int digits) { return value_at(e, system_.symbols, point, digits); }, a, b); };
+    const auto at_points = [&] {
+        return compare_at_points([&](const ex& e, const Point& point, int digits) { return value_at(e, system_.symbols, point, digits); },
+                                 a, b);
+    };
     if (system_.heat.defined.empty() && is_long_and_differs(system_, a - b)) return at_points();
     if (proven_equal(a, b, {})) return {Verdict::proven};
     // Temperatures that nodes without capacities balance are known by that alone: one of their balances may be what a and b differ by.
@@ -201,7 +212,8 @@ Comparison Prover::equal(const ex& a, const ex& b) {
         std::set<std::string> needed;
         for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::state, SymbolKind::input})
             for (const Variable& variable : system_.symbols.all(kind))
-                if (ranged_.names.contains(variable.name) && (a.has(variable.symbol) || b.has(variable.symbol))) needed.insert(variable.name);
+                if (ranged_.names.contains(variable.name) && (a.has(variable.symbol) || b.has(variable.symbol)))
+                    needed.insert(variable.name);
         return {Verdict::proven_under_assumption, positive_names(needed)};
     }
     if (has_nested_roots(a - b) && proven_equal(a, b, {}, true)) return {Verdict::proven};
@@ -249,9 +261,16 @@ Comparison Prover::compare_at_points(const Evaluation& evaluate, const ex& a, co
         if (at.differ()) continue;
         if (at.has_values()) branches.enter(evaluate, point);
     }
-    if (valid < needed_points && one_sided > 0) return {Verdict::not_checkable, fmt::format("at {} of {} random points one side has no real value and the other has: a range for the letters would say where it is meant", one_sided, most_points)};
-    if (valid < needed_points) return {Verdict::not_checkable, fmt::format("at {} random points, both sides have a real value that is not zero at {} only; {} are needed", most_points, valid, needed_points)};
-    std::string reason = one_sided > 0 ? fmt::format("where both sides are real; at {} more random points only one of them is", one_sided) : "";
+    if (valid < needed_points && one_sided > 0)
+        return {Verdict::not_checkable, fmt::format("at {} of {} random points one side has no real value and the other has: a range for "
+                                                    "the letters would say where it is meant",
+                                                    one_sided, most_points)};
+    if (valid < needed_points)
+        return {Verdict::not_checkable,
+                fmt::format("at {} random points, both sides have a real value that is not zero at {} only; {} are needed", most_points,
+                            valid, needed_points)};
+    std::string reason =
+        one_sided > 0 ? fmt::format("where both sides are real; at {} more random points only one of them is", one_sided) : "";
     if (const std::string missed = branches.missed(); !missed.empty()) reason += (reason.empty() ? "" : "; ") + missed;
     return {Verdict::numerically_equal, reason};
 }

@@ -27,12 +27,14 @@ std::vector<MediumIdentity> medium_identities(const MediumModel& medium) {
         {"energy (3.21)", "de/dnu at constant T", "T*dp/dT - p", energy_by_volume, T * pressure_by_T - p},
         {"isochoric heat (3.31)", "de/dT at constant nu", "c_v", energy_by_T, law.isochoric_heat},
         {"p*gamma = alpha*beta (3.43a)", "p*gamma", "alpha*beta", p * gamma, alpha * beta},
-        {"c_p - c_v (3.43b)", "c_p - c_v", "T*p*nu*alpha*gamma", partial(law.enthalpy, T) - law.isochoric_heat, T * p * volume * alpha * gamma},
+        {"c_p - c_v (3.43b)", "c_p - c_v", "T*p*nu*alpha*gamma", partial(law.enthalpy, T) - law.isochoric_heat,
+         T * p * volume * alpha * gamma},
         {"bulk modulus (3.41)", "dp/drho", "beta/rho", law.pressure_by_density, beta / law.density},
     };
     // T and p over (e, nu): dT/dnu at constant e = -e_nu/e_T, d/de = 1/e_T d/dT at constant nu. Without a heat there is no such T.
     if (!law.isochoric_heat.is_zero())
-        identities.push_back({"entropy (3.11)", "d(1/T)/dnu", "d(p/T)/de", energy_by_volume / (energy_by_T * pow(T, 2)), (T * pressure_by_T - p) / (pow(T, 2) * energy_by_T)});
+        identities.push_back({"entropy (3.11)", "d(1/T)/dnu", "d(p/T)/de", energy_by_volume / (energy_by_T * pow(T, 2)),
+                              (T * pressure_by_T - p) / (pow(T, 2) * energy_by_T)});
     if (medium.has_density_form()) {
         const MediumState back = medium.at_density(law.density, T);
         identities.push_back({"inverse", "p(rho(p, T), T)", "p", back.pressure, p});
@@ -60,7 +62,8 @@ Comparison compare_at_states(const System& system, const MediumModel& medium, co
         if (sign == Sign::zero) continue;
         const auto left = value_at(identity.left, state, 30);
         const auto right = value_at(identity.right, state, 30);
-        return {Verdict::wrong, fmt::format("at p = {} Pa, T = {} K: {} is {}, but {} is {}", p.to_long(), T.to_long(), identity.left_name, left ? number(*left) : "none", identity.right_name, right ? number(*right) : "none")};
+        return {Verdict::wrong, fmt::format("at p = {} Pa, T = {} K: {} is {}, but {} is {}", p.to_long(), T.to_long(), identity.left_name,
+                                            left ? number(*left) : "none", identity.right_name, right ? number(*right) : "none")};
     }
     if (seen == 0) return {Verdict::not_checkable, "it has no value at any state tried"};
     return {Verdict::numerically_equal};

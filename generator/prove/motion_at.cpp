@@ -11,7 +11,8 @@ namespace dalembert {
 
 using GiNaC::ex;
 
-MotionAt::MotionAt(const System& system, const Values& values, int digits) : system_(system), digits_(digits), point_(values.substitution()) {
+MotionAt::MotionAt(const System& system, const Values& values, int digits)
+    : system_(system), digits_(digits), point_(values.substitution()) {
     const Symbols& symbols = system.symbols;
     add_steps(point_, symbols, digits + 20);
     const Motion& motion = system.motion;
@@ -21,7 +22,10 @@ MotionAt::MotionAt(const System& system, const Values& values, int digits) : sys
     std::vector<std::vector<cln::cl_R>> m(n, std::vector<cln::cl_R>(n + 1));
     const auto entry = [&](const ex& e) {
         const auto v = value_at(e, point_, digits);
-        if (!v) throw Failure(Diagnostic{Id::division_by_zero, system.scene.model->name_span, fmt::format("the equations of motion have no value at this point, or one of more than {} binary digits", budget::bits)});
+        if (!v)
+            throw Failure(Diagnostic{
+                Id::division_by_zero, system.scene.model->name_span,
+                fmt::format("the equations of motion have no value at this point, or one of more than {} binary digits", budget::bits)});
         return *v;
     };
     for (std::size_t j = 0; j < n; ++j) {
@@ -39,7 +43,8 @@ MotionAt::MotionAt(const System& system, const Values& values, int digits) : sys
         if (dropped[k]) continue;
         if (cln::zerop(m[k][k]))
             throw Failure(Diagnostic{Id::singular_mass, symbols.all(SymbolKind::coordinate)[motion.free[k]].declared->span,
-                                     fmt::format("the mass matrix is singular at this point: the acceleration of '{}' is not determined", symbols.all(SymbolKind::coordinate)[motion.free[k]].name)});
+                                     fmt::format("the mass matrix is singular at this point: the acceleration of '{}' is not determined",
+                                                 symbols.all(SymbolKind::coordinate)[motion.free[k]].name)});
         for (std::size_t j = 0; j < n; ++j) {
             if (j == k) continue;
             const cln::cl_R factor = m[j][k] / m[k][k];
@@ -47,13 +52,18 @@ MotionAt::MotionAt(const System& system, const Values& values, int digits) : sys
         }
     }
     for (std::size_t j = 0; j < n; ++j) point_[unknowns[j]] = dropped[j] ? GiNaC::numeric(0) : GiNaC::numeric(m[j][n] / m[j][j]);
-    for (const auto& [coordinate, acceleration] : motion.accelerations) point_[symbols.get(SymbolKind::acceleration, coordinate)] = GiNaC::numeric(entry(acceleration));
-    for (std::size_t i = 0; i < system.state_rates.size(); ++i) point_[symbols.get(SymbolKind::state_rate, i)] = GiNaC::numeric(entry(system.state_rates[i]));
+    for (const auto& [coordinate, acceleration] : motion.accelerations)
+        point_[symbols.get(SymbolKind::acceleration, coordinate)] = GiNaC::numeric(entry(acceleration));
+    for (std::size_t i = 0; i < system.state_rates.size(); ++i)
+        point_[symbols.get(SymbolKind::state_rate, i)] = GiNaC::numeric(entry(system.state_rates[i]));
 }
 
 cln::cl_R MotionAt::operator()(const ex& e) const {
     const auto v = value_at(e, point_, digits_);
-    if (!v) throw Failure(Diagnostic{Id::division_by_zero, system_.scene.model->name_span, fmt::format("an expression has no value at this point, or one of more than {} binary digits", budget::bits)});
+    if (!v)
+        throw Failure(
+            Diagnostic{Id::division_by_zero, system_.scene.model->name_span,
+                       fmt::format("an expression has no value at this point, or one of more than {} binary digits", budget::bits)});
     return *v;
 }
 

@@ -40,7 +40,8 @@ bool NormalForm::is_zero(const ex& given) {
             if (joins_roots_) simple_roots_first(e);
             const bool result = without_inverses(convert(e)).is_zero();
             // Positive is what a logarithm is taken of, here and not before a restart alone.
-            if (!std::includes(logarithms_of_.begin(), logarithms_of_.end(), divided_by_.begin(), divided_by_.end())) throw NoNormalForm("logarithms that went");
+            if (!std::includes(logarithms_of_.begin(), logarithms_of_.end(), divided_by_.begin(), divided_by_.end()))
+                throw NoNormalForm("logarithms that went");
             std::set<ex, GiNaC::ex_is_less> claimed;
             for (const ex& claim : must_not_vanish_) claimed.insert(claim.subs(angles.meaning, GiNaC::subs_options::no_pattern));
             must_not_vanish_ = std::move(claimed);
@@ -133,7 +134,8 @@ void NormalForm::note_argument(const ex& e) {
 
 Polynomial NormalForm::function(const ex& e) {
     const std::string name = ex_to<GiNaC::function>(e).get_name();
-    static const std::set<std::string> with_sign{"sign_of", "magnitude", "unit_step", "if_else", "signed_root", "inverse_root", "forward_root", "norm", "inverse_norm"};
+    static const std::set<std::string> with_sign{"sign_of",      "magnitude",    "unit_step", "if_else",     "signed_root",
+                                                 "inverse_root", "forward_root", "norm",      "inverse_norm"};
     if (with_sign.contains(name)) note_argument(e.op(0));
     if (name == "minimum" || name == "maximum") note_argument(e.op(0) - e.op(1));
     if (name == "sin") return sine_and_cosine(convert(e.op(0))).first;
@@ -329,7 +331,8 @@ std::pair<Polynomial, Polynomial> NormalForm::sine_and_cosine(const Polynomial& 
         if (found == angles_.end()) {
             // Of part of an angle the sine is positive where that of the whole is; a cosine likewise.
             const std::string name = symbol_named(monomial);
-            const bool sine_is_positive = assumed_positive_.contains("sin(" + name + ")"), cosine_is_positive = assumed_positive_.contains("cos(" + name + ")");
+            const bool sine_is_positive = assumed_positive_.contains("sin(" + name + ")"),
+                       cosine_is_positive = assumed_positive_.contains("cos(" + name + ")");
             const Letter sine_letter = new_letter(sine_is_positive);
             const Angle angle{sine_letter, new_letter(cosine_is_positive)};
             Polynomial one_minus_c2(1);
@@ -376,12 +379,17 @@ Polynomial NormalForm::in_partial_fractions(Polynomial p) const {
         for (const auto& inverse : inverse_order_) {
             const Letter reciprocal = inverse.first;
             const Polynomial& denominator = inverse.second;
-            const Monomial& first = denominator.terms().begin()->first.empty() ? std::next(denominator.terms().begin())->first : denominator.terms().begin()->first;
+            const Monomial& first = denominator.terms().begin()->first.empty() ? std::next(denominator.terms().begin())->first
+                                                                               : denominator.terms().begin()->first;
             if (first.size() != 1 || first[0].exponent != 1) continue;
             const Letter letter = first[0].letter;
-            const bool is_alone = std::none_of(denominator.terms().begin(), denominator.terms().end(), [&](const auto& term) { return term.first != first && exponent_of(term.first, letter) != 0; });
+            const bool is_alone = std::none_of(denominator.terms().begin(), denominator.terms().end(), [&](const auto& term) {
+                return term.first != first && exponent_of(term.first, letter) != 0;
+            });
             if (!is_alone) continue;
-            const auto found = std::find_if(p.terms().begin(), p.terms().end(), [&](const auto& term) { return exponent_of(term.first, letter) > 0 && exponent_of(term.first, reciprocal) > 0; });
+            const auto found = std::find_if(p.terms().begin(), p.terms().end(), [&](const auto& term) {
+                return exponent_of(term.first, letter) > 0 && exponent_of(term.first, reciprocal) > 0;
+            });
             if (found == p.terms().end()) continue;
             any = true;
             const auto [monomial, coefficient] = *found;
@@ -408,7 +416,8 @@ Polynomial NormalForm::sign_of(const Polynomial& whole) {
     const bool negative = is_negative(leading(argument));
     const auto has_that_sign = [&](const auto& term) {
         const auto& [monomial, coefficient] = term;
-        return is_negative(coefficient) == negative && std::all_of(monomial.begin(), monomial.end(), [&](const LetterPower& p) { return positive_[p.letter]; });
+        return is_negative(coefficient) == negative &&
+               std::all_of(monomial.begin(), monomial.end(), [&](const LetterPower& p) { return positive_[p.letter]; });
     };
     if (std::all_of(argument.terms().begin(), argument.terms().end(), has_that_sign)) return Polynomial(negative ? -1 : 1);
     Polynomial positive = argument * raised(positive_factor(argument), -1);

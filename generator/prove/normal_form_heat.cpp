@@ -14,7 +14,9 @@ using GiNaC::ex_to;
 namespace {
 
 bool is_heat_function(const std::string& name) {
-    static const std::set<std::string> names{"decay_mean", "decay_mean_slope", "log_ratio", "log_mean", "log_mean_slope", "root_excess", "radiant_temperature", "network_inverse", "balanced_temperature", "junction_root"};
+    static const std::set<std::string> names{"decay_mean",           "decay_mean_slope", "log_ratio",           "log_mean",
+                                             "log_mean_slope",       "root_excess",      "radiant_temperature", "network_inverse",
+                                             "balanced_temperature", "junction_root"};
     return names.contains(name);
 }
 
@@ -23,7 +25,9 @@ bool is_function(const ex& e, const char* name) { return GiNaC::is_a<GiNaC::func
 }  // namespace
 
 bool NormalForm::has_heat_functions(const ex& e) {
-    return std::any_of(e.preorder_begin(), e.preorder_end(), [](const ex& part) { return GiNaC::is_a<GiNaC::function>(part) && is_heat_function(ex_to<GiNaC::function>(part).get_name()); });
+    return std::any_of(e.preorder_begin(), e.preorder_end(), [](const ex& part) {
+        return GiNaC::is_a<GiNaC::function>(part) && is_heat_function(ex_to<GiNaC::function>(part).get_name());
+    });
 }
 
 std::optional<Polynomial> NormalForm::heat_function(const std::string& name, const ex& e) {
@@ -119,7 +123,8 @@ Polynomial NormalForm::network(const std::string& name, const ex& e) {
 void NormalForm::roots_first(const ex& e) {
     if (std::none_of(e.preorder_begin(), e.preorder_end(), [](const ex& part) { return is_function(part, "root_excess"); })) return;
     for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
-        const bool is_root = GiNaC::is_a<GiNaC::power>(*part) && part->op(1).info(GiNaC::info_flags::rational) && !part->op(1).info(GiNaC::info_flags::integer);
+        const bool is_root = GiNaC::is_a<GiNaC::power>(*part) && part->op(1).info(GiNaC::info_flags::rational) &&
+                             !part->op(1).info(GiNaC::info_flags::integer);
         if (is_root || is_function(*part, "norm") || is_function(*part, "inverse_norm")) convert(*part);
     }
 }

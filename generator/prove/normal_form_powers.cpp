@@ -34,7 +34,8 @@ Polynomial NormalForm::power(const ex& base, const ex& exponent) {
     return exponential(multiply(convert(exponent), logarithm(convert(base))));
 }
 
-/// The logarithm of what is positive where it exists: of a product the sum of the logarithms, as far as the factors are known to be positive.
+/// The logarithm of what is positive where it exists: of a product the sum of the logarithms, as far as the factors are known to be
+/// positive.
 Polynomial NormalForm::logarithm(const Polynomial& argument) {
     if (argument.is_zero()) throw NoNormalForm("the logarithm of zero");
     const Monomial common = positive_factor(argument);
@@ -58,8 +59,8 @@ Polynomial NormalForm::logarithm(const Polynomial& argument) {
     return result += rest == undivided ? logarithm_atom(rest) : logarithm(rest);
 }
 
-/// Each argument of a logarithm is positive where the whole is defined, and so is what one leaves of another: log(a^2 - b^2) beside log(a - b).
-/// What divides an argument that came before it is known from the beginning after a restart.
+/// Each argument of a logarithm is positive where the whole is defined, and so is what one leaves of another: log(a^2 - b^2) beside log(a -
+/// b). What divides an argument that came before it is known from the beginning after a restart.
 Polynomial NormalForm::divide_by_known_logarithms(Polynomial& argument) {
     Polynomial result;
     if (argument.is_monomial()) return result;
@@ -67,7 +68,8 @@ Polynomial NormalForm::divide_by_known_logarithms(Polynomial& argument) {
     const Polynomial whole = argument;
     for (const Polynomial& known : logarithm_factors_) {
         if (known == whole) continue;
-        for (auto quotient = exact_quotient(argument, known); quotient && !(argument == known); quotient = exact_quotient(argument, known)) {
+        for (auto quotient = exact_quotient(argument, known); quotient && !(argument == known);
+             quotient = exact_quotient(argument, known)) {
             divided_by_.insert(known);
             argument = *quotient;
             result += logarithm_atom(known);
@@ -79,7 +81,8 @@ Polynomial NormalForm::divide_by_known_logarithms(Polynomial& argument) {
         }
     }
     if (std::find(logarithm_factors_.begin(), logarithm_factors_.end(), whole) != logarithm_factors_.end()) return result;
-    const bool divides = std::any_of(logarithm_factors_.begin(), logarithm_factors_.end(), [&](const Polynomial& known) { return exact_quotient(known, whole).has_value(); });
+    const bool divides = std::any_of(logarithm_factors_.begin(), logarithm_factors_.end(),
+                                     [&](const Polynomial& known) { return exact_quotient(known, whole).has_value(); });
     logarithm_factors_.insert(divides ? logarithm_factors_.begin() : logarithm_factors_.end(), whole);
     if (divides) throw Restart();
     return result;
@@ -153,7 +156,8 @@ Polynomial NormalForm::root(const Polynomial& whole, int degree) {
     Polynomial outside = multiply(joined, root_of_number(factor, degree));
     inside *= Rational(1) / factor;
     for (const LetterPower& p : common) {
-        const bool is_exponential = std::any_of(exponentials_.begin(), exponentials_.end(), [&](const auto& known) { return known.second.first == p.letter; });
+        const bool is_exponential =
+            std::any_of(exponentials_.begin(), exponentials_.end(), [&](const auto& known) { return known.second.first == p.letter; });
         if (is_exponential) {
             Polynomial exponent = logarithm_of_letter(p.letter);
             exponent *= Rational(p.exponent) / degree;
@@ -181,8 +185,8 @@ Polynomial NormalForm::root(const Polynomial& whole, int degree) {
     return multiply(outside, Polynomial::letter(found->second));
 }
 
-/// Takes squares out of what stands under a square root, and gives their roots: of a sine, whose square is written 1 - cos^2, and of what is
-/// the square of another polynomial p: |p| = p*sign(p).
+/// Takes squares out of what stands under a square root, and gives their roots: of a sine, whose square is written 1 - cos^2, and of what
+/// is the square of another polynomial p: |p| = p*sign(p).
 Polynomial NormalForm::root_of_square(Polynomial& inside) {
     constexpr std::size_t most_terms_of_square = 200;
     Polynomial outside(1);
@@ -241,7 +245,8 @@ Polynomial NormalForm::root_of_number(const Rational& value, int degree) {
 Polynomial NormalForm::integer_power(const Polynomial& base, int exponent) {
     if (exponent < 0) return integer_power(inverse(base), -exponent);
     if (exponent > largest_power && !base.is_monomial()) throw NoNormalForm("a large power");
-    if (exponent > 1 && base.is_monomial() && base.terms().begin()->first.empty()) return Polynomial(cln::expt(leading(base), cln::cl_I(exponent)));
+    if (exponent > 1 && base.is_monomial() && base.terms().begin()->first.empty())
+        return Polynomial(cln::expt(leading(base), cln::cl_I(exponent)));
     Polynomial result(1);
     Polynomial square = base;
     for (int left = exponent; left > 0; left /= 2) {
@@ -286,7 +291,8 @@ Polynomial NormalForm::inverse(const Polynomial& p) {
     Polynomial result(Rational(1) / leading(rest));
     rest *= Rational(1) / leading(rest);
     for (const LetterPower& power : common) {
-        const auto reciprocal = std::find_if(inverse_order_.begin(), inverse_order_.end(), [&](const auto& known) { return known.first == power.letter; });
+        const auto reciprocal =
+            std::find_if(inverse_order_.begin(), inverse_order_.end(), [&](const auto& known) { return known.first == power.letter; });
         if (reciprocal != inverse_order_.end()) {
             const Polynomial denominator = reciprocal->second;
             result = multiply(result, integer_power(denominator, power.exponent));

@@ -15,7 +15,8 @@ using GiNaC::ex;
 void NormalForm::simple_roots_first(const ex& e) {
     std::vector<std::pair<std::size_t, ex>> roots;
     for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
-        const bool is_root = GiNaC::is_a<GiNaC::power>(*part) && part->op(1).info(GiNaC::info_flags::rational) && !part->op(1).info(GiNaC::info_flags::integer);
+        const bool is_root = GiNaC::is_a<GiNaC::power>(*part) && part->op(1).info(GiNaC::info_flags::rational) &&
+                             !part->op(1).info(GiNaC::info_flags::integer);
         if (is_root) roots.emplace_back(std::distance(part->preorder_begin(), part->preorder_end()), *part);
     }
     std::stable_sort(roots.begin(), roots.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

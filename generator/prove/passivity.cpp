@@ -54,7 +54,8 @@ const ex& letter(const NodeState& node) { return node.kind == NodeState::Kind::s
 
 /// What holds for every cell of a rod in a loop: conduction is symmetric, the surroundings draw towards themselves.
 bool is_passive(const RodField& f) {
-    if (f.rod->grid || f.rod->shape != Rod::Shape::bar || !f.rod->area->variables.empty()) return false;  // the signs of widths and areas are not told by their terms
+    if (f.rod->grid || f.rod->shape != Rod::Shape::bar || !f.rod->area->variables.empty())
+        return false;  // the signs of widths and areas are not told by their terms
     // Numbers on a uniform grid stand in differences alone, from the smaller to the larger: any that rise give their signs.
     const GiNaC::exmap rising{{f.place.left, 1}, {f.place.here, 2}, {f.place.right, 3}, {f.beyond, 4}};
     const auto at = [&](const ex& e) { return e.subs(rising, GiNaC::subs_options::no_pattern); };
@@ -63,7 +64,8 @@ bool is_passive(const RodField& f) {
     const ex by_next = partial(f.link, f.next);
     const ex side = partial(f.source, f.here);
     const auto capacity = sign_of_terms(at(f.capacity));
-    return !knows(by_here) && !knows(by_next) && !knows(side) && !knows(f.capacity) && capacity == 1 && has_sign(at(by_here), 1) && (by_here + by_next).expand().is_zero() && has_sign(at(side), -1);
+    return !knows(by_here) && !knows(by_next) && !knows(side) && !knows(f.capacity) && capacity == 1 && has_sign(at(by_here), 1) &&
+           (by_here + by_next).expand().is_zero() && has_sign(at(side), -1);
 }
 
 }  // namespace
@@ -77,7 +79,9 @@ bool is_passive(const System& system, Prover& prover) {
     // Nodes that store nothing count too: what is left when they are eliminated has the same signs.
     for (const NodeState& node : system.heat.nodes)
         if (node.kind == NodeState::Kind::sought) nodes.push_back(&node);
-    const auto has_state = [&](const ex& e) { return std::any_of(nodes.begin(), nodes.end(), [&](const NodeState* node) { return e.has(letter(*node)); }); };
+    const auto has_state = [&](const ex& e) {
+        return std::any_of(nodes.begin(), nodes.end(), [&](const NodeState* node) { return e.has(letter(*node)); });
+    };
     const auto slope = [&](std::size_t i, std::size_t j) { return partial(nodes[i]->balance, letter(*nodes[j])); };
     for (const NodeState* node : nodes)
         for (const NodeState* other : nodes)

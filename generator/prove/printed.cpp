@@ -29,13 +29,16 @@ std::vector<const PrintedLetter*> ordered_letters(const PrintedEquation& printed
         for (const PrintedLetter& letter : printed.letters) {
             if (!is_waiting(letter.name)) continue;
             bool is_ready = true;
-            for_each(*letter.value, [&](const Expression& e) { is_ready = is_ready && !(e.kind == Expression::Kind::name && is_waiting(e.name)); });
+            for_each(*letter.value,
+                     [&](const Expression& e) { is_ready = is_ready && !(e.kind == Expression::Kind::name && is_waiting(e.name)); });
             if (is_ready) ordered.push_back(&letter);
         }
         if (ordered.size() == before) {
-            const auto stuck = std::find_if(printed.letters.begin(), printed.letters.end(), [&](const PrintedLetter& letter) { return is_waiting(letter.name); });
+            const auto stuck = std::find_if(printed.letters.begin(), printed.letters.end(),
+                                            [&](const PrintedLetter& letter) { return is_waiting(letter.name); });
             if (stuck == printed.letters.end()) break;  // some are named twice
-            throw Failure(Diagnostic{Id::cyclic_definition, stuck->span, fmt::format("the letter '{}' of printed '{}' needs itself", stuck->name, printed.name)});
+            throw Failure(Diagnostic{Id::cyclic_definition, stuck->span,
+                                     fmt::format("the letter '{}' of printed '{}' needs itself", stuck->name, printed.name)});
         }
     }
     return ordered;
@@ -63,7 +66,8 @@ std::optional<std::string> unit_problem(const System& system, const PrintedEquat
         if (diagnostics.has_errors()) return diagnostics.all().front().message;
         if (measure.fits_all) continue;
         if (common && measure.dimension != *common)
-            return fmt::format("'{}' is in '{}' while '{}' is in '{}'", first->written(), common->described(), side->written(), measure.dimension.described());
+            return fmt::format("'{}' is in '{}' while '{}' is in '{}'", first->written(), common->described(), side->written(),
+                               measure.dimension.described());
         common = measure.dimension;
         first = side.get();
     }
@@ -73,13 +77,16 @@ std::optional<std::string> unit_problem(const System& system, const PrintedEquat
 /// An entry with what its letters stand for.
 class EntryCheck {
 public:
-    EntryCheck(const System& system, const PrintedEquation& printed, const Indices& indices) : system_(system), printed_(printed), indices_(indices) {
+    EntryCheck(const System& system, const PrintedEquation& printed, const Indices& indices)
+        : system_(system), printed_(printed), indices_(indices) {
         system.translate.leave_integrals_open();
-        for (const PrintedLetter* letter : ordered_letters(printed)) letters_[letter->name] = system.translate(*letter->value, indices, letters_);
+        for (const PrintedLetter* letter : ordered_letters(printed))
+            letters_[letter->name] = system.translate(*letter->value, indices, letters_);
         for (const AtPoint& point : printed.at) {
             const ex variable = translate(*point.variable);
             if (!GiNaC::is_a<GiNaC::symbol>(variable))
-                throw Failure(Diagnostic{Id::not_allowed_here, point.variable->span, fmt::format("'{}' is not a variable that can be set", point.variable->written())});
+                throw Failure(Diagnostic{Id::not_allowed_here, point.variable->span,
+                                         fmt::format("'{}' is not a variable that can be set", point.variable->written())});
             at_[variable] = translate(*point.value);
         }
         for (const PrintedLetter& letter : printed.letters) check_right_angles(system, *letter.value, indices);
@@ -111,8 +118,9 @@ public:
             if (!number(equation, i)) translate(*equation.sides[i]);
         if (!system_.translate.open_integrals().empty()) return false;  // by numbers at best
         for (std::size_t i = 0; i + 1 < equation.sides.size(); ++i) {
-            const bool holds = number(equation, i) || number(equation, i + 1) ? pair(equation, i).comparison.verdict != Verdict::wrong
-                                                                              : pairs().may_hold(translate(*equation.sides[i]), translate(*equation.sides[i + 1]));
+            const bool holds = number(equation, i) || number(equation, i + 1)
+                                   ? pair(equation, i).comparison.verdict != Verdict::wrong
+                                   : pairs().may_hold(translate(*equation.sides[i]), translate(*equation.sides[i + 1]));
             if (!holds) return false;
         }
         return true;
@@ -139,7 +147,9 @@ public:
 
 private:
     ex translate(const Expression& e) const { return system_.translate(e, indices_, letters_); }
-    std::optional<PrintedNumber> number(const Equation& equation, std::size_t side) const { return number_in(printed_, *equation.sides[side]); }
+    std::optional<PrintedNumber> number(const Equation& equation, std::size_t side) const {
+        return number_in(printed_, *equation.sides[side]);
+    }
 
     /// Made when it is needed first: it looks for what constraints say.
     PairCheck& pairs() {
@@ -153,7 +163,8 @@ private:
         for (const auto& [printed_number, at, other] : {std::tuple(right, i + 1, i), std::tuple(left, i, i + 1)}) {
             if (!printed_number) continue;
             PrintedResult result = pairs().run_number(translate(*equation.sides[other]), *printed_number);
-            const bool is_exact = !printed_.number_unit && is_rounded(*equation.sides[at]) && result.comparison.verdict == Verdict::not_checkable;
+            const bool is_exact =
+                !printed_.number_unit && is_rounded(*equation.sides[at]) && result.comparison.verdict == Verdict::not_checkable;
             if (!is_exact) return result;  // or else letters are left, of which the number says something exact
         }
         const ex a = translate(*equation.sides[i]);
@@ -164,7 +175,8 @@ private:
     static PrintedNumber rounded_like(PrintedNumber number, const PrintedNumber& other) {
         if (other.half_unit * 2 >= 1) return number;
         const Unit &unit = *number.unit, &of_other = *other.unit;
-        const auto ratio = value_at(GiNaC::numeric(of_other.factor / unit.factor) * GiNaC::pow(GiNaC::Pi, of_other.pi_power - unit.pi_power), {}, 60);
+        const auto ratio =
+            value_at(GiNaC::numeric(of_other.factor / unit.factor) * GiNaC::pow(GiNaC::Pi, of_other.pi_power - unit.pi_power), {}, 60);
         if (ratio) number.half_unit = number.half_unit + other.half_unit * cln::rational(*ratio);
         return number;
     }
@@ -185,7 +197,8 @@ PrintedEquation with_solution_inserted(const PrintedEquation& entry) {
     result.equations = entry.solved;
     for (const Equation& equation : entry.equations) {
         const std::string& name = equation.sides[0]->name;
-        const bool is_known = std::any_of(result.letters.begin(), result.letters.end(), [&](const PrintedLetter& letter) { return letter.name == name; });
+        const bool is_known =
+            std::any_of(result.letters.begin(), result.letters.end(), [&](const PrintedLetter& letter) { return letter.name == name; });
         if (!is_known) result.letters.push_back({name, equation.sides[1], equation.sides[0]->span});
         if (is_known) result.equations.push_back(equation);
         else if (equation.sides.size() > 2) result.equations.push_back({{equation.sides.begin() + 1, equation.sides.end()}, equation.span});
@@ -204,14 +217,16 @@ Result checkable(Result otherwise, Work work) {
         if constexpr (std::is_same_v<Result, PrintedResult>) otherwise.comparison.reason = d.message;
         return otherwise;
     } catch (const GiNaC::pole_error&) {
-        if constexpr (std::is_same_v<Result, PrintedResult>) otherwise.comparison.reason = "a side of it has no value: it divides by zero, or is infinite";
+        if constexpr (std::is_same_v<Result, PrintedResult>)
+            otherwise.comparison.reason = "a side of it has no value: it divides by zero, or is infinite";
         return otherwise;
     }
 }
 
 /// Of matrices: in which entry it is so.
 void name_entry(Comparison& comparison, const std::string& entry) {
-    const bool is_equal = comparison.verdict == Verdict::proven || comparison.verdict == Verdict::proven_under_assumption || comparison.verdict == Verdict::numerically_equal;
+    const bool is_equal = comparison.verdict == Verdict::proven || comparison.verdict == Verdict::proven_under_assumption ||
+                          comparison.verdict == Verdict::numerically_equal;
     if (entry.empty() || is_equal) return;
     const bool has_reason = !comparison.reason.empty();
     if (!has_reason && comparison.verdict != Verdict::wrong) return;
@@ -249,16 +264,20 @@ bool is_trivial(const System& system, const Member<PrintedEquation>& entry) {
     const Indices indices = Translator::indices_of(entry);
     const PrintedEquation checked = with_solution_inserted(*entry.item);
     EntryCheck check(system, checked, indices);
-    if (entry.item->solved.empty()) return std::any_of(checked.equations.begin(), checked.equations.end(), [&](const Equation& equation) { return check.is_trivial(equation); });
+    if (entry.item->solved.empty())
+        return std::any_of(checked.equations.begin(), checked.equations.end(),
+                           [&](const Equation& equation) { return check.is_trivial(equation); });
     // What solves an equation makes it 0 = 0 for all letters; but a solution that is zero is none that would be printed.
-    return std::any_of(entry.item->equations.begin(), entry.item->equations.end(), [&](const Equation& equation) { return check.vanishes(*equation.sides[1]); });
+    return std::any_of(entry.item->equations.begin(), entry.item->equations.end(),
+                       [&](const Equation& equation) { return check.vanishes(*equation.sides[1]); });
 }
 
 bool may_hold(const System& system, const Member<PrintedEquation>& entry) {
     const Indices indices = Translator::indices_of(entry);
     const PrintedEquation checked = with_solution_inserted(*entry.item);
     EntryCheck check(system, checked, indices);
-    return std::all_of(checked.equations.begin(), checked.equations.end(), [&](const Equation& equation) { return check.may_hold(equation); });
+    return std::all_of(checked.equations.begin(), checked.equations.end(),
+                       [&](const Equation& equation) { return check.may_hold(equation); });
 }
 
 }  // namespace dalembert

@@ -19,7 +19,8 @@ struct PrintedResult {
     Comparison comparison;                      ///< verdict also dimensionally_wrong
     std::optional<GiNaC::ex> difference = {};   ///< printed left minus right on the motion, where it is wrong and can be shown
     std::optional<CounterExample> counterexample = {};
-    std::optional<GiNaC::ex> derived = {};      ///< what the derivation has for the left side; with is_motion an equation of motion that is zero
+    std::optional<GiNaC::ex> derived =
+        {};  ///< what the derivation has for the left side; with is_motion an equation of motion that is zero
     bool is_motion = false;
 };
 

@@ -41,7 +41,8 @@ std::optional<int> last_digit(std::string_view written) {
     return exponent - behind;
 }
 
-/// "42,164" is 42164 where that is its value: the text said what its comma is. Nothing where another number stands there, as in what a macro made.
+/// "42,164" is 42164 where that is its value: the text said what its comma is. Nothing where another number stands there, as in what a
+/// macro made.
 std::optional<std::string> without_thousands(std::string typed, const Rational& value) {
     std::erase_if(typed, [](char c) { return std::string_view("(){} ").find(c) != std::string_view::npos; });
     if (typed.starts_with('-')) typed.erase(0, 1);
@@ -103,13 +104,15 @@ Comparison compare_with_number(const ex& value, const PrintedNumber& number) {
     const Unit unit = number.unit.value_or(Unit{});
     const ex distance = GiNaC::abs(in_unit(value, unit) - GiNaC::numeric(number.value)) - GiNaC::numeric(number.half_unit);
     for (auto part = value.preorder_begin(); part != value.preorder_end(); ++part)
-        if (GiNaC::is_a<GiNaC::symbol>(*part)) return {Verdict::not_checkable, fmt::format("needs the value of '{}'", GiNaC::ex_to<GiNaC::symbol>(*part).get_name())};
+        if (GiNaC::is_a<GiNaC::symbol>(*part))
+            return {Verdict::not_checkable, fmt::format("needs the value of '{}'", GiNaC::ex_to<GiNaC::symbol>(*part).get_name())};
     const auto coarse = value_at(distance, {}, 60);
     const auto fine = value_at(distance, {}, 120);
     if (!coarse || !fine) return {Verdict::not_checkable, "needs a value, which does not exist"};
     const cln::cl_R error = cln::abs(*coarse - *fine) * 2 + cln::abs(number.half_unit) * power_of_ten(-50);
     if (cln::minusp(*fine - error)) return {Verdict::proven};
-    if (*fine > error) return {Verdict::wrong, fmt::format("half a unit of the last of {} digits is {}", number.digits, decimal(number.half_unit, 3))};
+    if (*fine > error)
+        return {Verdict::wrong, fmt::format("half a unit of the last of {} digits is {}", number.digits, decimal(number.half_unit, 3))};
     return {Verdict::proven};  // on the edge, where it may be rounded either way
 }
 

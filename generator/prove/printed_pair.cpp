@@ -15,7 +15,15 @@ constexpr std::size_t most_determinant = 5;
 
 }  // namespace
 
-PairCheck::PairCheck(const System& system, GiNaC::exmap at) : system_(system), prover_(system), at_(std::move(at)), held_(system.held_motion()), unknowns_(system.unknowns()), n_(unknowns_.size() - left_out_at_start(system)) { find_manifold(); }
+PairCheck::PairCheck(const System& system, GiNaC::exmap at)
+    : system_(system),
+      prover_(system),
+      at_(std::move(at)),
+      held_(system.held_motion()),
+      unknowns_(system.unknowns()),
+      n_(unknowns_.size() - left_out_at_start(system)) {
+    find_manifold();
+}
 
 PrintedResult PairCheck::run(const ex& left_side, const ex& right_side) {
     const ex left = prepared(left_side);
@@ -96,7 +104,9 @@ void PairCheck::find_manifold() {
 }
 
 std::optional<std::pair<std::size_t, ex>> PairCheck::coordinate_on(const ex& position) {
-    return coordinate_at_zero(position, system_.symbols, [&](const ex& factor) { return is_of_parameters(factor, system_.symbols) && !prover_.proven_equal(factor, 0); });
+    return coordinate_at_zero(position, system_.symbols, [&](const ex& factor) {
+        return is_of_parameters(factor, system_.symbols) && !prover_.proven_equal(factor, 0);
+    });
 }
 
 ex PairCheck::mass(std::size_t j, std::size_t l) const {
@@ -142,7 +152,8 @@ bool PairCheck::holds_on_motion(const ex& rest, PrintedResult& result) {
 std::optional<Comparison> PairCheck::with_single_acceleration(const ex& left, const ex& right) {
     if (n_ != 1 || !has_inverse()) return std::nullopt;
     const GiNaC::exmap solved{{acceleration(0), force(0) / mass(0, 0)}};
-    const Comparison comparison = prover_.equal(left.subs(solved, GiNaC::subs_options::no_pattern), right.subs(solved, GiNaC::subs_options::no_pattern));
+    const Comparison comparison =
+        prover_.equal(left.subs(solved, GiNaC::subs_options::no_pattern), right.subs(solved, GiNaC::subs_options::no_pattern));
     const bool is_proven = comparison.verdict == Verdict::proven || comparison.verdict == Verdict::proven_under_assumption;
     return is_proven ? std::optional(comparison) : std::nullopt;
 }
@@ -150,7 +161,9 @@ std::optional<Comparison> PairCheck::with_single_acceleration(const ex& left, co
 ex PairCheck::shortened(const std::vector<ex>& a, std::size_t j) const {
     Squares squares{PositiveByRange(system_.translate)};
     for (std::size_t l = 0; l < n_; ++l)
-        if (!a[l].is_zero() && !mass(j, l).is_zero()) return squares.shortened(system_.symbols.without_definitions(a[l])) / squares.shortened(system_.symbols.without_definitions(mass(j, l)));
+        if (!a[l].is_zero() && !mass(j, l).is_zero())
+            return squares.shortened(system_.symbols.without_definitions(a[l])) /
+                   squares.shortened(system_.symbols.without_definitions(mass(j, l)));
     return 0;
 }
 
@@ -181,7 +194,9 @@ CounterExample PairCheck::counterexample(const ex& left, const ex& right, const 
     const ex written_out[]{system_.symbols.without_definitions(left), system_.symbols.without_definitions(right)};
     for (const auto& [letter, value] : point) {
         const Variable* variable = system_.symbols.find(letter);
-        if (variable == nullptr || variable->kind == SymbolKind::acceleration || variable->kind == SymbolKind::state_rate || variable->kind == SymbolKind::multiplier) continue;
+        if (variable == nullptr || variable->kind == SymbolKind::acceleration || variable->kind == SymbolKind::state_rate ||
+            variable->kind == SymbolKind::multiplier)
+            continue;
         if (needed(written_out[0], letter) || needed(written_out[1], letter)) result.values.emplace_back(variable->name, decimal(value, 6));
     }
     const auto number = [&](const ex& e, int digits) {

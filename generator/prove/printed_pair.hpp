@@ -28,14 +28,16 @@ private:
     bool contains_acceleration(const GiNaC::ex& e) const;
     const GiNaC::ex& acceleration(std::size_t k) const { return unknowns_[k]; }
     GiNaC::ex prepared(const GiNaC::ex& e) const { return at_point(system_.with_rates(on_constraints(e))); }
-    /// On what constraints hold: each with a multiplier gives a velocity, where its factor is not zero, and its position a coordinate that it is
-    /// linear in. What is equal there is so, by continuity, where a factor vanishes.
+    /// On what constraints hold: each with a multiplier gives a velocity, where its factor is not zero, and its position a coordinate that
+    /// it is linear in. What is equal there is so, by continuity, where a factor vanishes.
     GiNaC::ex on_constraints(GiNaC::ex e) const;
     void find_manifold();
     /// A coordinate that a position is linear in, with a factor that does not move, and where it is when the position is zero.
     std::optional<std::pair<std::size_t, GiNaC::ex>> coordinate_on(const GiNaC::ex& position);
     /// A point may set a parameter that definitions are made of.
-    GiNaC::ex at_point(const GiNaC::ex& e) const { return at_.empty() ? e : system_.symbols.without_definitions(e).subs(at_, GiNaC::subs_options::no_pattern); }
+    GiNaC::ex at_point(const GiNaC::ex& e) const {
+        return at_.empty() ? e : system_.symbols.without_definitions(e).subs(at_, GiNaC::subs_options::no_pattern);
+    }
     GiNaC::ex mass(std::size_t j, std::size_t l) const;
     /// M qdd = force on the motion.
     GiNaC::ex force(std::size_t j) const { return prepared(system_.motion.force[j]); }

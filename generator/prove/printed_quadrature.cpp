@@ -16,7 +16,9 @@ constexpr const char* no_value = "an integral has no primitive that the program 
 /// How exact integrals are taken to be: larger than the error of the quadrature.
 Rational accuracy_of_integrals() { return cln::expt(cln::cl_RA(10), -8); }
 
-bool depends_on(const DefiniteIntegral& integral, const ex& letter) { return integral.function.has(letter) || integral.from.has(letter) || integral.to.has(letter); }
+bool depends_on(const DefiniteIntegral& integral, const ex& letter) {
+    return integral.function.has(letter) || integral.from.has(letter) || integral.to.has(letter);
+}
 
 }  // namespace
 
@@ -33,7 +35,8 @@ std::optional<Point> PairCheck::with_integrals(const Point& point) {
         DefiniteIntegral integral = open[i];
         for (ex* part : {&integral.function, &integral.from, &integral.to}) *part = prepared(*part);
         if (contains_acceleration(integral.function)) return std::nullopt;
-        const bool is_fixed = std::none_of(point.begin(), point.end(), [&](const auto& known) { return depends_on(integral, known.first); });
+        const bool is_fixed =
+            std::none_of(point.begin(), point.end(), [&](const auto& known) { return depends_on(integral, known.first); });
         std::optional<double> value = fixed_integrals_[i];
         if (!value) value = value_by_quadrature(system_, integral, point);
         if (!value) return std::nullopt;
@@ -60,11 +63,13 @@ PrintedResult PairCheck::run_by_quadrature(const ex& left, const ex& right) {
         const auto a = value_at(left, system_.symbols, *at, digits), b = value_at(right, system_.symbols, *at, digits);
         const auto changed = value_at(left - right, system_.symbols, off, digits);
         if (!a || !b || !changed) continue;
-        const cln::cl_R tolerance = 4 * cln::abs(*changed - (*a - *b)) + (cln::abs(*a) + cln::abs(*b)) * accuracy_of_integrals() / 100, distance = cln::abs(*a - *b);
+        const cln::cl_R tolerance = 4 * cln::abs(*changed - (*a - *b)) + (cln::abs(*a) + cln::abs(*b)) * accuracy_of_integrals() / 100,
+                        distance = cln::abs(*a - *b);
         ++valid;
         if (distance <= tolerance) continue;
         if (distance <= 10 * tolerance) {
-            result.comparison.reason = "an integral has no primitive that the program finds, and the digits of quadrature do not tell whether the sides are equal";
+            result.comparison.reason =
+                "an integral has no primitive that the program finds, and the digits of quadrature do not tell whether the sides are equal";
             return result;
         }
         result.comparison = {Verdict::wrong, "an integral without a primitive is computed by quadrature"};
@@ -72,7 +77,10 @@ PrintedResult PairCheck::run_by_quadrature(const ex& left, const ex& right) {
         for (const auto& [letter, value] : point) {
             const Variable* variable = system_.symbols.find(letter);
             const auto& open = system_.translate.open_integrals();
-            const bool is_needed = left.has(letter) || right.has(letter) || std::any_of(open.begin(), open.end(), [&letter = letter](const DefiniteIntegral& integral) { return depends_on(integral, letter); });
+            const bool is_needed = left.has(letter) || right.has(letter) ||
+                                   std::any_of(open.begin(), open.end(), [&letter = letter](const DefiniteIntegral& integral) {
+                                       return depends_on(integral, letter);
+                                   });
             if (variable != nullptr && is_needed) example.values.emplace_back(variable->name, decimal(value, 6));
         }
         example.left = decimal(cln::rational(*a), 6);
@@ -82,7 +90,10 @@ PrintedResult PairCheck::run_by_quadrature(const ex& left, const ex& right) {
     if (valid < needed) return result;
     // Whatever the integrals are: equal with letters for them.
     if (prover_.proven_equal(left, right)) result.comparison = {Verdict::proven};
-    else result.comparison = {Verdict::numerically_equal, fmt::format("an integral without a primitive is computed by quadrature, to 8 digits at {} random points", valid)};
+    else
+        result.comparison = {
+            Verdict::numerically_equal,
+            fmt::format("an integral without a primitive is computed by quadrature, to 8 digits at {} random points", valid)};
     return result;
 }
 
@@ -95,9 +106,13 @@ PrintedResult PairCheck::number_by_quadrature(const ex& value, const PrintedNumb
     ex known = value;
     for (const auto& [letter, found] : *integrals) known = known.subs(letter == GiNaC::numeric(found), GiNaC::subs_options::no_pattern);
     result.comparison = compare_with_number(known, number);
-    if (result.comparison.verdict == Verdict::wrong) result.counterexample = CounterExample{{}, number_text(known, number.unit.value_or(Unit{})), decimal(number.value, 12)};
+    if (result.comparison.verdict == Verdict::wrong)
+        result.counterexample = CounterExample{{}, number_text(known, number.unit.value_or(Unit{})), decimal(number.value, 12)};
     if (result.comparison.verdict != Verdict::proven) return result;
-    if (number.digits > most_digits) result.comparison = {Verdict::not_checkable, fmt::format("an integral without a primitive is computed by quadrature, to fewer than {} digits", number.digits)};
+    if (number.digits > most_digits)
+        result.comparison = {
+            Verdict::not_checkable,
+            fmt::format("an integral without a primitive is computed by quadrature, to fewer than {} digits", number.digits)};
     else result.comparison = {Verdict::numerically_equal, "an integral without a primitive is computed by quadrature"};
     return result;
 }

@@ -50,17 +50,20 @@ private:
         const Named* named = indices.contains(e.name) ? nullptr : system_.names.find(e.name);
         if (named == nullptr || (named->kind != Named::Kind::definition && named->kind != Named::Kind::output)) return;
         Indices inner;
-        if (named->item->family && !e.children.empty()) inner[named->item->family->index] = index_value(*e.children[0], system_.scene, indices);
+        if (named->item->family && !e.children.empty())
+            inner[named->item->family->index] = index_value(*e.children[0], system_.scene, indices);
         if (!seen_.emplace(named->item, inner).second) return;
         visit(named->kind == Named::Kind::definition ? *named->definition().value : *static_cast<const Output*>(named->item)->value, inner);
     }
 
     void component(const Expression& e, const Indices& indices) {
         const Expression& named = *e.children[0];
-        const BodyMotion* body = find_motion(system_.bodies, {named.name, named.children.empty() ? nullptr : named.children[0], named.span}, system_.scene, indices);
+        const BodyMotion* body = find_motion(system_.bodies, {named.name, named.children.empty() ? nullptr : named.children[0], named.span},
+                                             system_.scene, indices);
         if (body == nullptr) return;  // the translation tells
         const Expression& line = *e.children[1];
-        const std::size_t q = system_.translate.coordinate(line.name, line.children.empty() ? nullptr : line.children[0].get(), line.span, indices);
+        const std::size_t q =
+            system_.translate.coordinate(line.name, line.children.empty() ? nullptr : line.children[0].get(), line.span, indices);
         const CurvilinearCoordinates lines(*body, system_.translate, e.span);
         for (const std::size_t i : lines.lines())
             for (const std::size_t j : lines.lines())
@@ -70,17 +73,24 @@ private:
         const ex vector = dot(is_velocity ? v : time_derivative(v, system_.symbols), lines.tangent(q));
         const ex along = is_velocity ? lines.velocity_along(q) : lines.acceleration_along(q);
         if (prover().equal(along * lines.scale_factor(q), vector).verdict == Verdict::wrong)
-            throw Failure(Diagnostic{Id::not_equal, e.span, fmt::format("'{}' is not the component of the vector. This is a defect of the program; please report it with the model", e.written())});
+            throw Failure(Diagnostic{
+                Id::not_equal, e.span,
+                fmt::format("'{}' is not the component of the vector. This is a defect of the program; please report it with the model",
+                            e.written())});
     }
 
     void at_right_angles(const Expression& e, const BodyMotion& body, const CurvilinearCoordinates& lines, std::size_t i, std::size_t j) {
         if (!proven_.emplace(&body, std::pair(i, j)).second || prover().proven_equal(lines.metric(i, j), 0)) return;
         const auto& coordinates = system_.symbols.all(SymbolKind::coordinate);
         const bool is_seen = prover().equal(lines.metric(i, j), 0).verdict == Verdict::wrong;
-        throw Failure(Diagnostic{Id::not_orthogonal, e.span,
-                                 fmt::format("'{}' needs lines at right angles, but those of '{}' and '{}' through body '{}' are not{}: dr/d({}) . dr/d({}) is {}", e.written(), coordinates[i].name,
-                                             coordinates[j].name, body.member.name(), is_seen ? "" : " proven to be", coordinates[i].name, coordinates[j].name, is_seen ? "not zero" : "not seen to be zero"),
-                                 {{body.member.item->span, "the body is defined here"}}});
+        throw Failure(Diagnostic{
+            Id::not_orthogonal,
+            e.span,
+            fmt::format(
+                "'{}' needs lines at right angles, but those of '{}' and '{}' through body '{}' are not{}: dr/d({}) . dr/d({}) is {}",
+                e.written(), coordinates[i].name, coordinates[j].name, body.member.name(), is_seen ? "" : " proven to be",
+                coordinates[i].name, coordinates[j].name, is_seen ? "not zero" : "not seen to be zero"),
+            {{body.member.item->span, "the body is defined here"}}});
     }
 
     const System& system_;

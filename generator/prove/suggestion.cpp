@@ -43,19 +43,22 @@ bool changes_value(const Slip& slip) {
     constexpr std::size_t most_digits = 2;
     if (slip.printed->kind != Expression::Kind::number || slip.mended->kind != Expression::Kind::number) return false;
     const std::string_view text = slip.printed->span.text();
-    return text.find_first_of(".,") != std::string_view::npos && std::count_if(text.begin(), text.end(), [](char c) { return c >= '1' && c <= '9'; }) > static_cast<std::ptrdiff_t>(most_digits);
+    return text.find_first_of(".,") != std::string_view::npos &&
+           std::count_if(text.begin(), text.end(), [](char c) { return c >= '1' && c <= '9'; }) > static_cast<std::ptrdiff_t>(most_digits);
 }
 
 bool has_integral(const Equation& equation) {
     bool has = false;
-    for (const ExpressionPtr& side : equation.sides) for_each(*side, [&](const Expression& e) { has = has || (e.kind == Expression::Kind::call && e.name == "integral"); });
+    for (const ExpressionPtr& side : equation.sides)
+        for_each(*side, [&](const Expression& e) { has = has || (e.kind == Expression::Kind::call && e.name == "integral"); });
     return has;
 }
 
 /// With another letter, a = a is right, but nobody meant it.
 bool says_nothing(const Equation& equation) {
     const std::string first = in_model_language(*equation.sides[0]);
-    return std::any_of(equation.sides.begin() + 1, equation.sides.end(), [&](const ExpressionPtr& side) { return in_model_language(*side) == first; });
+    return std::any_of(equation.sides.begin() + 1, equation.sides.end(),
+                       [&](const ExpressionPtr& side) { return in_model_language(*side) == first; });
 }
 
 /// A number, or what is made of such alone.
@@ -84,7 +87,8 @@ bool puts_dot_on_constant(const System& system, const std::set<std::string>& mov
     bool does = false;
     for (const ExpressionPtr& side : equation.sides)
         for_each(*side, [&](const Expression& e) {
-            if (e.kind != Expression::Kind::call || (e.name != "dot" && e.name != "ddot") || e.children[0]->kind != Expression::Kind::name) return;
+            if (e.kind != Expression::Kind::call || (e.name != "dot" && e.name != "ddot") || e.children[0]->kind != Expression::Kind::name)
+                return;
             const std::string& letter = e.children[0]->name;
             does = does || (!moving.contains(letter) && is_constant(system, system.names.find(letter), letter));
         });
@@ -96,12 +100,15 @@ bool puts_dot_on_constant(const System& system, const std::set<std::string>& mov
 std::vector<KnownLetter> known_letters(const System& system, const PrintedEquation& entry) {
     std::vector<KnownLetter> letters;
     const auto add = [&](const std::string& name, const std::string& unit) {
-        if (std::none_of(letters.begin(), letters.end(), [&](const KnownLetter& known) { return known.name == name; })) letters.push_back({name, unit});
+        if (std::none_of(letters.begin(), letters.end(), [&](const KnownLetter& known) { return known.name == name; }))
+            letters.push_back({name, unit});
     };
-    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::definition, SymbolKind::coordinate, SymbolKind::state, SymbolKind::input})
+    for (const SymbolKind kind :
+         {SymbolKind::parameter, SymbolKind::definition, SymbolKind::coordinate, SymbolKind::state, SymbolKind::input})
         for (const Variable& variable : system.symbols.all(kind))
             if (!variable.is_member) add(variable.name, variable.unit.empty() ? "?" + variable.name : variable.unit);
-    for (const PrintedLetter& letter : entry.shown_letters) add(letter.name, "?" + letter.name);  // the unit is not known before it is translated
+    for (const PrintedLetter& letter : entry.shown_letters)
+        add(letter.name, "?" + letter.name);  // the unit is not known before it is translated
     return letters;
 }
 

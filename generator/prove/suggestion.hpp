@@ -28,8 +28,8 @@ std::vector<std::pair<std::size_t, Slip>> slips_in(const System& system, const P
 /// An entry with one of its equations, as they are written, replaced.
 PrintedEquation with_equation(const PrintedEquation& entry, std::size_t which, const Equation& equation);
 
-/// The smallest single slip that mends an entry: proven, not only equal at points, but for signs where an integral has no primitive. Nothing where
-/// none does. `text` says how an entry in LaTeX is printed.
+/// The smallest single slip that mends an entry: proven, not only equal at points, but for signs where an integral has no primitive.
+/// Nothing where none does. `text` says how an entry in LaTeX is printed.
 std::optional<Suggestion> suggest(const System& system, const Member<PrintedEquation>& entry, const LatexText* text = nullptr);
 
 /// Bytes [first, second) of a text that are not in the one before: at least a character, and whole commands of LaTeX.

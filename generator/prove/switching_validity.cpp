@@ -17,19 +17,27 @@ void check_switching_values(const System& system, const Values& values) {
     const auto in_range = [&](const ExpressionPtr& e, const Item& item, const char* what, bool has_end) {
         const auto number = e ? value(e) : std::nullopt;
         if (!number || (!cln::minusp(*number) && (!has_end || *number <= cln::cl_R(1)))) return;
-        throw Failure(Diagnostic{Id::value_out_of_range, e->span, fmt::format("the {} of '{}' is {}; {}", what, item.name, cln::double_approx(*number), has_end ? "it lies between 0 and 1" : "it is not negative")});
+        throw Failure(Diagnostic{Id::value_out_of_range, e->span,
+                                 fmt::format("the {} of '{}' is {}; {}", what, item.name, cln::double_approx(*number),
+                                             has_end ? "it lies between 0 and 1" : "it is not negative")});
     };
     for (const Contact& contact : system.scene.model->contacts) {
         if (!contact.play || !system.scene.holds(contact.when)) continue;
         const auto play = value(contact.play);
         if (play && !cln::plusp(*play))
-            throw Failure(Diagnostic{Id::value_out_of_range, contact.play->span, fmt::format("the play of contact '{}' is {}; it is positive, and without any play a spring acts on both sides", contact.name, cln::double_approx(*play))});
+            throw Failure(
+                Diagnostic{Id::value_out_of_range, contact.play->span,
+                           fmt::format("the play of contact '{}' is {}; it is positive, and without any play a spring acts on both sides",
+                                       contact.name, cln::double_approx(*play))});
     }
     for (const Saturation& saturation : system.scene.model->saturations) {
         if (!system.scene.holds(saturation.when)) continue;
         const auto low = value(saturation.low), high = value(saturation.high);
         if (low && high && *low >= *high)
-            throw Failure(Diagnostic{Id::value_out_of_range, saturation.low->span, fmt::format("the lower limit of saturation '{}' is {}; it must be below the upper one, which is {}", saturation.name, cln::double_approx(*low), cln::double_approx(*high)),
+            throw Failure(Diagnostic{Id::value_out_of_range,
+                                     saturation.low->span,
+                                     fmt::format("the lower limit of saturation '{}' is {}; it must be below the upper one, which is {}",
+                                                 saturation.name, cln::double_approx(*low), cln::double_approx(*high)),
                                      {{saturation.high->span, "the upper limit"}}});
     }
     for (const Event& event : system.scene.model->events)
@@ -40,9 +48,11 @@ void check_switching_values(const System& system, const Values& values) {
         if (!friction.static_coefficient) continue;
         const auto sliding = value(friction.coefficient), holding = value(friction.static_coefficient);
         if (!sliding || !holding || *sliding <= *holding) continue;
-        throw Failure(Diagnostic{Id::wrong_modes, friction.static_coefficient->span,
-                                 fmt::format("friction '{}' holds at rest with the coefficient {}, but resists with {} when it slides: where it stops it could neither stick nor slide", friction.name,
-                                             cln::double_approx(*holding), cln::double_approx(*sliding)),
+        throw Failure(Diagnostic{Id::wrong_modes,
+                                 friction.static_coefficient->span,
+                                 fmt::format("friction '{}' holds at rest with the coefficient {}, but resists with {} when it slides: "
+                                             "where it stops it could neither stick nor slide",
+                                             friction.name, cln::double_approx(*holding), cln::double_approx(*sliding)),
                                  {{friction.coefficient->span, "of sliding"}}});
     }
 }

@@ -25,7 +25,8 @@ ExpressionPtr where_it_holds(const ExpressionPtr& condition) {
     if (condition->name == "either") return one_less(pair_of(Kind::multiply, span, one_less(part(0)), one_less(part(1))));
     const bool is_less = condition->name == "less" || condition->name == "less_equal";
     if (!is_less && condition->name != "greater" && condition->name != "greater_equal")
-        fail(Id::not_allowed_here, span, fmt::format("'{}' holds at single points or at all but such; make an entry of its own of what is said there", span.text()));
+        fail(Id::not_allowed_here, span,
+             fmt::format("'{}' holds at single points or at all but such; make an entry of its own of what is said there", span.text()));
     const ExpressionPtr a = without_cases(condition->children[0]), b = without_cases(condition->children[1]);
     const ExpressionPtr difference = is_less ? pair_of(Kind::subtract, span, b, a) : pair_of(Kind::subtract, span, a, b);
     const ExpressionPtr sign = std::make_shared<Expression>(Expression{Kind::call, span, 0, "sign", {difference}});
@@ -41,11 +42,14 @@ bool is_opposite(const Expression& a, const Expression& b) {
     return (turned && same(0, 0) && same(1, 1)) || (a.name.substr(0, 4) == b.name.substr(0, 4) && same(0, 1) && same(1, 0));
 }
 
-/// The sum of the values, each where its condition is the first that holds. Where none does there is no value: it is divided by how many do.
+/// The sum of the values, each where its condition is the first that holds. Where none does there is no value: it is divided by how many
+/// do.
 ExpressionPtr of_cases(const Expression& e) {
     const std::size_t pairs = e.children.size() / 2;
     const bool has_rest = e.children.size() % 2 == 1, is_complete = has_rest || (pairs == 2 && is_opposite(*e.children[1], *e.children[3]));
-    if (pairs == 1 && !has_rest) fail(Id::not_allowed_here, e.span, "a single case says nothing beyond its condition; write its value alone, and declare letters so that the condition holds");
+    if (pairs == 1 && !has_rest)
+        fail(Id::not_allowed_here, e.span,
+             "a single case says nothing beyond its condition; write its value alone, and declare letters so that the condition holds");
     ExpressionPtr total, somewhere, before;  // `before`: no condition up to here holds
     const auto joined_with = [&](Kind kind, const ExpressionPtr& a, const ExpressionPtr& b) { return a ? pair_of(kind, e.span, a, b) : b; };
     const auto add = [&](const ExpressionPtr& value, const ExpressionPtr& where) {

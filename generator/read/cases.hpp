@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces with their conditions, as one formula. The call "cases" has a value and a condition in turn, and may end with a value for all else;
-// a condition is "less", "less_equal", "greater" or "greater_equal" of two expressions, "both" or "either" of two conditions.
+// Pieces with their conditions, as one formula. The call "cases" has a value and a condition in turn, and may end with a value for all
+// else; a condition is "less", "less_equal", "greater" or "greater_equal" of two expressions, "both" or "either" of two conditions.
 #pragma once
 
 #include "language/expression.hpp"

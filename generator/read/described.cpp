@@ -8,7 +8,9 @@ void KeyRules::check(const char* name, const Key& key) const {
     for (const KeyRule& rule : key.needs)
         if (!e_.has(rule.key)) e_.error(Id::missing_key, e_.span_of(name), fmt::format("{} {}", owner_, rule.sentence));
     for (const KeyRule& rule : key.excludes)
-        if (e_.has(rule.key)) e_.error(rule.id, e_.span_of(name), fmt::format("{} {}", owner_, rule.sentence), {{e_.span_of(rule.key), fmt::format("'{}' stands here", rule.key)}});
+        if (e_.has(rule.key))
+            e_.error(rule.id, e_.span_of(name), fmt::format("{} {}", owner_, rule.sentence),
+                     {{e_.span_of(rule.key), fmt::format("'{}' stands here", rule.key)}});
 }
 
 void KeyRules::either(const char* one, const char* other, const char* words) const {
@@ -18,8 +20,8 @@ void KeyRules::either(const char* one, const char* other, const char* words) con
     else e_.error(Id::missing_key, e_.span(), message);
 }
 
-void KeyRules::chosen_keys(const std::string& useless, const std::string& fact, const std::vector<const char*>& needs, const std::vector<const char*>& takes,
-                           const std::vector<const char*>& all) const {
+void KeyRules::chosen_keys(const std::string& useless, const std::string& fact, const std::vector<const char*>& needs,
+                           const std::vector<const char*>& takes, const std::vector<const char*>& all) const {
     for (const char* key : needs)
         if (!e_.has(key)) e_.error(Id::missing_key, e_.span(), fmt::format("{} and needs the key '{}'", fact, key));
     std::vector<std::string_view> known(needs.begin(), needs.end());
@@ -33,15 +35,21 @@ void KeyRules::chosen_keys(const std::string& useless, const std::string& fact, 
 
 void KeyRules::unknown_choice(const char* name, const Key& key, const std::string& word, const std::vector<std::string>& known) const {
     const std::string words = words_of(name, key);
-    e_.error(Id::wrong_type, e_.span_of(name), fmt::format("'{}' is not a {} of {}; the {}s are {}{}", word, words, owner_, words, quoted_list(known), did_you_mean(word, known)));
+    e_.error(
+        Id::wrong_type, e_.span_of(name),
+        fmt::format("'{}' is not a {} of {}; the {}s are {}{}", word, words, owner_, words, quoted_list(known), did_you_mean(word, known)));
 }
 
 void KeyRules::law_of(const std::optional<Property>& property, const char* name, const Key& key) const {
     if (!property || property->variables.empty() || property->variables.size() == key.variables.size()) return;
     const bool is_of_one = key.variables.size() == 1;
     e_.error(Id::wrong_type, property->span,
-             fmt::format("the {} of {} may be a law of {}, as in \"{} -> ...\", not of {}", words_of(name, key), owner_, is_of_one ? "one variable" : "two variables",
-                         is_of_one ? "T" : key.type == ValueType::field ? "(x, y)" : "(p, T)", is_of_one ? "two" : "one"));
+             fmt::format("the {} of {} may be a law of {}, as in \"{} -> ...\", not of {}", words_of(name, key), owner_,
+                         is_of_one ? "one variable" : "two variables",
+                         is_of_one                      ? "T"
+                         : key.type == ValueType::field ? "(x, y)"
+                                                        : "(p, T)",
+                         is_of_one ? "two" : "one"));
 }
 
 }  // namespace dalembert

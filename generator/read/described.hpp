@@ -28,9 +28,11 @@ public:
             keys.insert(keys.end(), choice.takes.begin(), choice.takes.end());
         }
         const std::string words = words_of(name, key);
-        const std::string fact = *chosen.word == '\0' ? fmt::format("{} has no {}", owner_, words)
-                                                      : fmt::format("{} {} the {} '{}'", owner_, words == "law" ? "follows" : "has", words, chosen.word);
-        chosen_keys(fact + (*chosen.word == '\0' ? ", without which it" : ", which") + " has no use for", fact, chosen.needs, chosen.takes, keys);
+        const std::string fact = *chosen.word == '\0'
+                                     ? fmt::format("{} has no {}", owner_, words)
+                                     : fmt::format("{} {} the {} '{}'", owner_, words == "law" ? "follows" : "has", words, chosen.word);
+        chosen_keys(fact + (*chosen.word == '\0' ? ", without which it" : ", which") + " has no use for", fact, chosen.needs, chosen.takes,
+                    keys);
     }
     void unknown_choice(const char* name, const Key& key, const std::string& word, const std::vector<std::string>& known) const;
     void law_of(const std::optional<Property>& property, const char* name, const Key& key) const;
@@ -38,8 +40,8 @@ public:
     const std::string& owner() const { return owner_; }
 
 private:
-    void chosen_keys(const std::string& useless, const std::string& fact, const std::vector<const char*>& needs, const std::vector<const char*>& takes,
-                     const std::vector<const char*>& all) const;
+    void chosen_keys(const std::string& useless, const std::string& fact, const std::vector<const char*>& needs,
+                     const std::vector<const char*>& takes, const std::vector<const char*>& all) const;
 
     const Entry& e_;
     std::string owner_;
@@ -76,7 +78,9 @@ public:
     void choice(const char* name, Value& member, const Key& key, const KeyChoices<Value>& choices) const {
         const bool is_chosen = e_.has(name);
         const std::string word = e_.text(name);
-        const auto found = std::find_if(choices.begin(), choices.end(), [&](const KeyChoice<Value>& c) { return is_chosen ? *c.word != '\0' && c.word == word : c.value == member; });
+        const auto found = std::find_if(choices.begin(), choices.end(), [&](const KeyChoice<Value>& c) {
+            return is_chosen ? *c.word != '\0' && c.word == word : c.value == member;
+        });
         if (found != choices.end()) {
             member = found->value;
             if (is_chosen || !key.required) rules_.chosen(name, key, *found, choices);
@@ -118,7 +122,9 @@ private:
         read(name, static_cast<std::vector<T>&>(member), key);
         member.span = e_.span_of(name);
     }
-    void read(const char* name, ExpressionPtr& member, const Key& key) const { member = key.unit ? e_.constant(name, *key.unit) : e_.expression(name); }
+    void read(const char* name, ExpressionPtr& member, const Key& key) const {
+        member = key.unit ? e_.constant(name, *key.unit) : e_.expression(name);
+    }
     void read(const char* name, std::vector<ExpressionPtr>& member, const Key& key) const {
         if (key.type == ValueType::one_or_two) member = e_.one_or_two(name);
         else member = key.unit ? e_.constants(name, *key.unit) : e_.expressions(name);
@@ -135,7 +141,8 @@ private:
     void read(const char* name, std::vector<Turn>& member, const Key&) const { member = e_.turns(name); }
     void read(const char* name, std::optional<Reference>& member, const Key& key) const {
         if (key.type != ValueType::coordinate) member = e_.reference(name, key.refers);
-        else if (const auto coordinate = e_.coordinate(name)) member = Reference{coordinate->coordinate, coordinate->index, coordinate->span};
+        else if (const auto coordinate = e_.coordinate(name))
+            member = Reference{coordinate->coordinate, coordinate->index, coordinate->span};
     }
     void read(const char* name, std::vector<Reference>& member, const Key& key) const { member = e_.references(name, key.refers); }
     void read(const char* name, CoordinateEntry& member, const Key&) const { member = e_.coordinate(name).value_or(CoordinateEntry{}); }

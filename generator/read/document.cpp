@@ -26,7 +26,8 @@ public:
         DocumentNode result;
         result.span = span(from.source());
         if (depth > budget::nested_values)
-            throw Failure(Diagnostic{Id::too_deep, result.span, fmt::format("tables and lists stand in each other more than {} deep", budget::nested_values)});
+            throw Failure(Diagnostic{Id::too_deep, result.span,
+                                     fmt::format("tables and lists stand in each other more than {} deep", budget::nested_values)});
         if (const toml::table* table = from.as_table()) {
             result.kind = DocumentNode::Kind::table;
             for (const auto& [key, value] : *table)
@@ -98,7 +99,8 @@ std::string unquoted(const std::string& text, std::size_t place) {
     if (begin == std::string::npos) return {};
     const std::string value = text.substr(begin, text.find_first_of(",}#\n", begin) - begin);
     const std::string trimmed = value.substr(0, value.find_last_not_of(" \t\r") + 1);
-    const bool is_expression = !trimmed.empty() && trimmed.find_first_of("\"'[{=") == std::string::npos && trimmed.find_first_of("abcdfghijklmnopqrstuvwxyzABCDFGHIJKLMNOPQRSTUVWXYZ*/^(") != std::string::npos;
+    const bool is_expression = !trimmed.empty() && trimmed.find_first_of("\"'[{=") == std::string::npos &&
+                               trimmed.find_first_of("abcdfghijklmnopqrstuvwxyzABCDFGHIJKLMNOPQRSTUVWXYZ*/^(") != std::string::npos;
     return is_expression ? "; an expression stands in quotes: \"" + trimmed + "\"" : std::string();
 }
 
@@ -128,7 +130,8 @@ DocumentNode parse_document(const SourcePtr& source) {
     } catch (const toml::parse_error& error) {
         Span span = converter.span(error.source());
         const std::string hint = unquoted(source->text(), span.begin);
-        throw Failure(Diagnostic{Id::toml_syntax, std::move(span), "the file is not valid TOML: " + std::string(error.description()) + hint});
+        throw Failure(
+            Diagnostic{Id::toml_syntax, std::move(span), "the file is not valid TOML: " + std::string(error.description()) + hint});
     }
 }
 

@@ -35,15 +35,18 @@ std::vector<std::vector<ExpressionPtr>> Entry::tensor(std::string_view key) cons
     const DocumentNode* node = find(key, ValueType::tensor);
     if (node == nullptr) return {};
     if (node->kind != NodeKind::array) return {{expression(*node, ValueType::tensor)}};
-    const bool has_rows = std::any_of(node->elements.begin(), node->elements.end(), [](const DocumentNode& e) { return e.kind == NodeKind::array; });
+    const bool has_rows =
+        std::any_of(node->elements.begin(), node->elements.end(), [](const DocumentNode& e) { return e.kind == NodeKind::array; });
     std::vector<std::vector<ExpressionPtr>> result;
     const auto row = [&](const DocumentNode& from) {
         result.emplace_back();
-        for (const DocumentNode* element : list(&from, ValueType::tensor)) result.back().push_back(expression(*element, ValueType::expression));
+        for (const DocumentNode* element : list(&from, ValueType::tensor))
+            result.back().push_back(expression(*element, ValueType::expression));
     };
     if (!has_rows) row(*node);
     for (std::size_t i = 0; has_rows && i < node->elements.size(); ++i) row(node->elements[i]);
-    const bool is_whole = (result.size() == 1 || result.size() == 3) && std::all_of(result.begin(), result.end(), [](const auto& r) { return r.size() == 3; });
+    const bool is_whole = (result.size() == 1 || result.size() == 3) &&
+                          std::all_of(result.begin(), result.end(), [](const auto& r) { return r.size() == 3; });
     if (is_whole) return result;
     wrong_type(*node, ValueType::tensor);
     return {};
@@ -125,7 +128,8 @@ std::vector<Reference> Entry::references(std::string_view key, const char* what)
 
 std::vector<ExpressionPtr> Entry::expressions(std::string_view key) const {
     std::vector<ExpressionPtr> result;
-    for (const DocumentNode* element : list(find(key, ValueType::expressions), ValueType::expressions)) result.push_back(expression(*element, ValueType::expression));
+    for (const DocumentNode* element : list(find(key, ValueType::expressions), ValueType::expressions))
+        result.push_back(expression(*element, ValueType::expression));
     return result;
 }
 
@@ -176,7 +180,9 @@ std::vector<std::array<ExpressionPtr, 2>> Entry::points(std::string_view key) co
     std::vector<std::array<ExpressionPtr, 2>> result;
     for (const DocumentNode* point : list(find(key, type), type)) {
         if (point->kind != NodeKind::array || point->elements.size() != 2) wrong_type(*point, type);
-        else result.push_back({expression(point->elements[0], ValueType::expression), expression(point->elements[1], ValueType::expression)});
+        else
+            result.push_back(
+                {expression(point->elements[0], ValueType::expression), expression(point->elements[1], ValueType::expression)});
     }
     return result;
 }
@@ -190,7 +196,8 @@ std::vector<std::pair<Excerpt, ExpressionPtr>> Entry::by_text(std::string_view k
         return result;
     }
     for (const DocumentNode::Member& member : node->members)
-        if (ExpressionPtr value = expression(member.value, ValueType::expression)) result.emplace_back(key_excerpt(member.key_span), std::move(value));
+        if (ExpressionPtr value = expression(member.value, ValueType::expression))
+            result.emplace_back(key_excerpt(member.key_span), std::move(value));
     return result;
 }
 

@@ -35,7 +35,8 @@ public:
     bool is_needed(const Expression& e) {
         bool needed = false;
         for_each(e, [&](const Expression& part) {
-            const bool is_matrix = is_call(part, "matrix") || is_call(part, "vector") || is_call(part, "cross") || is_call(part, "diag") || is_whole_vector(part);
+            const bool is_matrix = is_call(part, "matrix") || is_call(part, "vector") || is_call(part, "cross") || is_call(part, "diag") ||
+                                   is_whole_vector(part);
             needed = needed || is_matrix || (part.kind == Kind::name && stands_for_matrix(part.name));
         });
         return needed;
@@ -111,10 +112,14 @@ private:
     }
 
     MatrixExpression sum(const ExpressionPtr& e, const MatrixExpression& a, const MatrixExpression& b) {
-        const auto is_zero_number = [](const MatrixExpression& m) { return m.is_number() && m.entries[0]->kind == Kind::number && is_zero(m.entries[0]->value); };
+        const auto is_zero_number = [](const MatrixExpression& m) {
+            return m.is_number() && m.entries[0]->kind == Kind::number && is_zero(m.entries[0]->value);
+        };
         if (is_zero_number(b)) return a;
         if (a.rows != b.rows || a.columns != b.columns)
-            fail(Id::size_mismatch, e->span, fmt::format("'{}' is {} and '{}' is {}; the two must agree", e->children[0]->written(), size_of(a), e->children[1]->written(), size_of(b)));
+            fail(Id::size_mismatch, e->span,
+                 fmt::format("'{}' is {} and '{}' is {}; the two must agree", e->children[0]->written(), size_of(a),
+                             e->children[1]->written(), size_of(b)));
         MatrixExpression result{a.rows, a.columns, {}};
         for (std::size_t i = 0; i < a.entries.size(); ++i) result.entries.push_back(with_parts(*e, {a.entries[i], b.entries[i]}));
         return result;
@@ -127,13 +132,16 @@ private:
         const Expression& digits = is_negative ? *e.children[1]->children[0] : *e.children[1];
         const auto exponent = digits.kind == Kind::number ? to_int(digits.value) : std::nullopt;
         if (!exponent || *exponent == 0 || std::abs(*exponent) > largest || base.rows != base.columns)
-            fail(Id::wrong_arguments, e.span, fmt::format("'{}' is a power of a {} matrix; only square matrices have powers, from -{} to {} and not 0", e.written(), size_of(base), largest, largest));
+            fail(Id::wrong_arguments, e.span,
+                 fmt::format("'{}' is a power of a {} matrix; only square matrices have powers, from -{} to {} and not 0", e.written(),
+                             size_of(base), largest, largest));
         const int signed_exponent = is_negative ? -*exponent : *exponent;
         return matrix_power(e, signed_exponent < 0 ? square(e, base) : base, signed_exponent);
     }
 
     MatrixExpression quotient(const Expression& e, const MatrixExpression& a, const MatrixExpression& b) {
-        if (!b.is_number()) fail(Id::wrong_arguments, e.span, fmt::format("'{}' divides by a {} matrix; write its inverse", e.written(), size_of(b)));
+        if (!b.is_number())
+            fail(Id::wrong_arguments, e.span, fmt::format("'{}' divides by a {} matrix; write its inverse", e.written(), size_of(b)));
         MatrixExpression result = a;
         for (ExpressionPtr& entry : result.entries) entry = with_parts(e, {entry, b.entries[0]});
         return result;
@@ -142,7 +150,9 @@ private:
     MatrixExpression call(const ExpressionPtr& e) {
         const auto argument = [&](std::size_t i) { return value(e->children.at(i)); };
         const auto takes = [&](std::size_t count) {
-            if (e->children.size() != count) fail(Id::wrong_arguments, e->span, fmt::format("'{}' takes {} argument{}, here it has {}", e->name, count, count == 1 ? "" : "s", e->children.size()));
+            if (e->children.size() != count)
+                fail(Id::wrong_arguments, e->span,
+                     fmt::format("'{}' takes {} argument{}, here it has {}", e->name, count, count == 1 ? "" : "s", e->children.size()));
         };
         if (e->name == "quantity") return number(e);
         if (e->name == "matrix") return rows(*e);
@@ -169,7 +179,9 @@ private:
     /// |R| is the determinant of a matrix, and not the length of a column.
     static MatrixExpression magnitude(const Expression& e, const MatrixExpression& m) {
         if (m.is_number()) return number(with_parts(e, {m.entries[0]}));
-        if (m.columns == 1 || m.rows == 1) fail(Id::wrong_arguments, e.span, fmt::format("'{}' is the magnitude of a {} vector; write '\\|', or sqrt(transpose(v)*v)", e.written(), size_of(m)));
+        if (m.columns == 1 || m.rows == 1)
+            fail(Id::wrong_arguments, e.span,
+                 fmt::format("'{}' is the magnitude of a {} vector; write '\\|', or sqrt(transpose(v)*v)", e.written(), size_of(m)));
         return number(determinant_of(e, square(e, m)));
     }
 
@@ -181,13 +193,16 @@ private:
             result.columns = row->children.size();
             for (const ExpressionPtr& entry : row->children) result.entries.push_back(scalar(entry));
         }
-        if (result.entries.empty() || result.entries.size() > most_entries) fail(Id::wrong_arguments, e.span, fmt::format("a matrix has 1 to {} entries", most_entries));
+        if (result.entries.empty() || result.entries.size() > most_entries)
+            fail(Id::wrong_arguments, e.span, fmt::format("a matrix has 1 to {} entries", most_entries));
         return result;
     }
 
     static MatrixExpression square(const Expression& e, MatrixExpression m) {
         constexpr std::size_t largest = 5;
-        if (m.rows != m.columns || m.rows > largest) fail(Id::wrong_arguments, e.span, fmt::format("'{}' takes a square matrix of at most {} rows, here it has one that is {}", e.name, largest, size_of(m)));
+        if (m.rows != m.columns || m.rows > largest)
+            fail(Id::wrong_arguments, e.span,
+                 fmt::format("'{}' takes a square matrix of at most {} rows, here it has one that is {}", e.name, largest, size_of(m)));
         return m;
     }
 
@@ -195,7 +210,8 @@ private:
     MatrixExpression diagonal(const Expression& e) {
         const bool is_row = e.children.size() == 1 && is_call(*e.children[0], "row");
         const std::vector<ExpressionPtr>& entries = is_row ? e.children[0]->children : e.children;
-        if (entries.empty() || entries.size() * entries.size() > most_entries) fail(Id::wrong_arguments, e.span, "a diagonal has entries, as in 'diag(a, b, c)'");
+        if (entries.empty() || entries.size() * entries.size() > most_entries)
+            fail(Id::wrong_arguments, e.span, "a diagonal has entries, as in 'diag(a, b, c)'");
         MatrixExpression result{entries.size(), entries.size(), {}};
         for (std::size_t i = 0; i < entries.size(); ++i)
             for (std::size_t k = 0; k < entries.size(); ++k) result.entries.push_back(i == k ? scalar(entries[i]) : make_number(0, e.span));
@@ -204,7 +220,8 @@ private:
 
     /// A number by a vector is a row, a column by a vector the matrix of its derivatives.
     static MatrixExpression slope(const Expression& e, const MatrixExpression& function, const MatrixExpression& by) {
-        if (function.columns != 1 && !by.is_number()) fail(Id::wrong_arguments, e.span, fmt::format("'{}' differentiates a {} matrix by a vector", e.written(), size_of(function)));
+        if (function.columns != 1 && !by.is_number())
+            fail(Id::wrong_arguments, e.span, fmt::format("'{}' differentiates a {} matrix by a vector", e.written(), size_of(function)));
         MatrixExpression result{function.rows, function.columns * by.entries.size(), {}};
         for (const ExpressionPtr& entry : function.entries)
             for (const ExpressionPtr& variable : by.entries) result.entries.push_back(with_parts(e, {entry, variable}));
@@ -225,11 +242,15 @@ std::string place_of(std::size_t k, const MatrixExpression& m) {
 
 /// The equations of the entries. A number zero is a matrix of zeros.
 void take_apart(const Equation& equation, const std::vector<MatrixExpression>& sides, std::vector<Equation>& to) {
-    const auto largest = std::max_element(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.entries.size() < b.entries.size(); });
+    const auto largest =
+        std::max_element(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.entries.size() < b.entries.size(); });
     for (std::size_t i = 0; i < sides.size(); ++i) {
-        const bool is_zero_number = sides[i].is_number() && sides[i].entries[0]->kind == Kind::number && is_zero(sides[i].entries[0]->value);
+        const bool is_zero_number =
+            sides[i].is_number() && sides[i].entries[0]->kind == Kind::number && is_zero(sides[i].entries[0]->value);
         if (!is_zero_number && (sides[i].rows != largest->rows || sides[i].columns != largest->columns))
-            fail(Id::size_mismatch, equation.sides[i]->span, fmt::format("'{}' is {}, but another side of the equation is {}", equation.sides[i]->written(), size_of(sides[i]), size_of(*largest)));
+            fail(Id::size_mismatch, equation.sides[i]->span,
+                 fmt::format("'{}' is {}, but another side of the equation is {}", equation.sides[i]->written(), size_of(sides[i]),
+                             size_of(*largest)));
     }
     for (std::size_t k = 0; k < largest->entries.size(); ++k) {
         Equation one{{}, equation.span, place_of(k, *largest)};
@@ -247,7 +268,8 @@ std::vector<Equation> without_matrices(std::vector<Equation> equations, std::vec
     Matrices matrices(all);
     std::vector<Equation> result;
     for (const Equation& equation : equations) {
-        if (std::none_of(equation.sides.begin(), equation.sides.end(), [&](const ExpressionPtr& side) { return matrices.is_needed(*side); })) {
+        if (std::none_of(equation.sides.begin(), equation.sides.end(),
+                         [&](const ExpressionPtr& side) { return matrices.is_needed(*side); })) {
             result.push_back(equation);
             continue;
         }

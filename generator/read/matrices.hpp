@@ -16,9 +16,9 @@ struct MatrixExpression {
 };
 
 /// Takes equations apart: matrix(row(a, b), row(c, d)), vector(a, b, c), transpose, det, inverse, cross, sums and products; derivatives and
-/// integrals entry by entry, diff(v, q) by a vector q gives a column for each of its entries. A position[BODY] without its axis is a vector.
-/// Letters that stand for matrices are inserted and gone from `letters`. What has no matrices is left as it is, but for cases, which become one formula.
-/// Throws Failure (size-mismatch) where sizes do not fit, and (wrong-arguments).
+/// integrals entry by entry, diff(v, q) by a vector q gives a column for each of its entries. A position[BODY] without its axis is a
+/// vector. Letters that stand for matrices are inserted and gone from `letters`. What has no matrices is left as it is, but for cases,
+/// which become one formula. Throws Failure (size-mismatch) where sizes do not fit, and (wrong-arguments).
 std::vector<Equation> without_matrices(std::vector<Equation> equations, std::vector<PrintedLetter>& letters);
 
 /// Sets `equations` and `letters` to those of numbers that `shown` and `shown_letters` stand for; or else, where sizes do not fit, `sizes`.

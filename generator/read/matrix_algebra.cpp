@@ -9,7 +9,9 @@ namespace dalembert {
 
 namespace {
 
-ExpressionPtr product_of(const Span& span, const ExpressionPtr& a, const ExpressionPtr& b) { return joined_parts(Expression::Kind::multiply, span, {a, b}); }
+ExpressionPtr product_of(const Span& span, const ExpressionPtr& a, const ExpressionPtr& b) {
+    return joined_parts(Expression::Kind::multiply, span, {a, b});
+}
 
 MatrixExpression minor_of(const MatrixExpression& m, std::size_t row, std::size_t column) {
     MatrixExpression result{m.rows - 1, m.columns - 1, {}};
@@ -51,7 +53,8 @@ ExpressionPtr determinant_of(const Expression& e, const MatrixExpression& m) {
     ExpressionPtr total;
     for (std::size_t j = 0; j < m.columns; ++j) {
         ExpressionPtr term = product_of(e.span, m.at(0, j), determinant_of(e, minor_of(m, 0, j)));
-        total = !total ? std::move(term) : joined_parts(j % 2 == 0 ? Expression::Kind::add : Expression::Kind::subtract, e.span, {total, term});
+        total =
+            !total ? std::move(term) : joined_parts(j % 2 == 0 ? Expression::Kind::add : Expression::Kind::subtract, e.span, {total, term});
     }
     return total;
 }
@@ -72,11 +75,14 @@ MatrixExpression inverse_of(const Expression& e, const MatrixExpression& m) {
 
 MatrixExpression cross_product(const Expression& e, const MatrixExpression& a, const MatrixExpression& b) {
     if (a.rows != 3 || b.rows != 3 || a.columns != 1 || b.columns != 1)
-        fail(Id::wrong_arguments, e.span, fmt::format("'cross' takes two columns of three, here they are {} and {}", size_of(a), size_of(b)));
+        fail(Id::wrong_arguments, e.span,
+             fmt::format("'cross' takes two columns of three, here they are {} and {}", size_of(a), size_of(b)));
     MatrixExpression result{3, 1, {}};
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-        result.entries.push_back(joined_parts(Expression::Kind::subtract, e.span, {product_of(e.span, a.entries[j], b.entries[k]), product_of(e.span, a.entries[k], b.entries[j])}));
+        result.entries.push_back(
+            joined_parts(Expression::Kind::subtract, e.span,
+                         {product_of(e.span, a.entries[j], b.entries[k]), product_of(e.span, a.entries[k], b.entries[j])}));
     }
     return result;
 }
@@ -90,12 +96,15 @@ MatrixExpression matrix_product(const Expression& e, const MatrixExpression& a, 
     if (a.is_number()) return scaled(b, a.entries[0], true);
     if (b.is_number()) return scaled(a, b.entries[0], false);
     if (a.columns != b.rows)
-        fail(Id::size_mismatch, e.span, fmt::format("'{}' is {} and '{}' is {}: the product needs as many rows of the second as the first has columns", e.children[0]->written(), size_of(a), e.children[1]->written(), size_of(b)));
+        fail(Id::size_mismatch, e.span,
+             fmt::format("'{}' is {} and '{}' is {}: the product needs as many rows of the second as the first has columns",
+                         e.children[0]->written(), size_of(a), e.children[1]->written(), size_of(b)));
     MatrixExpression result{a.rows, b.columns, {}};
     for (std::size_t i = 0; i < a.rows; ++i)
         for (std::size_t j = 0; j < b.columns; ++j) {
             ExpressionPtr total = product_of(e.span, a.at(i, 0), b.at(0, j));
-            for (std::size_t k = 1; k < a.columns; ++k) total = joined_parts(Expression::Kind::add, e.span, {total, product_of(e.span, a.at(i, k), b.at(k, j))});
+            for (std::size_t k = 1; k < a.columns; ++k)
+                total = joined_parts(Expression::Kind::add, e.span, {total, product_of(e.span, a.at(i, k), b.at(k, j))});
             result.entries.push_back(std::move(total));
         }
     return result;

@@ -101,7 +101,8 @@ private:
     }
 
     void default_scene(const DocumentNode& value) {
-        if (value.kind != DocumentNode::Kind::string) return diagnostics_.error(Id::wrong_type, value.span, "default is the name of a scene");
+        if (value.kind != DocumentNode::Kind::string)
+            return diagnostics_.error(Id::wrong_type, value.span, "default is the name of a scene");
         model_.default_scene = value.string.text;
         default_span_ = value.span;
     }
@@ -111,7 +112,8 @@ private:
         for (const SceneChoice& scene : model_.scenes) names.push_back(scene.name);
         if (!model_.default_scene.empty() && std::find(names.begin(), names.end(), model_.default_scene) == names.end())
             diagnostics_.error(Id::unknown_scene, default_span_,
-                               fmt::format("there is no scene '{}' that could be the default; the scenes are {}", model_.default_scene, quoted_list(names)));
+                               fmt::format("there is no scene '{}' that could be the default; the scenes are {}", model_.default_scene,
+                                           quoted_list(names)));
     }
 
     DocumentNode root_;

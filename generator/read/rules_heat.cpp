@@ -28,20 +28,26 @@ void check_boundary(const Entry& e, const Boundary& end, const Side* side, const
 
 /// Cells take all members, so an index has no place.
 void whole_family(const Entry& e, const char* what, const Reference& temperature) {
-    if (temperature.index) e.error(Id::not_indexed, temperature.span, fmt::format("{} '{}' takes a whole family of states; name it without an index", what, e.name()));
+    if (temperature.index)
+        e.error(Id::not_indexed, temperature.span,
+                fmt::format("{} '{}' takes a whole family of states; name it without an index", what, e.name()));
 }
 
 }  // namespace
 
 void check_rules(const Entry& e, HeatNode& node) {
     if (node.is_held() && e.has("heat"))
-        e.error(Id::doubly_determined, e.span_of("heat"), fmt::format("node '{}' is held at a temperature, so that heat into it changes nothing; give it a capacity, or leave its temperature out", e.name()));
+        e.error(Id::doubly_determined, e.span_of("heat"),
+                fmt::format("node '{}' is held at a temperature, so that heat into it changes nothing; give it a capacity, or leave its "
+                            "temperature out",
+                            e.name()));
 }
 
 void check_rules(const Entry& e, Link& link) {
     if (e.has("law")) return;
     if (e.has("heat") + e.has("conductance") + e.has("resistance") != 1)
-        e.error(Id::missing_key, e.span(), fmt::format("link '{}' needs either a law, or one of heat, conductance and resistance", e.name()));
+        e.error(Id::missing_key, e.span(),
+                fmt::format("link '{}' needs either a law, or one of heat, conductance and resistance", e.name()));
     link.law = e.has("heat") ? Link::Law::given : Link::Law::linear;
 }
 
@@ -56,7 +62,8 @@ void check_rules(const Entry& e, Rod& rod) {
 }
 
 void check_rules(const Entry& e, Block& block) {
-    for (const auto& [side, key] : {std::pair(&block.left, "left"), std::pair(&block.right, "right"), std::pair(&block.bottom, "bottom"), std::pair(&block.top, "top")})
+    for (const auto& [side, key] : {std::pair(&block.left, "left"), std::pair(&block.right, "right"), std::pair(&block.bottom, "bottom"),
+                                    std::pair(&block.top, "top")})
         if (*side) check_boundary(e, **side, &**side, fmt::format("the {} side of block '{}'", key, e.name()));
     whole_family(e, "block", block.temperature);
 }
@@ -64,7 +71,8 @@ void check_rules(const Entry& e, Block& block) {
 void check_rules(const Entry& e, Enclosure&) {
     const bool is_prism = e.has("polygon");
     needs(e, "enclosure", is_prism ? "height" : "areas", is_prism ? ", because it has a polygon" : ", because its view factors are given");
-    useless(e, "enclosure", is_prism ? "areas" : "height", is_prism ? ": they follow from the polygon and the height" : ", because its view factors are given");
+    useless(e, "enclosure", is_prism ? "areas" : "height",
+            is_prism ? ": they follow from the polygon and the height" : ", because its view factors are given");
 }
 
 }  // namespace dalembert

@@ -10,16 +10,24 @@ namespace {
 /// A body that turns and has a mass has an inertia, too, even if it is zero: forgotten, the body would swing like a point.
 void needs_inertia(const Entry& e, const char* turning, const char* of_a_point) {
     if (!e.has(turning) || !e.has("mass") || e.has("inertia") || e.has("solid")) return;
-    e.error(Id::missing_key, e.span_of(turning), fmt::format("body '{}' has a mass and turns, but has no inertia, so that it would move like a point; give it one, inertia = {} if it is a point, or leave out '{}'", e.name(), of_a_point, turning));
+    e.error(Id::missing_key, e.span_of(turning),
+            fmt::format("body '{}' has a mass and turns, but has no inertia, so that it would move like a point; give it one, inertia = {} "
+                        "if it is a point, or leave out '{}'",
+                        e.name(), of_a_point, turning));
 }
 
 /// What has axes of its own.
 void in_space(const Entry& e, const Body& body) {
     for (const char* planar : {"rotation", "angular_velocity"})
-        if (e.has(planar)) e.error(Id::not_allowed_here, e.span_of(planar), fmt::format("body '{}' turns in space; its orientation is given by 'turns' or by an 'attitude'", e.name()));
-    if (body.inertia) e.error(Id::wrong_type, e.span_of("inertia"), fmt::format("the inertia of body '{}', which turns in space, is [Jx, Jy, Jz] or three rows", e.name()));
+        if (e.has(planar))
+            e.error(Id::not_allowed_here, e.span_of(planar),
+                    fmt::format("body '{}' turns in space; its orientation is given by 'turns' or by an 'attitude'", e.name()));
+    if (body.inertia)
+        e.error(Id::wrong_type, e.span_of("inertia"),
+                fmt::format("the inertia of body '{}', which turns in space, is [Jx, Jy, Jz] or three rows", e.name()));
     const bool turns = e.has("turns") || e.has("attitude") || e.has("on");
-    if (!body.tensor.empty() && !turns) e.error(Id::missing_key, e.span_of("inertia"), fmt::format("body '{}' has an inertia but neither turns nor an attitude", e.name()));
+    if (!body.tensor.empty() && !turns)
+        e.error(Id::missing_key, e.span_of("inertia"), fmt::format("body '{}' has an inertia but neither turns nor an attitude", e.name()));
     needs_inertia(e, "turns", "[0, 0, 0]");
     needs_inertia(e, "attitude", "[0, 0, 0]");
 }
@@ -34,7 +42,8 @@ void check_rules(const Entry& e, Coordinate& coordinate) {
 void check_rules(const Entry& e, Attitude& attitude) {
     const auto has = [&](const std::vector<ExpressionPtr>& values, const char* key, std::size_t count, const char* what) {
         if (values.empty() || values.size() == count) return;
-        e.error(Id::wrong_type, e.span_of(key), fmt::format("{} of attitude '{}' has {} numbers, not {}", what, e.name(), count, values.size()));
+        e.error(Id::wrong_type, e.span_of(key),
+                fmt::format("{} of attitude '{}' has {} numbers, not {}", what, e.name(), count, values.size()));
     };
     has(attitude.start, "start", 4, "the quaternion");
     has(attitude.start_rate, "start_rate", 3, "the angular velocity");
@@ -42,7 +51,8 @@ void check_rules(const Entry& e, Attitude& attitude) {
 
 void check_rules(const Entry& e, Body& body) {
     if (body.has_axes()) return in_space(e, body);
-    if (e.has("mass") && !e.has("position")) e.error(Id::missing_key, e.span(), fmt::format("body '{}' has a mass but no position", e.name()));
+    if (e.has("mass") && !e.has("position"))
+        e.error(Id::missing_key, e.span(), fmt::format("body '{}' has a mass but no position", e.name()));
     if (!e.has("mass") && !e.has("inertia") && !body.solid)
         e.error(Id::missing_key, e.span(), fmt::format("body '{}' has neither mass nor inertia; without either it is no body", e.name()));
     if (e.has("inertia") && !e.has("rotation") && !e.has("angular_velocity"))
@@ -60,7 +70,8 @@ void check_rules(const Entry& e, Torque& torque) {
 }
 
 void check_rules(const Entry& e, Cut& cut) {
-    if (e.has("bodies") && cut.bodies.empty()) e.error(Id::missing_key, e.span_of("bodies"), fmt::format("cut '{}' frees no body", e.name()));
+    if (e.has("bodies") && cut.bodies.empty())
+        e.error(Id::missing_key, e.span_of("bodies"), fmt::format("cut '{}' frees no body", e.name()));
 }
 
 }  // namespace dalembert

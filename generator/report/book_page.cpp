@@ -28,26 +28,31 @@ std::string example(const PrintedRow& row) {
     if (!row.counterexample) return {};
     const CounterExample& c = *row.counterexample;
     std::string text;
-    for (const auto& [name, value] : c.values) text += fmt::format("{}<math>{}<mo>=</mo><mn>{}</mn></math>", text.empty() ? "" : ", ", mathml_of_text(name), html_text(value));
-    return fmt::format("<p>{} left side is {}, the right side {}.</p>\n", text.empty() ? "The" : "With " + text + " the", html_text(c.left), html_text(c.right));
+    for (const auto& [name, value] : c.values)
+        text += fmt::format("{}<math>{}<mo>=</mo><mn>{}</mn></math>", text.empty() ? "" : ", ", mathml_of_text(name), html_text(value));
+    return fmt::format("<p>{} left side is {}, the right side {}.</p>\n", text.empty() ? "The" : "With " + text + " the", html_text(c.left),
+                       html_text(c.right));
 }
 
 /// The mended LaTeX with the slip marked.
 std::string marked(const Suggestion& s) {
     if (s.printed.empty()) return {};
-    return fmt::format("<p><code>{}<mark>{}</mark>{}</code></p>\n", html_text(s.printed.substr(0, s.begin)), html_text(s.printed.substr(s.begin, s.end - s.begin)), html_text(s.printed.substr(s.end)));
+    return fmt::format("<p><code>{}<mark>{}</mark>{}</code></p>\n", html_text(s.printed.substr(0, s.begin)),
+                       html_text(s.printed.substr(s.begin, s.end - s.begin)), html_text(s.printed.substr(s.end)));
 }
 
 std::string entry(const PrintedRow& row) {
     const Verdict verdict = row.verdict();
-    std::string text = fmt::format("<section class=\"entry {}\">\n<h3>{} <span class=\"verdict\">{}</span></h3>\n", style_of(verdict), html_text(row.id), html_text(row.verdict_text()));
+    std::string text = fmt::format("<section class=\"entry {}\">\n<h3>{} <span class=\"verdict\">{}</span></h3>\n", style_of(verdict),
+                                   html_text(row.id), html_text(row.verdict_text()));
     std::string columns = column("printed", row.formulas);
     columns += column("derived", math_element(mathml_of_text(row.derived)));
     if (is_wrong(row)) columns += column("difference, printed left minus right", math_element(mathml_of_text(row.difference)));
     if (row.suggestion) columns += column("perhaps meant", math_element(mathml_of_text(row.suggestion->equation)));
     text += "<div class=\"columns\">\n" + columns + "</div>\n";
     if (verdict != Verdict::proven) text += paragraph(row.doc);
-    if (!row.reason.empty() && verdict != Verdict::proven) text += paragraph((verdict == Verdict::proven_under_assumption ? "Assuming " : "Reason: ") + row.reason);
+    if (!row.reason.empty() && verdict != Verdict::proven)
+        text += paragraph((verdict == Verdict::proven_under_assumption ? "Assuming " : "Reason: ") + row.reason);
     for (const std::string& sentence : row.not_read()) text += paragraph("Not read: " + sentence);
     if (row.suggestion) text += paragraph("Likely slip: " + row.suggestion->words) + marked(*row.suggestion);
     return text + example(row) + "</section>\n";
@@ -55,12 +60,14 @@ std::string entry(const PrintedRow& row) {
 
 /// What has no verdict, with the reason.
 std::string entry(const BookProblem& problem) {
-    return fmt::format("<section class=\"entry unchecked\">\n<h3>{} <span class=\"verdict\">{}</span></h3>\n{}</section>\n", html_text(problem.id), html_text(problem.verdict), paragraph(problem.reason));
+    return fmt::format("<section class=\"entry unchecked\">\n<h3>{} <span class=\"verdict\">{}</span></h3>\n{}</section>\n",
+                       html_text(problem.id), html_text(problem.verdict), paragraph(problem.reason));
 }
 
 std::string table(const VerdictCounts& counts) {
     std::string text = fmt::format("<table class=\"summary\"><tr><th>entries</th><td>{}</td></tr>\n", counts.entries);
-    for (std::size_t i = 0; i < counts.of.size(); ++i) text += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", verdict_names[i], counts.of[i]);
+    for (std::size_t i = 0; i < counts.of.size(); ++i)
+        text += fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", verdict_names[i], counts.of[i]);
     return text + "</table>\n";
 }
 
@@ -78,9 +85,14 @@ std::string page(const std::vector<BookPart>& parts, bool only_errata) {
         body += fmt::format("<h2>{}</h2>\n{}{}", html_text(part.title), paragraph(part.about), inside);
     }
     if (only_errata && body.empty()) body = "<p>None of the equations that were checked is wrong.</p>\n";
-    const std::string other = only_errata ? "<a href=\"book.html\">Every equation</a>, with its verdict." : "<a href=\"errata.html\">The errata</a> by themselves.";
-    const std::string lead = only_errata ? "Printed equations that are not what follows. Each comes with numbers that show it, in SI units. " : "Printed equations against what is derived, proven symbolically. ";
-    return fill_template(embedded_file("book.html.in"), {{"TITLE", only_errata ? "Errata" : "Is the book right?"}, {"LEAD", lead + other}, {"BODY", (only_errata ? "" : table(counts)) + body}});
+    const std::string other = only_errata ? "<a href=\"book.html\">Every equation</a>, with its verdict."
+                                          : "<a href=\"errata.html\">The errata</a> by themselves.";
+    const std::string lead = only_errata
+                                 ? "Printed equations that are not what follows. Each comes with numbers that show it, in SI units. "
+                                 : "Printed equations against what is derived, proven symbolically. ";
+    return fill_template(embedded_file("book.html.in"), {{"TITLE", only_errata ? "Errata" : "Is the book right?"},
+                                                         {"LEAD", lead + other},
+                                                         {"BODY", (only_errata ? "" : table(counts)) + body}});
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ std::string suggestion_text(const Suggestion& suggestion) {
     const std::string line = safe_line(suggestion.shown());
     const std::string text = fmt::format("      perhaps:    {}\n      so that:    {}\n", safe_line(suggestion.words), line);
     if (line != shown) return text;
-    const std::size_t before = character_count(shown.substr(0, suggestion.begin)), changed = character_count(shown.substr(suggestion.begin, suggestion.end - suggestion.begin));
+    const std::size_t before = character_count(shown.substr(0, suggestion.begin)),
+                      changed = character_count(shown.substr(suggestion.begin, suggestion.end - suggestion.begin));
     return text + std::string(18 + before, ' ') + std::string(std::max<std::size_t>(1, changed), '^') + "\n";
 }
 
@@ -59,12 +60,15 @@ std::size_t column_width(const std::vector<std::string>& names) {
 std::string report_text(const PrintedRow& row, std::size_t width) {
     const Verdict verdict = row.verdict();
     const std::string reason = reason_of(row);
-    std::string text = fmt::format("  {:<{}} {}{}\n", safe_line(row.id), width, row.verdict_text(),
-                                   row.expected ? (row.as_expected() ? ", as expected" : fmt::format(", but '{}' was expected", to_string(*row.expected))) : "");
+    std::string text = fmt::format(
+        "  {:<{}} {}{}\n", safe_line(row.id), width, row.verdict_text(),
+        row.expected ? (row.as_expected() ? ", as expected" : fmt::format(", but '{}' was expected", to_string(*row.expected))) : "");
     const bool is_notable = verdict != Verdict::proven;
     if (is_notable && !row.doc.empty()) text += fmt::format("      {}\n", safe_line(row.doc));
     if (is_notable && !row.equation.empty()) text += fmt::format("      printed:    {}\n", safe_line(row.equation));
-    if (is_notable && !reason.empty()) text += fmt::format("      {} {}\n", verdict == Verdict::proven_under_assumption ? "assuming:  " : "reason:    ", safe_line(reason));
+    if (is_notable && !reason.empty())
+        text +=
+            fmt::format("      {} {}\n", verdict == Verdict::proven_under_assumption ? "assuming:  " : "reason:    ", safe_line(reason));
     if (!row.difference.empty()) text += fmt::format("      difference: {}\n", row.difference);
     if (row.suggestion) text += suggestion_text(*row.suggestion);
     for (const std::string& sentence : row.not_read()) text += fmt::format("      not read:   {}\n", safe_line(sentence));
@@ -72,7 +76,8 @@ std::string report_text(const PrintedRow& row, std::size_t width) {
         const CounterExample& c = *row.counterexample;
         std::vector<std::string> values;
         for (const auto& [name, value] : c.values) values.push_back(fmt::format("{} = {}", name, value));
-        text += fmt::format("      example:    left {}, right {}{}{}\n", c.left, c.right, values.empty() ? "" : " at ", fmt::join(values, ", "));
+        text += fmt::format("      example:    left {}, right {}{}{}\n", c.left, c.right, values.empty() ? "" : " at ",
+                            fmt::join(values, ", "));
     }
     return text;
 }
@@ -81,14 +86,24 @@ nlohmann::ordered_json report_json(const PrintedRow& row, const std::string& sou
     const Verdict verdict = row.verdict();
     nlohmann::ordered_json assumptions = nlohmann::ordered_json::array();
     if (verdict == Verdict::proven_under_assumption) assumptions.push_back(row.reason);
-    nlohmann::ordered_json json{{"id", row.id},           {"source", row.source.empty() ? source : row.source},
-                                {"verdict", to_string(verdict)}, {"expected", row.expected ? to_string(*row.expected) : ""},
-                                {"as_expected", row.as_expected()}, {"scenes", row.scenes},
-                                {"equation", row.equation}, {"reason", reason_of(row)},
-                                {"assumptions", assumptions}, {"difference", row.difference},
-                                {"suggestion", row.suggestion ? row.suggestion->equation : ""}, {"slip", row.suggestion ? row.suggestion->words : ""},
-                                {"suggestion_printed", row.suggestion ? row.suggestion->printed : ""}, {"slip_printed", row.suggestion && !row.suggestion->printed.empty() ? row.suggestion->printed.substr(row.suggestion->begin, row.suggestion->end - row.suggestion->begin) : ""},
-                                {"counterexample", nullptr}};
+    nlohmann::ordered_json json{
+        {"id", row.id},
+        {"source", row.source.empty() ? source : row.source},
+        {"verdict", to_string(verdict)},
+        {"expected", row.expected ? to_string(*row.expected) : ""},
+        {"as_expected", row.as_expected()},
+        {"scenes", row.scenes},
+        {"equation", row.equation},
+        {"reason", reason_of(row)},
+        {"assumptions", assumptions},
+        {"difference", row.difference},
+        {"suggestion", row.suggestion ? row.suggestion->equation : ""},
+        {"slip", row.suggestion ? row.suggestion->words : ""},
+        {"suggestion_printed", row.suggestion ? row.suggestion->printed : ""},
+        {"slip_printed", row.suggestion && !row.suggestion->printed.empty()
+                             ? row.suggestion->printed.substr(row.suggestion->begin, row.suggestion->end - row.suggestion->begin)
+                             : ""},
+        {"counterexample", nullptr}};
     if (!row.parts.refused.empty()) json["equations"] = {{"printed", row.parts.equations}, {"not_read", row.not_read()}};
     if (row.counterexample) {
         const CounterExample& c = *row.counterexample;

@@ -39,7 +39,8 @@ std::vector<Sizes> combinations(const Model& model, const Options& options) {
     return result;
 }
 
-Variant make_variant(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Sizes& sizes, const Options& all, Streams streams, const std::function<void(const PreparedRun&)>& check) {
+Variant make_variant(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Sizes& sizes, const Options& all,
+                     Streams streams, const std::function<void(const PreparedRun&)>& check) {
     Options options = all;
     options.choice.sizes = sizes;
     options.compares_scenes = true;
@@ -69,26 +70,33 @@ Variant make_variant(const std::shared_ptr<const LoadedModel>& model, const std:
 double distance(const WorkPrecision& work, const WorkPrecision& fullest) {
     const ReferenceRun& full = fullest.reference();
     const ReferenceRun& other = work.reference();
-    const std::vector<std::string> names = compared_columns(*fullest.run().machine.system), own = compared_columns(*work.run().machine.system);
+    const std::vector<std::string> names = compared_columns(*fullest.run().machine.system),
+                                   own = compared_columns(*work.run().machine.system);
     double largest = 0;
     for (std::size_t c = 0; c < names.size(); ++c) {
         const auto found = std::find(own.begin(), own.end(), names[c]);
         if (found == own.end() || !(full.scales[c] > 0)) continue;
         const auto column = static_cast<std::size_t>(found - own.begin()) + 1;
-        for (std::size_t i = 0; i < std::min(full.counted, other.counted); ++i) largest = std::max(largest, static_cast<double>(std::fabs(other.rows[i][column] - full.rows[i][c + 1])) / full.scales[c]);
+        for (std::size_t i = 0; i < std::min(full.counted, other.counted); ++i)
+            largest = std::max(largest, static_cast<double>(std::fabs(other.rows[i][column] - full.rows[i][c + 1])) / full.scales[c]);
     }
     return largest;
 }
 
 }  // namespace
 
-std::vector<Variant> make_variants(const std::shared_ptr<const LoadedModel>& model, const std::vector<std::string>& scenes, bool may_leave_out, const Options& options, Streams streams, const std::function<void(const PreparedRun&)>& check) {
+std::vector<Variant> make_variants(const std::shared_ptr<const LoadedModel>& model, const std::vector<std::string>& scenes,
+                                   bool may_leave_out, const Options& options, Streams streams,
+                                   const std::function<void(const PreparedRun&)>& check) {
     std::vector<Variant> variants;
     for (const std::string& scene : scenes) {
         const bool is_last = &scene == &scenes.back() && variants.empty() && options.models.size() == 1;
-        const auto leave_out = [&](const std::string& why) { streams.err << fmt::format("  {}, scene '{}' is left out: {}\n", model->model.name, scene, why); };
+        const auto leave_out = [&](const std::string& why) {
+            streams.err << fmt::format("  {}, scene '{}' is left out: {}\n", model->model.name, scene, why);
+        };
         try {
-            for (const Sizes& sizes : combinations(model->model, options)) variants.push_back(make_variant(model, scene, sizes, options, streams, check));
+            for (const Sizes& sizes : combinations(model->model, options))
+                variants.push_back(make_variant(model, scene, sizes, options, streams, check));
         } catch (const Failure& failure) {
             if (!may_leave_out || is_last || failure.exit_code() == ExitCode::tool_missing) throw;
             leave_out(failure.diagnostics().empty() ? failure.what() : failure.diagnostics().front().message);
@@ -97,7 +105,9 @@ std::vector<Variant> make_variants(const std::shared_ptr<const LoadedModel>& mod
             leave_out(stopped.what());
         }
     }
-    const auto fullest = std::max_element(variants.begin(), variants.end(), [](const Variant& a, const Variant& b) { return std::pair(a.effects, a.states) < std::pair(b.effects, b.states); });
+    const auto fullest = std::max_element(variants.begin(), variants.end(), [](const Variant& a, const Variant& b) {
+        return std::pair(a.effects, a.states) < std::pair(b.effects, b.states);
+    });
     for (Variant& v : variants) v.from_fullest = distance(*v.work, *fullest->work);
     return variants;
 }

@@ -17,6 +17,8 @@ struct Variant {
 
 /// Derives, generates, compiles, and finds the references; progress goes to err. Scenes that cannot be run are left out, and told, where
 /// others may be taken instead. `check` sees each run before it is compiled. Throws Failure, RunStopped.
-std::vector<Variant> make_variants(const std::shared_ptr<const LoadedModel>& model, const std::vector<std::string>& scenes, bool may_leave_out, const Options& options, Streams streams, const std::function<void(const PreparedRun&)>& check);
+std::vector<Variant> make_variants(const std::shared_ptr<const LoadedModel>& model, const std::vector<std::string>& scenes,
+                                   bool may_leave_out, const Options& options, Streams streams,
+                                   const std::function<void(const PreparedRun&)>& check);
 
 }  // namespace dalembert

@@ -61,7 +61,8 @@ const std::vector<double>& Roundings::of(Function function, std::optional<std::s
     return known->second;
 }
 
-std::vector<double> row_norms(const std::vector<MeasuredResult>& results, const std::vector<MaybeExact>& values, ExactCode& at, const std::vector<double>& input_sizes) {
+std::vector<double> row_norms(const std::vector<MeasuredResult>& results, const std::vector<MaybeExact>& values, ExactCode& at,
+                              const std::vector<double>& input_sizes) {
     std::vector<double> norms(results.size(), 0);
     if (results.empty() || !results.front().row) return norms;
     std::map<std::size_t, double> rows;
@@ -75,7 +76,8 @@ std::vector<double> row_norms(const std::vector<MeasuredResult>& results, const 
     return norms;
 }
 
-void ErrorsSeen::operator()(const MeasuredResult& result, const ExactNumber& expected, double computed, double norm, const EdgePoint& point, Roundings& roundings) {
+void ErrorsSeen::operator()(const MeasuredResult& result, const ExactNumber& expected, double computed, double norm, const EdgePoint& point,
+                            Roundings& roundings) {
     const double value = cln::double_approx(expected.value);
     if (!(std::fabs(value) <= arithmetic_.largest)) return;
     const double difference = distance(computed, expected.value);
@@ -97,8 +99,8 @@ void ErrorsSeen::finish() {
     total_.typical = median(beyond_);
 }
 
-/// One that seems the worst is looked at closely: with twice as many digits, and with inputs that are in fact half an ulp off, which matters
-/// where slopes say little: at roots of zero, kinks and jumps.
+/// One that seems the worst is looked at closely: with twice as many digits, and with inputs that are in fact half an ulp off, which
+/// matters where slopes say little: at roots of zero, kinks and jumps.
 void ErrorsSeen::consider(const MeasuredResult& result, const Seen& seen, const EdgePoint& point) {
     std::vector<Rational> inputs = all_exact(point.values);
     const auto at = [&]() -> MaybeExact {

@@ -19,9 +19,9 @@ struct WorstInput {
     double error = 0;            ///< in ulp beyond the condition
 };
 
-/// Of one function in one mode. Errors in ulp: plain, and beyond the condition of the problem. With a ulp(f) of the exact value and the slopes of
-/// the exact function, |computed - exact|/(ulp(f) + sum |df/dx_i| ulp(x_i)/2): what rounding the result, and inputs that are known to half an
-/// ulp, do not explain.
+/// Of one function in one mode. Errors in ulp: plain, and beyond the condition of the problem. With a ulp(f) of the exact value and the
+/// slopes of the exact function, |computed - exact|/(ulp(f) + sum |df/dx_i| ulp(x_i)/2): what rounding the result, and inputs that are
+/// known to half an ulp, do not explain.
 struct FunctionAccuracy {
     std::string mode, name;
     std::size_t results = 0;
@@ -36,7 +36,8 @@ std::vector<Rational> all_exact(const std::vector<double>& values);
 /// What roundings on the way to systems that are solved do, at one point.
 class Roundings {
 public:
-    Roundings(ExactCode& at, const std::vector<double>& inputs, const Arithmetic& arithmetic) : at_(at), inputs_(inputs), arithmetic_(arithmetic) {}
+    Roundings(ExactCode& at, const std::vector<double>& inputs, const Arithmetic& arithmetic)
+        : at_(at), inputs_(inputs), arithmetic_(arithmetic) {}
 
     /// What half an ulp of the inputs does to a number.
     double by_inputs(const ExactNumber& number) const;
@@ -55,15 +56,18 @@ private:
     std::map<std::pair<Function, std::optional<std::size_t>>, std::vector<double>> known_;
 };
 
-/// What entries of Jacobians are to be seen beside, for each result; zero where it is seen alone. Jacobians are compared norm-wise: entries of a
-/// row multiply changes of inputs, which count with the sizes of their ranges, and are differences of what makes the rate.
-std::vector<double> row_norms(const std::vector<MeasuredResult>& results, const std::vector<MaybeExact>& values, ExactCode& at, const std::vector<double>& input_sizes);
+/// What entries of Jacobians are to be seen beside, for each result; zero where it is seen alone. Jacobians are compared norm-wise: entries
+/// of a row multiply changes of inputs, which count with the sizes of their ranges, and are differences of what makes the rate.
+std::vector<double> row_norms(const std::vector<MeasuredResult>& results, const std::vector<MaybeExact>& values, ExactCode& at,
+                              const std::vector<double>& input_sizes);
 
 /// The errors of the numbers of one function.
 class ErrorsSeen {
 public:
-    ErrorsSeen(const Code& code, const Arithmetic& arithmetic, FunctionAccuracy& total) : arithmetic_(arithmetic), total_(total), finer_(code, 2 * reference_digits) {}
-    void operator()(const MeasuredResult& result, const ExactNumber& expected, double computed, double norm, const EdgePoint& point, Roundings& roundings);
+    ErrorsSeen(const Code& code, const Arithmetic& arithmetic, FunctionAccuracy& total)
+        : arithmetic_(arithmetic), total_(total), finer_(code, 2 * reference_digits) {}
+    void operator()(const MeasuredResult& result, const ExactNumber& expected, double computed, double norm, const EdgePoint& point,
+                    Roundings& roundings);
     void finish();
 
 private:

@@ -33,7 +33,8 @@ bool holds(const Code& code, ExactCode& at) {
 
 }  // namespace
 
-AccuracyMeasurement::AccuracyMeasurement(const Machine& machine, const Header& header) : inputs_(ExactCode::inputs(*machine.system)), program_(std::make_unique<ScratchFolder>()) {
+AccuracyMeasurement::AccuracyMeasurement(const Machine& machine, const Header& header)
+    : inputs_(ExactCode::inputs(*machine.system)), program_(std::make_unique<ScratchFolder>()) {
     modes_.push_back(machine.code.get());
     for (const Machine& other : machine.other_modes) modes_.push_back(other.code.get());
     for (std::size_t mode = 0; mode < modes_.size(); ++mode) functions_.push_back(measured_functions(modes_, mode));
@@ -42,7 +43,8 @@ AccuracyMeasurement::AccuracyMeasurement(const Machine& machine, const Header& h
 
 AccuracyMeasurement::~AccuracyMeasurement() = default;
 
-std::vector<AccuracyMeasurement::Drawn> AccuracyMeasurement::draw(const Arithmetic& arithmetic, std::size_t points, std::uint64_t seed, AccuracyReport& report) const {
+std::vector<AccuracyMeasurement::Drawn> AccuracyMeasurement::draw(const Arithmetic& arithmetic, std::size_t points, std::uint64_t seed,
+                                                                  AccuracyReport& report) const {
     EdgePoints edges(modes_.front()->system, inputs_, arithmetic, seed);
     std::vector<ExactCode> at;
     for (const Code* code : modes_) at.emplace_back(*code, digits);
@@ -65,7 +67,9 @@ std::vector<double> AccuracyMeasurement::compute(const Arithmetic& arithmetic, c
     const std::string in = program_->path() + "/points", out = program_->path() + "/results";
     {
         std::ofstream file(in, std::ios::binary);
-        for (const Drawn& one : points) file.write(reinterpret_cast<const char*>(one.point.values.data()), static_cast<std::streamsize>(one.point.values.size() * sizeof(double)));
+        for (const Drawn& one : points)
+            file.write(reinterpret_cast<const char*>(one.point.values.data()),
+                       static_cast<std::streamsize>(one.point.values.size() * sizeof(double)));
     }
     run_compiled(*program_, {arithmetic.name, in, out});
     std::ifstream file(out, std::ios::binary | std::ios::ate);
@@ -89,7 +93,9 @@ AccuracyReport AccuracyMeasurement::measure(const Arithmetic& arithmetic, std::s
         const System& system = modes_[m]->system;
         ExactCode at(*modes_[m], digits);
         const std::size_t first = report.functions.size();
-        for (const MeasuredFunction& function : functions_[m]) report.functions.push_back({system.scene.mode ? system.scene.modes[*system.scene.mode].name : "", function.name, function.results.size()});
+        for (const MeasuredFunction& function : functions_[m])
+            report.functions.push_back(
+                {system.scene.mode ? system.scene.modes[*system.scene.mode].name : "", function.name, function.results.size()});
         std::vector<ErrorsSeen> errors;
         for (std::size_t f = 0; f < functions_[m].size(); ++f) errors.emplace_back(*modes_[m], arithmetic, report.functions[first + f]);
         std::size_t after = offset;

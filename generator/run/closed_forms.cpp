@@ -38,7 +38,15 @@ void use_closed_forms(const PreparedRun& run, ReferenceRun& reference) {
             const long double scale = std::max<long double>(reference.scales[column], std::fabs(row[column + 1]));
             const double allowed = std::max(1e-9, 1000 * reference.error);
             if (!value || !(std::fabs(rounded(*value) - row[column + 1]) <= allowed * (scale > 0 ? scale : 1.0L)))
-                throw Failure(Diagnostic{Id::wrong_closed_form, {}, fmt::format("the closed form of '{}' is not what the run gives: at t = {:.6g} s it is {}, the integration makes it {:.12g}", name, static_cast<double>(row[0]), value ? fmt::format("{:.12g}", cln::double_approx(*value)) : "no number", static_cast<double>(row[column + 1]))}, ExitCode::check_failed);
+                throw Failure(
+                    Diagnostic{
+                        Id::wrong_closed_form,
+                        {},
+                        fmt::format(
+                            "the closed form of '{}' is not what the run gives: at t = {:.6g} s it is {}, the integration makes it {:.12g}",
+                            name, static_cast<double>(row[0]), value ? fmt::format("{:.12g}", cln::double_approx(*value)) : "no number",
+                            static_cast<double>(row[column + 1]))},
+                    ExitCode::check_failed);
             row[column + 1] = rounded(*value);
         }
         reference.closed_forms.push_back(name);

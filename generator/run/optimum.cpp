@@ -20,7 +20,8 @@ using RealFunction = std::function<double(double)>;
 Optimum largest_between(const RealFunction& f, double low, double high) {
     // In a variable from 0 to 1: the tolerance of the method is partly an absolute one.
     std::uintmax_t steps = most_search_steps;
-    const auto found = boost::math::tools::brent_find_minima([&](double s) { return -f(low + s * (high - low)); }, 0.0, 1.0, search_bits, steps);
+    const auto found =
+        boost::math::tools::brent_find_minima([&](double s) { return -f(low + s * (high - low)); }, 0.0, 1.0, search_bits, steps);
     return {low + found.first * (high - low), -found.second, Optimum::Place::inside};
 }
 
@@ -56,7 +57,9 @@ OptimumSearch find_maximum(const RealFunction& original, double low, double high
         ++result.evaluations;
         return original(x);
     };
-    const auto place = [&](std::size_t i) { return i + 1 == points ? high : low + (high - low) * static_cast<double>(i) / static_cast<double>(points - 1); };
+    const auto place = [&](std::size_t i) {
+        return i + 1 == points ? high : low + (high - low) * static_cast<double>(i) / static_cast<double>(points - 1);
+    };
     std::vector<double> values;
     for (std::size_t i = 0; i < points; ++i) values.push_back(f(place(i)));
     const auto [least, most] = std::minmax_element(values.begin(), values.end());

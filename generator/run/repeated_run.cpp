@@ -15,7 +15,9 @@
 namespace dalembert {
 
 RepeatedRun::RepeatedRun(const std::shared_ptr<const LoadedModel>& model, const Options& options, const std::string& wanted)
-    : options_(options), preparation_(model->model, options), machine_(derive_machine(model, preparation_.scene(options.choice.scene), options.choice.sizes)) {
+    : options_(options),
+      preparation_(model->model, options),
+      machine_(derive_machine(model, preparation_.scene(options.choice.scene), options.choice.sizes)) {
     header_ = generate(machine_);
     const System& system = *machine_.system;
     const std::vector<std::string> names = recorded_names(wanted, system);
@@ -24,8 +26,10 @@ RepeatedRun::RepeatedRun(const std::shared_ptr<const LoadedModel>& model, const 
         for (const OutputEquation& output : system.outputs) known.push_back(output.name);
         for (const Variable* state : system.symbols.state_variables()) known.push_back(state->recorded_name());
         throw Failure(Diagnostic{Id::unknown_name, system.scene.model->name_span,
-                                 names.empty() ? fmt::format("scene '{}' has no output or state '{}'; it has {}{}", system.scene.name, wanted, quoted_list(known), did_you_mean(wanted, known))
-                                               : fmt::format("'{}' is a family; which member is meant, as in '{}'?", wanted, names.front())});
+                                 names.empty()
+                                     ? fmt::format("scene '{}' has no output or state '{}'; it has {}{}", system.scene.name, wanted,
+                                                   quoted_list(known), did_you_mean(wanted, known))
+                                     : fmt::format("'{}' is a family; which member is meant, as in '{}'?", wanted, names.front())});
     }
     constexpr double fine = 1e-12;
     const SimulationSettings settings = preparation_.make_settings(values(), system);
@@ -60,11 +64,13 @@ RepeatedRun::End RepeatedRun::operator()(const Expression& parameter, double val
     const std::string& status = result.at("status");
     End end{0, std::stod(result.at("t")), std::stod(result.at("steps")), ""};
     const std::size_t event = std::stoul(result.at("guard"));
-    const bool ends = status == "event" && !system.scene.modes.empty() && event < system.events.size() && system.events[event].item != nullptr && !system.events[event].item->is_limit;
+    const bool ends = status == "event" && !system.scene.modes.empty() && event < system.events.size() &&
+                      system.events[event].item != nullptr && !system.events[event].item->is_limit;
     if (ends) end.event = system.events[event].name;
     if (const auto last = result.find("value"); last != result.end()) end.value = std::stod(last->second);
     if ((status != "success" && !ends) || !std::isfinite(end.value))
-        throw RunStopped(fmt::format("with {} = {:.6g} the run does not come to its end: {} at t = {:.6g} s", parameter.written(), value, status == "success" ? "not finite" : status, end.t));
+        throw RunStopped(fmt::format("with {} = {:.6g} the run does not come to its end: {} at t = {:.6g} s", parameter.written(), value,
+                                     status == "success" ? "not finite" : status, end.t));
     return end;
 }
 

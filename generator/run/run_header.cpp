@@ -53,7 +53,9 @@ std::string complaint(const std::string& text) {
 std::string for_the_compiler(const std::string& header) {
     constexpr std::size_t most = 600000;  // characters
     if (header.size() <= most) return header;
-    return "#include <array>\n#include <cmath>\n#include <cstddef>\n#include <limits>\n#pragma GCC push_options\n#pragma GCC optimize(\"O0\")\n" + header + "#pragma GCC pop_options\n";
+    return "#include <array>\n#include <cmath>\n#include <cstddef>\n#include <limits>\n#pragma GCC push_options\n#pragma GCC "
+           "optimize(\"O0\")\n" +
+           header + "#pragma GCC pop_options\n";
 }
 
 }  // namespace
@@ -63,8 +65,17 @@ void compile_with_header(const ScratchFolder& folder, const Header& header, cons
     write_files({{at / header.file_name, for_the_compiler(header.text)}, {at / "main.cpp", source}});
     std::vector<std::string> command = compiler();
     const std::string name = command.front();
-    const std::vector<std::string> rest{"-std=c++17", optimisation, "-I", folder.path(), "-I", runtime_folder(), "-isystem", "/usr/include/eigen3",
-                                        (at / "main.cpp").string(), "-o", (at / "program").string()};
+    const std::vector<std::string> rest{"-std=c++17",
+                                        optimisation,
+                                        "-I",
+                                        folder.path(),
+                                        "-I",
+                                        runtime_folder(),
+                                        "-isystem",
+                                        "/usr/include/eigen3",
+                                        (at / "main.cpp").string(),
+                                        "-o",
+                                        (at / "program").string()};
     command.insert(command.end(), rest.begin(), rest.end());
     const ProcessResult compiled = run_process(command);
     if (compiled.exit_code == 127)
@@ -80,7 +91,8 @@ std::map<std::string, std::string> run_compiled(const ScratchFolder& folder, con
     std::map<std::string, std::string> values{{"exit", std::to_string(ran.exit_code)}};
     std::istringstream lines(ran.output);
     for (std::string line; std::getline(lines, line);)
-        if (const std::size_t equals = line.find('='); equals != std::string::npos) values[line.substr(0, equals)] = line.substr(equals + 1);
+        if (const std::size_t equals = line.find('='); equals != std::string::npos)
+            values[line.substr(0, equals)] = line.substr(equals + 1);
     if (!values.contains("status")) fail(fmt::format("the generated program ended with code {}: {}", ran.exit_code, complaint(ran.errors)));
     return values;
 }

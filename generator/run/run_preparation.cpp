@@ -24,7 +24,8 @@ namespace {
 double number(const ex& value, const Span& place) {
     const auto result = value_at(value, {}, 40);
     if (!result) throw Failure(Diagnostic{Id::division_by_zero, place, "this has no value"});
-    if (cln::abs(*result) > cln::expt_pos(cln::cl_I(10), 300)) throw Failure(Diagnostic{Id::number_too_large, place, "this is beyond 1e300"});
+    if (cln::abs(*result) > cln::expt_pos(cln::cl_I(10), 300))
+        throw Failure(Diagnostic{Id::number_too_large, place, "this is beyond 1e300"});
     return cln::double_approx(*result);
 }
 
@@ -34,7 +35,9 @@ auto at_place(const Span& place, Work work) {
     try {
         return work();
     } catch (const GiNaC::pole_error&) {
-        throw Failure(Diagnostic{Id::division_by_zero, place, fmt::format("'{}' divides by zero, or by a period of zero, with the parameters of this run", place.text())});
+        throw Failure(
+            Diagnostic{Id::division_by_zero, place,
+                       fmt::format("'{}' divides by zero, or by a period of zero, with the parameters of this run", place.text())});
     }
 }
 
@@ -52,7 +55,10 @@ void check_steps(const SimulationSettings& settings) {
     if (!needs_step(settings.method) || !(settings.step > 0)) return;
     const double steps = settings.until / settings.step;
     if (steps > budget::steps)
-        throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("a run of {:g} s takes {:.3g} steps of {:g} s; the limit is {:g} steps", settings.until, steps, settings.step, budget::steps)});
+        throw Failure(Diagnostic{Id::bad_option,
+                                 {},
+                                 fmt::format("a run of {:g} s takes {:.3g} steps of {:g} s; the limit is {:g} steps", settings.until, steps,
+                                             settings.step, budget::steps)});
 }
 
 /// What a point says of all letters but the time.
@@ -77,7 +83,8 @@ std::vector<Plot> resolved_plots(const std::vector<Plot>& wanted, const System& 
         if (result.size() < most) result.push_back({{}, {}, {name}, {}});
     };
     if (wanted.empty()) {
-        for (const Variable& q : system.symbols.all(SymbolKind::coordinate)) add(system.symbols.has_value(q.position) ? q.name : "dot(" + q.name + ")");
+        for (const Variable& q : system.symbols.all(SymbolKind::coordinate))
+            add(system.symbols.has_value(q.position) ? q.name : "dot(" + q.name + ")");
         for (const Variable& z : system.symbols.all(SymbolKind::state)) add(z.recorded_name());
         for (const OutputEquation& output : system.outputs) add(output.name);
     }
@@ -99,7 +106,8 @@ const Run* find_run(const Model& model, const std::string& wanted) {
     }
     if (const Run* run = named(wanted)) return run;
     throw Failure(Diagnostic{Id::unknown_run, Span{std::make_shared<const Source>("--run", wanted), 0, wanted.size()},
-                             fmt::format("the model has no run '{}'{}", wanted, known.empty() ? "; it has none at all" : "; its runs are " + quoted_list(known))});
+                             fmt::format("the model has no run '{}'{}", wanted,
+                                         known.empty() ? "; it has none at all" : "; its runs are " + quoted_list(known))});
 }
 
 std::vector<std::string> recorded_names(const std::string& name, const System& system) {
@@ -109,7 +117,8 @@ std::vector<std::string> recorded_names(const std::string& name, const System& s
     };
     for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state, SymbolKind::input})
         for (const Variable& variable : system.symbols.all(kind))
-            if (kind != SymbolKind::coordinate || system.symbols.has_value(variable.position)) add(variable.recorded_name(), kind == SymbolKind::velocity ? "dot(" + variable.base + ")" : variable.base);
+            if (kind != SymbolKind::coordinate || system.symbols.has_value(variable.position))
+                add(variable.recorded_name(), kind == SymbolKind::velocity ? "dot(" + variable.base + ")" : variable.base);
     for (const OutputEquation& output : system.outputs) add(output.name, output.base);
     for (const char* energy : {"t", "kinetic_energy", "potential_energy", "internal_energy", "work"}) add(energy, energy);
     return names;
@@ -119,7 +128,8 @@ std::string RunPreparation::scene(const std::string& wanted) const {
     if (run_ == nullptr || run_->scene.empty() || options_.compares_scenes) return wanted;
     const SceneWish wish(wanted);
     if (!wish.base.empty() && wish.base != run_->scene)
-        throw Failure(Diagnostic{Id::bad_option, run_->scene_span, fmt::format("run '{}' belongs to scene '{}', not '{}'", run_->name, run_->scene, wanted)});
+        throw Failure(Diagnostic{Id::bad_option, run_->scene_span,
+                                 fmt::format("run '{}' belongs to scene '{}', not '{}'", run_->name, run_->scene, wanted)});
     return wish.base.empty() ? run_->scene + wanted : wanted;
 }
 
@@ -143,7 +153,9 @@ void RunPreparation::set_values(Values& values, const System& system) const {
 
 SimulationSettings RunPreparation::make_settings(const Values& values, const System& system) const {
     const GiNaC::exmap at_start = values.substitution();
-    const auto seconds = [&](const ExpressionPtr& e) { return at_place(e->span, [&] { return number(system.translate(*e, {}).subs(at_start), e->span); }); };
+    const auto seconds = [&](const ExpressionPtr& e) {
+        return at_place(e->span, [&] { return number(system.translate(*e, {}).subs(at_start), e->span); });
+    };
     SimulationSettings settings;
     settings.draw = !options_.no_plot;
     settings.declared_csv = options_.units == "declared";
@@ -169,22 +181,32 @@ SimulationSettings RunPreparation::make_settings(const Values& values, const Sys
     if (options_.step > 0) settings.step = options_.step;
     if (options_.samples > 0) settings.intervals = options_.samples;
     if (!(settings.until > 0))
-        throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("how long to simulate '{}'? Give --until, or a [runs.reference] in the model", model_name_)});
+        throw Failure(Diagnostic{
+            Id::bad_option, {}, fmt::format("how long to simulate '{}'? Give --until, or a [runs.reference] in the model", model_name_)});
     if (options_.periods > 0 && options_.models.empty() && (run_ == nullptr || !run_->period))
         throw Failure(Diagnostic{Id::bad_option, {}, "--periods: the run names no period"});
     // Beyond, doubles have no room for errors and shortest steps.
     constexpr double shortest = 1e-150, longest = 1e150;
     if (settings.until < shortest || settings.until > longest)
-        throw Failure(Diagnostic{Id::bad_option, run_ != nullptr && run_->until ? run_->until->span : Span{}, fmt::format("a run of {:g} s; runs take {:g} to {:g} s", settings.until, shortest, longest)});
+        throw Failure(Diagnostic{Id::bad_option, run_ != nullptr && run_->until ? run_->until->span : Span{},
+                                 fmt::format("a run of {:g} s; runs take {:g} to {:g} s", settings.until, shortest, longest)});
     check_steps(settings);
-    if (needs_step(settings.method) && !(settings.step > 0)) throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the method {} needs a fixed step: --step", settings.method)});
+    if (needs_step(settings.method) && !(settings.step > 0))
+        throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the method {} needs a fixed step: --step", settings.method)});
     if (settings.method == "symplectic" && !is_separable(system))
-        throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the method symplectic is for accelerations that depend on coordinates alone, without inputs, modes and constraints; those of '{}' do not, see `dalembert derive`", model_name_)});
+        throw Failure(Diagnostic{Id::bad_option,
+                                 {},
+                                 fmt::format("the method symplectic is for accelerations that depend on coordinates alone, without inputs, "
+                                             "modes and constraints; those of '{}' do not, see `dalembert derive`",
+                                             model_name_)});
     settings.inputs = inputs(values, system);
     settings.kinks = input_kinks(system, settings.inputs, values, settings.until);
     if (run_ != nullptr && (run_->scene.empty() || run_->scene == system.scene.base))
         for (const RunEntry& entry : run_->exact)
-            settings.exact.emplace_back(entry.variable->written(), at_place(entry.value->span, [&]() -> ex { return system.symbols.without_definitions(system.translate(*entry.value, {})).subs(without_time(at_start, system), GiNaC::subs_options::no_pattern); }));
+            settings.exact.emplace_back(entry.variable->written(), at_place(entry.value->span, [&]() -> ex {
+                                            return system.symbols.without_definitions(system.translate(*entry.value, {}))
+                                                .subs(without_time(at_start, system), GiNaC::subs_options::no_pattern);
+                                        }));
     settings.plots = resolved_plots(settings.plots, system);
     return settings;
 }
@@ -193,9 +215,13 @@ std::vector<ex> RunPreparation::inputs_at_start(const Values& values, const Syst
     std::vector<ex> result;
     for (const ex& input : inputs(values, system)) {
         try {
-            result.push_back(GiNaC::numeric(number(system.symbols.without_definitions(input).subs(values.substitution(), GiNaC::subs_options::no_pattern), {})));
+            result.push_back(GiNaC::numeric(
+                number(system.symbols.without_definitions(input).subs(values.substitution(), GiNaC::subs_options::no_pattern), {})));
         } catch (const GiNaC::pole_error&) {
-            throw Failure(Diagnostic{Id::division_by_zero, {}, fmt::format("input '{}' divides by zero at the start", system.symbols.all(SymbolKind::input)[result.size()].name)});
+            throw Failure(Diagnostic{
+                Id::division_by_zero,
+                {},
+                fmt::format("input '{}' divides by zero at the start", system.symbols.all(SymbolKind::input)[result.size()].name)});
         }
     }
     return result;
@@ -209,7 +235,8 @@ std::vector<ex> RunPreparation::inputs(const Values& values, const System& syste
         if ((dependence(value, system.names) & ~on_parameters) == 0) Values(values).set(variable, value, on_inputs);
     };
     GiNaC::exmap parameters;
-    for (std::size_t i = 0; i < system.symbols.count(SymbolKind::parameter); ++i) parameters[system.symbols.get(SymbolKind::parameter, i)] = values.parameter(i);
+    for (std::size_t i = 0; i < system.symbols.count(SymbolKind::parameter); ++i)
+        parameters[system.symbols.get(SymbolKind::parameter, i)] = values.parameter(i);
     const auto set = [&](const Expression& variable, const Expression& written) {
         const ex value = system.translate(written, {});
         at_place(written.span, [&] { return system.symbols.without_definitions(value).subs(parameters, GiNaC::subs_options::no_pattern); });
@@ -228,7 +255,8 @@ std::vector<ex> RunPreparation::inputs(const Values& values, const System& syste
     for (const Setting& setting : parse_settings(options_.inputs, "input")) {
         const ExpressionPtr value = value_of(setting, on_motion | on_states, system.names);
         if (!set(*setting.variable, *value))
-            throw Failure(Diagnostic{Id::unknown_name, setting.variable->span, fmt::format("scene '{}' has no input '{}'", system.scene.name, setting.variable->written())});
+            throw Failure(Diagnostic{Id::unknown_name, setting.variable->span,
+                                     fmt::format("scene '{}' has no input '{}'", system.scene.name, setting.variable->written())});
         check_range(*setting.variable, *value);
     }
     check_inputs_given(is_given, system);

@@ -16,7 +16,8 @@ std::vector<std::string> recorded_names(const std::string& name, const System& s
 /// Refers to the model and the options that it is made of.
 class RunPreparation {
 public:
-    RunPreparation(const Model& model, const Options& options) : options_(options), model_name_(model.name), run_(find_run(model, options.run)) {}
+    RunPreparation(const Model& model, const Options& options)
+        : options_(options), model_name_(model.name), run_(find_run(model, options.run)) {}
 
     /// The scene: the one asked for, or the one that the run belongs to.
     std::string scene(const std::string& wanted) const;

@@ -48,7 +48,10 @@ struct Compared {
 
 class SideBySide {
 public:
-    SideBySide(const std::shared_ptr<const LoadedModel>& model, const Options& options, Streams streams) : model_(model), options_(options), streams_(streams) { options_.compares_scenes = true; }
+    SideBySide(const std::shared_ptr<const LoadedModel>& model, const Options& options, Streams streams)
+        : model_(model), options_(options), streams_(streams) {
+        options_.compares_scenes = true;
+    }
 
     SceneComparison run() {
         for (const std::string& name : scene_names(model_->model)) add(name, true);
@@ -57,7 +60,10 @@ public:
         single_changes(fullest, barest);
         simulate();
         measure();
-        if (!all_[fullest].row.refused.empty()) throw Failure(Diagnostic{Id::bad_option, model_->model.name_span, fmt::format("scene '{}', with which the others are to be compared, cannot be run: {}", all_[fullest].row.wish, all_[fullest].row.refused)});
+        if (!all_[fullest].row.refused.empty())
+            throw Failure(Diagnostic{Id::bad_option, model_->model.name_span,
+                                     fmt::format("scene '{}', with which the others are to be compared, cannot be run: {}",
+                                                 all_[fullest].row.wish, all_[fullest].row.refused)});
         SceneComparison result{fullest, {}};
         for (Compared& compared : all_) {
             deviations(compared, all_[fullest]);
@@ -96,11 +102,13 @@ private:
     const Compared* with_effects(const std::string& wish) const {
         std::set<std::string> effects;
         try {
-            for (const Effect* effect : select_scene(model_->model, model_->names, wish, options_.choice.sizes).effects_in) effects.insert(effect->name);
+            for (const Effect* effect : select_scene(model_->model, model_->names, wish, options_.choice.sizes).effects_in)
+                effects.insert(effect->name);
         } catch (const Failure&) {  // the reason is told when it is prepared
             return nullptr;
         }
-        const auto found = std::find_if(all_.begin(), all_.end(), [&](const Compared& other) { return other.prepared && other.effects == effects; });
+        const auto found =
+            std::find_if(all_.begin(), all_.end(), [&](const Compared& other) { return other.prepared && other.effects == effects; });
         return found == all_.end() ? nullptr : &*found;
     }
 
@@ -108,7 +116,9 @@ private:
     std::size_t extreme(const Better& better) const {
         std::size_t best = 0;
         for (std::size_t i = 1; i < all_.size(); ++i)
-            if (all_[i].row.is_named && all_[i].row.refused.empty() && (!all_[best].row.refused.empty() || better(all_[i].effects.size(), all_[best].effects.size()))) best = i;
+            if (all_[i].row.is_named && all_[i].row.refused.empty() &&
+                (!all_[best].row.refused.empty() || better(all_[i].effects.size(), all_[best].effects.size())))
+                best = i;
         return best;
     }
 
@@ -117,7 +127,8 @@ private:
         const std::string name = resolve_scene(model_->model, options_.against);
         for (std::size_t i = 0; i < all_.size(); ++i)
             if (all_[i].row.wish == name) return i;
-        throw Failure(Diagnostic{Id::unknown_scene, model_->model.name_span, fmt::format("'{}' is no scene of the model, with which others could be compared", name)});
+        throw Failure(Diagnostic{Id::unknown_scene, model_->model.name_span,
+                                 fmt::format("'{}' is no scene of the model, with which others could be compared", name)});
     }
 
     void single_changes(std::size_t fullest, std::size_t barest) {
@@ -153,7 +164,8 @@ private:
             if (!compared.prepared) continue;
             if (running.size() - finished >= workers) finish(running[finished++]);
             compared.prepared->draw = false;
-            running.emplace_back(&compared, std::async(std::launch::async, [&prepared = *compared.prepared] { return run_simulation(prepared, "."); }));
+            running.emplace_back(
+                &compared, std::async(std::launch::async, [&prepared = *compared.prepared] { return run_simulation(prepared, "."); }));
         }
         while (finished < running.size()) finish(running[finished++]);
     }
@@ -180,7 +192,8 @@ private:
         const auto is_compared = [&](const std::string& title) {
             const std::string name = title.substr(0, title.find(" ["));
             static const std::set<std::string> others{"t", "kinetic_energy", "potential_energy", "internal_energy", "work"};
-            return full.outputs.empty() ? !others.contains(name) : std::find(full.outputs.begin(), full.outputs.end(), name) != full.outputs.end();
+            return full.outputs.empty() ? !others.contains(name)
+                                        : std::find(full.outputs.begin(), full.outputs.end(), name) != full.outputs.end();
         };
         for (const auto& [title, exact] : full.results) {
             const auto found = compared.results.find(title);
@@ -193,7 +206,10 @@ private:
                 if (!(difference <= largest)) largest = difference;  // what is no number stays so
                 magnitude = std::max(magnitude, std::fabs(exact[i]));
             }
-            compared.row.deviations.push_back({title, largest, magnitude > 0 || std::isnan(largest) ? largest / magnitude : largest > 0 ? std::numeric_limits<double>::infinity() : 0.0});
+            compared.row.deviations.push_back({title, largest,
+                                               magnitude > 0 || std::isnan(largest) ? largest / magnitude
+                                               : largest > 0                        ? std::numeric_limits<double>::infinity()
+                                                                                    : 0.0});
         }
     }
 
@@ -212,6 +228,8 @@ const Deviation* ComparedScene::worst() const {
     return worst;
 }
 
-SceneComparison compare_scenes(const std::shared_ptr<const LoadedModel>& model, const Options& options, Streams streams) { return SideBySide(model, options, streams).run(); }
+SceneComparison compare_scenes(const std::shared_ptr<const LoadedModel>& model, const Options& options, Streams streams) {
+    return SideBySide(model, options, streams).run();
+}
 
 }  // namespace dalembert

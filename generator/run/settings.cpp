@@ -25,8 +25,9 @@ std::size_t end_of_part(const std::string& text, std::size_t from) {
 Setting parse_setting(const SourcePtr& source, std::size_t begin, std::size_t end, const std::string& option) {
     const std::size_t equals = source->text().find('=', begin);
     if (equals == std::string::npos || equals >= end)
-        throw Failure(Diagnostic{Id::bad_option, Span{source, begin, end},
-                                 fmt::format("'--{} {}' is not of the form NAME=VALUE", option, source->text().substr(begin, end - begin))});
+        throw Failure(
+            Diagnostic{Id::bad_option, Span{source, begin, end},
+                       fmt::format("'--{} {}' is not of the form NAME=VALUE", option, source->text().substr(begin, end - begin))});
     return {parse_expression(excerpt_of(source, begin, equals)), parse_expression(excerpt_of(source, equals + 1, end))};
 }
 
@@ -71,7 +72,8 @@ ExpressionPtr value_of(const Setting& setting, unsigned may_depend, const Names&
 
 void check_dependence(const Expression& value, unsigned may_depend, const std::string& what, const Names& names) {
     for_each(value, [&](const Expression& part) {
-        const bool is_leaf = part.kind == Expression::Kind::name || (part.kind == Expression::Kind::call && (part.name == "dot" || part.name == "ddot"));
+        const bool is_leaf =
+            part.kind == Expression::Kind::name || (part.kind == Expression::Kind::call && (part.name == "dot" || part.name == "ddot"));
         if (is_leaf && (dependence(part, names) & ~may_depend) != 0)
             throw Failure(Diagnostic{Id::not_allowed_here, part.span, fmt::format("{} must not depend on '{}'", what, part.written())});
     });
@@ -84,12 +86,18 @@ void check_inputs_given(const std::vector<bool>& is_given, const System& system)
         const auto low = input.declared->range ? bound(input.declared->range->low) : std::nullopt;
         const auto high = input.declared->range ? bound(input.declared->range->high) : std::nullopt;
         const Dimension& dimension = input.declared->unit.dimension;
-        const bool is_absolute = (dimension == Dimension::temperature() || dimension == Dimension::pressure()) && !(low && cln::minusp(*low));
+        const bool is_absolute =
+            (dimension == Dimension::temperature() || dimension == Dimension::pressure()) && !(low && cln::minusp(*low));
         const bool has_zero = !(low && cln::plusp(*low)) && !(high && cln::minusp(*high));
         if (has_zero && !is_absolute) continue;
-        const std::string why = has_zero ? fmt::format("zero {} is no usual {}", input.declared->unit.si(), dimension == Dimension::pressure() ? "pressure" : "temperature") : "zero is outside its range";
-        throw Failure(Diagnostic{Id::missing_key, input.declared->span,
-                                 fmt::format("nothing says what the input '{0}' is, and {1}; give it in the run, inputs = {{ {0} = ... }}, or as --input {0}=...", input.name, why)});
+        const std::string why = has_zero ? fmt::format("zero {} is no usual {}", input.declared->unit.si(),
+                                                       dimension == Dimension::pressure() ? "pressure" : "temperature")
+                                         : "zero is outside its range";
+        throw Failure(Diagnostic{
+            Id::missing_key, input.declared->span,
+            fmt::format(
+                "nothing says what the input '{0}' is, and {1}; give it in the run, inputs = {{ {0} = ... }}, or as --input {0}=...",
+                input.name, why)});
     }
 }
 
@@ -98,7 +106,8 @@ namespace {
 /// Something in the model that is at an absolute temperature or pressure.
 class StartDoubts {
 public:
-    StartDoubts(const Values& values, const System& system, bool knows_inputs, Diagnostics& diagnostics) : at_(values.substitution()), system_(system), diagnostics_(diagnostics) {
+    StartDoubts(const Values& values, const System& system, bool knows_inputs, Diagnostics& diagnostics)
+        : at_(values.substitution()), system_(system), diagnostics_(diagnostics) {
         if (!knows_inputs)
             for (const Variable& input : system.symbols.all(SymbolKind::input)) at_.erase(input.symbol);
     }
@@ -115,14 +124,17 @@ public:
         const auto pascal = number(e);
         if (!pascal || *pascal >= least || is_in_range(*e, *pascal)) return;
         warn(*e, *pascal > 0 ? fmt::format("{} '{}' begins at {:.6g} Pa; did you mean {:.6g} bar?", kind, item.name, *pascal, *pascal)
-                             : fmt::format("{} '{}' begins at {:.6g} Pa; pressures are absolute, so that ambient air is at 1 bar. Did you mean {:.6g} bar, above ambient?", kind, item.name, *pascal, *pascal / 1e5 + 1));
+                             : fmt::format("{} '{}' begins at {:.6g} Pa; pressures are absolute, so that ambient air is at 1 bar. Did you "
+                                           "mean {:.6g} bar, above ambient?",
+                                           kind, item.name, *pascal, *pascal / 1e5 + 1));
     }
 
 private:
     std::optional<double> number(const ExpressionPtr& e) const {
         if (!e) return std::nullopt;
         try {
-            const auto value = value_at(system_.symbols.without_definitions(system_.translate(*e, {})).subs(at_, GiNaC::subs_options::no_pattern), {}, 20);
+            const auto value =
+                value_at(system_.symbols.without_definitions(system_.translate(*e, {})).subs(at_, GiNaC::subs_options::no_pattern), {}, 20);
             return value ? std::optional(cln::double_approx(*value)) : std::nullopt;
         } catch (const Failure&) {  // of a family, or of what the scene leaves out
             return std::nullopt;
@@ -134,7 +146,9 @@ private:
     /// A declared range that reaches there says that it is meant.
     bool is_in_range(const Expression& e, double value) const {
         const Named* named = e.kind == Expression::Kind::name ? system_.names.find(e.name) : nullptr;
-        if (named == nullptr || (named->kind != Named::Kind::parameter && named->kind != Named::Kind::state && named->kind != Named::Kind::input && named->kind != Named::Kind::coordinate)) return false;
+        if (named == nullptr || (named->kind != Named::Kind::parameter && named->kind != Named::Kind::state &&
+                                 named->kind != Named::Kind::input && named->kind != Named::Kind::coordinate))
+            return false;
         const auto& range = named->quantity().range;
         const auto low = range ? number(range->low) : std::nullopt;
         return low && *low > 0 && *low <= value;

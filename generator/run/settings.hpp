@@ -17,7 +17,8 @@ struct Setting {
 /// `option` names the option in diagnostics. Throws Failure (bad-option, syntax, unknown-unit).
 std::vector<Setting> parse_settings(const std::vector<std::string>& texts, const std::string& option);
 
-/// "parameters", or names and values: what --fix asks for. Throws Failure (bad-option, syntax, unknown-unit, unit-mismatch, not-allowed-here).
+/// "parameters", or names and values: what --fix asks for. Throws Failure (bad-option, syntax, unknown-unit, unit-mismatch,
+/// not-allowed-here).
 FixWish parse_fixed(const std::string& text, const Names& names);
 
 /// Applies them. `allowed` says what may be set: bits of Dependence. Throws Failure (unknown-name, unit-mismatch, value-out-of-range).

@@ -34,13 +34,14 @@ std::string name_of_state(const System& system, std::size_t place) {
     if (found != places.positions.end()) return names[static_cast<std::size_t>(found - places.positions.begin())];
     for (std::size_t f = 0; f < places.firsts.size(); ++f) {
         const RodField& field = system.heat.fields[f];
-        if (place >= places.firsts[f] && place < places.firsts[f] + field.geometry.cells()) return fmt::format("{}[{}]", field.states->name, place - places.firsts[f] + static_cast<std::size_t>(field.first_index));
+        if (place >= places.firsts[f] && place < places.firsts[f] + field.geometry.cells())
+            return fmt::format("{}[{}]", field.states->name, place - places.firsts[f] + static_cast<std::size_t>(field.first_index));
     }
     return "";
 }
 
-/// Steps that are too long for the eye make a twentieth; steps that are controlled make some multiple of the tolerance, which grows with the
-/// length of the run. Over 100 periods at 1e-12 all systems keep their energy to 1e-9: see tests/physics/energy.sh.
+/// Steps that are too long for the eye make a twentieth; steps that are controlled make some multiple of the tolerance, which grows with
+/// the length of the run. Over 100 periods at 1e-12 all systems keep their energy to 1e-9: see tests/physics/energy.sh.
 double energy_limit(const SimulationSettings& settings) {
     constexpr double coarse = 0.05, fine = 1e-6, multiple = 1000;
     return settings.step > 0 ? coarse : std::clamp(multiple * settings.tolerance, fine, coarse);
@@ -52,7 +53,8 @@ std::string exact_roots(const Scene& scene) {
     std::string flows;
     for (const auto& member : scene.flows) {
         const Flow& flow = *member.item;
-        const bool is_root = flow.law == Flow::Law::hydraulic_orifice || flow.law == Flow::Law::pneumatic_orifice || (flow.law == Flow::Law::check_valve && flow.area);
+        const bool is_root = flow.law == Flow::Law::hydraulic_orifice || flow.law == Flow::Law::pneumatic_orifice ||
+                             (flow.law == Flow::Law::check_valve && flow.area);
         if (is_root && !flow.width && !flow.switches) flows += fmt::format("{}'{}'", flows.empty() ? "" : ", ", member.name());
     }
     return flows;
@@ -62,13 +64,25 @@ std::string energy_warning(const PreparedSimulation& prepared, const SimulationR
     const SimulationSettings& settings = prepared.settings;
     std::string cause;
     if (settings.step > 0) cause = fmt::format("steps of {:g} s are likely to be too long: try a shorter --step", settings.step);
-    else if (settings.tolerance > 1e-7) cause = fmt::format("the tolerance of {:g} is likely to be too coarse: try --tolerance {:g}", settings.tolerance, settings.tolerance / 1000);
-    else if (!steps_freely(*prepared.machine.system, settings.inputs) && report.steps <= 2 * static_cast<std::size_t>(settings.intervals) && report.rejected * 10 < report.steps)
-        cause = fmt::format("something shorter than the steps of some {:.2g} s, a pulse or a jump, was likely stepped over: try more --samples", report.t / static_cast<double>(std::max<std::size_t>(1, report.steps)));
+    else if (settings.tolerance > 1e-7)
+        cause = fmt::format("the tolerance of {:g} is likely to be too coarse: try --tolerance {:g}", settings.tolerance,
+                            settings.tolerance / 1000);
+    else if (!steps_freely(*prepared.machine.system, settings.inputs) && report.steps <= 2 * static_cast<std::size_t>(settings.intervals) &&
+             report.rejected * 10 < report.steps)
+        cause =
+            fmt::format("something shorter than the steps of some {:.2g} s, a pulse or a jump, was likely stepped over: try more --samples",
+                        report.t / static_cast<double>(std::max<std::size_t>(1, report.steps)));
     else if (const std::string roots = exact_roots(prepared.machine.system->scene); !roots.empty())
-        cause = fmt::format("near balance flows like a root, here {}, have fewer digits than the pressures: try a smaller --tolerance, or a `width` (a pressure)", roots);
-    else cause = "something jumps that the steps do not see, or digits cancel: try a smaller --tolerance, and declare the jump as an event, a mode or a function of time with `step`, `pulse` or `if`";
-    return fmt::format("the energy error of {:.2g} is above the limit of {:g}, so that the results are not to be trusted; {}", report.energy_error, report.energy_limit, cause);
+        cause = fmt::format(
+            "near balance flows like a root, here {}, have fewer digits than the pressures: try a smaller --tolerance, or a `width` (a "
+            "pressure)",
+            roots);
+    else
+        cause =
+            "something jumps that the steps do not see, or digits cancel: try a smaller --tolerance, and declare the jump as an event, a "
+            "mode or a function of time with `step`, `pulse` or `if`";
+    return fmt::format("the energy error of {:.2g} is above the limit of {:g}, so that the results are not to be trusted; {}",
+                       report.energy_error, report.energy_limit, cause);
 }
 
 std::string scene_of_run(const Model& model, const std::string& run) {
@@ -87,12 +101,15 @@ std::pair<Values, std::vector<ex>> start_of_run(const System& system, const Opti
     return {values, preparation.inputs_at_start(values, system)};
 }
 
-PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options, const char* verb, bool tries_series) {
+PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options, const char* verb,
+                        bool tries_series) {
     const RunPreparation preparation(model->model, options);
     Machine machine = derive_machine(model, preparation.scene(scene), options.choice.sizes);
     const System& system = *machine.system;
     refuse_rest(system, verb);
-    const SeriesWish wish = tries_series ? SeriesWish::if_possible : preparation.method() == "taylor" ? SeriesWish::wanted : SeriesWish::none;
+    const SeriesWish wish = tries_series                       ? SeriesWish::if_possible
+                            : preparation.method() == "taylor" ? SeriesWish::wanted
+                                                               : SeriesWish::none;
     Header header = generate(machine, wish);
     Values values(system.scene, system.translate);
     preparation.set_values(values, system);
@@ -128,7 +145,9 @@ PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& 
     return prepared;
 }
 
-CostMeasurement::CostMeasurement(const PreparedSimulation& prepared) : folder_(std::make_unique<ScratchFolder>()) { compile_with_header(*folder_, prepared.header, prepared.cost, "-O2"); }
+CostMeasurement::CostMeasurement(const PreparedSimulation& prepared) : folder_(std::make_unique<ScratchFolder>()) {
+    compile_with_header(*folder_, prepared.header, prepared.cost, "-O2");
+}
 
 void CostMeasurement::measure() {
     const auto result = run_compiled(*folder_, {});
@@ -145,7 +164,8 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
     report.t = std::stod(result.at("t"));
     report.events = std::stoul(result.at("events"));
     const auto& guards = prepared.machine.system->guards;
-    if (const std::size_t guard = std::stoul(result.at("guard")); guard < guards.size() && prepared.machine.system->scene.modes.empty()) report.guard = guards[guard].doc;
+    if (const std::size_t guard = std::stoul(result.at("guard")); guard < guards.size() && prepared.machine.system->scene.modes.empty())
+        report.guard = guards[guard].doc;
     report.steps = std::stoul(result.at("steps"));
     report.rejected = std::stoul(result.at("rejected"));
     report.rhs_calls = std::stoul(result.at("rhs_calls"));
@@ -171,14 +191,17 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
         report.guard = event < events.size() && !report.ended && report.status == "event" ? events[event].doc : "";
         if (report.ended && !events[event].doc.empty()) report.message += ": " + events[event].doc;
     }
-    if (report.status == "constraint broken" || report.status == "singular position") report.constraint = prepared.machine.system->constraints[std::stoul(result.at("constraint"))].item->name;
+    if (report.status == "constraint broken" || report.status == "singular position")
+        report.constraint = prepared.machine.system->constraints[std::stoul(result.at("constraint"))].item->name;
     if (report.status == "not finite" || report.status == "step too small") {
         report.culprit = name_of_state(*prepared.machine.system, std::stoul(result.at("state")));
     }
-    report.files = {{folder / prepared.header.file_name, prepared.header.text}, {folder / (prepared.name + ".csv"), read_file(base.string() + ".csv")}};
+    report.files = {{folder / prepared.header.file_name, prepared.header.text},
+                    {folder / (prepared.name + ".csv"), read_file(base.string() + ".csv")}};
     if (report.lost) report.files.emplace_back(folder / (prepared.name + "_events.csv"), read_file(base.string() + "_events.csv"));
     if (report.drawn)
-        for (const char* ending : {".svg", ".png"}) report.files.emplace_back(folder / (prepared.name + ending), read_file(base.string() + ending));
+        for (const char* ending : {".svg", ".png"})
+            report.files.emplace_back(folder / (prepared.name + ending), read_file(base.string() + ending));
     return report;
 }
 

@@ -43,7 +43,8 @@ struct SimulationReport {
     std::size_t rhs_calls = 0;
     std::vector<std::pair<std::string, std::size_t>> methods;  ///< and their steps, where they were chosen by stiffness
     double energy_error = 0; ///< max |E - E(0) - work| / max(T + |V| + |internal energy|)
-    std::optional<double> euler_step;  ///< s, of heat: up to which the explicit Euler method is stable at the start; nothing where it is not known
+    std::optional<double>
+        euler_step;  ///< s, of heat: up to which the explicit Euler method is stable at the start; nothing where it is not known
     std::optional<double> lost;        ///< J, of what switches: at events, as by impacts
     std::string message;               ///< of what switches: how the run ended, for people
     std::string mode;                  ///< of what switches: in which it ended
@@ -68,7 +69,8 @@ std::string scene_for_run(const Model& model, const Options& options);
 std::pair<Values, std::vector<GiNaC::ex>> start_of_run(const System& system, const Options& options);
 /// Derives and generates, with series of the motion where the method needs them, or where `tries_series` and that is possible. `verb` is
 /// named where nothing moves. Throws Failure.
-PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options, const char* verb, bool tries_series = false);
+PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options, const char* verb,
+                        bool tries_series = false);
 /// The same with the program of a simulation.
 PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options);
 

@@ -32,8 +32,12 @@ Rows read_rows(const std::string& text) {
 
 bool is_end(const std::string& status) { return status == "success" || status == "event"; }
 
-std::size_t count(const std::map<std::string, std::string>& said, const char* key) { return said.contains(key) ? std::stoul(said.at(key)) : 0; }
-double number(const std::map<std::string, std::string>& said, const char* key) { return said.contains(key) ? std::strtod(said.at(key).c_str(), nullptr) : 0; }
+std::size_t count(const std::map<std::string, std::string>& said, const char* key) {
+    return said.contains(key) ? std::stoul(said.at(key)) : 0;
+}
+double number(const std::map<std::string, std::string>& said, const char* key) {
+    return said.contains(key) ? std::strtod(said.at(key).c_str(), nullptr) : 0;
+}
 
 /// FNV-1a.
 std::uint64_t hash(std::uint64_t start, const std::string& text) {
@@ -80,28 +84,33 @@ std::vector<double> scales_of(const Rows& rows, const Rows& worse) {
     return scales;
 }
 
-WorkPrecision::WorkPrecision(PreparedRun run, const Limits& limits, const std::vector<std::string>& measured) : run_(std::move(run)), limits_(limits) {
+WorkPrecision::WorkPrecision(PreparedRun run, const Limits& limits, const std::vector<std::string>& measured)
+    : run_(std::move(run)), limits_(limits) {
     Code& code = *run_.machine.code;
     source_ = work_precision_source(code, run_.header, run_.values, run_.settings, measured);
     reference_source_ = work_precision_source(code, run_.header, run_.values, run_.settings, {"double", "long_double", "digits50"});
     program_ = std::make_unique<ScratchFolder>();
     reference_program_ = std::make_unique<ScratchFolder>();
-    auto other = std::async(std::launch::async, [this] { compile_with_header(*reference_program_, run_.header, reference_source_, "-O1"); });
+    auto other =
+        std::async(std::launch::async, [this] { compile_with_header(*reference_program_, run_.header, reference_source_, "-O1"); });
     compile_with_header(*program_, run_.header, source_, "-O2");
     other.get();
 }
 
 std::uint64_t WorkPrecision::fingerprint() const {
     std::uint64_t result = 14695981039346656037ULL;
-    for (const std::string& text : {run_.header.text, source_, reference_source_, fmt::format("{} {}", limits_.run, limits_.repeat)}) result = hash(result, text);
+    for (const std::string& text : {run_.header.text, source_, reference_source_, fmt::format("{} {}", limits_.run, limits_.repeat)})
+        result = hash(result, text);
     return result;
 }
 
-WorkPrecision::Made WorkPrecision::make(const ScratchFolder& program, const RunPlan& plan, double disturbance, double limit, double repeat) const {
+WorkPrecision::Made WorkPrecision::make(const ScratchFolder& program, const RunPlan& plan, double disturbance, double limit,
+                                        double repeat) const {
     const std::string file = program.path() + "/rows";
     const auto text = [](double value) { return fmt::format("{}", value); };
     Made made;
-    made.said = run_compiled(program, {plan.arithmetic, plan.method, text(plan.tolerance > 0 ? plan.tolerance : 1), text(plan.step), std::to_string(points), text(disturbance), text(limit), text(repeat), file});
+    made.said = run_compiled(program, {plan.arithmetic, plan.method, text(plan.tolerance > 0 ? plan.tolerance : 1), text(plan.step),
+                                       std::to_string(points), text(disturbance), text(limit), text(repeat), file});
     if (made.said.at("status") != "too slow") made.rows = read_rows(read_file(file));
     return made;
 }
@@ -152,7 +161,10 @@ void WorkPrecision::integrate_reference() {
     if (try_reference({"long_double", "rodas5p", 1e-14, 0}, 100)) return;
     if (try_reference({"double", "rodas5p", 1e-12, 0}, 100)) return;
     if (try_reference({"double", "dop853", 1e-13, 0}, 100)) return;
-    throw RunStopped(fmt::format("{}: no method makes a reference of the run to t = {} s within {} s; the run may stop, or is too long: see `dalembert simulate`, --until and --limit", run_.name, run_.settings.until, limits_.reference));
+    throw RunStopped(
+        fmt::format("{}: no method makes a reference of the run to t = {} s within {} s; the run may stop, or is too long: see `dalembert "
+                    "simulate`, --until and --limit",
+                    run_.name, run_.settings.until, limits_.reference));
 }
 
 WorkPoint WorkPrecision::measure(const RunPlan& plan) const {
@@ -181,13 +193,15 @@ WorkPoint WorkPrecision::measure(const RunPlan& plan) const {
     return point;
 }
 
-std::optional<RunPlan> WorkPrecision::next(const std::string& arithmetic, const std::string& method, const std::vector<WorkPoint>& before) const {
+std::optional<RunPlan> WorkPrecision::next(const std::string& arithmetic, const std::string& method,
+                                           const std::vector<WorkPoint>& before) const {
     if (!before.empty() && (before.back().status == "too slow" || before.back().status == "bad options")) return std::nullopt;
     const double coarsest = 1e-2, finest = arithmetic == "float" ? 1e-7 : 1e-13;
     if (!needs_step(method)) {
         const double tolerance = coarsest * std::pow(10.0, -static_cast<double>(before.size()));
         // Two that could not be met: those behind cannot either.
-        if (before.size() > 1 && !before.back().is_good && !before[before.size() - 2].is_good && before.front().is_good) return std::nullopt;
+        if (before.size() > 1 && !before.back().is_good && !before[before.size() - 2].is_good && before.front().is_good)
+            return std::nullopt;
         if (tolerance < finest / 2) return std::nullopt;
         return RunPlan{arithmetic, method, std::strtod(fmt::format("{:.0e}", tolerance).c_str(), nullptr), 0};
     }

@@ -25,7 +25,8 @@ struct WorkPoint {
     std::string status;       ///< "success", "event", or why there is no result
     double t = 0;             ///< s, where it ended
     std::size_t steps = 0, rejected = 0, rhs_calls = 0;
-    double microseconds = 0, fastest = 0, slowest = 0;  ///< of the whole run: the median of its repetitions, and the range of nine in ten of them
+    double microseconds = 0, fastest = 0,
+           slowest = 0;       ///< of the whole run: the median of its repetitions, and the range of nine in ten of them
     double error_at_end = 0;  ///< largest of all columns
     double error = 0;         ///< the same, on the way
     double energy_error = 0;  ///< max |E - E(0) - work| / max energy, on the way

@@ -38,7 +38,8 @@ public:
     void changes(const Effects& before) const {
         for (const auto& [name, is_added] : wish_.changes)
             if (before.contains(name) == is_added)
-                fail(fmt::format("scene '{}' {} '{}' anyway, so that it cannot {}", wish_.base, is_added ? "has" : "is without", name, is_added ? "be added" : "be left out"));
+                fail(fmt::format("scene '{}' {} '{}' anyway, so that it cannot {}", wish_.base, is_added ? "has" : "is without", name,
+                                 is_added ? "be added" : "be left out"));
     }
 
     void together(const Effects& effects) const {
@@ -46,18 +47,26 @@ public:
         for (const Effect& effect : model_.effects) {
             if (!effects.contains(effect.name)) continue;
             for (const auto& [implied, span] : effect.implies)
-                if (!effects.contains(implied)) fail(fmt::format("scene '{}' leaves out '{}', which '{}' implies", wish_.text, implied, effect.name), {{span, "it is implied here"}});
+                if (!effects.contains(implied))
+                    fail(fmt::format("scene '{}' leaves out '{}', which '{}' implies", wish_.text, implied, effect.name),
+                         {{span, "it is implied here"}});
             for (const auto& [excluded, span] : effect.excludes)
-                if (effects.contains(excluded)) fail(fmt::format("scene '{}' calls for '{}' and '{}', which exclude each other", wish_.text, effect.name, excluded), {{span, "it is excluded here"}});
+                if (effects.contains(excluded))
+                    fail(fmt::format("scene '{}' calls for '{}' and '{}', which exclude each other", wish_.text, effect.name, excluded),
+                         {{span, "it is excluded here"}});
             if (effect.level_of.empty()) continue;
             const auto [other, is_first] = levels.emplace(effect.level_of, effect.name);
             if (!is_first)
-                fail(fmt::format("scene '{}' calls for '{}' and '{}', two levels of '{}'", wish_.text, other->second, effect.name, effect.level_of), {{effect.span, fmt::format("'{}' is declared here", effect.name)}});
+                fail(fmt::format("scene '{}' calls for '{}' and '{}', two levels of '{}'", wish_.text, other->second, effect.name,
+                                 effect.level_of),
+                     {{effect.span, fmt::format("'{}' is declared here", effect.name)}});
         }
     }
 
 private:
-    [[noreturn]] void fail(std::string message, std::vector<Note> notes = {}) const { throw Failure(Diagnostic{Id::scene_contradiction, place_, std::move(message), std::move(notes)}); }
+    [[noreturn]] void fail(std::string message, std::vector<Note> notes = {}) const {
+        throw Failure(Diagnostic{Id::scene_contradiction, place_, std::move(message), std::move(notes)});
+    }
 
     const Model& model_;
     const SceneWish& wish_;

@@ -22,8 +22,8 @@ struct SceneWish {
 /// The scene of the model with that name, null where there is none.
 const SceneChoice* find_choice(const Model& model, const std::string& name);
 
-/// The effects of a scene with all that they imply. Throws Failure (scene-contradiction) for those that cannot be together, and for an effect
-/// that cannot be added or left out.
+/// The effects of a scene with all that they imply. Throws Failure (scene-contradiction) for those that cannot be together, and for an
+/// effect that cannot be added or left out.
 std::set<std::string> effects_of(const Model& model, const SceneWish& wish);
 
 }  // namespace dalembert

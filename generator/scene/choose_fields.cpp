@@ -21,7 +21,8 @@ bool mentions(const Expression& e, const std::string& name) {
 
 /// T[k], for a name k.
 bool is_cell(const Expression& e, const std::string& index) {
-    return e.kind == Expression::Kind::name && e.children.size() == 1 && e.children[0]->kind == Expression::Kind::name && e.children[0]->name == index;
+    return e.kind == Expression::Kind::name && e.children.size() == 1 && e.children[0]->kind == Expression::Kind::name &&
+           e.children[0]->name == index;
 }
 
 }  // namespace
@@ -31,7 +32,8 @@ const Field* summed_cells(const Expression& sum, const Scene& scene) {
     const Field* result = nullptr;
     bool others = false;
     for_each(*sum.children[2], [&](const Expression& e) {
-        const bool counts = e.kind == Expression::Kind::name && std::any_of(e.children.begin(), e.children.end(), [&](const auto& index) { return mentions(*index, sum.name); });
+        const bool counts = e.kind == Expression::Kind::name && std::any_of(e.children.begin(), e.children.end(),
+                                                                            [&](const auto& index) { return mentions(*index, sum.name); });
         if (!counts) return;
         const auto field = std::find_if(scene.fields.begin(), scene.fields.end(), [&](const Field& f) { return f.states->name == e.name; });
         others = others || !is_cell(e, sum.name) || field == scene.fields.end() || (result != nullptr && result != &*field);
@@ -44,12 +46,14 @@ void FieldChoice::find_all(const Names& names) {
     for (const auto& member : scene_.rods) {
         const auto& states = static_cast<const State&>(*names.find(member.item->temperature.name)->item);
         const auto [from, to] = bounds(*states.family, scene_);
-        if (member.item->loops.value_or(to - from + 1 > most_written_out) && to > from) scene_.fields.push_back({member.item, &states, from, to, {from, to}});
+        if (member.item->loops.value_or(to - from + 1 > most_written_out) && to > from)
+            scene_.fields.push_back({member.item, &states, from, to, {from, to}});
     }
 }
 
 Field* FieldChoice::find(const std::string& name) {
-    const auto found = std::find_if(scene_.fields.begin(), scene_.fields.end(), [&](const Field& f) { return f.states->name == name || f.rod->name == name; });
+    const auto found = std::find_if(scene_.fields.begin(), scene_.fields.end(),
+                                    [&](const Field& f) { return f.states->name == name || f.rod->name == name; });
     return found == scene_.fields.end() ? nullptr : &*found;
 }
 
@@ -57,10 +61,14 @@ void FieldChoice::tap(const Expression& name) {
     Field* field = find(name.name);
     if (field == nullptr || name.children.size() != 1) return;
     bool counts = false;
-    for_each(*name.children[0], [&](const Expression& part) { counts = counts || (part.kind == Expression::Kind::name && !scene_.sizes.contains(part.name)); });
+    for_each(*name.children[0], [&](const Expression& part) {
+        counts = counts || (part.kind == Expression::Kind::name && !scene_.sizes.contains(part.name));
+    });
     if (counts)
-        throw Failure(Diagnostic{Id::too_large, name.span,
-                                 fmt::format("'{}' asks for all of the {} cells of rod '{}', which are computed in a loop; name single cells", name.written(), field->to - field->from + 1, field->rod->name)});
+        throw Failure(
+            Diagnostic{Id::too_large, name.span,
+                       fmt::format("'{}' asks for all of the {} cells of rod '{}', which are computed in a loop; name single cells",
+                                   name.written(), field->to - field->from + 1, field->rod->name)});
     tap(*field, *name.children[0], {});
 }
 
@@ -85,7 +93,9 @@ void FieldChoice::tap_neighbours(const Expression& rate) {
         Field* field = e.kind == Expression::Kind::name && e.children.size() == 1 ? find(e.name) : nullptr;
         if (field == nullptr) return;
         bool is_single = true;
-        for_each(*e.children[0], [&](const Expression& part) { is_single = is_single && (part.kind != Expression::Kind::name || scene_.sizes.contains(part.name)); });
+        for_each(*e.children[0], [&](const Expression& part) {
+            is_single = is_single && (part.kind != Expression::Kind::name || scene_.sizes.contains(part.name));
+        });
         const int cell = is_single ? index_value(*e.children[0], scene_, {}) : field->from;
         for (const int next : {cell - 1, cell + 1})
             if (next >= field->from && next <= field->to) field->tapped.insert(next);
@@ -95,7 +105,9 @@ void FieldChoice::tap_neighbours(const Expression& rate) {
 void FieldChoice::tap(Field& field, const Expression& index, const Indices& indices) {
     const int value = index_value(index, scene_, indices);
     if (value < field.from || value > field.to)
-        throw Failure(Diagnostic{Id::index_out_of_range, index.span, fmt::format("rod '{}' has the cells {} to {}, but {} is asked for", field.rod->name, field.from, field.to, value)});
+        throw Failure(
+            Diagnostic{Id::index_out_of_range, index.span,
+                       fmt::format("rod '{}' has the cells {} to {}, but {} is asked for", field.rod->name, field.from, field.to, value)});
     field.tapped.insert(value);
 }
 

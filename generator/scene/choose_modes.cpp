@@ -26,11 +26,14 @@ bool jumps_with_modes(const Expression& e, const Scene& scene, std::set<std::str
     for_each(e, [&](const Expression& part) {
         if (part.kind == Expression::Kind::call && part.name == "ddot") result = true;
         if (part.kind != Expression::Kind::name || result || !followed.insert(part.name).second) return;
-        result = part.name == "constraint_force" || std::any_of(scene.mode_groups.begin(), scene.mode_groups.end(), [&](const ModeGroup* group) {
-                     return std::any_of(group->modes.begin(), group->modes.end(), [&](const Mode& mode) { return mode.name == part.name; });
-                 });
-        const auto definition = std::find_if(scene.model->definitions.begin(), scene.model->definitions.end(), [&](const Definition& d) { return d.name == part.name; });
-        if (!result && definition != scene.model->definitions.end() && definition->value) result = jumps_with_modes(*definition->value, scene, followed);
+        result =
+            part.name == "constraint_force" || std::any_of(scene.mode_groups.begin(), scene.mode_groups.end(), [&](const ModeGroup* group) {
+                return std::any_of(group->modes.begin(), group->modes.end(), [&](const Mode& mode) { return mode.name == part.name; });
+            });
+        const auto definition = std::find_if(scene.model->definitions.begin(), scene.model->definitions.end(),
+                                             [&](const Definition& d) { return d.name == part.name; });
+        if (!result && definition != scene.model->definitions.end() && definition->value)
+            result = jumps_with_modes(*definition->value, scene, followed);
     });
     return result;
 }
@@ -39,7 +42,8 @@ bool jumps_with_modes(const Expression& e, const Scene& scene, std::set<std::str
 bool may_be_driven_out(const Scene& scene, const ModeGroup& group) {
     return std::any_of(scene.events.begin(), scene.events.end(), [&](const auto& event) {
         std::set<std::string> followed;
-        return std::any_of(group.modes.begin(), group.modes.end(), [&](const Mode& mode) { return leads_to(*event.item, mode.name); }) && jumps_with_modes(*event.item->guard, scene, followed);
+        return std::any_of(group.modes.begin(), group.modes.end(), [&](const Mode& mode) { return leads_to(*event.item, mode.name); }) &&
+               jumps_with_modes(*event.item->guard, scene, followed);
     });
 }
 
@@ -85,18 +89,27 @@ std::vector<std::size_t> nearest_modes(const Scene& scene, const std::vector<con
 void check_group(const Scene& scene, const ModeGroup& group) {
     for (const Mode& mode : group.modes) {
         const bool is_first = &mode == &group.modes.front();
-        const bool is_reached = std::any_of(scene.events.begin(), scene.events.end(), [&](const auto& e) { return leads_to(*e.item, mode.name); });
+        const bool is_reached =
+            std::any_of(scene.events.begin(), scene.events.end(), [&](const auto& e) { return leads_to(*e.item, mode.name); });
         if (!is_first && !is_reached)
-            throw Failure(Diagnostic{Id::wrong_modes, mode.span, fmt::format("no event leads to the mode '{}'; only the first mode of '{}' may be one that a run starts in and never comes back to", mode.name, group.name)});
+            throw Failure(Diagnostic{
+                Id::wrong_modes, mode.span,
+                fmt::format(
+                    "no event leads to the mode '{}'; only the first mode of '{}' may be one that a run starts in and never comes back to",
+                    mode.name, group.name)});
         const auto leaves = [&](const Event& event) {
-            const bool is_elsewhere = std::any_of(group.modes.begin(), group.modes.end(), [&](const Mode& other) { return &other != &mode && leads_to(event, other.name); });
+            const bool is_elsewhere = std::any_of(group.modes.begin(), group.modes.end(),
+                                                  [&](const Mode& other) { return &other != &mode && leads_to(event, other.name); });
             if (!event.ends && !is_elsewhere) return false;
             for (std::size_t i = 0; i < scene.modes.size(); ++i)
                 if (scene.modes[i].is_in(mode.name) && scene.holds(event.when, i)) return true;
             return false;
         };
         if (!mode.is_final && std::none_of(scene.events.begin(), scene.events.end(), [&](const auto& e) { return leaves(*e.item); }))
-            throw Failure(Diagnostic{Id::wrong_modes, mode.span, fmt::format("no event leaves the mode '{0}' or ends a run there; if that is meant, list it: final = [\"{0}\"]", mode.name)});
+            throw Failure(
+                Diagnostic{Id::wrong_modes, mode.span,
+                           fmt::format("no event leaves the mode '{0}' or ends a run there; if that is meant, list it: final = [\"{0}\"]",
+                                       mode.name)});
     }
 }
 
@@ -119,13 +132,17 @@ void choose_modes(Scene& scene) {
                 longer.back().parts.push_back(&part);
             }
         if (longer.size() > budget::mode_combinations)
-            throw Failure(Diagnostic{Id::too_large, group->span, fmt::format("scene '{}' has {} combinations of modes or more, this version looks at {} at most: each of '{}' goes with each of the other groups", scene.name, longer.size(), budget::mode_combinations, group->name)});
+            throw Failure(Diagnostic{Id::too_large, group->span,
+                                     fmt::format("scene '{}' has {} combinations of modes or more, this version looks at {} at most: each "
+                                                 "of '{}' goes with each of the other groups",
+                                                 scene.name, longer.size(), budget::mode_combinations, group->name)});
         scene.modes = std::move(longer);
     }
     std::set<std::string> names;
     for (const SceneMode& mode : scene.modes)
         if (!names.insert(mode.name).second)
-            throw Failure(Diagnostic{Id::doubly_defined, mode.parts.front()->span, fmt::format("two combinations of modes are called '{}'; give their modes other names", mode.name)});
+            throw Failure(Diagnostic{Id::doubly_defined, mode.parts.front()->span,
+                                     fmt::format("two combinations of modes are called '{}'; give their modes other names", mode.name)});
 }
 
 void complete_modes(Scene& scene) {
@@ -151,14 +168,17 @@ std::vector<std::size_t> Scene::modes_beside(const Event& event, const std::vect
     for (const ModeGroup* group : mode_groups) may_follow.push_back(changes_velocities || may_be_driven_out(*this, *group));
     for (const Condition& condition : next)
         if (const auto wanted = wanted_parts(*this, condition))
-            for (std::size_t group = 0; group < mode_groups.size(); ++group) is_named[group] = is_named[group] || (*wanted)[group] != nullptr;
+            for (std::size_t group = 0; group < mode_groups.size(); ++group)
+                is_named[group] = is_named[group] || (*wanted)[group] != nullptr;
     std::vector<std::size_t> result;
     for (const std::size_t to : direct)
         for (std::size_t i = 0; i < modes.size(); ++i) {
             // The parts that the event itself changes, or may leave as they are, are those of a direct one.
             bool is_beside = true;
             for (std::size_t group = 0; group < modes[i].parts.size(); ++group) {
-                const bool is_of_event = is_named[group] && std::any_of(direct.begin(), direct.end(), [&](std::size_t d) { return modes[d].parts[group] != modes[from].parts[group]; });
+                const bool is_of_event = is_named[group] && std::any_of(direct.begin(), direct.end(), [&](std::size_t d) {
+                                             return modes[d].parts[group] != modes[from].parts[group];
+                                         });
                 const bool may_differ = !is_of_event && may_follow[group];
                 is_beside = is_beside && (may_differ || modes[i].parts[group] == modes[to].parts[group]);
             }

@@ -42,9 +42,11 @@ void fix_parameters(Scene& scene, const Names& names, const FixWish& wish) {
     if (wish.all)
         for (const std::string& name : known) scene.fixed[name] = nullptr;
     for (const auto& [name, value] : wish.some) {
-        if (name->kind != Expression::Kind::name || !name->children.empty() || std::find(known.begin(), known.end(), name->name) == known.end())
-            throw Failure(Diagnostic{Id::unknown_name, name->span,
-                                     fmt::format("'{}' is no parameter that scene '{}' has{}", name->written(), scene.name, did_you_mean(name->name, known))});
+        if (name->kind != Expression::Kind::name || !name->children.empty() ||
+            std::find(known.begin(), known.end(), name->name) == known.end())
+            throw Failure(Diagnostic{
+                Id::unknown_name, name->span,
+                fmt::format("'{}' is no parameter that scene '{}' has{}", name->written(), scene.name, did_you_mean(name->name, known))});
         if (!scene.fixed.emplace(name->name, value).second)
             throw Failure(Diagnostic{Id::bad_option, name->span, fmt::format("'{}' is fixed twice", name->name)});
     }

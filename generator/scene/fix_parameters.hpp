@@ -17,8 +17,8 @@ struct FixWish {
     std::vector<One> some;
 };
 
-/// Takes them out of the scene's parameters, and the definitions that depend on nothing else out of its definitions: both are inserted where
-/// they are used. Throws Failure (unknown-name, bad-option) for what is no parameter of the scene, and what is named twice.
+/// Takes them out of the scene's parameters, and the definitions that depend on nothing else out of its definitions: both are inserted
+/// where they are used. Throws Failure (unknown-name, bad-option) for what is no parameter of the scene, and what is named twice.
 void fix_parameters(Scene& scene, const Names& names, const FixWish& wish);
 
 /// The same for a scene with other effects; what it does not have is passed over.

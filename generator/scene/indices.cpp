@@ -54,9 +54,12 @@ std::pair<int, int> bounds(const Family& family, const Scene& scene) {
 
 void SumTerms::add(const Expression& sum, int from, int to) {
     const long long terms = static_cast<long long>(to) - from + 1;
-    if (terms > budget::sum_terms) throw Failure(Diagnostic{Id::too_large, sum.span, fmt::format("the sum has more than {} terms", budget::sum_terms)});
+    if (terms > budget::sum_terms)
+        throw Failure(Diagnostic{Id::too_large, sum.span, fmt::format("the sum has more than {} terms", budget::sum_terms)});
     all_ += std::max(terms, 0LL);
-    if (all_ > budget::all_sum_terms) throw Failure(Diagnostic{Id::too_large, sum.span, fmt::format("with the sums around it, the sum has more than {} terms in all", budget::all_sum_terms)});
+    if (all_ > budget::all_sum_terms)
+        throw Failure(Diagnostic{Id::too_large, sum.span,
+                                 fmt::format("with the sums around it, the sum has more than {} terms in all", budget::all_sum_terms)});
 }
 
 const ExpressionPtr& value_of(const Member<Parameter>& member, const Scene& scene) {
@@ -67,7 +70,8 @@ const ExpressionPtr& value_of(const Member<Parameter>& member, const Scene& scen
     const auto count = static_cast<std::size_t>(to - from + 1);
     if (parameter.values.size() != count)
         throw Failure(Diagnostic{Id::wrong_arguments, parameter.span,
-                                 fmt::format("parameter '{}' has {} values, but {} member{}", parameter.name, parameter.values.size(), count, count == 1 ? "" : "s")});
+                                 fmt::format("parameter '{}' has {} values, but {} member{}", parameter.name, parameter.values.size(),
+                                             count, count == 1 ? "" : "s")});
     return parameter.values[static_cast<std::size_t>(member.index - from)];
 }
 

@@ -72,12 +72,16 @@ std::string resolve_scene(const Model& model, const std::string& wanted) {
         std::vector<std::string> effects;
         for (const Effect& declared : model.effects) effects.push_back(declared.name);
         if (std::find(effects.begin(), effects.end(), effect) == effects.end())
-            fail(Id::unknown_name, model.name_span, fmt::format("model '{}' has no effect '{}' that '{}' could {}{}", model.name, effect, wanted, is_added ? "add" : "leave out", effects.empty() ? "; it has none at all" : "; its effects are " + quoted_list(effects)));
+            fail(Id::unknown_name, model.name_span,
+                 fmt::format("model '{}' has no effect '{}' that '{}' could {}{}", model.name, effect, wanted,
+                             is_added ? "add" : "leave out",
+                             effects.empty() ? "; it has none at all" : "; its effects are " + quoted_list(effects)));
     }
     if (wish.base.empty()) {
         if (known.size() == 1) return known.front() + wanted;
         if (!model.default_scene.empty()) return model.default_scene + wanted;
-        fail(Id::scene_needed, model.name_span, fmt::format("model '{}' has the scenes {}; choose one with --scene", model.name, quoted_list(known)));
+        fail(Id::scene_needed, model.name_span,
+             fmt::format("model '{}' has the scenes {}; choose one with --scene", model.name, quoted_list(known)));
     }
     if (std::find(known.begin(), known.end(), wish.base) == known.end())
         fail(Id::unknown_scene, Span{std::make_shared<const Source>("--scene", wanted), 0, wish.base.size()},
@@ -96,7 +100,8 @@ void warn_of_unused(const Model& model, Diagnostics& diagnostics) {
     for (const Block& block : model.blocks) used.insert(block.temperature.name);
     const auto warn = [&](const auto& items, const char* kind) {
         for (const auto& item : items)
-            if (!used.contains(item.name)) diagnostics.warning(Id::unused, item.span, fmt::format("nothing uses the {} '{}'", kind, item.name));
+            if (!used.contains(item.name))
+                diagnostics.warning(Id::unused, item.span, fmt::format("nothing uses the {} '{}'", kind, item.name));
     };
     warn(model.parameters, "parameter");
     warn(model.definitions, "definition");

@@ -93,7 +93,8 @@ struct Scene {
     bool holds(const std::optional<Condition>& when) const;
     bool holds(const std::optional<Condition>& when, std::size_t in_mode) const;
     /// The modes that an event leads to, in order of preference. Where the scene lacks one of them, those take its place that have what
-    /// the event asks for and differ from it in the fewest other groups: what meets a stop sticks there. None at all: the one it comes from.
+    /// the event asks for and differ from it in the fewest other groups: what meets a stop sticks there. None at all: the one it comes
+    /// from.
     std::vector<std::size_t> modes_after(const std::vector<Condition>& next, std::size_t from) const;
     /// Further modes that an event with these next ones may lead to, because it drives other parts of the machine out of theirs:
     /// an impact turns a velocity round, so that friction acts the other way; a force that a profile switches on tears loose
@@ -130,8 +131,8 @@ int index_value(const Expression& expression, const Scene& scene, const Indices&
 /// The bounds of a family. Throws Failure (too-large) beyond 10000 members.
 std::pair<int, int> bounds(const Family& family, const Scene& scene);
 
-/// What a member of a parameter is: the value that it is fixed to, or else its default. Throws Failure (wrong-arguments) when there are not as
-/// many defaults as members.
+/// What a member of a parameter is: the value that it is fixed to, or else its default. Throws Failure (wrong-arguments) when there are not
+/// as many defaults as members.
 const ExpressionPtr& value_of(const Member<Parameter>& member, const Scene& scene);
 
 /// A parameter, or all members of a family.

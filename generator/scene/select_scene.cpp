@@ -44,9 +44,11 @@ public:
         scene_.base = wish.base;
         scene_.wish = name;
         if (const SceneChoice* choice = find_choice(model, wish.base)) scene_.doc = choice->doc;
-        for (const auto& [effect, is_added] : wish.changes) scene_.doc += fmt::format("{}{} '{}'", scene_.doc.empty() ? "" : ", ", is_added ? "with" : "without", effect);
+        for (const auto& [effect, is_added] : wish.changes)
+            scene_.doc += fmt::format("{}{} '{}'", scene_.doc.empty() ? "" : ", ", is_added ? "with" : "without", effect);
         effects_ = effects_of(model, wish);
-        for (const Effect& effect : model.effects) (effects_.contains(effect.name) ? scene_.effects_in : scene_.effects_out).push_back(&effect);
+        for (const Effect& effect : model.effects)
+            (effects_.contains(effect.name) ? scene_.effects_in : scene_.effects_out).push_back(&effect);
     }
 
     void set_sizes(const std::map<std::string, int>& wanted) {
@@ -61,12 +63,14 @@ public:
             const auto given = wanted.find(size.name);
             const int value = given != wanted.end() ? given->second : index_value(*size.value, scene_, {});
             scene_.sizes[size.name] = value;
-            if (value < 0) fail(Id::value_out_of_range, size.span, fmt::format("size '{}' is {}; a size is not negative", size.name, value));
+            if (value < 0)
+                fail(Id::value_out_of_range, size.span, fmt::format("size '{}' is {}; a size is not negative", size.name, value));
             if (!size.range) continue;
             const bool too_small = size.range->low && value < index_value(*size.range->low, scene_, {});
             const bool too_large = size.range->high && value > index_value(*size.range->high, scene_, {});
             if (too_small || too_large)
-                fail(Id::value_out_of_range, size.range->span, fmt::format("size '{}' is {}, {} its range", size.name, value, too_small ? "below" : "above"));
+                fail(Id::value_out_of_range, size.range->span,
+                     fmt::format("size '{}' is {}, {} its range", size.name, value, too_small ? "below" : "above"));
         }
     }
 
@@ -99,7 +103,8 @@ public:
         for (const Sticking& sticking : model_.stickings)
             if (scene_.holds(sticking.when)) scene_.stickings.push_back(&sticking);
         complete_modes(scene_);
-        const bool any_mass = std::any_of(scene_.bodies.begin(), scene_.bodies.end(), [](const auto& body) { return body.item->mass != nullptr; });
+        const bool any_mass =
+            std::any_of(scene_.bodies.begin(), scene_.bodies.end(), [](const auto& body) { return body.item->mass != nullptr; });
         if (model_.gravity && any_mass && scene_.holds(model_.gravity->when)) scene_.gravity = &*model_.gravity;
 
         const auto use_all = [&](const auto& members, const char* kind) {
@@ -167,9 +172,11 @@ public:
             if (solids_.contains(solid.name)) scene_.solids.push_back(&solid);
         check_referred_bodies();
         check_determined();
-        const bool is_at_rest = !scene_.loads.empty() || !scene_.solids.empty() || !scene_.stickings.empty();  // statics need nothing that moves
+        const bool is_at_rest =
+            !scene_.loads.empty() || !scene_.solids.empty() || !scene_.stickings.empty();  // statics need nothing that moves
         if (scene_.coordinates.empty() && scene_.states.empty() && !is_at_rest)
-            fail(Id::nothing_left, model_.name_span, fmt::format("scene '{}' has neither a coordinate nor a state that anything uses", scene_.name));
+            fail(Id::nothing_left, model_.name_span,
+                 fmt::format("scene '{}' has neither a coordinate nor a state that anything uses", scene_.name));
         return std::move(scene_);
     }
 
@@ -213,7 +220,9 @@ private:
             if (e.kind != Kind::name || bound) return;
             if (!is_output_) fields_.tap(e);
             const QuantitySpec* quantity = find_quantity(e.name);
-            if (quantity != nullptr && !e.children.empty() && quantity->subscript >= Subscript::solid && quantity->subscript <= Subscript::solid_and_axes) use_solid(e.children[0]->name);
+            if (quantity != nullptr && !e.children.empty() && quantity->subscript >= Subscript::solid &&
+                quantity->subscript <= Subscript::solid_and_axes)
+                use_solid(e.children[0]->name);
             if (quantity != nullptr && quantity->is_of_medium(e.children.size())) {  // a property of a medium, at any temperature
                 media_.insert(e.children[0]->name);
                 scene_.thermal_media.insert(e.children[0]->name);
@@ -278,7 +287,8 @@ private:
     void needs_part(const Reference& end, const std::string& owner) const {
         const Part& part = *names_.find_part(end.name);
         if (!scene_.holds(part.item->when))
-            fail(Id::needs_absent, end.span, fmt::format("{} needs '{}', which scene '{}' leaves out", owner, end.name, scene_.name), {{part.item->span, "it is defined here"}});
+            fail(Id::needs_absent, end.span, fmt::format("{} needs '{}', which scene '{}' leaves out", owner, end.name, scene_.name),
+                 {{part.item->span, "it is defined here"}});
     }
 
     /// Media that something holds; where the temperature is everywhere the same, what depends on it is not asked for.
@@ -286,7 +296,9 @@ private:
         const auto hold = [&](const Reference& medium, const Item& item, bool is_thermal) {
             const Item& held = *names_.find_part(medium.name)->item;
             if (!scene_.holds(held.when))
-                fail(Id::needs_absent, medium.span, fmt::format("'{}' holds '{}', which scene '{}' leaves out", item.name, held.name, scene_.name), {{held.span, "the medium is defined here"}});
+                fail(Id::needs_absent, medium.span,
+                     fmt::format("'{}' holds '{}', which scene '{}' leaves out", item.name, held.name, scene_.name),
+                     {{held.span, "the medium is defined here"}});
             media_.insert(medium.name);
             if (is_thermal) scene_.thermal_media.insert(medium.name);
         };
@@ -307,7 +319,8 @@ private:
             owner_ = fmt::format("medium '{}'", medium.name);
             Medium used = medium;
             if (!scene_.thermal_media.contains(medium.name)) {
-                const bool for_orifice = std::any_of(orifices.begin(), orifices.end(), [&](const std::string& name) { return medium_of(name) == medium.name; });
+                const bool for_orifice =
+                    std::any_of(orifices.begin(), orifices.end(), [&](const std::string& name) { return medium_of(name) == medium.name; });
                 if (!for_orifice && medium.law != Medium::Law::given) used.isochoric_heat.reset();
             }
             visit(used, [&](const Site& site) { use(site); });
@@ -317,7 +330,8 @@ private:
     const std::string& medium_of(const std::string& name) const {
         const Part& part = *names_.find_part(name);
         if (part.kind == Part::Kind::junction) return static_cast<const Junction*>(part.item)->medium.name;
-        return part.kind == Part::Kind::volume ? static_cast<const Volume*>(part.item)->medium.name : static_cast<const Reservoir*>(part.item)->medium.name;
+        return part.kind == Part::Kind::volume ? static_cast<const Volume*>(part.item)->medium.name
+                                               : static_cast<const Reservoir*>(part.item)->medium.name;
     }
 
     /// Each state without a derivative is determined once.
@@ -329,12 +343,15 @@ private:
             const int index = state->children.empty() ? 0 : index_value(*state->children[0], scene_, indices);
             const auto [first, is_new] = by.emplace(std::pair(state->name, index), std::pair(member.name(), member.item->span));
             if (!is_new)
-                fail(Id::doubly_determined, state->span, fmt::format("scene '{}': '{}' and '{}' both determine state '{}'", scene_.name, first->second.first, member.name(), state->written()),
+                fail(Id::doubly_determined, state->span,
+                     fmt::format("scene '{}': '{}' and '{}' both determine state '{}'", scene_.name, first->second.first, member.name(),
+                                 state->written()),
                      {{first->second.second, fmt::format("'{}' is defined here", first->second.first)}});
         };
         for (const auto& member : scene_.volumes) {
             const Volume& volume = *member.item;
-            for (const ExpressionPtr& state : {volume.filling ? nullptr : volume.pressure, volume.density, volume.mass, volume.filling, scene_.has_temperature(volume, names_) ? volume.temperature : nullptr})
+            for (const ExpressionPtr& state : {volume.filling ? nullptr : volume.pressure, volume.density, volume.mass, volume.filling,
+                                               scene_.has_temperature(volume, names_) ? volume.temperature : nullptr})
                 claim(state, member);
         }
         for (const auto& member : scene_.flows) claim(member.item->velocity, member);
@@ -347,9 +364,12 @@ private:
             for (const auto& member : members)
                 for (const auto& state : scene_.states) {
                     if (state.item->name != member.item->temperature.name) continue;
-                    const auto [first, is_new] = by.emplace(std::pair(state.item->name, state.index), std::pair(member.name(), member.item->span));
+                    const auto [first, is_new] =
+                        by.emplace(std::pair(state.item->name, state.index), std::pair(member.name(), member.item->span));
                     if (!is_new)
-                        fail(Id::doubly_determined, member.item->temperature.span, fmt::format("scene '{}': '{}' and '{}' both determine state '{}'", scene_.name, first->second.first, member.name(), state.name()),
+                        fail(Id::doubly_determined, member.item->temperature.span,
+                             fmt::format("scene '{}': '{}' and '{}' both determine state '{}'", scene_.name, first->second.first,
+                                         member.name(), state.name()),
                              {{first->second.second, fmt::format("'{}' is defined here", first->second.first)}});
                 }
         };
@@ -357,9 +377,11 @@ private:
         claim_cells(scene_.blocks);
         for (const auto& member : scene_.states) {
             if (member.item->derivative || by.contains({member.item->name, member.index})) continue;
-            const bool is_any = std::any_of(by.begin(), by.end(), [&](const auto& determined) { return determined.first.first == member.item->name; });
+            const bool is_any =
+                std::any_of(by.begin(), by.end(), [&](const auto& determined) { return determined.first.first == member.item->name; });
             fail(Id::undetermined, member.item->span,
-                 fmt::format("nothing in scene '{}' determines state '{}'{}", scene_.name, member.name(), is_any ? "" : "; where what determines it is left out, it needs the same 'when'"));
+                 fmt::format("nothing in scene '{}' determines state '{}'{}", scene_.name, member.name(),
+                             is_any ? "" : "; where what determines it is left out, it needs the same 'when'"));
         }
     }
 
@@ -376,8 +398,8 @@ private:
         if (named->kind == Named::Kind::state) visit(static_cast<const State&>(*named->item), follow);
     }
 
-    /// What is declared and no effect takes out stays, whether or not anything reads it: every state, and parameters and inputs that nothing
-    /// in the model reads. Those that something reads go where all that reads them is left out.
+    /// What is declared and no effect takes out stays, whether or not anything reads it: every state, and parameters and inputs that
+    /// nothing in the model reads. Those that something reads go where all that reads them is left out.
     void use_declared() {
         for (const State& state : model_.states)
             if (scene_.holds(state.when)) use_name(state.name, state.span);
@@ -417,7 +439,8 @@ private:
             if (!reference) return;
             const Body& body = *names_.find_body(reference->name);
             if (!scene_.holds(body.when))
-                fail(Id::needs_absent, reference->span, fmt::format("'{}' needs body '{}', which scene '{}' leaves out", owner, body.name, scene_.name),
+                fail(Id::needs_absent, reference->span,
+                     fmt::format("'{}' needs body '{}', which scene '{}' leaves out", owner, body.name, scene_.name),
                      {{body.span, "the body is defined here"}});
         };
         for (const auto& member : scene_.bodies) check(member.item->on, member.item->name);

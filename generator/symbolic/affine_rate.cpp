@@ -18,7 +18,8 @@ AffineRate affine_rate(const ex& rate, const Symbols& symbols, const Span& place
         at_rest[velocity] = 0;
         for (std::size_t k = 0; k < symbols.degrees(); ++k)
             if (!partial(result.jacobian.back(), symbols.get(SymbolKind::velocity, k)).expand().is_zero())
-                throw Failure(Diagnostic{Id::not_affine, place, fmt::format("{} is not linear in '{}'", what, symbols.all(SymbolKind::velocity)[k].name)});
+                throw Failure(Diagnostic{Id::not_affine, place,
+                                         fmt::format("{} is not linear in '{}'", what, symbols.all(SymbolKind::velocity)[k].name)});
     }
     result.drift = rate.subs(at_rest, GiNaC::subs_options::no_pattern);
     return result;

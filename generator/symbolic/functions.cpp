@@ -118,7 +118,8 @@ ex sinc_slope_eval(const ex& x) { return x.is_zero() ? ex(0) : sinc_slope(x).hol
 ex sinc_slope_evalf(const ex& x) {
     if (!is_near_zero(x)) return ((GiNaC::cos(x) - GiNaC::sin(x) / x) / x).evalf();
     const numeric number = ex_to<numeric>(x.evalf());
-    return number * power_series(number * number, [](int k) { return (k % 2 == 0 ? -1 : 1) * (2 * k + 2) / GiNaC::factorial(numeric(2 * k + 3)); });
+    return number *
+           power_series(number * number, [](int k) { return (k % 2 == 0 ? -1 : 1) * (2 * k + 2) / GiNaC::factorial(numeric(2 * k + 3)); });
 }
 
 ex cosc_eval(const ex& x) { return x.is_zero() ? ex(numeric(1, 2)) : cosc(x).hold(); }
@@ -144,7 +145,9 @@ ex compression_eval(const ex& x) { return x.is_zero() ? ex(0) : compression(x).h
 ex compression_evalf(const ex& x) { return (1 - (1 + x) * GiNaC::exp(-x)).evalf(); }
 
 ex signed_root_eval(const ex& x) { return x.is_zero() ? ex(0) : signed_root(x).hold(); }
-ex signed_root_evalf(const ex& x) { return is_real_number(x) ? (sign_of_number(x) * GiNaC::sqrt(magnitude(x))).evalf() : signed_root(x).hold(); }
+ex signed_root_evalf(const ex& x) {
+    return is_real_number(x) ? (sign_of_number(x) * GiNaC::sqrt(magnitude(x))).evalf() : signed_root(x).hold();
+}
 
 ex inverse_root_eval(const ex& x) { return inverse_root(x).hold(); }
 ex inverse_root_evalf(const ex& x) { return is_real_number(x) ? GiNaC::pow(magnitude(x), numeric(-1, 2)).evalf() : inverse_root(x).hold(); }
@@ -171,7 +174,8 @@ Outflow outflow(const ex& d, const ex& k) {
     const ex second = GiNaC::pow(ratio, (k + 1) / k);
     const ex square = k / (k - 1) * (first - second);
     const ex by_ratio = k / (k - 1) * (2 / k * first - (k + 1) / k * second) / ratio;
-    const ex by_exponent = -(first - second) / GiNaC::pow(k - 1, 2) + k / (k - 1) * GiNaC::log(ratio) * (second - 2 * first) / GiNaC::pow(k, 2);
+    const ex by_exponent =
+        -(first - second) / GiNaC::pow(k - 1, 2) + k / (k - 1) * GiNaC::log(ratio) * (second - 2 * first) / GiNaC::pow(k, 2);
     return {square.evalf(), by_ratio.evalf(), by_exponent.evalf()};
 }
 bool are_numbers(const ex& d, const ex& k) { return is_real_number(d) && is_real_number(k); }
@@ -199,7 +203,9 @@ ex outflow_factor_by_exponent_evalf(const ex& d, const ex& k) {
 }
 
 struct WithoutWhole : GiNaC::map_function {
-    ex operator()(const ex& e) override { return is_ex_the_function(e, whole) ? (*this)(e.op(0)) : GiNaC::is_a<GiNaC::function>(e) ? e : e.map(*this); }
+    ex operator()(const ex& e) override {
+        return is_ex_the_function(e, whole) ? (*this)(e.op(0)) : GiNaC::is_a<GiNaC::function>(e) ? e : e.map(*this);
+    }
 };
 
 }  // namespace

@@ -48,7 +48,8 @@ ex plate_nusselt_of(const ex& Re, const ex& Pr) {
     const ex sum = 1 + numeric(1973, 1000) * pow(Pr, numeric(272, 1000)) + numeric(2129, 100) * Pr;
     const ex phi = sqrt(Pr) / (sqrt(ex(GiNaC::Pi)) * pow(sum, numeric(1, 6)));
     const ex growth = exp_minus_one(four_fifths * log_ratio(maximum(Re, critical), critical));
-    const ex critical_power = 10'000 * pow(ex(5), four_fifths);  // 500000^(4/5); the smaller the base, the less its rounded exponent matters
+    const ex critical_power =
+        10'000 * pow(ex(5), four_fifths);  // 500000^(4/5); the smaller the base, the less its rounded exponent matters
     return 2 * sqrt(ex(minimum(Re, critical))) * phi + numeric(370, 10000) * critical_power * growth * pow(Pr, numeric(1, 3));
 }
 
@@ -115,7 +116,9 @@ const std::map<std::string_view, Formula>& formulas() {
 
 Rational stefan_boltzmann() { return Rational(cln::cl_I(5670374419L)) / cln::expt_pos(cln::cl_I(10), 17); }
 
-ex fourth_power_difference(const ex& a, const ex& b) { return kept((a - b).expand()) * kept((a + b).expand()) * kept(square(a) + square(b)); }
+ex fourth_power_difference(const ex& a, const ex& b) {
+    return kept((a - b).expand()) * kept((a + b).expand()) * kept(square(a) + square(b));
+}
 
 std::optional<ex> heat_function(std::string_view name, const Arguments& arguments) {
     const auto formula = formulas().find(name);

@@ -45,7 +45,9 @@ ex log_ratio_evalf(const ex& a, const ex& b) { return have_ratio(a, b) ? ex(loga
 
 ex log_mean_eval(const ex& a, const ex& b) { return a.is_equal(b) ? a : log_mean(a, b).hold(); }
 /// (a - b)/l = a (1 - exp(-l))/l with l = log(a/b)
-ex log_mean_evalf(const ex& a, const ex& b) { return have_ratio(a, b) ? (a * moment(0, logarithm_of_ratio(a, b))).evalf() : log_mean(a, b).hold(); }
+ex log_mean_evalf(const ex& a, const ex& b) {
+    return have_ratio(a, b) ? (a * moment(0, logarithm_of_ratio(a, b))).evalf() : log_mean(a, b).hold();
+}
 
 ex log_mean_slope_eval(const ex& a, const ex& b) { return a.is_equal(b) ? ex(numeric(1, 2)) : log_mean_slope(a, b).hold(); }
 /// (1 - (1 - exp(-l))/l)/l

@@ -125,7 +125,8 @@ ex integrate_powers_of_sine_and_cosine(const ex& u, const ex& k, int a, int b) {
     if (a == 0 && b == 0) return u / k;
     if (a == 1) return -GiNaC::pow(c, b + 1) / ((b + 1) * k);
     if (b == 1) return GiNaC::pow(s, a + 1) / ((a + 1) * k);
-    if (a >= 2) return (-GiNaC::pow(s, a - 1) * GiNaC::pow(c, b + 1) / k + (a - 1) * integrate_powers_of_sine_and_cosine(u, k, a - 2, b)) / (a + b);
+    if (a >= 2)
+        return (-GiNaC::pow(s, a - 1) * GiNaC::pow(c, b + 1) / k + (a - 1) * integrate_powers_of_sine_and_cosine(u, k, a - 2, b)) / (a + b);
     return (s * GiNaC::pow(c, b - 1) / k + (b - 1) * integrate_powers_of_sine_and_cosine(u, k, 0, b - 2)) / b;
 }
 
@@ -140,7 +141,8 @@ Found integrate_sines_and_cosines(const ex& product, const symbol& x) {
         const ex base = is_power ? factor.op(0) : factor;
         const ex exponent = is_power ? factor.op(1) : ex(1);
         const bool is_sine = is(base, "sin");
-        fits = fits && (is_sine || is(base, "cos")) && exponent.info(GiNaC::info_flags::posint) && exponent.info(GiNaC::info_flags::integer) && ex_to<numeric>(exponent) <= largest;
+        fits = fits && (is_sine || is(base, "cos")) && exponent.info(GiNaC::info_flags::posint) &&
+               exponent.info(GiNaC::info_flags::integer) && ex_to<numeric>(exponent) <= largest;
         if (!fits) return;
         fits = u.is_zero() || u.is_equal(base.op(0));
         u = base.op(0);
@@ -171,7 +173,8 @@ Found integrate_by_substitution(const ex& f, const symbol& x, Search search) {
     if (search.depth >= deepest) return std::nullopt;
     std::vector<ex> parts;
     for (auto part = f.preorder_begin(); part != f.preorder_end(); ++part) {
-        const bool is_sum_or_function = GiNaC::is_a<GiNaC::add>(*part) || GiNaC::is_a<GiNaC::function>(*part) || GiNaC::is_a<GiNaC::power>(*part) || GiNaC::is_a<GiNaC::mul>(*part);
+        const bool is_sum_or_function = GiNaC::is_a<GiNaC::add>(*part) || GiNaC::is_a<GiNaC::function>(*part) ||
+                                        GiNaC::is_a<GiNaC::power>(*part) || GiNaC::is_a<GiNaC::mul>(*part);
         if (is_sum_or_function && part->has(x) && !part->is_equal(f)) parts.push_back(*part);
     }
     for (const ex& part : parts) {
@@ -180,7 +183,8 @@ Found integrate_by_substitution(const ex& f, const symbol& x, Search search) {
         const symbol y;
         const ex inside = (f / derivative).normal().subs(part == y, GiNaC::subs_options::no_pattern);
         if (inside.has(x)) continue;
-        if (const Found found = integrate_term(inside.expand(), y, search.deeper())) return found->subs(y == part, GiNaC::subs_options::no_pattern);
+        if (const Found found = integrate_term(inside.expand(), y, search.deeper()))
+            return found->subs(y == part, GiNaC::subs_options::no_pattern);
     }
     return std::nullopt;
 }

@@ -27,7 +27,8 @@ struct BySigns : GiNaC::map_function {
         if (is_ex_the_function(inside, magnitude)) return size(inside.op(0).expand());
         if (is_ex_the_function(inside, sign_of)) return sign_of(inside.op(0).expand());
         if (is_ex_the_function(inside, unlocated)) return inside.op(0);
-        if (is_ex_the_function(inside, if_else)) return (inside.op(1) + inside.op(2) + (inside.op(1) - inside.op(2)) * sign_of(inside.op(0).expand())) / 2;
+        if (is_ex_the_function(inside, if_else))
+            return (inside.op(1) + inside.op(2) + (inside.op(1) - inside.op(2)) * sign_of(inside.op(0).expand())) / 2;
         if (is_ex_the_function(inside, minimum)) return (inside.op(0) + inside.op(1) - size((inside.op(0) - inside.op(1)).expand())) / 2;
         if (is_ex_the_function(inside, maximum)) return (inside.op(0) + inside.op(1) + size((inside.op(0) - inside.op(1)).expand())) / 2;
         return inside;
@@ -45,7 +46,9 @@ struct Edge {
 std::optional<std::vector<Edge>> edges_of(ex& function, const symbol& x) {
     std::vector<ex> arguments;
     for (auto part = function.preorder_begin(); part != function.preorder_end(); ++part)
-        if (is_ex_the_function(*part, sign_of) && part->has(x) && std::none_of(arguments.begin(), arguments.end(), [&](const ex& known) { return known.is_equal(part->op(0)); })) arguments.push_back(part->op(0));
+        if (is_ex_the_function(*part, sign_of) && part->has(x) &&
+            std::none_of(arguments.begin(), arguments.end(), [&](const ex& known) { return known.is_equal(part->op(0)); }))
+            arguments.push_back(part->op(0));
     if (arguments.empty() || arguments.size() > most_edges) return std::nullopt;
     std::vector<Edge> edges;
     GiNaC::exmap letters;
@@ -55,7 +58,8 @@ std::optional<std::vector<Edge>> edges_of(ex& function, const symbol& x) {
         if (slope.is_zero() || slope.has(x) || (direction == 0 && arguments.size() > 1)) return std::nullopt;
         const ex place = (-u.subs(x == 0) / slope).normal();
         auto edge = std::find_if(edges.begin(), edges.end(), [&](const Edge& known) { return (known.place - place).normal().is_zero(); });
-        if (edge == edges.end()) edge = edges.insert(edges.end(), Edge{place, direction == 0 ? ex(sign_of(u)) : ex(sign_of(x - place)), symbol()});
+        if (edge == edges.end())
+            edge = edges.insert(edges.end(), Edge{place, direction == 0 ? ex(sign_of(u)) : ex(sign_of(x - place)), symbol()});
         letters[sign_of(u)] = (direction == 0 ? 1 : direction) * edge->letter;
     }
     for (std::size_t i = 0; i < edges.size(); ++i)  // by hand: an order that is not known must not go into a sort
@@ -82,7 +86,8 @@ std::optional<ex> in_single_signs(ex f, const std::vector<Edge>& edges) {
             f = (f + product * (1 + edges[k].letter - edges[i].letter - edges[k].letter * edges[i].letter)).expand();
             for (const std::size_t place : {i, k}) {  // what the other factors make of it
                 const symbol& letter = edges[place].letter;
-                if (f.degree(letter) > 1) f = (f.coeff(letter, 0) + f.coeff(letter, 2) + (f.coeff(letter, 1) + f.coeff(letter, 3)) * letter).expand();
+                if (f.degree(letter) > 1)
+                    f = (f.coeff(letter, 0) + f.coeff(letter, 2) + (f.coeff(letter, 1) + f.coeff(letter, 3)) * letter).expand();
             }
         }
     return f;

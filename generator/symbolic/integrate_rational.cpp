@@ -47,7 +47,9 @@ std::optional<ex> integrate_inverse(const ex& p, int k, const symbol& x) {
 
 /// The integral of top/p^k, p of first or second degree and top of a lower one.
 std::optional<ex> integrate_fraction(const ex& top, const ex& p, int k, const symbol& x) {
-    const auto power = [&](const ex& slope) { return k == 1 ? ex(GiNaC::log(magnitude(p)) / slope) : ex(GiNaC::pow(p, 1 - k) / ((1 - k) * slope)); };
+    const auto power = [&](const ex& slope) {
+        return k == 1 ? ex(GiNaC::log(magnitude(p)) / slope) : ex(GiNaC::pow(p, 1 - k) / ((1 - k) * slope));
+    };
     if (p.degree(x) == 1) return top * power(p.coeff(x, 1));
     const Quadratic q(p, x);
     const ex with_slope = top.coeff(x, 1) / (2 * q.a), rest = (top.coeff(x, 0) - with_slope * q.b).normal();
@@ -83,7 +85,8 @@ std::optional<std::vector<Factor>> factors_of(const ex& polynomial, const symbol
 std::optional<ex> integrate_rational(const ex& function, const symbol& x) {
     const ex quotient = function.numer_denom();
     const ex above = quotient.op(0).expand(), below = quotient.op(1).expand();
-    if (!above.is_polynomial(x) || !below.is_polynomial(x) || below.degree(x) == 0 || below.degree(x) > 8 || above.degree(x) > 20) return std::nullopt;
+    if (!above.is_polynomial(x) || !below.is_polynomial(x) || below.degree(x) == 0 || below.degree(x) > 8 || above.degree(x) > 20)
+        return std::nullopt;
     ex constant = 1;
     const auto factors = factors_of(below, x, constant);
     if (!factors) return std::nullopt;
@@ -129,7 +132,8 @@ std::optional<ex> integrate_root_of_quadratic(const ex& function, const symbol& 
     ex polynomial = 1, inside = 0;
     int exponent = 0;  // of the root
     const auto take = [&](const ex& e) {
-        const bool is_root = GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::rational) && (2 * e.op(1)).info(GiNaC::info_flags::odd);
+        const bool is_root =
+            GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::rational) && (2 * e.op(1)).info(GiNaC::info_flags::odd);
         if (is_root && inside.is_zero() && e.op(0).is_polynomial(x) && e.op(0).expand().degree(x) == 2) {
             inside = e.op(0).expand();
             exponent = ex_to<numeric>(2 * e.op(1)).to_int();
@@ -151,7 +155,8 @@ std::optional<ex> integrate_root_of_quadratic(const ex& function, const symbol& 
     const ex p = (polynomial * GiNaC::pow(inside, (exponent + 1) / 2)).expand();
     const int sign = known_sign(q.a);
     if (sign == 0 || (sign < 0 && known_sign(d) >= 0) || p.degree(x) > 20) return std::nullopt;
-    std::vector<ex> of_power{sign < 0 ? ex(-GiNaC::asin(q.slope(x) / GiNaC::sqrt(-d)) / GiNaC::sqrt(-q.a)) : ex(GiNaC::log(magnitude(2 * GiNaC::sqrt(q.a) * root + q.slope(x))) / GiNaC::sqrt(q.a))};
+    std::vector<ex> of_power{sign < 0 ? ex(-GiNaC::asin(q.slope(x) / GiNaC::sqrt(-d)) / GiNaC::sqrt(-q.a))
+                                      : ex(GiNaC::log(magnitude(2 * GiNaC::sqrt(q.a) * root + q.slope(x))) / GiNaC::sqrt(q.a))};
     ex result = p.coeff(x, 0) * of_power[0];
     for (int n = 1; n <= p.degree(x); ++n) {
         ex next = GiNaC::pow(x, n - 1) * root / (n * q.a) - (2 * n - 1) * q.b / (2 * n * q.a) * of_power[static_cast<std::size_t>(n - 1)];

@@ -30,7 +30,8 @@ struct Inflow {
     }
 };
 
-/// As the emitted code does it: w^2 is the distance of p from the nearer of the two P_k around it. Nothing where nothing flows at any pressure.
+/// As the emitted code does it: w^2 is the distance of p from the nearer of the two P_k around it. Nothing where nothing flows at any
+/// pressure.
 std::optional<Numbers> roots_of(const Inflow& inflow) {
     std::optional<numeric> below, above;
     for (std::size_t k = 0; k < inflow.size(); ++k) {
@@ -93,8 +94,8 @@ ex junction_root_evalf(const ex& k, const ex& list) {
 
 REGISTER_FUNCTION(junction_root, evalf_func(junction_root_evalf))
 
-/// With h_k = 2|s_k| and the total inflow F, dF = 0 gives dp = (dF at fixed p)/(G + sum of r_j/h_j) and ds_k = (dP_k - dp)/h_k. Numerator and
-/// denominator are multiplied by all h, so that there is a value where one h is zero.
+/// With h_k = 2|s_k| and the total inflow F, dF = 0 gives dp = (dF at fixed p)/(G + sum of r_j/h_j) and ds_k = (dP_k - dp)/h_k. Numerator
+/// and denominator are multiplied by all h, so that there is a value where one h is zero.
 ex derivative_of_junction(const ex& function, const std::function<ex(const ex&)>& derivative) {
     const ex& list = function.op(1);
     const std::size_t n = list.nops() / 2 - 1, k = whole_number(function.op(0));

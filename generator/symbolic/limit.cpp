@@ -71,11 +71,13 @@ private:
     const GiNaC::possymbol& h_;
 };
 
-/// Whether a sign, a magnitude or a root turns at the place: then the limits from both sides may differ. What is positive has one side at zero.
+/// Whether a sign, a magnitude or a root turns at the place: then the limits from both sides may differ. What is positive has one side at
+/// zero.
 bool turns(const ex& e, const ex& variable, const ex& place) {
     if (variable.info(GiNaC::info_flags::positive) && place.is_zero()) return false;
     for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
-        const bool is_root = GiNaC::is_a<GiNaC::power>(*part) && part->op(1).info(GiNaC::info_flags::numeric) && !part->op(1).info(GiNaC::info_flags::integer);
+        const bool is_root = GiNaC::is_a<GiNaC::power>(*part) && part->op(1).info(GiNaC::info_flags::numeric) &&
+                             !part->op(1).info(GiNaC::info_flags::integer);
         if (!is_root && !is_ex_the_function(*part, magnitude) && !is_ex_the_function(*part, sign_of)) continue;
         const auto inside = inserted(part->op(0), variable, place);
         if (part->op(0).has(variable) && (!inside || inside->expand().is_zero())) return true;
@@ -122,7 +124,9 @@ struct PowersAsExponentials : GiNaC::map_function {
 
     ex operator()(const ex& e) override {
         const ex inside = e.map(*this);
-        return GiNaC::is_a<GiNaC::power>(inside) && inside.op(0).has(h) && inside.op(1).has(h) ? GiNaC::exp(inside.op(1) * GiNaC::log(inside.op(0))) : inside;
+        return GiNaC::is_a<GiNaC::power>(inside) && inside.op(0).has(h) && inside.op(1).has(h)
+                   ? GiNaC::exp(inside.op(1) * GiNaC::log(inside.op(0)))
+                   : inside;
     }
 };
 

@@ -23,7 +23,9 @@ using NumberTable = std::vector<Numbers>;
 /// Values may have been made decimals.
 std::size_t index_of(const ex& number) { return static_cast<std::size_t>(std::lround(ex_to<numeric>(number).to_double())); }
 /// n with 2*n*n + n entries.
-std::size_t size_of_network(const ex& list) { return static_cast<std::size_t>(std::lround((std::sqrt(1 + 8 * static_cast<double>(list.nops())) - 1) / 4)); }
+std::size_t size_of_network(const ex& list) {
+    return static_cast<std::size_t>(std::lround((std::sqrt(1 + 8 * static_cast<double>(list.nops())) - 1) / 4));
+}
 
 /// Elimination in sums, products and quotients of what is not negative, as the emitted code does it.
 class Eliminated {
@@ -58,7 +60,8 @@ private:
 };
 
 ex network_inverse_evalf(const ex& i, const ex& j, const ex& list) {
-    if (!GiNaC::is_a<GiNaC::exprseq>(list) || !std::all_of(list.begin(), list.end(), is_number_not_negative)) return network_inverse(i, j, list).hold();
+    if (!GiNaC::is_a<GiNaC::exprseq>(list) || !std::all_of(list.begin(), list.end(), is_number_not_negative))
+        return network_inverse(i, j, list).hold();
     const std::size_t n = network_order(list);
     NumberTable flow(n, Numbers(n));
     for (std::size_t k = 0; k < n * n; ++k) flow[k / n][k % n] = ex_to<numeric>(list.op(k).evalf());
@@ -131,7 +134,8 @@ struct LatestNetwork {
 thread_local LatestNetwork latest;
 
 ex balanced_temperature_evalf(const ex& i, const ex& list) {
-    if (!GiNaC::is_a<GiNaC::exprseq>(list) || !std::all_of(list.begin(), list.end(), is_real_number)) return balanced_temperature(i, list).hold();
+    if (!GiNaC::is_a<GiNaC::exprseq>(list) || !std::all_of(list.begin(), list.end(), is_real_number))
+        return balanced_temperature(i, list).hold();
     const std::size_t at = index_of(i);
     if (latest.digits == GiNaC::Digits && latest.list.is_equal(list)) return latest.temperatures[at];
     const NetworkData data(list);
@@ -206,12 +210,17 @@ ex NetworkData::balance(std::size_t i, const std::vector<ex>& T) const {
 }
 
 bool NetworkData::is_linear() const {
-    return std::all_of(radiation.begin(), radiation.end(), [](const auto& row) { return std::all_of(row.begin(), row.end(), [](const ex& r) { return r.is_zero(); }); });
+    return std::all_of(radiation.begin(), radiation.end(),
+                       [](const auto& row) { return std::all_of(row.begin(), row.end(), [](const ex& r) { return r.is_zero(); }); });
 }
 
-unsigned long network_order(const ex& inverse_list) { return static_cast<unsigned long>(std::lround(std::sqrt(static_cast<double>(inverse_list.nops())))); }
+unsigned long network_order(const ex& inverse_list) {
+    return static_cast<unsigned long>(std::lround(std::sqrt(static_cast<double>(inverse_list.nops()))));
+}
 
-bool is_network_function(const ex& e) { return is_ex_the_function(e, network_inverse) || is_ex_the_function(e, balanced_temperature) || is_ex_the_function(e, junction_root); }
+bool is_network_function(const ex& e) {
+    return is_ex_the_function(e, network_inverse) || is_ex_the_function(e, balanced_temperature) || is_ex_the_function(e, junction_root);
+}
 
 ex in_inverse(const ex& temperature) {
     const NetworkData data(temperature.op(1));

@@ -18,8 +18,8 @@ DECLARE_FUNCTION_3P(network_inverse)
 /// likewise, and the n sources.
 DECLARE_FUNCTION_2P(balanced_temperature)
 
-/// s_k of a junction at pressure p, s_k = signed_root(P_k - p), where b - G*p + sum of r_k*s_k = 0, with G and all r_k >= 0. The sequence is
-/// G, b, P_1, r_1, P_2, r_2 and so on.
+/// s_k of a junction at pressure p, s_k = signed_root(P_k - p), where b - G*p + sum of r_k*s_k = 0, with G and all r_k >= 0. The sequence
+/// is G, b, P_1, r_1, P_2, r_2 and so on.
 DECLARE_FUNCTION_2P(junction_root)
 
 struct NetworkData {

@@ -79,9 +79,9 @@ Polynomial operator-(const Polynomial& a, const Polynomial& b) {
 }
 
 bool operator<(const Polynomial& a, const Polynomial& b) {
-    return std::lexicographical_compare(a.terms_.begin(), a.terms_.end(), b.terms_.begin(), b.terms_.end(), [](const auto& x, const auto& y) {
-        return x.first != y.first ? x.first < y.first : x.second < y.second;
-    });
+    return std::lexicographical_compare(
+        a.terms_.begin(), a.terms_.end(), b.terms_.begin(), b.terms_.end(),
+        [](const auto& x, const auto& y) { return x.first != y.first ? x.first < y.first : x.second < y.second; });
 }
 
 bool operator==(const Polynomial& a, const Polynomial& b) {

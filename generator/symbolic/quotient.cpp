@@ -28,7 +28,8 @@ bool is_negative_somewhere_fixed(const ex& polynomial) {
 /// Functions and constants as letters of their own.
 struct AsLetters : GiNaC::map_function {
     ex operator()(const ex& e) override {
-        const bool is_letter = GiNaC::is_a<GiNaC::function>(e) || GiNaC::is_a<GiNaC::constant>(e) || (GiNaC::is_a<GiNaC::power>(e) && !e.op(1).info(GiNaC::info_flags::integer));
+        const bool is_letter = GiNaC::is_a<GiNaC::function>(e) || GiNaC::is_a<GiNaC::constant>(e) ||
+                               (GiNaC::is_a<GiNaC::power>(e) && !e.op(1).info(GiNaC::info_flags::integer));
         if (!is_letter) return GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e) || GiNaC::is_a<GiNaC::power>(e) ? e.map(*this) : e;
         for (const auto& [letter, value] : values)
             if (value.is_equal(e)) return letter;
@@ -66,7 +67,8 @@ ex quotient(const ex& above, const ex& below) {
     GiNaC::gcd(a, b, &a, &b, false);
     b = b.expand();
     numeric unit = b.integer_content();
-    if (is_negative_somewhere_fixed(b.subs(letters.values, GiNaC::subs_options::no_pattern))) unit = -unit;  // functions may be met in any order
+    if (is_negative_somewhere_fixed(b.subs(letters.values, GiNaC::subs_options::no_pattern)))
+        unit = -unit;  // functions may be met in any order
     const auto written = [&](const ex& e) { return (e / unit).expand().subs(letters.values, GiNaC::subs_options::no_pattern); };
     const ex denominator = written(b);
     return GiNaC::is_a<GiNaC::add>(denominator) ? written(a) / denominator : (written(a) / denominator).expand();

@@ -6,8 +6,8 @@
 
 namespace dalembert {
 
-/// above/below without common factors, where both are polynomials in letters, functions and constants; else as it stands. Numerator and denominator
-/// are written out, in whole numbers without a common divisor: but for a sign of both they are the same on every run.
+/// above/below without common factors, where both are polynomials in letters, functions and constants; else as it stands. Numerator and
+/// denominator are written out, in whole numbers without a common divisor: but for a sign of both they are the same on every run.
 GiNaC::ex quotient(const GiNaC::ex& above, const GiNaC::ex& below);
 
 /// How many terms a sum or product has at most when it is expanded.

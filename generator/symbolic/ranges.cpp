@@ -14,7 +14,8 @@ PositiveByRange::PositiveByRange(const Translator& translate) {
     for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::coordinate, SymbolKind::state, SymbolKind::input})
         for (const Variable& variable : symbols.all(kind)) {
             if (variable.is_positive && kind != SymbolKind::parameter) names.insert(variable.name);
-            const bool is_angle = variable.declared != nullptr && variable.declared->unit.dimension == Dimension::none() && !variable.is_root;
+            const bool is_angle =
+                variable.declared != nullptr && variable.declared->unit.dimension == Dimension::none() && !variable.is_root;
             if (!is_angle || !variable.declared->range) continue;
             const ExpressionPtr &low = variable.declared->range->low, &high = variable.declared->range->high;
             if (!low || !high) continue;

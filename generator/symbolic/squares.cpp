@@ -20,9 +20,12 @@ Squares::Letter Squares::letter(const ex& e) {
     if (!is_new) return found->second;
     const Letter number = found->second;
     const auto is = [&](const char* name) { return GiNaC::is_a<GiNaC::function>(e) && ex_to<GiNaC::function>(e).get_name() == name; };
-    const auto name_of = [](const ex& symbol) { return GiNaC::is_a<GiNaC::symbol>(symbol) ? ex_to<GiNaC::symbol>(symbol).get_name() : std::string(); };
+    const auto name_of = [](const ex& symbol) {
+        return GiNaC::is_a<GiNaC::symbol>(symbol) ? ex_to<GiNaC::symbol>(symbol).get_name() : std::string();
+    };
     bool positive = is("exp") || is("cosh") || e.info(GiNaC::info_flags::positive) || positive_.names.contains(name_of(e));
-    for (const char* wave : {"sin", "cos"}) positive = positive || (is(wave) && positive_.waves.contains(wave + ("(" + name_of(e.op(0)) + ")")));
+    for (const char* wave : {"sin", "cos"})
+        positive = positive || (is(wave) && positive_.waves.contains(wave + ("(" + name_of(e.op(0)) + ")")));
     positive = positive || (is("sinh") && (e.op(0).info(GiNaC::info_flags::positive) || positive_.names.contains(name_of(e.op(0)))));
     letters_.push_back(e);
     positive_letters_.push_back(positive);
@@ -35,7 +38,8 @@ Squares::Letter Squares::letter(const ex& e) {
 }
 
 Polynomial Squares::convert(const ex& e) {
-    if (GiNaC::is_exactly_a<numeric>(e) && ex_to<numeric>(e).is_rational()) return Polynomial(cln::the<cln::cl_RA>(ex_to<numeric>(e).to_cl_N()));
+    if (GiNaC::is_exactly_a<numeric>(e) && ex_to<numeric>(e).is_rational())
+        return Polynomial(cln::the<cln::cl_RA>(ex_to<numeric>(e).to_cl_N()));
     if (GiNaC::is_a<GiNaC::add>(e)) {
         Polynomial sum;
         for (const ex& term : e) sum += convert(term);
@@ -67,7 +71,8 @@ Polynomial Squares::multiply(const Polynomial& a, const Polynomial& b) {
     while (!rest.is_zero()) {
         Polynomial next;
         for (const auto& [monomial, coefficient] : rest.terms()) {
-            const auto high = std::find_if(monomial.begin(), monomial.end(), [&](const LetterPower& p) { return p.exponent >= 2 && squares_.contains(p.letter); });
+            const auto high = std::find_if(monomial.begin(), monomial.end(),
+                                           [&](const LetterPower& p) { return p.exponent >= 2 && squares_.contains(p.letter); });
             if (high == monomial.end()) {
                 result.add(monomial, coefficient);
                 continue;
@@ -94,7 +99,8 @@ Squares::Factors Squares::factors(Polynomial p) {
 
 bool Squares::is_positive(const Polynomial& p) const {
     return !p.is_zero() && std::all_of(p.terms().begin(), p.terms().end(), [&](const auto& term) {
-        return !is_negative(term.second) && std::all_of(term.first.begin(), term.first.end(), [&](const LetterPower& power) { return is_positive(power.letter); });
+        return !is_negative(term.second) &&
+               std::all_of(term.first.begin(), term.first.end(), [&](const LetterPower& power) { return is_positive(power.letter); });
     });
 }
 

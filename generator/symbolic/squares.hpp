@@ -14,8 +14,8 @@ class Squares {
 public:
     explicit Squares(PositiveByRange positive) : positive_(std::move(positive)) {}
 
-    /// Multiplied out, sin^2 + cos^2 = 1 and cosh^2 - sinh^2 = 1 used, and what all terms have in common taken out, sines and cosines included.
-    /// Zero where this shows that the expression is.
+    /// Multiplied out, sin^2 + cos^2 = 1 and cosh^2 - sinh^2 = 1 used, and what all terms have in common taken out, sines and cosines
+    /// included. Zero where this shows that the expression is.
     GiNaC::ex shortened(const GiNaC::ex& e);
     /// The root that is not negative, of what is not. What is positive by its range comes out.
     GiNaC::ex root(const GiNaC::ex& square);

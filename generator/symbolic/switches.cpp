@@ -80,7 +80,9 @@ private:
     numeric zero(const ex& e) const {
         if (GiNaC::is_a<GiNaC::power>(e) && GiNaC::is_exactly_a<numeric>(e.op(1))) return zero(e.op(0)) * ex_to<numeric>(e.op(1));
         if (const auto own = switch_of(e)) {
-            const bool from_zero = is_ex_the_function(e, magnitude) || ((is_ex_the_function(e, minimum) || is_ex_the_function(e, maximum)) && (e.op(0).is_zero() || e.op(1).is_zero()));
+            const bool from_zero =
+                is_ex_the_function(e, magnitude) ||
+                ((is_ex_the_function(e, minimum) || is_ex_the_function(e, maximum)) && (e.op(0).is_zero() || e.op(1).is_zero()));
             return from_zero && is_same(own->by) ? 1 : 0;
         }
         if (at_zero_.empty() || !e.has(at_zero_.begin()->first)) return 0;

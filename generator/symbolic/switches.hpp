@@ -25,8 +25,8 @@ std::vector<Switch> switches_in(const GiNaC::ex& e);
 /// With all switches inside left to the control of steps.
 GiNaC::ex with_unlocated_switches(const GiNaC::ex& e);
 
-/// The lowest derivative of e that jumps where a switch changes its sign: 0 for sign(s), 1 for |s| and max(s, 0), 2 for |s|*s, 3/2 for max(s, 0)^(3/2).
-/// Nothing where none of its functions is in e. An order too low for what cancels between terms.
+/// The lowest derivative of e that jumps where a switch changes its sign: 0 for sign(s), 1 for |s| and max(s, 0), 2 for |s|*s, 3/2 for
+/// max(s, 0)^(3/2). Nothing where none of its functions is in e. An order too low for what cancels between terms.
 std::optional<GiNaC::numeric> order_of_kink(const GiNaC::ex& e, const GiNaC::ex& by);
 
 }  // namespace dalembert

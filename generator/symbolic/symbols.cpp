@@ -43,7 +43,8 @@ bool is_positive(const Quantity& quantity, const Names& names) {
 
 /// Of what moves: an assumption of proofs only, which an end of the range at zero does not spoil.
 bool stays_positive(const Quantity& quantity, const Names& names) {
-    const bool from_zero = quantity.range && quantity.range->low && quantity.range->low->kind == Kind::number && is_zero(quantity.range->low->value);
+    const bool from_zero =
+        quantity.range && quantity.range->low && quantity.range->low->kind == Kind::number && is_zero(quantity.range->low->value);
     return from_zero || is_positive(quantity, names);
 }
 
@@ -63,7 +64,8 @@ std::string per_second(const Unit& unit) {
 Symbols::Symbols(const Scene& scene, const Names& names) {
     for (const auto& member : scene.parameters) {
         const Parameter& item = *member.item;
-        add(SymbolKind::parameter, member.name(), is_positive(item, names), {item.name, member.index, item.family.has_value(), item.unit.si(), item.doc, &item});
+        add(SymbolKind::parameter, member.name(), is_positive(item, names),
+            {item.name, member.index, item.family.has_value(), item.unit.si(), item.doc, &item});
     }
     for (const auto& member : scene.definitions) {
         const Definition& item = *member.item;
@@ -73,16 +75,22 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
     add(SymbolKind::time, "t", false, {"t", 0, false, "s", "time"});
     for (const auto& member : scene.inputs) {
         const Input& item = *member.item;
-        add(SymbolKind::input, member.name(), stays_positive(item, names), {item.name, member.index, item.family.has_value(), item.unit.si(), item.doc, &item});
+        add(SymbolKind::input, member.name(), stays_positive(item, names),
+            {item.name, member.index, item.family.has_value(), item.unit.si(), item.doc, &item});
     }
     for (const auto& member : scene.coordinates) {
         const Coordinate& item = *member.item;
         const bool is_member = item.family.has_value();
         const std::string rate_unit = per_second(item.unit);
-        add(SymbolKind::coordinate, member.name(), stays_positive(item, names), {item.name, member.index, is_member, item.unit.si(), item.doc, &item});
-        add(SymbolKind::velocity, "dot(" + member.name() + ")", false, {item.name, member.index, is_member, rate_unit, item.quasi_axis ? std::string("angular velocity about the own ") + "xyz"[*item.quasi_axis] + " axis" : "time derivative of " + member.name()});
+        add(SymbolKind::coordinate, member.name(), stays_positive(item, names),
+            {item.name, member.index, is_member, item.unit.si(), item.doc, &item});
+        add(SymbolKind::velocity, "dot(" + member.name() + ")", false,
+            {item.name, member.index, is_member, rate_unit,
+             item.quasi_axis ? std::string("angular velocity about the own ") + "xyz"[*item.quasi_axis] + " axis"
+                             : "time derivative of " + member.name()});
         add(SymbolKind::acceleration, "ddot(" + member.name() + ")", false, {item.name, member.index, is_member, "", ""});
-        if (!scene.modes.empty()) add(SymbolKind::jerk, "dot(ddot(" + member.name() + "))", false, {item.name, member.index, is_member, "", ""});
+        if (!scene.modes.empty())
+            add(SymbolKind::jerk, "dot(ddot(" + member.name() + "))", false, {item.name, member.index, is_member, "", ""});
     }
     for (const auto& member : scene.states) {
         const State& item = *member.item;
@@ -90,7 +98,8 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
         const std::string name = item.root ? "sqrt(" + member.name() + ")" : member.name();
         const std::string unit = item.root ? item.unit.dimension.raised({1, 2}).in_base_units() : item.unit.si();
         add(SymbolKind::state, name, item.root || stays_positive(item, names),
-            {item.name, member.index, is_member, unit, item.root && !item.doc.empty() ? "root of: " + item.doc : item.doc, &item, item.root});
+            {item.name, member.index, is_member, unit, item.root && !item.doc.empty() ? "root of: " + item.doc : item.doc, &item,
+             item.root});
         add(SymbolKind::state_rate, "dot(" + name + ")", false, {item.name, member.index, is_member, "", "", nullptr, item.root});
     }
     find_attitudes(scene);
@@ -98,8 +107,11 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
         const std::string name = fmt::format("constraint_force[{}]", member.name());
         const bool is_member = member.item->family.has_value();
         add(SymbolKind::multiplier, name, false, {"constraint_force_" + member.item->name, member.index, is_member});
-        if (!scene.modes.empty()) add(SymbolKind::multiplier_rate, "dot(" + name + ")", false, {"constraint_force_" + member.item->name, member.index, is_member});
-        add(SymbolKind::residual, fmt::format("residual[{}]", member.name()), false, {"residual_" + member.item->name, member.index, is_member});
+        if (!scene.modes.empty())
+            add(SymbolKind::multiplier_rate, "dot(" + name + ")", false,
+                {"constraint_force_" + member.item->name, member.index, is_member});
+        add(SymbolKind::residual, fmt::format("residual[{}]", member.name()), false,
+            {"residual_" + member.item->name, member.index, is_member});
     }
 }
 
@@ -162,8 +174,8 @@ void Symbols::add(SymbolKind kind, const std::string& name, bool positive, Origi
     const ex symbol = positive && is_constant ? ex(GiNaC::possymbol(name)) : ex(GiNaC::realsymbol(name));
     by_name_.emplace(name, std::pair(kind, list.size()));
     by_name_.emplace(key(kind, origin.base, origin.index), std::pair(kind, list.size()));
-    list.push_back({kind, list.size(), name, std::move(origin.base), origin.index, origin.is_member, std::move(origin.unit), std::move(origin.doc),
-                    origin.declared, positive, origin.is_root, symbol});
+    list.push_back({kind, list.size(), name, std::move(origin.base), origin.index, origin.is_member, std::move(origin.unit),
+                    std::move(origin.doc), origin.declared, positive, origin.is_root, symbol});
 }
 
 bool Symbols::is_constant(const ex& e) const {
@@ -222,7 +234,9 @@ double Symbols::size_of(const ex& e, const std::vector<double>& sizes) const {
 
 ex Symbols::add_step(Step step) {
     step_sizes_.push_back(size_of(step.value, step_sizes_));
-    halfway_sizes_.push_back(!step.stays ? size_of(step.value, halfway_sizes_) : step.instead.is_zero() ? 1 : size_of(step.instead, halfway_sizes_));
+    halfway_sizes_.push_back(!step.stays              ? size_of(step.value, halfway_sizes_)
+                             : step.instead.is_zero() ? 1
+                                                      : size_of(step.instead, halfway_sizes_));
     add(SymbolKind::definition, step.name, step.value.info(GiNaC::info_flags::positive), {step.cpp_name, 0, false, "", step.doc});
     definition_values_.push_back(step.value);
     steps_.push_back(std::move(step));
@@ -294,13 +308,16 @@ ex Symbols::time_derivative(const ex& e) const {
                 for (const AttitudeSymbols& attitude : attitudes_) {
                     if (variable->position < attitude.parts[0] || variable->position > attitude.parts[3]) continue;
                     ex rate = 0;
-                    for (std::size_t axis = 0; axis < 3; ++axis) rate += quaternion_slope(attitude, variable->position - attitude.parts[0], axis) * get(SymbolKind::velocity, attitude.coordinates[axis]);
+                    for (std::size_t axis = 0; axis < 3; ++axis)
+                        rate += quaternion_slope(attitude, variable->position - attitude.parts[0], axis) *
+                                get(SymbolKind::velocity, attitude.coordinates[axis]);
                     return rate;
                 }
                 return get(SymbolKind::state_rate, variable->position);
             }
             case SymbolKind::acceleration: return count(SymbolKind::jerk) == 0 ? ex(0) : get(SymbolKind::jerk, variable->position);
-            case SymbolKind::multiplier: return count(SymbolKind::multiplier_rate) == 0 ? ex(0) : get(SymbolKind::multiplier_rate, variable->position);
+            case SymbolKind::multiplier:
+                return count(SymbolKind::multiplier_rate) == 0 ? ex(0) : get(SymbolKind::multiplier_rate, variable->position);
             default: return 0;
         }
     });

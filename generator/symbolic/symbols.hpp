@@ -17,7 +17,23 @@
 
 namespace dalembert {
 
-enum class SymbolKind { parameter, definition, time, input, coordinate, velocity, state, acceleration, state_rate, grid, letter, jerk, multiplier, multiplier_rate, residual };
+enum class SymbolKind {
+    parameter,
+    definition,
+    time,
+    input,
+    coordinate,
+    velocity,
+    state,
+    acceleration,
+    state_rate,
+    grid,
+    letter,
+    jerk,
+    multiplier,
+    multiplier_rate,
+    residual
+};
 
 /// One scalar of the scene. For a member of a family, base and index say which.
 struct Variable {
@@ -124,8 +140,8 @@ public:
     /// The steps in an expression and those that they need, each behind what it needs.
     std::vector<std::size_t> steps_in(const GiNaC::ex& e) const;
 
-    /// Total time derivative by the chain rule: q -> qd -> qdd, z -> zd, t -> 1; in a machine that switches also qdd and multipliers -> their
-    /// rates.
+    /// Total time derivative by the chain rule: q -> qd -> qdd, z -> zd, t -> 1; in a machine that switches also qdd and multipliers ->
+    /// their rates.
     GiNaC::ex time_derivative(const GiNaC::ex& e) const;
     /// Partial derivative by a parameter, definitions followed by the chain rule.
     GiNaC::ex derivative_by_parameter(const GiNaC::ex& e, std::size_t parameter) const;

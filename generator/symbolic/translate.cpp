@@ -32,14 +32,20 @@ void refuse_rates_of_cells(const Expression& e, const ex& rate, const Scene& sce
         for (const Variable& state : symbols.all(SymbolKind::state))
             if (state.base == field.states->name && rate.has(symbols.get(SymbolKind::state_rate, state.position)))
                 fail(Id::not_allowed_here, e,
-                     fmt::format("'{}' needs the rate of '{}', a cell of rod '{}', whose cells are computed in a loop; with loops = false, or of fewer cells, it can stand here", e.written(), state.name, field.rod->name),
+                     fmt::format("'{}' needs the rate of '{}', a cell of rod '{}', whose cells are computed in a loop; with loops = false, "
+                                 "or of fewer cells, it can stand here",
+                                 e.written(), state.name, field.rod->name),
                      {{field.rod->span, "the rod is defined here"}});
 }
 
 /// The exact number that an expression is, or begins with as a factor or term.
 std::size_t bits_of(const ex& value) {
-    const ex number = GiNaC::is_exactly_a<numeric>(value) ? value : (GiNaC::is_a<GiNaC::mul>(value) || GiNaC::is_a<GiNaC::add>(value)) && value.nops() > 0 ? value.op(value.nops() - 1) : ex(0);
-    return GiNaC::is_exactly_a<numeric>(number) && ex_to<numeric>(number).is_rational() ? bit_length(cln::the<cln::cl_RA>(ex_to<numeric>(number).to_cl_N())) : 0;
+    const ex number = GiNaC::is_exactly_a<numeric>(value)                                                      ? value
+                      : (GiNaC::is_a<GiNaC::mul>(value) || GiNaC::is_a<GiNaC::add>(value)) && value.nops() > 0 ? value.op(value.nops() - 1)
+                                                                                                               : ex(0);
+    return GiNaC::is_exactly_a<numeric>(number) && ex_to<numeric>(number).is_rational()
+               ? bit_length(cln::the<cln::cl_RA>(ex_to<numeric>(number).to_cl_N()))
+               : 0;
 }
 
 bool has_letters(const ex& e) {
@@ -67,7 +73,8 @@ SpaceVector Translator::operator()(const VectorExpression& vector, const Indices
 
 /// Throws Failure (number-too-large) for exact numbers that fill memory.
 void Translator::keep_small(const Expression& e, const ex& value) const {
-    if (bits_of(value) > budget::bits) fail(Id::number_too_large, e, fmt::format("'{}' has too many digits to be written exactly", e.written()));
+    if (bits_of(value) > budget::bits)
+        fail(Id::number_too_large, e, fmt::format("'{}' has too many digits to be written exactly", e.written()));
 }
 
 /// Of what has no letters: it is a real number, and one that a computer has. Throws Failure (division-by-zero, number-too-large).
@@ -81,7 +88,8 @@ void Translator::keep_magnitude(const Expression& e, const ex& value) const {
     if (!GiNaC::is_exactly_a<numeric>(number)) return;
     if (!ex_to<numeric>(number).is_real()) fail(Id::division_by_zero, e, fmt::format("'{}' is not a real number", e.written()));
     static const numeric largest = GiNaC::pow(numeric(10), numeric(budget::magnitude));
-    if (GiNaC::abs(ex_to<numeric>(number)) > largest) fail(Id::number_too_large, e, fmt::format("the value of '{}' is beyond 1e{}", e.written(), budget::magnitude));
+    if (GiNaC::abs(ex_to<numeric>(number)) > largest)
+        fail(Id::number_too_large, e, fmt::format("the value of '{}' is beyond 1e{}", e.written(), budget::magnitude));
 }
 
 ex Translator::visit(const Expression& e, const Indices& indices, const Letters& letters) const {
@@ -101,7 +109,8 @@ ex Translator::visit(const Expression& e, const Indices& indices, const Letters&
         case Kind::multiply: return small(part(0) * part(1));
         case Kind::divide: {
             const ex divisor = part(1);
-            if (divisor.is_zero()) fail(Id::division_by_zero, e, fmt::format("'{}' divides by '{}', which is zero", e.written(), e.children[1]->written()));
+            if (divisor.is_zero())
+                fail(Id::division_by_zero, e, fmt::format("'{}' divides by '{}', which is zero", e.written(), e.children[1]->written()));
             return small(part(0) / divisor);
         }
         case Kind::power: break;
@@ -114,7 +123,8 @@ ex Translator::power(const Expression& e, const ex& base, const ex& exponent) co
         const numeric& n = ex_to<numeric>(exponent);
         if (GiNaC::abs(n) > budget::exponent)
             fail(Id::number_too_large, e, fmt::format("the exponent of '{}' is beyond {}", e.written(), budget::exponent));
-        if (base.is_zero() && !n.is_positive()) fail(Id::division_by_zero, e, fmt::format("'{}' raises zero to a power that is not positive", e.written()));
+        if (base.is_zero() && !n.is_positive())
+            fail(Id::division_by_zero, e, fmt::format("'{}' raises zero to a power that is not positive", e.written()));
         if (static_cast<double>(bits_of(base)) * std::abs(n.to_double()) > static_cast<double>(budget::bits))
             fail(Id::number_too_large, e, fmt::format("'{}' has too many digits to be written exactly", e.written()));
         if (GiNaC::is_exactly_a<numeric>(base) && ex_to<numeric>(base).is_rational()) {
@@ -123,7 +133,8 @@ ex Translator::power(const Expression& e, const ex& base, const ex& exponent) co
         }
     }
     // Of a state that is integrated as its root: that root, which is not negative where the model holds.
-    const bool is_root = exponent.is_equal(numeric(1, 2)) && GiNaC::is_exactly_a<GiNaC::power>(base) && base.op(1).is_equal(2) && GiNaC::is_a<GiNaC::symbol>(base.op(0));
+    const bool is_root = exponent.is_equal(numeric(1, 2)) && GiNaC::is_exactly_a<GiNaC::power>(base) && base.op(1).is_equal(2) &&
+                         GiNaC::is_a<GiNaC::symbol>(base.op(0));
     if (const Variable* root = is_root ? symbols_.find(base.op(0)) : nullptr; root != nullptr && root->is_root) return base.op(0);
     return GiNaC::pow(base, exponent);
 }
@@ -133,7 +144,8 @@ int Translator::member_index(const Expression& e, const Item& item, const Indice
     const int index = index_value(*e.children.at(0), scene_, indices);
     const auto [from, to] = bounds(*item.family, scene_);
     if (index < from || index > to)
-        fail(Id::index_out_of_range, e, fmt::format("'{}' asks for member {} of '{}', which has the members {} to {}", e.written(), index, item.name, from, to),
+        fail(Id::index_out_of_range, e,
+             fmt::format("'{}' asks for member {} of '{}', which has the members {} to {}", e.written(), index, item.name, from, to),
              {{item.span, fmt::format("'{}' is defined here", item.name)}});
     return index;
 }
@@ -148,18 +160,27 @@ ex Translator::name(const Expression& e, const Indices& indices, const Letters& 
     if (const auto size = scene_.sizes.find(e.name); size != scene_.sizes.end()) return size->second;
     const Named* named = names_.find(e.name);
     if (named == nullptr) {
-        if (!quantities_ || find_quantity(e.name) == nullptr) fail(Id::not_allowed_here, e, fmt::format("'{}' has no meaning here", e.written()));
+        if (!quantities_ || find_quantity(e.name) == nullptr)
+            fail(Id::not_allowed_here, e, fmt::format("'{}' has no meaning here", e.written()));
         std::vector<ex> arguments;
-        if (find_quantity(e.name)->is_of_medium(e.children.size())) arguments = {0, visit(*e.children[1], indices, letters), visit(*e.children[2], indices, letters)};
+        if (find_quantity(e.name)->is_of_medium(e.children.size()))
+            arguments = {0, visit(*e.children[1], indices, letters), visit(*e.children[2], indices, letters)};
         return quantities_(e, indices, arguments);
     }
-    if (cells_ != nullptr && named->kind == Named::Kind::state && e.children.size() == 1 && e.children[0]->kind == Kind::name && e.children[0]->name == cells_->name) return cell_;
+    if (cells_ != nullptr && named->kind == Named::Kind::state && e.children.size() == 1 && e.children[0]->kind == Kind::name &&
+        e.children[0]->name == cells_->name)
+        return cell_;
     const int index = member_index(e, *named->item, indices);
     static constexpr SymbolKind kinds[]{SymbolKind::letter, SymbolKind::parameter, SymbolKind::definition, SymbolKind::coordinate,
                                         SymbolKind::input,  SymbolKind::state,     SymbolKind::letter,     SymbolKind::letter};
     if (named->kind == Named::Kind::mode) return is_in_mode(e);
-    if (const Variable* variable = symbols_.find(kinds[static_cast<std::size_t>(named->kind)], e.name, index); variable != nullptr && variable->kind == SymbolKind::coordinate && !symbols_.has_value(variable->position))
-        fail(Id::not_allowed_here, e, fmt::format("'{0}' has no value: turns about different axes do not add up to angles. There is dot({0}), the angular velocity about that axis of the body", e.written()), {{named->item->span, "the attitude is defined here"}});
+    if (const Variable* variable = symbols_.find(kinds[static_cast<std::size_t>(named->kind)], e.name, index);
+        variable != nullptr && variable->kind == SymbolKind::coordinate && !symbols_.has_value(variable->position))
+        fail(Id::not_allowed_here, e,
+             fmt::format("'{0}' has no value: turns about different axes do not add up to angles. There is dot({0}), the angular velocity "
+                         "about that axis of the body",
+                         e.written()),
+             {{named->item->span, "the attitude is defined here"}});
     if (const Variable* variable = symbols_.find(kinds[static_cast<std::size_t>(named->kind)], e.name, index))
         return variable->is_root ? GiNaC::pow(variable->symbol, 2) : variable->symbol;
     if (named->kind == Named::Kind::parameter && scene_.fixed.contains(e.name)) {
@@ -177,12 +198,14 @@ ex Translator::name(const Expression& e, const Indices& indices, const Letters& 
         if (const auto known = inserted_.find(key); known != inserted_.end()) return known->second;
         return inserted_[key] = visit(*value, inner, {});
     }
-    fail(Id::needs_absent, e, fmt::format("'{}' is not part of scene '{}'", e.written(), scene_.name), {{named->item->span, "it is defined here"}});
+    fail(Id::needs_absent, e, fmt::format("'{}' is not part of scene '{}'", e.written(), scene_.name),
+         {{named->item->span, "it is defined here"}});
 }
 
 /// 1 in the mode, else 0.
 ex Translator::is_in_mode(const Expression& e) const {
-    if (!scene_.mode) fail(Id::not_allowed_here, e, fmt::format("'{}' is a mode, which is known in a machine that moves only", e.written()));
+    if (!scene_.mode)
+        fail(Id::not_allowed_here, e, fmt::format("'{}' is a mode, which is known in a machine that moves only", e.written()));
     return scene_.modes[*scene_.mode].is_in(e.name) ? 1 : 0;
 }
 
@@ -214,9 +237,13 @@ ex Translator::sum(const Expression& e, const Indices& indices, const Letters& l
 ex Translator::call(const Expression& e, const Indices& indices, const Letters& letters) const {
     const auto part = [&](std::size_t i) { return visit(*e.children[i], indices, letters); };
     if (e.name == "dot" && e.children[0]->kind == Kind::name)
-        if (const Variable* q = symbols_.find(SymbolKind::coordinate, e.children[0]->name, 0); q != nullptr && !symbols_.has_value(q->position)) return symbols_.get(SymbolKind::velocity, q->position);
+        if (const Variable* q = symbols_.find(SymbolKind::coordinate, e.children[0]->name, 0);
+            q != nullptr && !symbols_.has_value(q->position))
+            return symbols_.get(SymbolKind::velocity, q->position);
     if (e.name == "ddot" && e.children[0]->kind == Kind::name)
-        if (const Variable* q = symbols_.find(SymbolKind::coordinate, e.children[0]->name, 0); q != nullptr && !symbols_.has_value(q->position)) return symbols_.get(SymbolKind::acceleration, q->position);
+        if (const Variable* q = symbols_.find(SymbolKind::coordinate, e.children[0]->name, 0);
+            q != nullptr && !symbols_.has_value(q->position))
+            return symbols_.get(SymbolKind::acceleration, q->position);
     if (const auto found = calculus(e, indices, letters)) {
         if (!sums_) refuse_rates_of_cells(e, *found, scene_, symbols_);
         return *found;
@@ -242,7 +269,9 @@ ex Translator::function(const Expression& e, const std::vector<ex>& arguments) c
         if (e.name == "unlocated") return with_unlocated_switches(x);
         if (const ScalarFunction* known = scalar_function_named(e.name)) return applied(*known, arguments);
     } catch (const GiNaC::pole_error&) {
-        if (e.name == "mod") fail(Id::division_by_zero, e, fmt::format("the period '{}' of '{}' is zero, and has to be positive", e.children[1]->written(), e.written()));
+        if (e.name == "mod")
+            fail(Id::division_by_zero, e,
+                 fmt::format("the period '{}' of '{}' is zero, and has to be positive", e.children[1]->written(), e.written()));
         fail(Id::division_by_zero, e, fmt::format("'{}' does not exist", e.written()));
     }
     throw std::logic_error("a function of the vocabulary without a translation: " + e.name);
@@ -251,7 +280,9 @@ ex Translator::function(const Expression& e, const std::vector<ex>& arguments) c
 std::size_t Translator::coordinate(const std::string& name, const Expression* index, const Span& span, const Indices& indices) const {
     const int member = index == nullptr ? 0 : index_value(*index, scene_, indices);
     if (const Variable* variable = symbols_.find(SymbolKind::coordinate, name, member)) return variable->position;
-    throw Failure(Diagnostic{Id::index_out_of_range, span, fmt::format("the scene has no coordinate '{}'", index == nullptr ? name : fmt::format("{}[{}]", name, member))});
+    throw Failure(
+        Diagnostic{Id::index_out_of_range, span,
+                   fmt::format("the scene has no coordinate '{}'", index == nullptr ? name : fmt::format("{}[{}]", name, member))});
 }
 
 }  // namespace dalembert

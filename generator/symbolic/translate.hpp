@@ -52,8 +52,8 @@ public:
     /// Asked of every definite integral that an expression names, whether it has the value that its primitive gives.
     void set_integral_check(std::function<bool(const DefiniteIntegral&)> check) { is_integral_ = std::move(check); }
 
-    /// From now on an integral without a primitive is a letter, for numbers to be put in for it; nothing is differentiated or integrated that
-    /// has one.
+    /// From now on an integral without a primitive is a letter, for numbers to be put in for it; nothing is differentiated or integrated
+    /// that has one.
     void leave_integrals_open() const {
         leaves_integrals_open_ = true;
         open_.clear();
@@ -93,7 +93,8 @@ private:
     GiNaC::ex integrand(const Expression& e, const GiNaC::ex& variable, const Indices& indices, const Letters& letters) const;
     GiNaC::ex integral(const Expression& e, const Indices& indices, const Letters& letters) const;
     /// At infinity for 1 and -1, else at the place; from above (1), below (-1) or both sides.
-    GiNaC::ex limit(const Expression& e, const GiNaC::ex& function, const GiNaC::ex& variable, int infinite, const GiNaC::ex& place, int side = 0) const;
+    GiNaC::ex limit(const Expression& e, const GiNaC::ex& function, const GiNaC::ex& variable, int infinite, const GiNaC::ex& place,
+                    int side = 0) const;
     GiNaC::ex open_integral(const Expression& e, DefiniteIntegral& integral) const;
     const GiNaC::ex& closed(const Expression& e, const GiNaC::ex& value) const;
     std::optional<GiNaC::ex> calculus(const Expression& e, const Indices& indices, const Letters& letters) const;

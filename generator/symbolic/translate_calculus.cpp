@@ -31,12 +31,18 @@ int infinite(const Expression& e) {
 
 /// The time derivative of what the derivative of is known: not of accelerations, rates of plain states and inputs.
 ex Translator::rate(const Expression& e, const ex& value) const {
-    for (const auto& [kind, what] : {std::pair(SymbolKind::acceleration, "acceleration"), std::pair(SymbolKind::state_rate, "rate"), std::pair(SymbolKind::input, "input"), std::pair(SymbolKind::multiplier, "force")})
+    for (const auto& [kind, what] : {std::pair(SymbolKind::acceleration, "acceleration"), std::pair(SymbolKind::state_rate, "rate"),
+                                     std::pair(SymbolKind::input, "input"), std::pair(SymbolKind::multiplier, "force")})
         for (const Variable& variable : symbols_.all(kind))
             if (value.has(variable.symbol))
-                fail_at(Id::not_allowed_here, e, fmt::format("'{}' needs the time derivative of the {} '{}', which is not known", e.written(), what, variable.name));
+                fail_at(Id::not_allowed_here, e,
+                        fmt::format("'{}' needs the time derivative of the {} '{}', which is not known", e.written(), what, variable.name));
     const Expression& inside = *e.children[0];
-    if (const Variable* letter = inside.kind == Expression::Kind::name && find_quantity(inside.name) == nullptr && GiNaC::is_a<GiNaC::symbol>(value) ? symbols_.find(value) : nullptr; letter != nullptr && letter->kind == SymbolKind::parameter)
+    if (const Variable* letter =
+            inside.kind == Expression::Kind::name && find_quantity(inside.name) == nullptr && GiNaC::is_a<GiNaC::symbol>(value)
+                ? symbols_.find(value)
+                : nullptr;
+        letter != nullptr && letter->kind == SymbolKind::parameter)
         fail_at(Id::cannot_integrate, e, fmt::format("'{}' is the rate of '{}', which is a constant here", e.written(), letter->name));
     return symbols_.time_derivative(value);
 }
@@ -44,19 +50,26 @@ ex Translator::rate(const Expression& e, const ex& value) const {
 /// What one can differentiate by, let go somewhere, or insert for.
 const ex& Translator::variable_of(const Expression& e, const ex& variable) const {
     if (GiNaC::is_a<GiNaC::symbol>(variable)) return variable;
-    fail_at(Id::wrong_arguments, *e.children[1], fmt::format("'{}' is not a variable that '{}' could be about", e.children[1]->written(), e.name));
+    fail_at(Id::wrong_arguments, *e.children[1],
+            fmt::format("'{}' is not a variable that '{}' could be about", e.children[1]->written(), e.name));
 }
 
 ex Translator::slope(const Expression& e, const ex& function, const ex& variable) const {
-    if (!GiNaC::is_a<GiNaC::symbol>(variable)) fail_at(Id::wrong_arguments, *e.children[1], fmt::format("'{}' is not a variable that one can differentiate by", e.children[1]->written()));
-    // Of a place that depends on coordinates the slope by time alone is meant to be zero; that of a coordinate can only be meant to be its rate.
+    if (!GiNaC::is_a<GiNaC::symbol>(variable))
+        fail_at(Id::wrong_arguments, *e.children[1],
+                fmt::format("'{}' is not a variable that one can differentiate by", e.children[1]->written()));
+    // Of a place that depends on coordinates the slope by time alone is meant to be zero; that of a coordinate can only be meant to be its
+    // rate.
     if (variable.is_equal(symbols_.time()) && GiNaC::is_a<GiNaC::symbol>(function) && !symbols_.time_derivative(function).is_zero())
-        fail_at(Id::cannot_integrate, e, fmt::format("'{0}' moves, and does not depend on time otherwise; its derivative is dot({0})", e.children[0]->written()));
+        fail_at(Id::cannot_integrate, e,
+                fmt::format("'{0}' moves, and does not depend on time otherwise; its derivative is dot({0})", e.children[0]->written()));
     const Variable* known = symbols_.find(variable);
     for (const SymbolKind kind : {SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier})
         for (const Variable& rate : symbols_.all(kind))
             if (function.has(rate.symbol) && (known == nullptr || known->kind != kind))
-                fail_at(Id::not_allowed_here, e, fmt::format("'{}' differentiates '{}', which depends on everything through the equations; write out what it is", e.written(), rate.name));
+                fail_at(Id::not_allowed_here, e,
+                        fmt::format("'{}' differentiates '{}', which depends on everything through the equations; write out what it is",
+                                    e.written(), rate.name));
     const bool by_parameter = known != nullptr && known->kind == SymbolKind::parameter;
     return by_parameter ? symbols_.derivative_by_parameter(function, known->position) : partial(function, variable);
 }
@@ -74,7 +87,8 @@ ex Translator::integrand(const Expression& e, const ex& variable, const Indices&
     }
     const ex function = symbols_.without_definitions(visit(*e.children[0], indices, letters));
     if (outside.is_equal(symbols_.time()) && !symbols_.time_derivative(function).is_equal(partial(function, outside)))
-        fail_at(Id::cannot_integrate, e, fmt::format("'{}' depends on time through what moves, so that it cannot be integrated", e.children[0]->written()));
+        fail_at(Id::cannot_integrate, e,
+                fmt::format("'{}' depends on time through what moves, so that it cannot be integrated", e.children[0]->written()));
     return function.subs(outside == variable, GiNaC::subs_options::no_pattern);
 }
 
@@ -83,11 +97,15 @@ ex Translator::integral(const Expression& e, const Indices& indices, const Lette
     const ex function = integrand(e, variable, indices, letters);
     const auto primitive = integrate(closed(e, function), variable, Methods::all);
     DefiniteIntegral found{function, variable, 0, 0, infinite(*e.children[2]), infinite(*e.children[3]), 0};
-    const auto place_of = [&](const Expression& end, int infinite) { return infinite != 0 ? ex(0) : closed(e, visit(end, indices, letters)); };
+    const auto place_of = [&](const Expression& end, int infinite) {
+        return infinite != 0 ? ex(0) : closed(e, visit(end, indices, letters));
+    };
     found.from = place_of(*e.children[2], found.infinite_from);
     found.to = place_of(*e.children[3], found.infinite_to);
     if (!primitive) return open_integral(e, found);
-    const auto at = [&](int infinite, const ex& place) { return infinite != 0 ? limit(e, *primitive, variable, infinite, 0) : ex(primitive->subs(variable == place)); };
+    const auto at = [&](int infinite, const ex& place) {
+        return infinite != 0 ? limit(e, *primitive, variable, infinite, 0) : ex(primitive->subs(variable == place));
+    };
     try {
         found.value = at(found.infinite_to, found.to) - at(found.infinite_from, found.from);
     } catch (const Failure&) {  // a limit that is not found
@@ -95,25 +113,35 @@ ex Translator::integral(const Expression& e, const Indices& indices, const Lette
         throw;
     }
     if (is_integral_ && !is_integral_(found))
-        fail_at(Id::cannot_integrate, e, fmt::format("'{}' has a pole between the limits, or its primitive jumps there, so that the integral has no value or another one", e.children[0]->written()));
+        fail_at(Id::cannot_integrate, e,
+                fmt::format(
+                    "'{}' has a pole between the limits, or its primitive jumps there, so that the integral has no value or another one",
+                    e.children[0]->written()));
     return found.value;
 }
 
 ex Translator::limit(const Expression& e, const ex& function, const ex& variable, int infinite, const ex& place, int side) const {
     const ex written_out = symbols_.without_definitions(closed(e, function));
-    const auto found = infinite != 0 ? limit_at_infinity(written_out, variable_of(e, variable), infinite) : limit_at(written_out, variable_of(e, variable), place, side);
+    const auto found = infinite != 0 ? limit_at_infinity(written_out, variable_of(e, variable), infinite)
+                                     : limit_at(written_out, variable_of(e, variable), place, side);
     if (found) return *found;
-    const bool has_sides = infinite == 0 && side == 0 && limit_at(written_out, variable, place, 1) && limit_at(written_out, variable, place, -1);
-    fail_at(Id::cannot_integrate, e, has_sides ? fmt::format("the limits of '{}' from both sides differ, or are not seen to be the same; say from which side, as in 'limit(e, x, 0, 1)' or '\\lim_{{x \\to 0^+}}' for above", e.children[0]->written())
-                                               : fmt::format("the limit of '{}' is not one that the program can find", e.children[0]->written()));
+    const bool has_sides =
+        infinite == 0 && side == 0 && limit_at(written_out, variable, place, 1) && limit_at(written_out, variable, place, -1);
+    fail_at(Id::cannot_integrate, e,
+            has_sides ? fmt::format("the limits of '{}' from both sides differ, or are not seen to be the same; say from which side, as in "
+                                    "'limit(e, x, 0, 1)' or '\\lim_{{x \\to 0^+}}' for above",
+                                    e.children[0]->written())
+                      : fmt::format("the limit of '{}' is not one that the program can find", e.children[0]->written()));
 }
 
 /// The integral as a letter, where those are wanted that have no primitive.
 ex Translator::open_integral(const Expression& e, DefiniteIntegral& integral) const {
-    if (!leaves_integrals_open_) fail_at(Id::cannot_integrate, e, fmt::format("the integral of '{}' is not one that the program can find", e.children[0]->written()));
+    if (!leaves_integrals_open_)
+        fail_at(Id::cannot_integrate, e,
+                fmt::format("the integral of '{}' is not one that the program can find", e.children[0]->written()));
     const auto is_same = [&](const DefiniteIntegral& known) {
-        return known.function.subs(known.variable == integral.variable).is_equal(integral.function) && known.from.is_equal(integral.from) && known.to.is_equal(integral.to) &&
-               known.infinite_from == integral.infinite_from && known.infinite_to == integral.infinite_to;
+        return known.function.subs(known.variable == integral.variable).is_equal(integral.function) && known.from.is_equal(integral.from) &&
+               known.to.is_equal(integral.to) && known.infinite_from == integral.infinite_from && known.infinite_to == integral.infinite_to;
     };
     const auto known = std::find_if(open_.begin(), open_.end(), is_same);
     if (known != open_.end()) return known->value;
@@ -125,7 +153,8 @@ ex Translator::open_integral(const Expression& e, DefiniteIntegral& integral) co
 /// What an integral without a primitive depends on is not seen in its letter.
 const ex& Translator::closed(const Expression& e, const ex& value) const {
     for (const DefiniteIntegral& integral : open_)
-        if (value.has(integral.value)) fail_at(Id::cannot_integrate, e, fmt::format("'{}' needs an integral that the program cannot find", e.written()));
+        if (value.has(integral.value))
+            fail_at(Id::cannot_integrate, e, fmt::format("'{}' needs an integral that the program cannot find", e.written()));
     return value;
 }
 
@@ -142,7 +171,9 @@ std::optional<ex> Translator::calculus(const Expression& e, const Indices& indic
     }
     if (e.name != "at") return std::nullopt;
     if (part(1).is_equal(symbols_.time()) && !symbols_.time_derivative(part(0)).is_equal(partial(part(0), part(1))))
-        fail_at(Id::cannot_integrate, e, fmt::format("'{}' depends on time through what moves, so that its value at one time is not known", e.children[0]->written()));
+        fail_at(
+            Id::cannot_integrate, e,
+            fmt::format("'{}' depends on time through what moves, so that its value at one time is not known", e.children[0]->written()));
     return symbols_.without_definitions(part(0)).subs(variable_of(e, part(1)) == part(2), GiNaC::subs_options::no_pattern);
 }
 

@@ -36,7 +36,8 @@ void check_magnitude(const std::string& name, const ex& value, const Span& place
         const numeric size = GiNaC::abs(GiNaC::ex_to<numeric>(value));
         const numeric largest = GiNaC::pow(numeric(10), numeric(budget::magnitude));
         if (size > largest || size < largest.inverse())
-            throw Failure(Diagnostic{Id::number_too_large, place, fmt::format("the value of '{}' is beyond 1e300 or within 1e-300 of zero", name)});
+            throw Failure(
+                Diagnostic{Id::number_too_large, place, fmt::format("the value of '{}' is beyond 1e300 or within 1e-300 of zero", name)});
     }
 }
 
@@ -90,7 +91,9 @@ void Values::assign(const Variable& variable, const ex& value, const Span& place
     check_magnitude(variable.name, value, place);
     const ex number = GiNaC::is_exactly_a<numeric>(value) ? value : value.subs(substitution(), GiNaC::subs_options::no_pattern);
     if (variable.is_root && sign(number) < 0)
-        throw Failure(Diagnostic{Id::value_out_of_range, place, fmt::format("the value of '{}' is {}, which has no root, but it is integrated as its root", variable.base, shown(number))});
+        throw Failure(Diagnostic{
+            Id::value_out_of_range, place,
+            fmt::format("the value of '{}' is {}, which has no root, but it is integrated as its root", variable.base, shown(number))});
     values_[key(variable.kind, variable.position)] = variable.is_root ? GiNaC::sqrt(value) : value;
     if (variable.declared != nullptr) check_range(*variable.declared, variable.name, number, place);
 }
@@ -115,7 +118,8 @@ void Values::set(const Expression& variable, const Expression& value, unsigned a
     const bool is_rate = variable.kind == Expression::Kind::call && variable.name == "dot" && variable.children.size() == 1;
     const Expression& named = is_rate ? *variable.children[0] : variable;
     if (named.kind != Expression::Kind::name || named.children.size() > 1)
-        throw Failure(Diagnostic{Id::unknown_name, variable.span, fmt::format("'{}' is not something that can be set", variable.written())});
+        throw Failure(
+            Diagnostic{Id::unknown_name, variable.span, fmt::format("'{}' is not something that can be set", variable.written())});
     std::vector<SymbolKind> kinds;
     if ((allowed & on_parameters) != 0 && !is_rate) kinds.push_back(SymbolKind::parameter);
     if ((allowed & on_inputs) != 0 && !is_rate) kinds.push_back(SymbolKind::input);
@@ -128,15 +132,18 @@ void Values::set(const Expression& variable, const Expression& value, unsigned a
     for (const SymbolKind kind : kinds)
         for (const Variable& candidate : symbols.all(kind)) {
             if (candidate.base != named.name) continue;
-            if (candidate.is_member && !named.children.empty() && index_value(*named.children[0], scene_, indices) != candidate.index) continue;
+            if (candidate.is_member && !named.children.empty() && index_value(*named.children[0], scene_, indices) != candidate.index)
+                continue;
             if (!candidate.is_member && !named.children.empty()) continue;
             // Parameters are numbers: what one is made of has the values that are set by now.
             written_.insert(key(kind, candidate.position));
-            assign(candidate, kind == SymbolKind::parameter ? ex(number.subs(substitution(), GiNaC::subs_options::no_pattern)) : number, value.span);
+            assign(candidate, kind == SymbolKind::parameter ? ex(number.subs(substitution(), GiNaC::subs_options::no_pattern)) : number,
+                   value.span);
             found = true;
         }
     if (found) return;
-    throw Failure(Diagnostic{Id::unknown_name, variable.span, fmt::format("'{}' is nothing in scene '{}' that can be set here", variable.written(), scene_.name)});
+    throw Failure(Diagnostic{Id::unknown_name, variable.span,
+                             fmt::format("'{}' is nothing in scene '{}' that can be set here", variable.written(), scene_.name)});
 }
 
 GiNaC::exmap Values::substitution() const {
@@ -150,7 +157,8 @@ GiNaC::exmap Values::substitution() const {
         map[definition] = symbols.without_definitions(definition).subs(parameters, GiNaC::subs_options::no_pattern);
     }
     for (const auto& [which, value] : values_)
-        if (which.first != SymbolKind::parameter) map[symbols.get(which.first, which.second)] = value.subs(map, GiNaC::subs_options::no_pattern);
+        if (which.first != SymbolKind::parameter)
+            map[symbols.get(which.first, which.second)] = value.subs(map, GiNaC::subs_options::no_pattern);
     map[symbols.time()] = time_;
     return map;
 }
@@ -195,7 +203,8 @@ void add_steps(GiNaC::exmap& point, const Symbols& symbols, int digits) {
 std::vector<ex> Values::state() const {
     std::vector<ex> result;
     const GiNaC::exmap map = substitution();
-    for (const Variable* variable : translate_.symbols().state_variables()) result.push_back(values_.at(key(variable->kind, variable->position)).subs(map, GiNaC::subs_options::no_pattern));
+    for (const Variable* variable : translate_.symbols().state_variables())
+        result.push_back(values_.at(key(variable->kind, variable->position)).subs(map, GiNaC::subs_options::no_pattern));
     return result;
 }
 

@@ -138,6 +138,8 @@ private:
 };
 
 /// Throws a Failure of one diagnostic.
-[[noreturn]] inline void fail(Id id, const Span& span, std::string message, std::vector<Note> notes = {}) { throw Failure(Diagnostic{id, span, std::move(message), std::move(notes)}); }
+[[noreturn]] inline void fail(Id id, const Span& span, std::string message, std::vector<Note> notes = {}) {
+    throw Failure(Diagnostic{id, span, std::move(message), std::move(notes)});
+}
 
 }  // namespace dalembert

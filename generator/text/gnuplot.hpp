@@ -12,6 +12,7 @@ namespace dalembert {
 std::string gnuplot_quoted(const std::string& text);
 
 /// What `draw` draws after the commands of `script`, as ".svg" and ".png"; none where gnuplot is missing or fails.
-std::vector<std::pair<std::string, std::string>> gnuplot_pictures(const std::string& script, const std::string& draw, int width, int height);
+std::vector<std::pair<std::string, std::string>> gnuplot_pictures(const std::string& script, const std::string& draw, int width,
+                                                                  int height);
 
 }  // namespace dalembert

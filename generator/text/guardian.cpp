@@ -67,10 +67,15 @@ std::string spent() {
     Stage& now = stage();
     const std::lock_guard lock(now.mutex);
     if (processor_seconds() - now.begin > now.seconds)
-        return fmt::format("{} takes more than {:g} s of processor time, its budget; a smaller model, fewer cells or modes, definitions in place of long expressions need less, and --stage-seconds gives more", now.name, now.seconds);
+        return fmt::format(
+            "{} takes more than {:g} s of processor time, its budget; a smaller model, fewer cells or modes, definitions in place of long "
+            "expressions need less, and --stage-seconds gives more",
+            now.name, now.seconds);
     const auto [resident, all] = memory_in_use();
     if (resident > now.bytes || (address_space() > 0 && all > address_space()))
-        return fmt::format("{} takes more than {:.3g} GB of memory, its budget; a smaller model, fewer cells or modes need less, and --memory gives more", now.name, (resident > now.bytes ? now.bytes : address_space()) / 1e9);
+        return fmt::format(
+            "{} takes more than {:.3g} GB of memory, its budget; a smaller model, fewer cells or modes need less, and --memory gives more",
+            now.name, (resident > now.bytes ? now.bytes : address_space()) / 1e9);
     return {};
 }
 

@@ -8,7 +8,8 @@
 
 namespace dalembert {
 
-/// The candidate with the smallest edit distance, else the first that begins with the word; empty when none is near enough to be a slip of the pen.
+/// The candidate with the smallest edit distance, else the first that begins with the word; empty when none is near enough to be a slip of
+/// the pen.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 /// "; did you mean 'X'?" or nothing.

@@ -29,7 +29,9 @@ std::string wrapped(const std::string& statement, std::size_t column) {
         for (std::size_t i = 0; i + 2 < rest.size() && i < room; ++i) {
             if (rest[i] == '(' || rest[i] == '[') ++depth;
             if (rest[i] == ')' || rest[i] == ']') --depth;
-            const bool is_operator = rest[i] == ' ' && (rest[i + 1] == '+' || rest[i + 1] == '-' || rest[i + 1] == '*' || rest[i + 1] == '/') && rest[i + 2] == ' ';
+            const bool is_operator = rest[i] == ' ' &&
+                                     (rest[i + 1] == '+' || rest[i + 1] == '-' || rest[i + 1] == '*' || rest[i + 1] == '/') &&
+                                     rest[i + 2] == ' ';
             if (is_operator && i > room / 3 && depth <= best_depth) {
                 best = i;
                 best_depth = depth;
