@@ -33,7 +33,8 @@ std::size_t column_of(const std::vector<PrintedRow>& rows) {
 /// One model, scene by scene.
 class ModelCheck {
 public:
-    ModelCheck(const Options& options, Streams streams) : options_(options), streams_(streams), write_(options, streams), model_(loaded(options, streams)) {}
+    ModelCheck(const Options& options, Streams streams)
+        : options_(options), streams_(streams), write_(options, streams), model_(loaded(options, streams)) {}
 
     CheckedFile run() {
         const Model& model = model_->model;
@@ -41,7 +42,8 @@ public:
         file_.part.title = model.title;
         file_.part.about = model.reference;
         const std::string& wanted = options_.choice.scene;
-        for (const std::string& scene : wanted.empty() ? scene_names(model) : std::vector<std::string>{resolve_scene(model, wanted)}) check_scene(scene);
+        for (const std::string& scene : wanted.empty() ? scene_names(model) : std::vector<std::string>{resolve_scene(model, wanted)})
+            check_scene(scene);
         judge_printed();
         write_(end_of_text(file_));
         return std::move(file_);
@@ -104,7 +106,8 @@ private:
 /// One catalogue, entry by entry.
 class CatalogueCheck {
 public:
-    CatalogueCheck(const Catalogue& catalogue, const Options& options, Streams streams) : catalogue_(catalogue), for_pages_(!options.pages.empty()), write_(options, streams) {
+    CatalogueCheck(const Catalogue& catalogue, const Options& options, Streams streams)
+        : catalogue_(catalogue), for_pages_(!options.pages.empty()), write_(options, streams) {
         file_.kind = CheckedFile::Kind::catalogue;
         file_.part.title = catalogue.title;
         file_.part.about = catalogue.edition;

@@ -114,7 +114,8 @@ private:
 
     /// What CLI11 could not make sense of, in a sentence of ours.
     Failure not_understood(const CLI::ParseError& error) {
-        if (const std::string slip = misspelt(); !slip.empty()) return Failure(Diagnostic{Id::bad_option, {}, slip + "; see `dalembert --help`"});
+        if (const std::string slip = misspelt(); !slip.empty())
+            return Failure(Diagnostic{Id::bad_option, {}, slip + "; see `dalembert --help`"});
         const bool is_extra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr || app_.get_subcommands().empty();
         const std::string hint = is_extra ? fmt::format("; the verbs are {}", quoted_list(verb_names())) : "";
         return Failure(Diagnostic{Id::bad_option, {}, std::string(error.what()) + hint + "; see `dalembert --help`"});
@@ -126,8 +127,9 @@ private:
         const std::vector<std::string> names = verb_names();
         const auto found = std::find(names.begin(), names.end(), arguments_[0]);
         if (found == names.end())
-            return fmt::format("there is no verb '{}'{}", arguments_[0],
-                               nearest(arguments_[0], names).empty() ? "; the verbs are " + quoted_list(names) : did_you_mean(arguments_[0], names));
+            return fmt::format(
+                "there is no verb '{}'{}", arguments_[0],
+                nearest(arguments_[0], names).empty() ? "; the verbs are " + quoted_list(names) : did_you_mean(arguments_[0], names));
         const CLI::App* verb = app_.get_subcommand(*found);
         std::vector<std::string> known;
         for (const CLI::Option* option : verb->get_options())
@@ -135,7 +137,8 @@ private:
         for (const std::string& argument : arguments_) {
             const std::string option = argument.substr(0, argument.find('='));
             if (!option.starts_with("--") || option == "--" || std::find(known.begin(), known.end(), option) != known.end()) continue;
-            return fmt::format("'{}' has no option '{}'{}; `dalembert help {}` lists them", *found, option, did_you_mean(option, known), *found);
+            return fmt::format("'{}' has no option '{}'{}; `dalembert help {}` lists them", *found, option, did_you_mean(option, known),
+                               *found);
         }
         return {};
     }

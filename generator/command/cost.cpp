@@ -47,18 +47,22 @@ std::vector<WorkPoint> measure(const WorkPrecision& work, const MeasurementNotes
 MeasuredMachine described(const Variant& v) {
     const PreparedRun& run = v.work->run();
     const Model& model = *run.machine.system->scene.model;
-    return {model.name, model.title, v.name(), v.scene, v.size, v.states, v.from_fullest, run.settings.until, run.settings.method, v.work->reference(), {}};
+    return {model.name,          model.title,         v.name(), v.scene, v.size, v.states, v.from_fullest, run.settings.until,
+            run.settings.method, v.work->reference(), {}};
 }
 
 FileContents plots(const MeasuredMachine& m, const std::filesystem::path& folder) {
     const std::string title = (m.title.empty() ? m.model : m.title) + " (" + m.scene + (m.size.empty() ? "" : ", " + m.size) + ")";
     FileContents files;
-    for (auto& [ending, picture] : precision_plot(m.points, m.until, {{"error of the reference", m.reference.error}, {"effects left out", m.from_fullest}}, title))
+    for (auto& [ending, picture] :
+         precision_plot(m.points, m.until, {{"error of the reference", m.reference.error}, {"effects left out", m.from_fullest}}, title))
         files.emplace_back(folder / (m.name + "_cost" + ending), picture);
     return files;
 }
 
-bool takes_every_scene(const Options& options) { return options.every_scene || (options.models.size() == 1 && options.choice.scene.empty()); }
+bool takes_every_scene(const Options& options) {
+    return options.every_scene || (options.models.size() == 1 && options.choice.scene.empty());
+}
 
 /// Those of one model that are measured.
 std::vector<std::string> wanted_scenes(const Model& model, const Options& options) {
@@ -69,7 +73,8 @@ std::vector<std::string> wanted_scenes(const Model& model, const Options& option
 }
 
 /// All of one model, ready to be measured.
-std::vector<Variant> variants_of(const std::shared_ptr<const LoadedModel>& model, const Options& options, const std::optional<Budget>& budget, Streams streams) {
+std::vector<Variant> variants_of(const std::shared_ptr<const LoadedModel>& model, const Options& options,
+                                 const std::optional<Budget>& budget, Streams streams) {
     const bool may_leave_out = takes_every_scene(options) || options.models.size() > 1;
     return make_variants(model, wanted_scenes(model->model, options), may_leave_out, options, streams, [&](const PreparedRun& run) {
         if (budget) check_run(run, *budget);
@@ -78,7 +83,8 @@ std::vector<Variant> variants_of(const std::shared_ptr<const LoadedModel>& model
 
 void check_options(const Options& options, const std::optional<Budget>& budget) {
     if (options.models.size() == 1) return;
-    if (!options.choice.scene.empty()) throw Failure(Diagnostic{Id::bad_option, {}, "of several models no scene can be chosen; --every-scene takes all"});
+    if (!options.choice.scene.empty())
+        throw Failure(Diagnostic{Id::bad_option, {}, "of several models no scene can be chosen; --every-scene takes all"});
     if (budget) throw Failure(Diagnostic{Id::bad_option, {}, "a budget is asked for of one model"});
 }
 

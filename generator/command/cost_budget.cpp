@@ -20,10 +20,12 @@ double read_time(const SourcePtr& source, std::size_t begin, std::size_t end) {
     const std::size_t unit = std::min(end, text.find_first_not_of("0123456789.eE+-", begin));
     const auto value = read_decimal(text.substr(begin, unit - begin));
     if (!value || unit == end)
-        throw Failure(Diagnostic{Id::bad_option, Span{source, begin, end}, fmt::format("'{}' is not a time such as '20 us'", text.substr(begin, end - begin))});
+        throw Failure(Diagnostic{Id::bad_option, Span{source, begin, end},
+                                 fmt::format("'{}' is not a time such as '20 us'", text.substr(begin, end - begin))});
     const Unit read = parse_unit(excerpt_of(source, unit, end));
     if (read.dimension != Dimension::time())
-        throw Failure(Diagnostic{Id::unit_mismatch, Span{source, unit, end}, fmt::format("a budget is in units of time, 's', not '{}'", read.written)});
+        throw Failure(Diagnostic{Id::unit_mismatch, Span{source, unit, end},
+                                 fmt::format("a budget is in units of time, 's', not '{}'", read.written)});
     const double seconds = cln::double_approx(*value * read.factor);
     if (!(seconds > 0)) throw Failure(Diagnostic{Id::bad_option, Span{source, begin, end}, "a budget is longer than no time at all"});
     return seconds;
@@ -43,7 +45,8 @@ std::vector<StepCandidate> measured(const Variant& variant, const Budget& budget
                 const WorkPoint point = work.measure(plan);
                 const double share = budget.step / until * 1e-6;
                 all.push_back({variant.name(), variant.scene, variant.size, variant.from_fullest, plan, parts, point.microseconds * share,
-                               point.slowest * share, std::max(point.error, variant.from_fullest), point.error, point.is_good ? "" : point.status});
+                               point.slowest * share, std::max(point.error, variant.from_fullest), point.error,
+                               point.is_good ? "" : point.status});
                 if (point.status == "too slow" || point.status == "bad options" || point.microseconds * share > budget.time) break;
             }
         }
@@ -79,8 +82,10 @@ Budget read_budget(const std::string& text) {
 void check_run(const PreparedRun& run, const Budget& budget) {
     constexpr int least = 50;
     if (run.settings.until < least * budget.step)
-        throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the run of {} takes {:g} s, which is less than {} steps of {:g} s: --until", run.name,
-                                                                 run.settings.until, least, budget.step)});
+        throw Failure(Diagnostic{Id::bad_option,
+                                 {},
+                                 fmt::format("the run of {} takes {:g} s, which is less than {} steps of {:g} s: --until", run.name,
+                                             run.settings.until, least, budget.step)});
 }
 
 BudgetResult within_budget(const std::vector<Variant>& variants, const Budget& budget, const Options& options, Streams streams) {

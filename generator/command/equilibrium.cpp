@@ -21,7 +21,8 @@ namespace dalembert {
 namespace {
 
 /// Sets flags for names; a family stands for its members.
-void mark(const std::vector<std::string>& names, const std::vector<const Variable*>& variables, std::vector<bool>& flags, bool value, const char* option) {
+void mark(const std::vector<std::string>& names, const std::vector<const Variable*>& variables, std::vector<bool>& flags, bool value,
+          const char* option) {
     for (const std::string& name : names) {
         bool found = false;
         std::vector<std::string> known;
@@ -45,20 +46,24 @@ void hold_positions(const System& system, std::vector<GiNaC::ex>& x, const Value
     const bool finds_positions = system.needs_projection() && system.symbols.attitudes().empty();
     for (const ConstraintEquation& constraint : system.constraints) {
         if (constraint.item->share)
-            throw Failure(Diagnostic{Id::not_allowed_here, constraint.item->span,
-                                     fmt::format("friction '{}' has a state in place of modes, and sticks anywhere in a range: there are no "
-                                                 "equilibria to be found of it. A run shows where it stays", constraint.name)});
+            throw Failure(
+                Diagnostic{Id::not_allowed_here, constraint.item->span,
+                           fmt::format("friction '{}' has a state in place of modes, and sticks anywhere in a range: there are no "
+                                       "equilibria to be found of it. A run shows where it stays",
+                                       constraint.name)});
         if (!constraint.holds || !constraint.position) continue;
         const auto held = coordinate_at_zero(*constraint.position, system.symbols);
         const GiNaC::ex place = held ? system.symbols.without_definitions(held->second) : GiNaC::ex(0);
         const auto& coordinates = system.symbols.all(SymbolKind::coordinate);
-        const bool is_one = held && std::none_of(coordinates.begin(), coordinates.end(), [&](const Variable& q) { return place.has(q.symbol); });
+        const bool is_one =
+            held && std::none_of(coordinates.begin(), coordinates.end(), [&](const Variable& q) { return place.has(q.symbol); });
         if (!is_one && finds_positions) continue;  // with the equations of motion
         if (!is_one)
-            throw Failure(Diagnostic{Id::not_allowed_here, constraint.item->span,
-                                     fmt::format("constraint '{}' holds a position that is made of several coordinates, or not linear in one; equilibria "
-                                                 "are found there only where positions are projected and nothing turns by a quaternion",
-                                                 constraint.name)});
+            throw Failure(Diagnostic{
+                Id::not_allowed_here, constraint.item->span,
+                fmt::format("constraint '{}' holds a position that is made of several coordinates, or not linear in one; equilibria "
+                            "are found there only where positions are projected and nothing turns by a quaternion",
+                            constraint.name)});
         const std::size_t in_x = system.symbols.place(SymbolKind::coordinate, held->first);
         x[in_x] = place.subs(at, GiNaC::subs_options::no_pattern).evalf();
         free_states[in_x] = false;
@@ -85,8 +90,8 @@ std::vector<bool> moving_coordinates(const Options& options, const std::vector<c
 }
 
 /// The state that changes fastest, of those that shall not; nothing where it is not a state that leaves the residual.
-std::optional<Restless> restless_state(const std::vector<const Variable*>& states, const std::vector<bool>& moving, const std::vector<double>& x,
-                                       const std::vector<double>& rates, double residual) {
+std::optional<Restless> restless_state(const std::vector<const Variable*>& states, const std::vector<bool>& moving,
+                                       const std::vector<double>& x, const std::vector<double>& rates, double residual) {
     std::size_t worst = states.size();
     for (std::size_t i = 0; i < states.size(); ++i) {
         if (moving[i]) continue;
@@ -110,7 +115,9 @@ Values start_values(const Options& options, const System& system) {
     apply_settings(values, parse_settings(options.parameters, "parameter"), on_parameters, system);
     apply_settings(values, parse_settings(options.states, "state"), on_states, system);
     apply_settings(values, parse_settings(options.inputs, "input"), on_inputs, system);
-    const auto is_free = [&](const std::string& name) { return std::find(options.free.begin(), options.free.end(), name) != options.free.end(); };
+    const auto is_free = [&](const std::string& name) {
+        return std::find(options.free.begin(), options.free.end(), name) != options.free.end();
+    };
     std::vector<bool> is_given;
     for (const Variable& input : system.symbols.all(SymbolKind::input))
         is_given.push_back(values.is_written(SymbolKind::input, input.position) || is_free(input.base) || is_free(input.name));
@@ -124,12 +131,13 @@ void refuse_time(const Code& code, const System& system) {
         return std::any_of(matrix.entries.begin(), matrix.entries.end(), [&](NodeId id) { return !by_time.is_zero(id); });
     };
     if (moves(by_time.right) || moves(by_time.below))
-        throw Failure(Diagnostic{Id::bad_option, system.scene.model->name_span,
-                                 fmt::format("the equations of scene '{}' depend on the time, so that nothing stays at rest in them", system.scene.name)});
+        throw Failure(Diagnostic{
+            Id::bad_option, system.scene.model->name_span,
+            fmt::format("the equations of scene '{}' depend on the time, so that nothing stays at rest in them", system.scene.name)});
 }
 
-/// Parts of a heat network without a link to a temperature that is given need one that is held, or their level is arbitrary and their heat has
-/// nowhere to go.
+/// Parts of a heat network without a link to a temperature that is given need one that is held, or their level is arbitrary and their heat
+/// has nowhere to go.
 void refuse_floating_parts(const System& system, const std::vector<bool>& free_states) {
     const auto& plain = system.symbols.all(SymbolKind::state);
     const std::size_t first_plain = system.symbols.positions() + system.symbols.degrees();
@@ -137,9 +145,11 @@ void refuse_floating_parts(const System& system, const std::vector<bool>& free_s
         if (std::any_of(floating.begin(), floating.end(), [&](std::size_t state) { return !free_states[first_plain + state]; })) continue;
         std::vector<std::string> names;
         for (const std::size_t state : floating) names.push_back(plain[state].name);
-        throw Failure(Diagnostic{Id::undetermined, plain[floating[0]].declared->span,
-                                 fmt::format("no link leads from {} to a temperature that is given, so that heat that flows in has nowhere to go and "
-                                             "their level is arbitrary; hold one with --hold {}, or link them", quoted_list(names), names[0])});
+        throw Failure(
+            Diagnostic{Id::undetermined, plain[floating[0]].declared->span,
+                       fmt::format("no link leads from {} to a temperature that is given, so that heat that flows in has nowhere to go and "
+                                   "their level is arbitrary; hold one with --hold {}, or link them",
+                                   quoted_list(names), names[0])});
     }
 }
 

@@ -30,7 +30,8 @@ public:
     std::string operator()(const std::string& name, const ex& e) const {
         const cln::cl_R value = at_(e);
         if (cln::abs(value) > cln::expt_pos(cln::cl_I(10), cln::cl_I(budget::magnitude)))
-            throw Failure(Diagnostic{Id::number_too_large, place_, fmt::format("the value of '{}' at this point is beyond 1e{}", name, budget::magnitude)});
+            throw Failure(Diagnostic{Id::number_too_large, place_,
+                                     fmt::format("the value of '{}' at this point is beyond 1e{}", name, budget::magnitude)});
         return decimal(cln::rational(value), digits_);
     }
     EvaluateResult::Numbers operator()(const Named& entries) const {
@@ -60,7 +61,8 @@ Values values_of(const Options& options, const System& system) {
     apply_settings(values, parse_settings(options.states, "state"), on_states, system);
     apply_settings(values, parse_settings(options.inputs, "input"), on_inputs, system);
     std::vector<bool> is_given;
-    for (const Variable& input : system.symbols.all(SymbolKind::input)) is_given.push_back(values.is_written(SymbolKind::input, input.position));
+    for (const Variable& input : system.symbols.all(SymbolKind::input))
+        is_given.push_back(values.is_written(SymbolKind::input, input.position));
     check_inputs_given(is_given, system);
     meet_constraints(system, values);
     return values;
@@ -70,7 +72,8 @@ Named symbols_of(const System& system, std::initializer_list<SymbolKind> kinds) 
     Named entries;
     for (const SymbolKind kind : kinds)
         for (const Variable& variable : system.symbols.all(kind))
-            if (kind != SymbolKind::coordinate || system.symbols.has_value(variable.position)) entries.emplace_back(variable.name, variable.symbol);
+            if (kind != SymbolKind::coordinate || system.symbols.has_value(variable.position))
+                entries.emplace_back(variable.name, variable.symbol);
     return entries;
 }
 

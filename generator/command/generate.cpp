@@ -13,12 +13,21 @@ namespace {
 
 /// What is known of a header. After generate.
 GeneratedHeader generated_header(const Machine& machine, const Header& header, const std::filesystem::path& path) {
-    GeneratedHeader result{subject_of(machine.system->scene), path, header.name_space, header.text.size(), machine.system->symbols.degrees(),
-                           proofs_of(machine).all_proven(), operations(machine, Function::rhs).total(), {}, {}, machine.stages,
+    GeneratedHeader result{subject_of(machine.system->scene),
+                           path,
+                           header.name_space,
+                           header.text.size(),
+                           machine.system->symbols.degrees(),
+                           proofs_of(machine).all_proven(),
+                           operations(machine, Function::rhs).total(),
+                           {},
+                           {},
+                           machine.stages,
                            rewritten_places(machine)};
     for (std::size_t i = 0; i < function_count; ++i) {
         const auto function = static_cast<Function>(i);
-        if (function != Function::together || machine.together) result.operations.emplace_back(name_of(function), operations(machine, function));
+        if (function != Function::together || machine.together)
+            result.operations.emplace_back(name_of(function), operations(machine, function));
     }
     for (std::size_t i = 0; machine.fields && i < machine.fields->fields.size(); ++i) {
         const FieldFunctions& f = machine.fields->fields[i];
@@ -31,7 +40,8 @@ GeneratedHeader generated_header(const Machine& machine, const Header& header, c
 
 ExitCode generate_command(const Options& options, Streams streams) {
     const auto model = loaded(options, streams);
-    const std::vector<std::string> scenes = options.every_scene ? scene_names(model->model) : std::vector<std::string>{options.choice.scene};
+    const std::vector<std::string> scenes =
+        options.every_scene ? scene_names(model->model) : std::vector<std::string>{options.choice.scene};
     FileContents files;
     GenerateResult result{{}, options.every_scene, options.explain};
     for (const std::string& scene : scenes) {
@@ -44,7 +54,8 @@ ExitCode generate_command(const Options& options, Streams streams) {
             streams.out << dumped(machine, options.dump, header);
             return ExitCode::good;
         }
-        const std::filesystem::path path = std::filesystem::path(options.output) / (options.header.empty() ? header.file_name : options.header);
+        const std::filesystem::path path =
+            std::filesystem::path(options.output) / (options.header.empty() ? header.file_name : options.header);
         files.emplace_back(path, header.text);
         result.headers.push_back(generated_header(machine, header, path));
     }

@@ -26,13 +26,17 @@ using PrintedValues = std::map<std::string, std::string>;
 void refuse_other_machines(const System& system) {
     for (const ConstraintEquation& constraint : system.constraints)
         if (constraint.item->share)
-            throw Failure(Diagnostic{Id::not_allowed_here, constraint.item->span,
-                                     fmt::format("friction '{}' has a state in place of modes, so that there is no mode to linearise the machine in; with "
-                                                 "fewer frictions there is one", constraint.name)});
+            throw Failure(Diagnostic{
+                Id::not_allowed_here, constraint.item->span,
+                fmt::format("friction '{}' has a state in place of modes, so that there is no mode to linearise the machine in; with "
+                            "fewer frictions there is one",
+                            constraint.name)});
     const Scene& scene = system.scene;
     const auto refuse = [&](const Span& place, std::string why) { throw Failure(Diagnostic{Id::not_allowed_here, place, std::move(why)}); };
     const auto& q = system.symbols.all(SymbolKind::coordinate);
-    if (q.empty()) refuse(scene.model->name_span, fmt::format("scene '{}' has no coordinates, so that it has no mass matrix and no modal form", scene.name));
+    if (q.empty())
+        refuse(scene.model->name_span,
+               fmt::format("scene '{}' has no coordinates, so that it has no mass matrix and no modal form", scene.name));
     if (system.symbols.positions() != q.size())
         refuse(q[system.symbols.attitudes().front().coordinates[0]].declared->span,
                "an attitude is a quaternion, with more states than velocities; a modal form needs coordinates, such as angles");
@@ -56,7 +60,8 @@ std::vector<ModalMode> modes_of(const PrintedValues& printed) {
         for (const auto& row : matrix(printed.at(name))) complex.push_back(complex_row(row));
         return complex;
     };
-    const auto eigenvalues = rows("eigenvalues"), alpha = rows("alpha"), vectors = rows("vectors"), matrix_rows = rows("matrix"), input = rows("input");
+    const auto eigenvalues = rows("eigenvalues"), alpha = rows("alpha"), vectors = rows("vectors"), matrix_rows = rows("matrix"),
+               input = rows("input");
     std::vector<ModalMode> modes;
     std::size_t number = 0;
     for (const auto& block : matrix(printed.at("blocks"))) {
@@ -79,7 +84,8 @@ ModalReduction reduction_of(const PrintedValues& printed, const System& system) 
         for (const double place : number_list(printed.at(key), ',')) list.push_back(states[static_cast<std::size_t>(place)]->name);
         return list;
     };
-    ModalReduction reduction{printed.at("is_closed") == "1", names("coordinates"), names("apart"), names("free"), {}, matrix(printed.at("N"))};
+    ModalReduction reduction{printed.at("is_closed") == "1", names("coordinates"), names("apart"), names("free"), {},
+                             matrix(printed.at("N"))};
     for (const auto& row : matrix(printed.at("of_apart"))) reduction.of_apart.emplace_back(row[0], row[1]);
     return reduction;
 }

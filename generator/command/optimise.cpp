@@ -40,7 +40,8 @@ const Variable& parameter_of(const Expression& named, const System& system) {
     const int index = named.children.empty() ? 0 : index_value(*named.children[0], system.scene, {});
     const Variable* found = system.symbols.find(SymbolKind::parameter, named.name, index);
     if (found == nullptr)
-        throw Failure(Diagnostic{Id::unknown_name, named.span, fmt::format("'{}' is a family; one of its members can be varied", named.written())});
+        throw Failure(
+            Diagnostic{Id::unknown_name, named.span, fmt::format("'{}' is a family; one of its members can be varied", named.written())});
     return *found;
 }
 
@@ -125,9 +126,10 @@ ExitCode optimise_command(const Options& options, Streams streams) {
     result.high = number_of(*over.high, system);
     result.points = options.points;
     if (!(result.low < result.high))
-        throw Failure(Diagnostic{Id::bad_option, over.low->span,
-                                 fmt::format("the search for '{}' would begin at {} and end at {}; it begins at the smaller one", result.parameter.name,
-                                             with_units(result.low, result.parameter, 6), with_units(result.high, result.parameter, 6))});
+        throw Failure(Diagnostic{
+            Id::bad_option, over.low->span,
+            fmt::format("the search for '{}' would begin at {} and end at {}; it begins at the smaller one", result.parameter.name,
+                        with_units(result.low, result.parameter, 6), with_units(result.high, result.parameter, 6))});
     run.compile();
     std::optional<OptimumFound> found;
     try {
@@ -138,8 +140,8 @@ ExitCode optimise_command(const Options& options, Streams streams) {
     }
     if (found->search.is_constant)
         throw Failure(Diagnostic{Id::bad_option, over.parameter->span,
-                                 fmt::format("'{}' at the end of the run is {:.6g} for every '{}' of the scan, so that none is best", wanted,
-                                             found->end.value, result.parameter.name)});
+                                 fmt::format("'{}' at the end of the run is {:.6g} for every '{}' of the scan, so that none is best",
+                                             wanted, found->end.value, result.parameter.name)});
     fill(result, *found);
     streams.err << warnings_of(result);
     write_result(result, options, streams);

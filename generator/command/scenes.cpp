@@ -16,8 +16,9 @@ ExitCode scenes_command(const Options& options, Streams streams) {
     ScenesResult result{model->model.name, model->model.default_scene, {}};
     for (const std::string& name : scene_names(model->model)) {
         const Scene scene = select_scene(model->model, model->names, name, options.choice.sizes);
-        result.scenes.push_back({name, scene.doc, names(scene.effects_in), names(scene.effects_out), scene.coordinates.size(), scene.states.size(),
-                                 scene.inputs.size(), scene.outputs.size(), scene.parameters.size(), header_name(scene)});
+        result.scenes.push_back({name, scene.doc, names(scene.effects_in), names(scene.effects_out), scene.coordinates.size(),
+                                 scene.states.size(), scene.inputs.size(), scene.outputs.size(), scene.parameters.size(),
+                                 header_name(scene)});
     }
     write_result(result, options, streams);
     return ExitCode::good;

@@ -26,7 +26,8 @@ ExitCode simulate_command(const Options& options, Streams streams) {
         return ExitCode::check_failed;
     }
     if (prepared.draw && !result.run.drawn) {
-        streams.err << "dalembert: no plot: gnuplot is missing or failed (on Debian: apt-get install gnuplot-nox); --no-plot leaves it out\n";
+        streams.err
+            << "dalembert: no plot: gnuplot is missing or failed (on Debian: apt-get install gnuplot-nox); --no-plot leaves it out\n";
         return ExitCode::tool_missing;
     }
     return ExitCode::good;

@@ -63,7 +63,8 @@ void prepare_model(const std::string& path, const Options& options, std::vector<
     });
     // A run that belongs to one scene is a row of that scene alone.
     std::vector<std::string> scenes{scene_of_run(model->model, options.run)};
-    if (scenes[0].empty()) scenes = options.every_scene ? scene_names(model->model) : std::vector<std::string>{resolve_scene(model->model, "")};
+    if (scenes[0].empty())
+        scenes = options.every_scene ? scene_names(model->model) : std::vector<std::string>{resolve_scene(model->model, "")};
     for (const std::string& scene : scenes) {
         runs.push_back(prepare_row(model, scene, one));
         streams.err << fmt::format("  {}: derived, proven, generated\n", runs.back().row.name());
@@ -78,7 +79,8 @@ void run_all(std::vector<SurveyedRun>& runs, const Options& options, Streams str
     for (std::size_t i = 0; i < runs.size(); ++i) {
         for (; started < runs.size() && started < i + workers; ++started) {
             const PreparedSimulation& simulation = runs[started].simulation;
-            running.push_back(std::async(std::launch::async, [&simulation, folder = options.output] { return run_simulation(simulation, folder); }));
+            running.push_back(
+                std::async(std::launch::async, [&simulation, folder = options.output] { return run_simulation(simulation, folder); }));
         }
         runs[i].report = running[i].get();
         streams.err << fmt::format("  [{:>2}/{}] {}: compiled and run\n", i + 1, runs.size(), runs[i].row.name());

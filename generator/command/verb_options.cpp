@@ -35,7 +35,9 @@ void VerbOptions::model() {
 
 void VerbOptions::sizes(const char* doc) { verb_.add_option("--size", given_.sizes, doc)->delimiter(','); }
 
-void VerbOptions::output() { verb_.add_option("-o,--output", options.output, "folder for results; made if it is not there")->default_val("."); }
+void VerbOptions::output() {
+    verb_.add_option("-o,--output", options.output, "folder for results; made if it is not there")->default_val(".");
+}
 
 void VerbOptions::format(std::vector<std::string> choices) {
     std::string doc;
@@ -44,7 +46,8 @@ void VerbOptions::format(std::vector<std::string> choices) {
 }
 
 void VerbOptions::settings() {
-    verb_.add_option("--parameter", options.parameters, "as m_W=1.2 or p=5bar, comma separated; without a unit, a value counts in the declared one");
+    verb_.add_option("--parameter", options.parameters,
+                     "as m_W=1.2 or p=5bar, comma separated; without a unit, a value counts in the declared one");
     verb_.add_option("--state", options.states, "as s=0.55,dot(s)=-0.3");
     verb_.add_option("--input", options.inputs, "as f_e=4.5; for simulate an expression of t and the states");
 }
@@ -58,8 +61,10 @@ void VerbOptions::integration() {
     verb_.add_option("--tolerance", options.tolerance, "relative tolerance of a step")->check(CLI::Range(1e-16, 0.5));
     verb_.add_option("--method", options.method, methods_text())->check(CLI::IsMember(method_names()));
     verb_.add_option("--step", options.step, "step of methods with a fixed one, in seconds")->check(CLI::PositiveNumber);
-    verb_.add_option("--samples", options.samples, "number of intervals at which results are written")->check(CLI::Range(1, budget::samples));
-    verb_.add_option("--periods", options.periods, "length of the run in periods, where the run names a period")->check(CLI::PositiveNumber);
+    verb_.add_option("--samples", options.samples, "number of intervals at which results are written")
+        ->check(CLI::Range(1, budget::samples));
+    verb_.add_option("--periods", options.periods, "length of the run in periods, where the run names a period")
+        ->check(CLI::PositiveNumber);
 }
 
 void VerbOptions::plots() {

@@ -109,7 +109,9 @@ void take_optimise(VerbOptions& o) {
     auto* maximise = o.add("--maximise", o.options.maximise, "the output, or state, that is to be as large as possible");
     o.add("--minimise", o.options.minimise, "the one that is to be as small as possible")->excludes(maximise);
     o.add("--over", o.options.over, "the parameter and where to look, as alpha=10deg:80deg")->required();
-    o.add("--points", o.options.points, "values of the scan that finds where to look closer")->capture_default_str()->check(CLI::Range(3, 10000));
+    o.add("--points", o.options.points, "values of the scan that finds where to look closer")
+        ->capture_default_str()
+        ->check(CLI::Range(3, 10000));
     o.settings();
     o.format();
     o.integration();
@@ -187,12 +189,15 @@ constexpr auto table = std::to_array<Verb>({
      take_modal},
     {"optimise", "find the parameter with which an output at the end of a run is largest or smallest", optimise_command, take_optimise},
     {"survey", "check, generate and simulate several models; print a table", survey_command, take_survey},
-    {"effects", "what each scene and each effect costs, and what leaving it out changes; writes CSV and a plot", effects_command, take_effects},
-    {"cost", "what accuracy costs in time: every method in every arithmetic, against a reference; writes CSV and plots", cost_command, take_cost},
+    {"effects", "what each scene and each effect costs, and what leaving it out changes; writes CSV and a plot", effects_command,
+     take_effects},
+    {"cost", "what accuracy costs in time: every method in every arithmetic, against a reference; writes CSV and plots", cost_command,
+     take_cost},
     {"accuracy", "how many digits the generated functions have, in float and double, against 100 digits at random and edge points",
      accuracy_command, take_accuracy},
     {"scenes", "list the scenes of a model and their effects", scenes_command, take_scenes},
-    {"help", "the model language: a section, a key, `functions`, `quantities`, `units`; also `catalogue`, `errors`, `limits`, `json` and any verb",
+    {"help",
+     "the model language: a section, a key, `functions`, `quantities`, `units`; also `catalogue`, `errors`, `limits`, `json` and any verb",
      help_command, take_help},
 });
 

@@ -23,8 +23,8 @@ std::string worst_text(const std::vector<std::string>& inputs, const FunctionAcc
     const WorstInput& worst = *f.worst;
     std::string point;
     for (std::size_t i = 0; i < inputs.size(); ++i) point += fmt::format("{}{} = {}", i == 0 ? "" : ", ", inputs[i], worst.inputs[i]);
-    return fmt::format("  {}, {} in {}: {} ulp beyond the condition\n    computed {}\n    exact    {}\n    at ({}) {}\n", title(f), worst.result,
-                       arithmetic.name, written(worst.error), worst.computed, exact_text(worst.exact), worst.kind, point);
+    return fmt::format("  {}, {} in {}: {} ulp beyond the condition\n    computed {}\n    exact    {}\n    at ({}) {}\n", title(f),
+                       worst.result, arithmetic.name, written(worst.error), worst.computed, exact_text(worst.exact), worst.kind, point);
 }
 
 /// Function, values, then largest, typical and plain errors in double and in float.
@@ -38,8 +38,8 @@ std::string table(const AccuracyResult& result) {
     text += table_line("function", "values", "largest", "typical", "plain", "largest", "typical", "plain");
     for (std::size_t i = 0; i < result.in_double.functions.size(); ++i) {
         const FunctionAccuracy &d = result.in_double.functions[i], &f = result.in_float.functions[i];
-        text += table_line(title(d), d.results, written(d.largest()), written(d.typical), written(d.largest_plain), written(f.largest()), written(f.typical),
-                           written(f.largest_plain));
+        text += table_line(title(d), d.results, written(d.largest()), written(d.typical), written(d.largest_plain), written(f.largest()),
+                           written(f.typical), written(f.largest_plain));
     }
     return text;
 }
@@ -63,7 +63,10 @@ nlohmann::ordered_json as_json(const FunctionAccuracy& f, const std::vector<std:
     nlohmann::ordered_json json{{"measured", f.measured}, {"largest", number(f.largest())}, {"typical", number(f.typical)},
                                 {"largest_plain", number(f.largest_plain)}, {"typical_plain", number(f.typical_plain)}};
     if (!f.worst) return json;
-    json["worst"] = {{"result", f.worst->result}, {"kind", f.worst->kind}, {"computed", number(f.worst->computed)}, {"exact", exact_text(f.worst->exact)}};
+    json["worst"] = {{"result", f.worst->result},
+                     {"kind", f.worst->kind},
+                     {"computed", number(f.worst->computed)},
+                     {"exact", exact_text(f.worst->exact)}};
     for (std::size_t i = 0; i < inputs.size(); ++i) json["worst"]["at"][inputs[i]] = f.worst->inputs[i];
     return json;
 }
@@ -72,14 +75,16 @@ nlohmann::ordered_json as_json(const FunctionAccuracy& f, const std::vector<std:
 
 bool AccuracyResult::is_good() const {
     // NaN is above every limit.
-    return std::all_of(in_double.functions.begin(), in_double.functions.end(), [&](const FunctionAccuracy& f) { return f.largest() <= limit; });
+    return std::all_of(in_double.functions.begin(), in_double.functions.end(),
+                       [&](const FunctionAccuracy& f) { return f.largest() <= limit; });
 }
 
 std::string as_text(const AccuracyResult& result) {
     const AccuracyReport &d = result.in_double, &f = result.in_float;
-    std::string text = fmt::format("{}, scene {}: errors in ulp beyond the condition, against {} digits at {} points in double ({} outside of the model) "
-                                   "and {} in float ({})\n", result.subject.sized_name, result.subject.scene, reference_digits, d.points, d.outside, f.points,
-                                   f.outside);
+    std::string text = fmt::format(
+        "{}, scene {}: errors in ulp beyond the condition, against {} digits at {} points in double ({} outside of the model) "
+        "and {} in float ({})\n",
+        result.subject.sized_name, result.subject.scene, reference_digits, d.points, d.outside, f.points, f.outside);
     text += table(result) + worst_inputs(result);
     return result.explained ? text + rewritten_text(result.rewritten) : text;
 }

@@ -31,7 +31,8 @@ nlohmann::ordered_json as_json(const CheckError& error) {
 nlohmann::ordered_json as_json(const CheckedScene& scene) {
     nlohmann::ordered_json json{{"scene", scene.scene}, {"proofs", nlohmann::ordered_json::array()}};
     for (const CheckedScene::Group& group : scene.groups)
-        for (const CheckedScene::Proof& proof : group.proofs) json["proofs"].push_back({{"name", proof.name}, {"verdict", to_string(proof.verdict)}});
+        for (const CheckedScene::Proof& proof : group.proofs)
+            json["proofs"].push_back({{"name", proof.name}, {"verdict", to_string(proof.verdict)}});
     return json;
 }
 
@@ -61,7 +62,8 @@ nlohmann::ordered_json as_json(const CheckedFile& file) {
 
 bool CheckedScene::failed() const {
     const auto is_wrong = [](const Proof& proof) { return proof.verdict == Verdict::wrong; };
-    return std::any_of(groups.begin(), groups.end(), [&](const Group& group) { return std::any_of(group.proofs.begin(), group.proofs.end(), is_wrong); });
+    return std::any_of(groups.begin(), groups.end(),
+                       [&](const Group& group) { return std::any_of(group.proofs.begin(), group.proofs.end(), is_wrong); });
 }
 
 bool CheckedFile::passed() const { return kind != Kind::unreadable && !failed && unread == 0 && read_in_part == 0; }

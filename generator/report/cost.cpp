@@ -16,7 +16,8 @@ std::string reference_text(const ReferenceRun& reference) {
     if (!reference.closed_forms.empty()) text += fmt::format("; of {} closed forms", fmt::join(reference.closed_forms, ", "));
     text += reference.growth ? fmt::format("; a disturbance of the start grows {:.2g}-fold", *reference.growth)
                              : "; how a disturbance of the start grows is not known";
-    if (reference.is_sensitive()) text += fmt::format(": errors are counted up to t = {:.4g} s, where it is not yet lost", reference.until());
+    if (reference.is_sensitive())
+        text += fmt::format(": errors are counted up to t = {:.4g} s, where it is not yet lost", reference.until());
     return text + "\n";
 }
 
@@ -24,10 +25,11 @@ std::string reference_text(const ReferenceRun& reference) {
 std::string advice(const MeasuredMachine& m, double error) {
     const WorkPoint* best = cheapest(m.points, error);
     if (best == nullptr) return fmt::format("{:.0e} in what is compared: not reached\n", error);
-    std::string text = fmt::format("{:.0e} in what is compared: {}: {:.3g} us per simulated second (up to {:.3g}), {} right-hand sides", error,
-                                   name_of(best->plan), best->fastest / m.until, best->slowest / m.until, best->rhs_calls);
+    std::string text = fmt::format("{:.0e} in what is compared: {}: {:.3g} us per simulated second (up to {:.3g}), {} right-hand sides",
+                                   error, name_of(best->plan), best->fastest / m.until, best->slowest / m.until, best->rhs_calls);
     const WorkPoint* usual = cheapest(m.points, error, "double", m.usual_method);
-    if (usual != nullptr && usual != best) text += fmt::format("; {} takes {:.2g} times as long", name_of(usual->plan), usual->fastest / best->fastest);
+    if (usual != nullptr && usual != best)
+        text += fmt::format("; {} takes {:.2g} times as long", name_of(usual->plan), usual->fastest / best->fastest);
     return text + "\n";
 }
 
@@ -43,7 +45,8 @@ std::string advice(const MeasuredMachine& m) {
         }
     if (!m.reference.is_sensitive()) return text;
     if (const WorkPoint* best = cheapest(m.points, 1e-6, "double"))
-        text += fmt::format("over the whole run, up to t = {:.4g} s, {} keeps the energy to {:.1e}\n", best->t, name_of(best->plan), best->energy_error);
+        text += fmt::format("over the whole run, up to t = {:.4g} s, {} keeps the energy to {:.1e}\n", best->t, name_of(best->plan),
+                            best->energy_error);
     return text;
 }
 
@@ -75,7 +78,8 @@ nlohmann::ordered_json as_json(const WorkPoint& p) {
 }
 
 nlohmann::ordered_json as_json(const MeasuredMachine& m) {
-    nlohmann::ordered_json json{{"model", m.model}, {"scene", m.scene}, {"size", m.size}, {"states", m.states}, {"from_fullest", m.from_fullest}};
+    nlohmann::ordered_json json{
+        {"model", m.model}, {"scene", m.scene}, {"size", m.size}, {"states", m.states}, {"from_fullest", m.from_fullest}};
     json["reference"] = as_json(m.reference);
     json["runs"] = nlohmann::ordered_json::array();
     for (const WorkPoint& p : m.points) json["runs"].push_back(as_json(p));
@@ -116,8 +120,10 @@ std::string summary(const std::vector<MeasuredMachine>& all) {
     for (const double error : wanted_errors) text += fmt::format("  {:<30}", fmt::format("cheapest for {:.0e}", error));
     text = text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
     for (const MeasuredMachine& m : all) text += summary_line(m, width);
-    return text + "behind each method and tolerance: its time as a share of that of dopri5 in double for the same accuracy, where that was measured and "
-                  "reaches it\n";
+    return text +
+           "behind each method and tolerance: its time as a share of that of dopri5 in double for the same accuracy, where that was "
+           "measured and "
+           "reaches it\n";
 }
 
 }  // namespace
@@ -126,7 +132,8 @@ std::string as_text(const CostResult& result) {
     std::string text;
     for (const MeasuredMachine& m : result.machines) {
         text += fmt::format("{}\n{}", m.name, advice(m));
-        if (m.from_fullest > 0) text += fmt::format("off by {:.1e} from the fullest scene in the finest size, whatever the integrator\n", m.from_fullest);
+        if (m.from_fullest > 0)
+            text += fmt::format("off by {:.1e} from the fullest scene in the finest size, whatever the integrator\n", m.from_fullest);
         text += "\n";
     }
     if (result.machines.size() > 1) text += summary(result.machines) + "\n";

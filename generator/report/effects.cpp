@@ -32,8 +32,11 @@ std::string deviation(const ComparedScene& scene, bool is_reference) {
 std::string effects_table(const SceneComparison& comparison) {
     std::size_t width = 5;
     for (const ComparedScene& s : comparison.scenes) width = std::max(width, s.wish.size());
-    const auto line = [&](const auto&... cells) { return fmt::format("{:<{}}  {:>6}  {:>10}  {:>10}  {:>7}  {:>15}  {:>6}  {}\n", cells...); };
-    std::string text = line("scene", width, "states", "parameters", "operations", "ns", "spread", "bytes", "largest deviation of an output");
+    const auto line = [&](const auto&... cells) {
+        return fmt::format("{:<{}}  {:>6}  {:>10}  {:>10}  {:>7}  {:>15}  {:>6}  {}\n", cells...);
+    };
+    std::string text =
+        line("scene", width, "states", "parameters", "operations", "ns", "spread", "bytes", "largest deviation of an output");
     for (const bool is_named : {true, false}) {
         bool is_first = true;
         for (std::size_t i = 0; i < comparison.scenes.size(); ++i) {
@@ -45,7 +48,8 @@ std::string effects_table(const SceneComparison& comparison) {
             else if (!s.refused.empty()) text += fmt::format("{:<{}}  {}\n", s.wish, width, s.refused);
             else
                 text += line(s.wish, width, s.states, s.parameters, s.operations, fmt::format("{:.1f}", s.median()),
-                             fmt::format("{:.1f} .. {:.1f}", s.nanoseconds.front(), s.nanoseconds.back()), s.bytes, deviation(s, i == comparison.against));
+                             fmt::format("{:.1f} .. {:.1f}", s.nanoseconds.front(), s.nanoseconds.back()), s.bytes,
+                             deviation(s, i == comparison.against));
         }
     }
     return text;
@@ -81,20 +85,23 @@ nlohmann::ordered_json scenes_json(const SceneComparison& comparison) {
 }  // namespace
 
 std::string effects_csv(const SceneComparison& comparison) {
-    std::string text = "scene,states,parameters,operations,ns,ns_lowest,ns_highest,bytes,output,largest_deviation,relative_deviation,status\n";
+    std::string text =
+        "scene,states,parameters,operations,ns,ns_lowest,ns_highest,bytes,output,largest_deviation,relative_deviation,status\n";
     for (const ComparedScene& s : comparison.scenes) {
         if (!s.is_known()) continue;
-        const std::string cost = fmt::format("{},{},{},{},{:.4g},{:.4g},{:.4g},{}", s.wish, s.states, s.parameters, s.operations, s.median(),
-                                             s.nanoseconds.front(), s.nanoseconds.back(), s.bytes);
+        const std::string cost = fmt::format("{},{},{},{},{:.4g},{:.4g},{:.4g},{}", s.wish, s.states, s.parameters, s.operations,
+                                             s.median(), s.nanoseconds.front(), s.nanoseconds.back(), s.bytes);
         if (s.deviations.empty()) text += fmt::format("{},,,,{}\n", cost, s.status);
         for (const Deviation& d : s.deviations)
-            text += fmt::format("{},{},{},{},{}\n", cost, d.output, d.largest, std::isfinite(d.relative) ? fmt::format("{}", d.relative) : "", s.status);
+            text += fmt::format("{},{},{},{},{}\n", cost, d.output, d.largest,
+                                std::isfinite(d.relative) ? fmt::format("{}", d.relative) : "", s.status);
     }
     return text;
 }
 
 std::string as_text(const EffectsResult& result) {
-    std::string text = fmt::format("{}, compared with scene '{}'; ns and bytes are of the right-hand side\n\n", result.sized_name, result.against());
+    std::string text =
+        fmt::format("{}, compared with scene '{}'; ns and bytes are of the right-hand side\n\n", result.sized_name, result.against());
     text += effects_table(result.comparison) + "\n";
     for (const std::filesystem::path& file : result.files) text += file.string() + "\n";
     return text;

@@ -15,7 +15,8 @@ namespace {
 /// The end of a sentence on what is left.
 std::string restless_text(const std::optional<Restless>& state) {
     if (!state) return ", by which a constraint is not met";
-    if (!std::isfinite(state->rate)) return fmt::format("; the rate of '{}' has no value, where it is {:.6g} {}", state->name, state->value, state->unit);
+    if (!std::isfinite(state->rate))
+        return fmt::format("; the rate of '{}' has no value, where it is {:.6g} {}", state->name, state->value, state->unit);
     const std::string unit = state->unit == "1" ? "" : " " + state->unit;
     return fmt::format(": '{}' changes by {:.6g}{} a second, where it is {:.6g}{}", state->name, state->rate, unit, state->value, unit);
 }
@@ -23,10 +24,11 @@ std::string restless_text(const std::optional<Restless>& state) {
 /// What kind of point it is.
 std::string headline(const EquilibriumResult& result) {
     if (!result.found())
-        return fmt::format("no equilibrium found ({}{}), largest |dx/dt| left {:.3g}{}\n  try another start with --state, keep a state with --hold, "
-                           "let an input change with --free, or see by simulate where it goes\n",
-                           result.status, result.status == "not finite" ? ": dx/dt or its Jacobian has no value" : "", result.residual,
-                           restless_text(result.restless));
+        return fmt::format(
+            "no equilibrium found ({}{}), largest |dx/dt| left {:.3g}{}\n  try another start with --state, keep a state with --hold, "
+            "let an input change with --free, or see by simulate where it goes\n",
+            result.status, result.status == "not finite" ? ": dx/dt or its Jacobian has no value" : "", result.residual,
+            restless_text(result.restless));
     if (result.kind == "family") return fmt::format("one of a family of equilibria of dimension {}\n", result.dimension);
     return result.is_motion ? "a steady motion\n" : "an isolated equilibrium\n";
 }
@@ -34,8 +36,10 @@ std::string headline(const EquilibriumResult& result) {
 std::string eigenvalues_text(const EquilibriumLinearisation& linear, std::size_t states) {
     std::string text;
     if (linear.free_states.size() < states) {
-        text += fmt::format("free to be chosen where constraints hold: {}; the other states follow from them\n", quoted_list(linear.free_states));
-        if (!linear.ignorable.empty()) text += fmt::format("nothing depends on {}: an eigenvalue 0 for each\n", quoted_list(linear.ignorable));
+        text += fmt::format("free to be chosen where constraints hold: {}; the other states follow from them\n",
+                            quoted_list(linear.free_states));
+        if (!linear.ignorable.empty())
+            text += fmt::format("nothing depends on {}: an eigenvalue 0 for each\n", quoted_list(linear.ignorable));
         text += "eigenvalues of the motions that constraints allow [1/s]\n";
     } else {
         text += "eigenvalues of A [1/s]\n";
@@ -50,7 +54,8 @@ std::string as_text(const EquilibriumResult& result) {
     std::string text = result.subject.title() + ": " + headline(result) + values_text(result.states) + values_text(result.inputs);
     if (!result.found()) return text;
     const EquilibriumLinearisation& linear = *result.linearisation;
-    for (const auto& [name, rows] : {std::pair("A", &linear.A), std::pair("B", &linear.B), std::pair("C", &linear.C), std::pair("D", &linear.D)})
+    for (const auto& [name, rows] :
+         {std::pair("A", &linear.A), std::pair("B", &linear.B), std::pair("C", &linear.C), std::pair("D", &linear.D)})
         if (!rows->empty()) text += fmt::format("{}\n", name) + rows_text(*rows);
     return text + eigenvalues_text(linear, result.states.size());
 }

@@ -41,7 +41,8 @@ std::string as_text(const EvaluateResult& result) {
     text += lines("unknowns of loads", result.unknowns);
     if (!result.frictions.empty()) text += "friction at rest\n";
     for (const EvaluateResult::AtRest& one : result.frictions)
-        text += fmt::format("  {:<20} {}: margin {} N, needs a coefficient of {}\n", one.name, one.sticks ? "yes" : "no", one.margin, one.needed_coefficient);
+        text += fmt::format("  {:<20} {}: margin {} N, needs a coefficient of {}\n", one.name, one.sticks ? "yes" : "no", one.margin,
+                            one.needed_coefficient);
     return text + lines("energies and powers", result.energies_and_powers);
 }
 
@@ -61,7 +62,8 @@ nlohmann::ordered_json as_json(const EvaluateResult& result) {
     for (const EvaluatedGroup& group : evaluated_groups) add(group.key, result.*group.numbers);
     if (!result.unknowns.empty()) add("unknown", result.unknowns);
     for (const EvaluateResult::AtRest& one : result.frictions)
-        json["sticking"][one.name] = {{"sticks", one.sticks}, {"margin", number(one.margin)}, {"needed_coefficient", number(one.needed_coefficient)}};
+        json["sticking"][one.name] = {
+            {"sticks", one.sticks}, {"margin", number(one.margin)}, {"needed_coefficient", number(one.needed_coefficient)}};
     for (const auto& [name, value] : result.energies_and_powers) json[name] = number(value);
     return json;
 }

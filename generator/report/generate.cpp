@@ -11,7 +11,8 @@ namespace {
 
 std::string stage_table(const std::vector<StageReport>& stages) {
     std::string text;
-    for (const StageReport& stage : stages) text += fmt::format("  {:<11} {:>8.1f} ms  {}\n", stage.stage, 1000 * stage.seconds, stage.result);
+    for (const StageReport& stage : stages)
+        text += fmt::format("  {:<11} {:>8.1f} ms  {}\n", stage.stage, 1000 * stage.seconds, stage.result);
     return text;
 }
 
@@ -39,7 +40,8 @@ std::string as_text(const GenerateResult& result) {
     std::string text;
     for (const GeneratedHeader& header : result.headers) {
         std::string cells;
-        for (const GeneratedHeader::Cells& one : header.cells) cells += fmt::format(" and {} for each of the {} cells of {}", one.operations, one.count, one.rod);
+        for (const GeneratedHeader::Cells& one : header.cells)
+            cells += fmt::format(" and {} for each of the {} cells of {}", one.operations, one.count, one.rod);
         text += fmt::format("{}: {} degrees of freedom, {} operations in the right-hand side{}, {}\n", header.path.string(), header.degrees,
                             header.rhs_operations, cells, header.all_proven ? "everything proven" : "some of it numerically equal only");
         if (result.explained) text += stage_table(header.stages) + rewritten_text(header.rewritten);

@@ -19,7 +19,8 @@ bool is_same(const RunPlan& a, const RunPlan& b) {
 
 }  // namespace
 
-MeasurementNotes::MeasurementNotes(std::filesystem::path path, std::uint64_t fingerprint) : path_(std::move(path)), title_(fmt::format("{:016x}", fingerprint)) {
+MeasurementNotes::MeasurementNotes(std::filesystem::path path, std::uint64_t fingerprint)
+    : path_(std::move(path)), title_(fmt::format("{:016x}", fingerprint)) {
     std::ifstream file(path_);
     std::string line;
     if (!std::getline(file, line) || line != title_) return;

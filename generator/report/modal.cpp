@@ -23,14 +23,17 @@ std::string written(const Complex& value, double size) {
 
 std::string headline(const ModalResult& result) {
     if (result.is_linear) return "linear, M*ddot(q) + D*dot(q) + C*q = B*u\n";
-    const std::string before = result.reduction ? "motions that constraints allow, " : fmt::format("not linear, since {}; ", result.not_linear);
+    const std::string before =
+        result.reduction ? "motions that constraints allow, " : fmt::format("not linear, since {}; ", result.not_linear);
     return before + fmt::format("linearised at the start, where the largest acceleration is {:.5g}\n", result.largest_acceleration);
 }
 
 std::string reduction_text(const ModalReduction& reduction) {
     if (!reduction.is_closed)
-        return fmt::format("no modal form: forces depend on a coordinate of {} whose speed follows from other coordinates, so that equations of second "
-                           "order do not have it; `dalembert equilibrium` with --moving has the eigenvalues\n", quoted_list(reduction.apart));
+        return fmt::format(
+            "no modal form: forces depend on a coordinate of {} whose speed follows from other coordinates, so that equations of second "
+            "order do not have it; `dalembert equilibrium` with --moving has the eigenvalues\n",
+            quoted_list(reduction.apart));
     if (reduction.coordinates.empty()) return "no modal form: constraints hold every motion\n";
     std::string text = fmt::format("independent coordinates: {}; M, D, C, B and modes are theirs, and the others follow from them\n",
                                    quoted_list(reduction.coordinates));
@@ -52,7 +55,8 @@ std::string table_of_modes(const std::vector<ModalMode>& modes) {
         const ModalMode& mode = modes[k];
         const double frequency = mode.frequency();
         const std::string real = std::abs(mode.eigenvalue.real()) < 1e-10 * frequency ? "" : fmt::format("{:.5g} ", mode.eigenvalue.real());
-        const std::string value = mode.is_real ? written(mode.eigenvalue, frequency) : fmt::format("{}+- {:.5g}i", real, mode.eigenvalue.imag());
+        const std::string value =
+            mode.is_real ? written(mode.eigenvalue, frequency) : fmt::format("{}+- {:.5g}i", real, mode.eigenvalue.imag());
         const auto ratio = mode.damping_ratio();
         text += fmt::format("  {:<3} {:<25} {:>12.5g} {:>12}   {}\n", k + 1, value, frequency,
                             ratio ? fmt::format("{:.5g}", std::abs(*ratio) < 1e-10 ? 0.0 : *ratio) : "-",
@@ -92,8 +96,13 @@ std::string blocks_text(const std::vector<ModalMode>& modes) {
 
 nlohmann::ordered_json as_json(const ModalMode& mode) {
     const auto ratio = mode.damping_ratio();
-    nlohmann::ordered_json json{{"eigenvalue", complex_json(mode.eigenvalue)}, {"angular_frequency", mode.frequency()}, {"damping_ratio", nullptr},
-                                {"alpha", nullptr}, {"block", mode.block}, {"vector", complex_json(mode.vector)}, {"row", complex_json(mode.row)},
+    nlohmann::ordered_json json{{"eigenvalue", complex_json(mode.eigenvalue)},
+                                {"angular_frequency", mode.frequency()},
+                                {"damping_ratio", nullptr},
+                                {"alpha", nullptr},
+                                {"block", mode.block},
+                                {"vector", complex_json(mode.vector)},
+                                {"row", complex_json(mode.row)},
                                 {"input", complex_json(mode.input)}};
     if (ratio) json["damping_ratio"] = *ratio + 0.0;
     if (mode.size == 1) json["alpha"] = complex_json(mode.alpha);

@@ -12,8 +12,9 @@ struct Level {
     double error;
 };
 
-/// Four panels, errors at the end and along the way, of runs up to `until` (s), as ".svg" and ".png" through gnuplot; none where gnuplot is not there.
-std::vector<std::pair<std::string, std::string>> precision_plot(const std::vector<WorkPoint>& measured, double until, const std::vector<Level>& levels,
-                                                                const std::string& title);
+/// Four panels, errors at the end and along the way, of runs up to `until` (s), as ".svg" and ".png" through gnuplot; none where gnuplot is
+/// not there.
+std::vector<std::pair<std::string, std::string>> precision_plot(const std::vector<WorkPoint>& measured, double until,
+                                                                const std::vector<Level>& levels, const std::string& title);
 
 }  // namespace dalembert

@@ -19,8 +19,8 @@ std::vector<RewrittenPlaces> rewritten_places(const Machine& machine) {
 std::string rewritten_text(const std::vector<RewrittenPlaces>& all) {
     std::string text;
     for (const auto& [mode, r] : all)
-        text += fmt::format("  rewritten   {}: {} in {} place{}{}, from {:.3g} to {:.3g} ulp beyond the condition\n", r.rule, r.where, r.places,
-                            r.places == 1 ? "" : "s", mode.empty() ? "" : " of " + mode, r.before, r.after);
+        text += fmt::format("  rewritten   {}: {} in {} place{}{}, from {:.3g} to {:.3g} ulp beyond the condition\n", r.rule, r.where,
+                            r.places, r.places == 1 ? "" : "s", mode.empty() ? "" : " of " + mode, r.before, r.after);
     return text;
 }
 

@@ -10,14 +10,17 @@
 namespace dalembert {
 
 std::string as_text(const ScenesResult& result) {
-    const auto listed = [](const std::vector<std::string>& names) { return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", ")); };
+    const auto listed = [](const std::vector<std::string>& names) {
+        return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+    };
     std::string text;
     for (const ScenesResult::Row& row : result.scenes) {
-        text += fmt::format("{}{}{}\n", row.name, row.name == result.default_scene ? " (default)" : "", row.doc.empty() ? "" : ": " + safe_line(row.doc));
+        text += fmt::format("{}{}{}\n", row.name, row.name == result.default_scene ? " (default)" : "",
+                            row.doc.empty() ? "" : ": " + safe_line(row.doc));
         text += fmt::format("  effects in:  {}\n", listed(row.effects_in));
         text += fmt::format("  effects out: {}\n", listed(row.effects_out));
-        text += fmt::format("  {} coordinates, {} plain states, {} inputs, {} outputs, {} parameters; header {}\n", row.coordinates, row.plain_states,
-                            row.inputs, row.outputs, row.parameters, row.header);
+        text += fmt::format("  {} coordinates, {} plain states, {} inputs, {} outputs, {} parameters; header {}\n", row.coordinates,
+                            row.plain_states, row.inputs, row.outputs, row.parameters, row.header);
     }
     return text;
 }

@@ -12,13 +12,16 @@ namespace {
 /// Flows like a root, whose slopes are infinite where they come to balance, and the remedy; empty without any.
 std::string near_exact_roots(const std::string& flows, const char* before) {
     if (flows.empty()) return "";
-    return fmt::format("; {}a flow like a root has an infinite slope where the pressures at its ends come to balance, here one of {}; with a `width` (a "
-                       "pressure) its law is smooth there", before, flows);
+    return fmt::format(
+        "; {}a flow like a root has an infinite slope where the pressures at its ends come to balance, here one of {}; with a `width` (a "
+        "pressure) its law is smooth there",
+        before, flows);
 }
 
 /// Of a run that a constraint ended.
 std::string cause(const SimulationReport& run) {
-    if (run.status == "singular position") return fmt::format("; constraint '{}' depends on the others there, and no step leads over it", run.constraint);
+    if (run.status == "singular position")
+        return fmt::format("; constraint '{}' depends on the others there, and no step leads over it", run.constraint);
     return fmt::format("; '{}' cannot be held there", run.constraint);
 }
 
@@ -32,8 +35,8 @@ std::string cause_and_remedy(const SimulateResult& result) {
     if (run.status == "step too small") {
         const std::string culprit =
             run.culprit.empty() ? "" : fmt::format(": the error of state '{}' stays too large however short a step is", run.culprit);
-        return fmt::format("{}; try a larger --tolerance than {:g}, and look there for something that jumps or grows without bound", culprit,
-                           result.tolerance);
+        return fmt::format("{}; try a larger --tolerance than {:g}, and look there for something that jumps or grows without bound",
+                           culprit, result.tolerance);
     }
     if (run.status == "too many steps")
         return fmt::format("; try a larger --tolerance, a shorter --until, or an implicit --method{}",
@@ -46,7 +49,8 @@ std::string methods_text(const SimulationReport& run) {
     if (run.methods.size() == 1 && run.methods[0].first != "rodas5p") return run.methods[0].first;
     std::string text;
     for (const auto& [method, steps] : run.methods)
-        text += fmt::format("{}{} for {}{}{}", text.empty() ? "" : ", ", method, steps, text.empty() ? " steps" : "", method == "rodas5p" ? " (stiff)" : "");
+        text += fmt::format("{}{} for {}{}{}", text.empty() ? "" : ", ", method, steps, text.empty() ? " steps" : "",
+                            method == "rodas5p" ? " (stiff)" : "");
     return text;
 }
 
@@ -55,8 +59,10 @@ std::string energy_text(const SimulateResult& result) {
     std::string text = fmt::format("energy error: max |E - E(0) - work| / max({}) = {}\n",
                                    result.has_balances ? "T + |V| + |internal energy|" : "T + |V|", run.energy_error);
     if (run.is_good() && run.keeps_energy() && !result.exact_roots.empty() && run.energy_error > 10 * result.tolerance)
-        text += fmt::format("note: near balance flows like a root, here {}, have fewer digits than the pressures, and so has the energy; a smaller "
-                            "--tolerance gives more, a `width` (a pressure) all\n", result.exact_roots);
+        text += fmt::format(
+            "note: near balance flows like a root, here {}, have fewer digits than the pressures, and so has the energy; a smaller "
+            "--tolerance gives more, a `width` (a pressure) all\n",
+            result.exact_roots);
     return text;
 }
 
@@ -65,14 +71,15 @@ std::string energy_text(const SimulateResult& result) {
 std::string why_it_stopped(const SimulateResult& result) {
     const SimulationReport& run = result.run;
     const bool says_where = run.lost && run.guard.empty() && run.culprit.empty() && run.constraint.empty();
-    const std::string where = says_where ? ": " + run.message : fmt::format(" at t = {} s: {}", run.t, run.guard.empty() ? run.status : run.guard);
+    const std::string where =
+        says_where ? ": " + run.message : fmt::format(" at t = {} s: {}", run.t, run.guard.empty() ? run.status : run.guard);
     return fmt::format("the run stopped{}{}", where, cause_and_remedy(result));
 }
 
 std::string as_text(const SimulateResult& result) {
     const SimulationReport& run = result.run;
-    std::string text = fmt::format("{} steps ({} rejected), {} evaluations of the right-hand side{}\n", run.steps, run.rejected, run.rhs_calls,
-                                   run.events > 0 ? fmt::format(", {} events passed", run.events) : "");
+    std::string text = fmt::format("{} steps ({} rejected), {} evaluations of the right-hand side{}\n", run.steps, run.rejected,
+                                   run.rhs_calls, run.events > 0 ? fmt::format(", {} events passed", run.events) : "");
     if (!run.methods.empty()) text += fmt::format("method: {}\n", methods_text(run));
     text += energy_text(result);
     if (run.euler_step == 0) text += "explicit Euler at the start: not stable, because the slope of a rate is infinite there\n";

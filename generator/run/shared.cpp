@@ -34,7 +34,8 @@ void show_doubts(const Machine& machine, Streams streams) {
 }
 
 void ask_of_code(Machine& machine, const Options& options) {
-    for (const Pass& pass : all_passes) machine.passes.*pass.is_on = std::find(options.without.begin(), options.without.end(), pass.name) == options.without.end();
+    for (const Pass& pass : all_passes)
+        machine.passes.*pass.is_on = std::find(options.without.begin(), options.without.end(), pass.name) == options.without.end();
     machine.trig = options.trig == "combined" ? Trig::combined : Trig::library;
     machine.together = options.together;
     machine.language = &language_named(options.language);
@@ -45,21 +46,32 @@ const Machine& in_chosen_mode(const Machine& machine, const Options& options) {
     const Scene& scene = machine.system->scene;
     std::vector<std::string> names;
     for (const SceneMode& mode : scene.modes) names.push_back(mode.name);
-    if (names.empty()) throw Failure(Diagnostic{Id::unknown_name, scene.model->name_span, fmt::format("scene '{}' has no modes, and so no mode '{}'", scene.name, options.mode)});
+    if (names.empty())
+        throw Failure(Diagnostic{Id::unknown_name, scene.model->name_span,
+                                 fmt::format("scene '{}' has no modes, and so no mode '{}'", scene.name, options.mode)});
     const auto found = std::find(names.begin(), names.end(), options.mode);
-    if (found == names.end()) throw Failure(Diagnostic{Id::unknown_name, scene.model->name_span, fmt::format("scene '{}' has no mode '{}'; its modes are {}", scene.name, options.mode, quoted_list(names))});
+    if (found == names.end())
+        throw Failure(
+            Diagnostic{Id::unknown_name, scene.model->name_span,
+                       fmt::format("scene '{}' has no mode '{}'; its modes are {}", scene.name, options.mode, quoted_list(names))});
     return found == names.begin() ? machine : machine.other_modes[static_cast<std::size_t>(found - names.begin()) - 1];
 }
 
 void refuse_fields(const System& system, const char* verb) {
     for (const RodField& field : system.heat.fields)
-        throw Failure(Diagnostic{Id::too_large, field.rod->span, fmt::format("the {} cells of rod '{}' are computed in a loop, and '{}' needs each by itself; choose fewer cells", field.geometry.cells(), field.rod->name, verb)});
+        throw Failure(
+            Diagnostic{Id::too_large, field.rod->span,
+                       fmt::format("the {} cells of rod '{}' are computed in a loop, and '{}' needs each by itself; choose fewer cells",
+                                   field.geometry.cells(), field.rod->name, verb)});
 }
 
 void refuse_rest(const System& system, const char* verb) {
     const Scene& scene = system.scene;
     if (!scene.coordinates.empty() || !scene.states.empty()) return;
-    throw Failure(Diagnostic{Id::nothing_left, scene.model->name_span, fmt::format("scene '{}' has neither a coordinate nor a state, so that there is nothing for '{}'; 'evaluate' gives its outputs and what its loads bear", scene.name, verb)});
+    throw Failure(Diagnostic{Id::nothing_left, scene.model->name_span,
+                             fmt::format("scene '{}' has neither a coordinate nor a state, so that there is nothing for '{}'; 'evaluate' "
+                                         "gives its outputs and what its loads bear",
+                                         scene.name, verb)});
 }
 
 }  // namespace dalembert
