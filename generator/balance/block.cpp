@@ -113,7 +113,7 @@ private:
     }
 
     /// The cells of a side lie across a direction, in the column or row `number`.
-    void side(const std::optional<Boundary>& what, const char* which, Direction across, std::size_t number) {
+    void side(const std::optional<Side>& what, const char* which, Direction across, std::size_t number) {
         BorderState border{fmt::format("{}.{}", block_.name, which)};
         if (what) {
             const NodeState* neighbour = neighbour_at(*what, border.name);
@@ -127,7 +127,7 @@ private:
     }
 
     /// What holds the whole side at its temperature, if anything does.
-    const NodeState* neighbour_at(const Boundary& what, const std::string& name) {
+    const NodeState* neighbour_at(const Side& what, const std::string& name) {
         if (what.temperature)
             return &network_.nodes.emplace_back(NodeState{NodeState::Kind::held, name, &block_, what.temperature->span, warmth_of(value(what.temperature)), {}});
         if (!what.node) return nullptr;

@@ -48,6 +48,7 @@ public:
             case Flow::Law::hydraulic_orifice: hydraulic_orifice(f); break;
             case Flow::Law::pneumatic_orifice: pneumatic_orifice(f); break;
             case Flow::Law::check_valve: check_valve(f); break;
+            case Flow::Law::relief_valve: relief_valve(f); break;
             case Flow::Law::pump: pump(f); break;
             case Flow::Law::pipe: pipe(f); break;
         }
@@ -72,6 +73,9 @@ private:
             case Flow::Law::pump: pump(f); break;
             case Flow::Law::pipe: pipe(f); break;
             case Flow::Law::pneumatic_orifice: break;  // was refused
+            case Flow::Law::relief_valve:
+                throw Failure(Diagnostic{Id::not_allowed_here, item.span,
+                                         fmt::format("relief valve '{}' ends at a junction, whose pressure this version does not solve with one; make the junction a small volume", f.member.name())});
         }
         if (!f.law_at_junction) return f;
         const PressureLaw& law = *f.law_at_junction;
@@ -151,6 +155,19 @@ private:
         } else {
             f.mass_flow = f.density * value(item.coefficient) * value(item.area) * outflow_velocity(f, dp, f.density, true);
         }
+    }
+
+    /// An orifice (3.150) whose area grows linearly from zero at the cracking pressure. While it is shut the root is that of the cracking
+    /// pressure: its slope stays finite where the difference passes zero.
+    void relief_valve(FlowState& f) {
+        const Flow& item = *f.member.item;
+        const ex cracking = value(item.cracking_pressure);
+        const ex dp = difference(f), excess = difference(f, cracking), remaining = difference(f, cracking + value(item.override_pressure));
+        edge(f, "opens or closes", excess);
+        edge(f, "is open with its whole area", remaining);
+        const ex opening = minimum(maximum(unlocated(excess), 0) / value(item.override_pressure), 1);
+        f.density = f.from->density;
+        f.mass_flow = f.density * value(item.coefficient) * value(item.area) * opening * GiNaC::sqrt(2 * maximum(unlocated(dp), cracking) / f.density);
     }
 
     /// (3.156) in both directions. With d = |p_1 - p_2|/p_u and p_u the higher pressure: p_u*Psi = sqrt(p_u*|p_1 - p_2|)*outflow_factor(d).

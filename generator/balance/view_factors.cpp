@@ -39,7 +39,7 @@ private:
     bool is_unknown(std::size_t i, std::size_t j) const { return std::find(unknown_.begin(), unknown_.end(), Pair(std::min(i, j), std::max(i, j))) != unknown_.end(); }
     Span place(std::size_t i, std::size_t j) const {
         const ExpressionPtr& entry = enclosure_.view_factors[i][j];
-        return entry ? entry->span : enclosure_.view_factors_span;
+        return entry ? entry->span : enclosure_.view_factors.span;
     }
     std::string name(std::size_t i) const { return surface_name(enclosure_, i); }
     [[noreturn]] void fail(Id id, const Span& span, const std::string& message, std::vector<Note> notes = {}) const {
@@ -92,18 +92,18 @@ private:
     Span row_place(std::size_t i) const {
         for (const ExpressionPtr& entry : enclosure_.view_factors[i])
             if (entry) return entry->span;
-        return enclosure_.view_factors_span;
+        return enclosure_.view_factors.span;
     }
 
     void complete() {
         const SolvedRows solved = solve_rows(areas_, direct_, unknown_);
         if (solved.undetermined)
-            fail(Id::undetermined, enclosure_.view_factors_span,
+            fail(Id::undetermined, enclosure_.view_factors.span,
                  fmt::format("reciprocity (4.45) and the sums of rows (4.47) do not determine the view factor from {} to {}; give it", name(solved.undetermined->first), name(solved.undetermined->second)));
         for (const ex& rest : solved.left_over) {
             const auto number = rest.expand().is_zero() ? std::nullopt : value_(rest);
             if (number && sign_of_value(*number) != 0)
-                fail(Id::wrong_enclosure, enclosure_.view_factors_span,
+                fail(Id::wrong_enclosure, enclosure_.view_factors.span,
                      fmt::format("no view factors in the places left out make all rows of enclosure '{}' add up to 1 (4.47) and keep the reciprocity (4.45): {} m^2 are left over", enclosure_.name, shown(*number)));
         }
         for (std::size_t u = 0; u < unknown_.size(); ++u) {
@@ -111,7 +111,7 @@ private:
             set(i, j, solved.values[u]);
             const auto number = value_(direct_[i][j] / areas_[i]);
             if (number && sign_of_value(*number) < 0)
-                fail(Id::wrong_enclosure, enclosure_.view_factors_span,
+                fail(Id::wrong_enclosure, enclosure_.view_factors.span,
                      fmt::format("the view factor from {} to {} follows as {} from reciprocity (4.45) and the sums of rows (4.47), but must not be below 0", name(i), name(j), shown(*number)));
         }
     }

@@ -19,7 +19,7 @@ class HeaderPrinter {
 public:
     HeaderPrinter(const Plant& plant, const std::string& name) : plant_(plant), name_(name), print_(plant, name) {}
 
-    std::string run(const std::string& banner) {
+    std::string run() {
         std::map<std::string, std::string> values = c_tables(plant_, name_);
         const auto number = [&](const char* key, std::size_t value) { values[key] = std::to_string(value); };
         number("API_VERSION", c_api_version);
@@ -33,9 +33,7 @@ public:
         number("SIZE_X", plant_.by_state.size());
         number("SIZE_U", plant_.by_input.size());
         number("SIZE_P", plant_.by_parameter.size());
-        values["BANNER"] = banner;
         values["NAME"] = name_;
-        values["GUARD"] = upper(name_) + "_H";
         values["MODEL"] = cpp_string(plant_.model);
         values["SCENE"] = cpp_string(plant_.scene);
         values["TITLE"] = cpp_string(plant_.title);
@@ -49,11 +47,6 @@ public:
     }
 
 private:
-    static std::string upper(std::string text) {
-        for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-        return text;
-    }
-
     void parameters(std::map<std::string, std::string>& values) {
         std::string members, defaults, cached;
         for (const PlantParameter& p : plant_.parameter_members) {
@@ -86,7 +79,20 @@ private:
         if (f.operations) text += "/// Operations: " + *f.operations + "\n";
         const std::string result = f.result == PlantFunction::Result::none ? "void" : f.result == PlantFunction::Result::truth ? "bool" : name_ + "_real";
         const std::string arguments = print_.text(f.body.arguments);
-        return text + equations(f) + fmt::format("static inline {} {}_{}(const {}* plant_{}{}) {{\n", result, name_, f.name, name_, arguments.empty() ? "" : ", ", arguments) + print_.body(f.body) + "}\n\n";
+        const std::string head = fmt::format("static inline {} {}_{}(const {}* plant_{}{}) {{", result, name_, f.name, name_, arguments.empty() ? "" : ", ", arguments);
+        return text + equations(f) + broken_at_commas(head) + print_.body(f.body) + "}\n\n";
+    }
+
+    static std::string broken_at_commas(std::string line) {
+        constexpr std::size_t longest = 128;
+        std::string text;
+        while (line.size() > longest) {
+            const std::size_t comma = line.rfind(", ", longest - 2);
+            if (comma == std::string::npos) break;
+            text += line.substr(0, comma + 1) + "\n";
+            line = "    " + line.substr(comma + 2);
+        }
+        return text + line + "\n";
     }
 
     std::string functions() {
@@ -94,12 +100,23 @@ private:
         for (const PlantFunction& f : plant_.functions) {
             if (f.name == "together") text += fmt::format("typedef struct {0}_energies {{\n    {0}_real kinetic, potential, internal;  ///< J\n}} {0}_energies;\n\n", name_);
             text += function(f);
+            if (f.name == "rhs") text += series();
         }
         for (const PlantFunction& f : plant_.constraint_functions) {
             if (f.name == "move_back") text += choice(*plant_.constraints);
             text += function(f);
         }
         return text + meet_constraints();
+    }
+
+    /// Nothing where none were asked for.
+    std::string series() {
+        if (!plant_.series) return {};
+        const FunctionBody& body = plant_.series->body;
+        return fill_template(embedded_file("series.h.in"), {{"NAME", name_},
+                                                            {"STATES_AND_WORK", std::to_string(plant_.states.size() + 1)},
+                                                            {"ARGUMENTS", fmt::format("const {}* plant_, {}", name_, print_.text(body.arguments))},
+                                                            {"SERIES", print_.body(body)}});
     }
 
     std::string choice(const PlantConstraints& constraints) const {
@@ -139,6 +156,12 @@ private:
 
 }  // namespace
 
-std::string c_plant(const Plant& plant, const std::string& name, const std::string& banner) { return HeaderPrinter(plant, name).run(banner); }
+std::string c_plant(const Plant& plant, const std::string& name) { return HeaderPrinter(plant, name).run(); }
+
+std::string c_file(const std::string& content, const std::string& name, const std::string& banner) {
+    std::string guard = name + "_h";
+    for (char& c : guard) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return fill_template(embedded_file("header.h.in"), {{"BANNER", banner}, {"GUARD", guard}, {"CONTENT", content}});
+}
 
 }  // namespace dalembert

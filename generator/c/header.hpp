@@ -8,8 +8,10 @@ namespace dalembert {
 
 inline constexpr int c_api_version = 1;
 
-/// `name` stands before every name that the header defines; `banner` at its top. Throws Failure (reserved-name) where a name of the model is a word
-/// of C.
-std::string c_plant(const Plant& plant, const std::string& name, const std::string& banner);
+/// What a header defines. `name` stands before every name.
+std::string c_plant(const Plant& plant, const std::string& name);
+
+/// The whole header, with `banner` at its top.
+std::string c_file(const std::string& content, const std::string& name, const std::string& banner);
 
 }  // namespace dalembert

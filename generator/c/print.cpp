@@ -103,8 +103,19 @@ std::string CPrinter::text(const Value& value) {
         case Value::Kind::call: return call(value);
         case Value::Kind::all_of: return value.parts().empty() ? "true" : listed(value.parts(), " && ");
         case Value::Kind::event: return name_ + "_e_" + value.text();
+        case Value::Kind::interface_size: return name_ + "_" + value.text();
+        case Value::Kind::room_from: return listed(value.parts(), " + ");
+        case Value::Kind::real: return fmt::format("({}_real)({})", name_, text(value.parts()[0]));
+        case Value::Kind::signed_index: return fmt::format("(int)({})", text(value.parts()[0]));
+        case Value::Kind::comparison: return comparison(value);
+        case Value::Kind::choice: return fmt::format("{} ? {} : {}", text(value.parts()[0]), text(value.parts()[1]), text(value.parts()[2]));
     }
     return {};
+}
+
+std::string CPrinter::comparison(const Value& value) {
+    static constexpr const char* signs[]{" == ", " < ", " > "};
+    return listed(value.parts(), signs[static_cast<std::size_t>(value.comparison())]);
 }
 
 std::string CPrinter::declaration(const Declaration& d) {
@@ -112,9 +123,11 @@ std::string CPrinter::declaration(const Declaration& d) {
     const bool has_value = d.value.kind() != Value::Kind::none;
     const char* zeros = !d.is_zeroed ? "" : d.type.sizes.size() > 1 ? " = {{0}}" : " = {0}";
     switch (d.type.kind) {
-        case Storage::Kind::scalar: return has_value ? fmt::format("const {}_real {} = {};", name_, names, text(d.value)) : fmt::format("{}_real {};", name_, names);
+        case Storage::Kind::scalar:
+            return has_value ? fmt::format("{}{}_real {} = {};", d.changes ? "" : "const ", name_, names, text(d.value)) : fmt::format("{}_real {};", name_, names);
         case Storage::Kind::index: return fmt::format("const size_t {} = {};", names, text(d.value));
         case Storage::Kind::indices: return fmt::format("static const size_t {}[{}] = {{{}}};", names, d.numbers.size(), fmt::join(d.numbers, ", "));
+        case Storage::Kind::room: return fmt::format("{}_real* const {} = {};", name_, names, text(d.value));
         case Storage::Kind::vector: return fmt::format("{}_real {}[{}]{};", name_, names, size_of(plant_, d.type.name), zeros);
         case Storage::Kind::array:
         case Storage::Kind::table: break;
@@ -142,6 +155,8 @@ std::string CPrinter::filling(const Filling& f) {
 }
 
 std::string CPrinter::braced(const std::string& head, const Statements& body) { return indent_of_body + head + "{\n" + shifted(text(body)) + indent_of_body + "}\n"; }
+
+std::string CPrinter::inputs(const std::string& name) const { return fmt::format("{}{}_real {}[{}];\n", indent_of_body, name_, name, size_of(plant_, "Input")); }
 
 std::string CPrinter::loop(const Loop& loop) {
     return braced(fmt::format("for (size_t {0} = {1}; {0} < {2}; ++{0}) ", loop.index, loop.first, text(loop.end)), loop.body);
@@ -175,6 +190,14 @@ std::string CPrinter::one(const Statement& statement) {
         std::string operator()(const ByMode& s) const { return print.modes(s); }
         std::string operator()(const Return& s) const { return line_of(fmt::format("return {};", print.text(s.value))); }
         std::string operator()(const Braces& s) const { return print.braced("", s.body); }
+        std::string operator()(const If& s) const { return print.braced(fmt::format("if ({}) ", print.text(s.condition)), s.body); }
+        std::string operator()(const IfRoomForWork& s) const { return print.text(s.body); }  // in C there always is
+        std::string operator()(const FirstInputs& s) const {
+            return print.inputs(s.input) + line_of(fmt::format("inputs->first(inputs->data, {}[0], {}, {});", print.text(s.states), print.text(s.time), s.input));
+        }
+        std::string operator()(const NextInputs& s) const {
+            return print.inputs(s.input) + line_of(fmt::format("inputs->next(inputs->data, {}, x, {});", print.text(s.order), s.input));
+        }
         std::string operator()(const Unused& s) const { return fmt::format("{}(void){};\n", indent_of_body, s.name); }
     };
     return std::visit(Cases{*this, line}, statement.content);
@@ -190,9 +213,12 @@ std::string CPrinter::text(const std::vector<Argument>& arguments) {
     std::string result;
     for (const Argument& a : arguments) {
         result += result.empty() ? "" : ", ";
-        if (a.type == "Scalar") result += fmt::format("{}_real {}", name_, a.name);
+        if (a.type == "Scalar" && a.passing == Argument::Passing::room) result += fmt::format("{}_real* {}", name_, a.name);
+        else if (a.type == "Scalar") result += fmt::format("{}_real {}", name_, a.name);
         else if (a.type == "Mode") result += fmt::format("{}_mode {}", name_, a.name);
-        else if (a.type == "EventNumber") result += "size_t " + a.name;
+        else if (a.type == "EventNumber" || a.type == "Index") result += "size_t " + a.name;
+        else if (a.type == "Inputs") result += fmt::format("const {}_input_series* {}", name_, a.name);
+        else if (a.type == "StateOrMore") result += fmt::format("{}_real (*{})[{}]", name_, a.name, size_of(plant_, "State") + 1);
         else if (a.type == "Energies") result += fmt::format("{}_energies* {}", name_, a.name);
         else {
             const char* before = a.passing == Argument::Passing::read ? "const " : "";

@@ -35,10 +35,12 @@ private:
     std::string product(const Value& value);
     std::string call(const Value& value);
     std::string member(const Value& value) const;
+    std::string comparison(const Value& value);
     std::string declaration(const Declaration& d);
     std::string filled_by_call(const Declaration& d);
     std::string assignment(const Assignment& a);
     std::string filling(const Filling& f);
+    std::string inputs(const std::string& name) const;
     std::string loop(const Loop& loop);
     std::string modes(const ByMode& by_mode);
     std::string braced(const std::string& head, const Statements& body);

@@ -12,24 +12,39 @@ namespace dalembert {
 
 namespace {
 
+using Places = std::vector<std::pair<std::string, std::size_t>>;
+
+Places numbered(const std::vector<std::string>& identifiers) {
+    Places result;
+    for (const std::string& identifier : identifiers) result.emplace_back(identifier, result.size());
+    return result;
+}
+
+Places places_of(const std::vector<PlantQuantity>& list) {
+    Places result;
+    for (const PlantQuantity& q : list) result.emplace_back(q.identifier, result.size());
+    return result;
+}
+
 class Tables {
 public:
     Tables(const Plant& plant, std::string name) : plant_(plant), name_(std::move(name)) {}
 
-    std::map<std::string, std::string> run() {
-        quantities("state", plant_.states);
-        quantities("input", plant_.inputs);
-        quantities("output", plant_.outputs);
-        quantities("parameter", plant_.parameters);
+    std::map<std::string, std::string> run(const Places& states) {
         std::vector<std::string> guards;
         for (const PlantGuard& g : plant_.guards) guards.push_back(fmt::format("{{{}, {}, {}}}", cpp_string(g.name), cpp_string(g.doc), g.ends));
-        std::string patterns = pattern(plant_.by_state, 'x') + pattern(plant_.by_input, 'u') + pattern(plant_.by_parameter, 'p');
-        return {{"INDICES", indices()},
-                {"QUANTITY_TABLES", std::move(quantity_tables_)},
+        return {{"INDICES", index_list("x", states.empty() ? places_of(plant_.states) : states) + index_list("u", places_of(plant_.inputs)) +
+                                index_list("y", places_of(plant_.outputs)) + index_list("p", places_of(plant_.parameters))},
+                {"STATE_TABLE", quantities("state", plant_.states)},
+                {"INPUT_TABLE", quantities("input", plant_.inputs)},
+                {"OUTPUT_TABLE", quantities("output", plant_.outputs)},
+                {"PARAMETER_TABLE", quantities("parameter", plant_.parameters)},
                 {"GUARD_TABLE", table(name_ + "_guard", "guard_table", guards)},
                 {"MODE_TABLES", plant_.modes ? modes(*plant_.modes) : ""},
                 {"CONSTRAINT_TABLES", plant_.constraints ? constraints(*plant_.constraints) : ""},
-                {"PATTERNS", std::move(patterns)},
+                {"PATTERN_X", pattern(plant_.by_state, 'x')},
+                {"PATTERN_U", pattern(plant_.by_input, 'u')},
+                {"PATTERN_P", pattern(plant_.by_parameter, 'p')},
                 {"MORE_SIZES", more_sizes()}};
     }
 
@@ -57,36 +72,27 @@ private:
         return fmt::format("static inline const bool* {}_{}(void) {{\n    static const bool table[{}] = {{{}}};\n    return table;\n}}\n\n", name_, function, flags.size(), fmt::join(flags, ", "));
     }
 
-    void quantities(const std::string& vector, const std::vector<PlantQuantity>& list) {
+    std::string quantities(const std::string& vector, const std::vector<PlantQuantity>& list) const {
         std::vector<std::string> rows;
         for (const PlantQuantity& q : list)
             rows.push_back(fmt::format("{{{}, {}, {}, {}, {}}}", cpp_string(q.name), cpp_string(q.unit), cpp_string(q.doc), q.low ? real(*q.low) : "-" + infinity(), q.high ? real(*q.high) : infinity()));
-        quantity_tables_ += table(name_ + "_quantity", vector + "_table", rows);
+        return table(name_ + "_quantity", vector + "_table", rows);
     }
 
     std::string real(double value) const { return fmt::format("{}_R({})", name_, value); }
     std::string infinity() const { return name_ + "_R(INFINITY)"; }
 
-    std::string index_list(const char* letter, const std::vector<std::string>& identifiers, const std::string& type = "") const {
-        if (identifiers.empty()) return {};
+    std::string index_list(const char* letter, const Places& places, const std::string& type = "") const {
+        if (places.empty()) return {};
         std::string text = type.empty() ? "enum {" : fmt::format("typedef enum {} {{", type);
         std::size_t width = text.size();
-        for (std::size_t i = 0; i < identifiers.size(); ++i) {
-            const std::string one = fmt::format("{}_{}_{} = {}{}", name_, letter, identifiers[i], i, i + 1 < identifiers.size() ? "," : "");
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const std::string one = fmt::format("{}_{}_{} = {}{}", name_, letter, places[i].first, places[i].second, i + 1 < places.size() ? "," : "");
             if (width + one.size() > 126) text += "\n   ", width = 3;
             text += " " + one;
             width += one.size() + 1;
         }
         return text + (type.empty() ? " };\n" : fmt::format(" }} {};\n", type));
-    }
-
-    std::string indices() const {
-        const auto of = [&](const char* letter, const std::vector<PlantQuantity>& list) {
-            std::vector<std::string> identifiers;
-            for (const PlantQuantity& q : list) identifiers.push_back(q.identifier);
-            return index_list(letter, identifiers);
-        };
-        return of("x", plant_.states) + of("u", plant_.inputs) + of("y", plant_.outputs) + of("p", plant_.parameters);
     }
 
     std::string more_sizes() const {
@@ -100,6 +106,7 @@ private:
             add("constraint_count", plant_.constraints->list.size());
             if (plant_.constraints->choice) add("constraint_rank", plant_.constraints->choice->rank);
         }
+        if (plant_.series) add("series_rows", plant_.series->rows);
         return text;
     }
 
@@ -119,8 +126,8 @@ private:
             at_once.push_back(event.at_once);
             at_start.push_back(event.at_start);
         }
-        std::string text = "/// The ways in which the machine can be.\n" + index_list("m", m.modes, name_ + "_mode") + table("char* const", "mode_table", mode_names);
-        text += "/// What happens where a guard falls through zero, and changes the mode or the state.\n" + index_list("e", identifiers) + table("char* const", "event_table", event_names);
+        std::string text = "/// The ways in which the machine can be.\n" + index_list("m", numbered(m.modes), name_ + "_mode") + table("char* const", "mode_table", mode_names);
+        text += "/// What happens where a guard falls through zero, and changes the mode or the state.\n" + index_list("e", numbered(identifiers)) + table("char* const", "event_table", event_names);
         text += fmt::format("/// Modes in order of preference.\ntypedef struct {0}_modes {{\n    {0}_mode modes[{1}];\n    size_t count;\n}} {0}_modes;\n\n"
                             "/// Of each event in each mode: whether it is watched there, and where it leads, once (else `beside`, where what it resets drives other\n"
                             "/// parts out of their modes) or after infinitely many of it. None: the run ends.\n"
@@ -160,7 +167,7 @@ private:
                                        "typedef struct {0}_constraint {{\n    const char* name;\n    const char* unit;  ///< of the position, or of the rate where there is none\n"
                                        "    const char* description;\n    bool has_position;\n}} {0}_constraint;\n\n",
                                        name_);
-        text += index_list("c", identifiers) + table(name_ + "_constraint", "constraint_table", rows);
+        text += index_list("c", numbered(identifiers)) + table(name_ + "_constraint", "constraint_table", rows);
         if (!c.choice) return text;
         return text + "/// Constraints that are solved for: some of all, since the others follow from them. The forces of the others are zero.\n" + flag_table("can_be_left_out", c.choice->can_be_left_out) +
                flag_table("solved_for_at_start", c.choice->at_start);
@@ -168,11 +175,10 @@ private:
 
     const Plant& plant_;
     const std::string name_;
-    std::string quantity_tables_;
 };
 
 }  // namespace
 
-std::map<std::string, std::string> c_tables(const Plant& plant, const std::string& name) { return Tables(plant, name).run(); }
+std::map<std::string, std::string> c_tables(const Plant& plant, const std::string& name, const Places& states) { return Tables(plant, name).run(states); }
 
 }  // namespace dalembert

@@ -120,8 +120,10 @@ private:
             diagnostics_.error(Id::wrong_medium, flow.span, fmt::format("flow '{}' goes from '{}', which holds '{}', to '{}', which holds '{}'; media do not mix", flow.name, flow.from.name, from->name, flow.to.name, to->name),
                                {{from->span, fmt::format("medium '{}' is defined here", from->name)}, {to->span, fmt::format("medium '{}' is defined here", to->name)}});
         const bool is_gas = from->law == Medium::Law::ideal_gas;
-        if (flow.law == Flow::Law::hydraulic_orifice && is_gas)
-            wrong(flow.span, fmt::format("flow '{}' follows the law of a hydraulic orifice, which is one of liquids, but '{}' is a gas; take \"pneumatic_orifice\"", flow.name, from->name), *from);
+        if ((flow.law == Flow::Law::hydraulic_orifice || flow.law == Flow::Law::relief_valve) && is_gas)
+            wrong(flow.span, fmt::format("flow '{}' follows the law of a {}, which is one of liquids, but '{}' is a gas{}", flow.name,
+                                         flow.law == Flow::Law::relief_valve ? "relief valve" : "hydraulic orifice", from->name,
+                                         flow.law == Flow::Law::relief_valve ? "" : "; take \"pneumatic_orifice\""), *from);
         if (flow.law == Flow::Law::pneumatic_orifice && !is_gas)
             wrong(flow.span, fmt::format("flow '{}' follows the law of a pneumatic orifice, which is one of ideal gases, but '{}' is none; take \"hydraulic_orifice\"", flow.name, from->name), *from);
         if (flow.law == Flow::Law::check_valve && flow.area && is_gas)

@@ -54,9 +54,9 @@ private:
                 if (table[i].size() != block.rows.size())
                     diagnostics_.error(Id::wrong_arguments, span, fmt::format("block '{}' has {}, but in column {} its {} has {} of them", block.name, count(block.rows.size(), "row"), i + 1, what, table[i].size()));
         };
-        fits(block.conductivity, block.conductivity_span, "conductivity");
-        fits(block.density, block.density_span, "density");
-        fits(block.heat_capacity, block.heat_capacity_span, "heat capacity");
+        fits(block.conductivity, block.conductivity.span, "conductivity");
+        fits(block.density, block.density.span, "density");
+        fits(block.heat_capacity, block.heat_capacity.span, "heat capacity");
         for (const auto& [side, name] : {std::pair(&block.left, "left"), std::pair(&block.right, "right"), std::pair(&block.bottom, "bottom"), std::pair(&block.top, "top")}) {
             if (!*side || !(*side)->node) continue;
             const Reference& node = *(*side)->node;
@@ -88,17 +88,17 @@ private:
         constexpr std::size_t most = 32;
         if (n < 2 || n > most)
             diagnostics_.error(Id::wrong_arguments, enclosure.span, fmt::format("enclosure '{}' has {} surface{}; there must be 2 to {}", enclosure.name, n, n == 1 ? "" : "s", most));
-        has_length(enclosure.emissivities.size(), enclosure.emissivities_span, "emissivities");
+        has_length(enclosure.emissivities.size(), enclosure.emissivities.span, "emissivities");
         if (enclosure.is_prism()) {
-            has_length(enclosure.polygon.size(), enclosure.polygon_span, "corners, each of which begins a surface");
+            has_length(enclosure.polygon.size(), enclosure.polygon.span, "corners, each of which begins a surface");
             if (enclosure.polygon.size() < 3)
-                diagnostics_.error(Id::wrong_arguments, enclosure.polygon_span, fmt::format("the polygon of enclosure '{}' has {} corners, but needs at least 3", enclosure.name, enclosure.polygon.size()));
+                diagnostics_.error(Id::wrong_arguments, enclosure.polygon.span, fmt::format("the polygon of enclosure '{}' has {} corners, but needs at least 3", enclosure.name, enclosure.polygon.size()));
         } else {
-            has_length(enclosure.areas.size(), enclosure.areas_span, "areas");
-            has_length(enclosure.view_factors.size(), enclosure.view_factors_span, "rows of view factors");
+            has_length(enclosure.areas.size(), enclosure.areas.span, "areas");
+            has_length(enclosure.view_factors.size(), enclosure.view_factors.span, "rows of view factors");
             for (std::size_t i = 0; i < enclosure.view_factors.size(); ++i)
                 if (enclosure.view_factors[i].size() != n)
-                    diagnostics_.error(Id::wrong_arguments, enclosure.view_factors_span,
+                    diagnostics_.error(Id::wrong_arguments, enclosure.view_factors.span,
                                        fmt::format("enclosure '{}' has {} surfaces, but row {} of its view factors has {} entries", enclosure.name, n, i + 1, enclosure.view_factors[i].size()));
         }
         using K = Part::Kind;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "check/checks.hpp"
+#include "elements/kinds.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -121,60 +122,32 @@ private:
                                            known.empty() ? "; there is no [effects] at all" : ""));
     }
 
-    void condition(const std::optional<Condition>& when) {
+    /// A printed equation says when it holds, and carries nothing.
+    void condition(const std::optional<Condition>& when, bool carries) {
         std::vector<std::pair<std::string, Span>> named;
         if (when) when->collect(named);
         for (const auto& [name, span] : named) {
             effect(name, span, true);
-            carried_.insert(name);
+            if (carries) carried_.insert(name);
         }
     }
 
     void effects() {
-        const auto all = [&](const auto& items) {
-            for (const auto& item : items) condition(item.when);
+        const auto conditions = [&](const auto& item) {
+            if constexpr (requires { item.is_made; })
+                if (item.is_made) return;  // by an item that says the same
+            condition(item.when, !std::is_same_v<std::remove_cvref_t<decltype(item)>, PrintedEquation>);
         };
-        all(model_.definitions);
-        all(model_.coordinates);
-        all(model_.inputs);
-        all(model_.states);
-        all(model_.outputs);
-        if (model_.gravity) condition(model_.gravity->when);
-        all(model_.bodies);
-        all(model_.springs);
-        all(model_.dampers);
-        all(model_.forces);
-        all(model_.torques);
-        all(model_.jets);
-        all(model_.kinetic);
-        all(model_.potentials);
-        all(model_.generalised_forces);
-        all(model_.media);
-        all(model_.reservoirs);
-        all(model_.volumes);
-        all(model_.junctions);
-        all(model_.flows);
-        all(model_.nodes);
-        all(model_.links);
-        all(model_.rods);
-        all(model_.blocks);
-        all(model_.enclosures);
-        all(model_.attitudes);
-        all(model_.cuts);
-        all(model_.loads);
-        all(model_.stickings);
-        all(model_.modes);
-        all(model_.constraints);
-        all(model_.events);
-        const std::set<std::string> carried = carried_;  // a printed equation says when it holds, and carries nothing
-        all(model_.printed);
+        for_each_kind(model_, [&](const char*, const auto& items) {
+            for_each_item(items, conditions);
+        });
         const auto listed = [&](const std::vector<std::pair<std::string, Span>>& names) {
             for (const auto& [name, span] : names) effect(name, span);
         };
         for (const Effect& item : model_.effects) {
             listed(item.excludes);
             listed(item.implies);
-            if (!carried.contains(item.name) && item.implies.empty())
+            if (!carried_.contains(item.name) && item.implies.empty())
                 diagnostics_.error(Id::unused, item.span, fmt::format("no component carries the effect '{0}': nothing says when = \"{0}\" or \"not {0}\", so that scenes with and without it are the same machine", item.name));
         }
         for (const SceneChoice& scene : model_.scenes) listed(scene.effects);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "check/checks.hpp"
+#include "elements/kinds.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -19,18 +20,10 @@ public:
     }
 
     void run() {
-        same_in_all_modes(model_.coordinates, "coordinate");
-        same_in_all_modes(model_.states, "state");
-        same_in_all_modes(model_.inputs, "input");
-        same_in_all_modes(model_.outputs, "output");
-        same_in_all_modes(model_.media, "medium");
-        same_in_all_modes(model_.reservoirs, "reservoir");
-        same_in_all_modes(model_.junctions, "junction");
-        same_in_all_modes(model_.volumes, "volume");
-        same_in_all_modes(model_.nodes, "node");
-        same_in_all_modes(model_.rods, "rod");
-        same_in_all_modes(model_.blocks, "block");
-        same_in_all_modes(model_.enclosures, "enclosure");
+        for_each_kind(model_, [&]<class Items>(const char*, const Items& items) {
+            if constexpr (requires { kind_of<typename Items::value_type>; })
+                if constexpr (kind_of<typename Items::value_type>.is_in_all_modes) same_in_all_modes(items);
+        });
         for (const ModeGroup& group : model_.modes)
             if (const auto mode = mode_in(group.when)) wrong(mode->second, fmt::format("the modes of '{}' are there or not in all modes of the machine, not only in '{}'", group.name, mode->first));
         for (const Event& event : model_.events) check(event);
@@ -47,12 +40,16 @@ private:
     }
 
     template <class T>
-    void same_in_all_modes(const std::vector<T>& items, const char* kind) {
-        for (const T& item : items)
-            if (const auto mode = mode_in(item.when))
-                wrong(mode->second, fmt::format("the states, inputs and outputs of all modes must be the same, but the {} '{}' is there or not by the mode '{}'; a mode's name in an expression is 1 in that mode and 0 in others", kind,
-                                                item.name, mode->first),
-                      {{item.span, fmt::format("'{}' is defined here", item.name)}});
+    void same_in_all_modes(const std::vector<T>& items) {
+        for (const T& item : items) {
+            const auto mode = mode_in(item.when);
+            if (!mode) continue;
+            wrong(mode->second,
+                  fmt::format("the states, inputs and outputs of all modes must be the same, but the {} '{}' is there or not by the mode '{}'; a mode's name in an expression is 1 in that mode and 0 in "
+                              "others",
+                              kind_of<T>.word, item.name, mode->first),
+                  {{item.span, fmt::format("'{}' is defined here", item.name)}});
+        }
     }
 
     void check(const Event& event) {

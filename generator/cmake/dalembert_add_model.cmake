@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSL-1.0
-# dalembert_add_model(TARGET MODEL file.toml [SCENE scene] [SIZES N=5 ...] [FIX parameters | NAME[=VALUE] ...] [TRIG combined] [TAYLOR] [TOGETHER])
+# dalembert_add_model(TARGET MODEL file.toml [SCENE scene] [SIZES N=5 ...] [FIX parameters | NAME[=VALUE] ...] [TRIG combined] [TAYLOR] [TOGETHER]
+#                     [LANGUAGE C])
 #
-# Generates the header of one scene of a model at build time, as TARGET.hpp, and makes an interface library TARGET for those who
+# Generates the header of one scene of a model at build time, as TARGET.hpp (TARGET.h with LANGUAGE C), and makes an interface library TARGET for those who
 # include it. FIX makes parameters numbers; TRIG combined takes sine and cosine in float from one reduction; with TAYLOR it has Taylor
 # series of the motion, with TOGETHER one function for rates, Jacobian, outputs and energies. The header is generated again when the model file or the generator changes.
 function(dalembert_add_model target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "TAYLOR;TOGETHER" "MODEL;SCENE;TRIG" "SIZES;FIX")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "TAYLOR;TOGETHER" "MODEL;SCENE;TRIG;LANGUAGE" "SIZES;FIX")
   if(NOT arg_MODEL)
     message(FATAL_ERROR "dalembert_add_model(${target}): MODEL is missing")
   endif()
@@ -33,8 +34,18 @@ function(dalembert_add_model target)
   if(arg_TOGETHER)
     list(APPEND options --together)
   endif()
+  if(NOT arg_LANGUAGE OR arg_LANGUAGE STREQUAL "CXX")
+    set(ending hpp)
+    set(standard cxx_std_17)
+  elseif(arg_LANGUAGE STREQUAL "C")
+    set(ending h)
+    set(standard c_std_99)
+    list(APPEND options --language c)
+  else()
+    message(FATAL_ERROR "dalembert_add_model(${target}): LANGUAGE is CXX or C, not ${arg_LANGUAGE}")
+  endif()
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}.generated)
-  set(header ${folder}/${target}.hpp)
+  set(header ${folder}/${target}.${ending})
   if(TARGET dalembert::dalembert)
     set(program dalembert::dalembert)
   else()
@@ -42,7 +53,7 @@ function(dalembert_add_model target)
   endif()
   add_custom_command(
     OUTPUT ${header}
-    COMMAND ${program} generate ${model} ${options} -o ${folder} --header ${target}.hpp
+    COMMAND ${program} generate ${model} ${options} -o ${folder} --header ${target}.${ending}
     DEPENDS ${model} ${program}
     COMMENT "Generating ${target} from ${arg_MODEL}"
     VERBATIM)
@@ -50,5 +61,5 @@ function(dalembert_add_model target)
   add_library(${target} INTERFACE)
   add_dependencies(${target} ${target}_generated)
   target_include_directories(${target} INTERFACE ${folder})
-  target_compile_features(${target} INTERFACE cxx_std_17)
+  target_compile_features(${target} INTERFACE ${standard})
 endfunction()

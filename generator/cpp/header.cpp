@@ -43,8 +43,8 @@ std::string functions(const Plant& plant) {
         text += "\n" + function_text(f);
         if (f.name == "rhs" && plant.series)
             text += "\n" + fill_template(embedded_file("series.hpp.in"), {{"SERIES_ROWS", std::to_string(plant.series->rows)},
-                                                                           {"SERIES_ARGUMENTS", plant.series->arguments},
-                                                                           {"SERIES", plant.series->statements}});
+                                                                           {"SERIES_ARGUMENTS", cpp_text(plant.series->body.arguments)},
+                                                                           {"SERIES", cpp_body(plant.series->body.statements)}});
     }
     return text;
 }

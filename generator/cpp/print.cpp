@@ -55,16 +55,23 @@ std::string member_text(const Value& member) {
     return {};
 }
 
+std::string comparison_text(const Value& value) {
+    static constexpr const char* signs[]{" == ", " < ", " > "};
+    return listed(value.parts(), signs[static_cast<std::size_t>(value.comparison())]);
+}
+
 std::string declaration_text(const Declaration& d) {
     const std::string names = fmt::format("{}", fmt::join(d.names, ", "));
     const bool has_value = d.value.kind() != Value::Kind::none;
     const std::string zeros = d.is_zeroed ? "{}" : "";
     switch (d.type.kind) {
-        case Storage::Kind::scalar: return has_value ? fmt::format("const Scalar {} = {};", names, cpp_text(d.value)) : fmt::format("Scalar {};", names);
+        case Storage::Kind::scalar:
+            return has_value ? fmt::format("{}Scalar {} = {};", d.changes ? "" : "const ", names, cpp_text(d.value)) : fmt::format("Scalar {};", names);
         case Storage::Kind::index: return fmt::format("const std::size_t {} = {};", names, cpp_text(d.value));
         case Storage::Kind::array:
             return has_value ? fmt::format("const auto {} = {};", names, cpp_text(d.value)) : fmt::format("std::array<Scalar, {}> {}{};", d.type.sizes[0], names, zeros);
         case Storage::Kind::indices: return fmt::format("constexpr std::array<std::size_t, {}> {}{{{}}};", d.numbers.size(), names, fmt::join(d.numbers, ", "));
+        case Storage::Kind::room: return fmt::format("Scalar* const {} = {};", names, cpp_text(d.value));
         case Storage::Kind::vector: return fmt::format("{} {}{};", d.type.name, names, zeros);
         case Storage::Kind::table: break;
     }
@@ -78,6 +85,17 @@ std::string assignment_text(const Assignment& a) {
 
 std::string braced(const std::string& head, const Statements& body) {
     return indent_of_body + head + "{\n" + shifted(cpp_text(body)) + indent_of_body + "}\n";
+}
+
+/// Around one assignment without braces.
+std::string conditional_text(const std::string& head, const Statements& body) {
+    const auto* one = body.size() == 1 ? std::get_if<Assignment>(&body[0].content) : nullptr;
+    return one == nullptr ? braced(head, body) : wrapped(head + assignment_text(*one), indent_of_body.size());
+}
+
+std::string first_inputs_text(const FirstInputs& first) {
+    const std::string arguments = fmt::format("{}, {}, {}, {}", cpp_text(first.states), cpp_text(first.time), first.input, cpp_text(first.room));
+    return fmt::format("{0}Input {1}{{}};\n{0}const auto next_inputs = inputs.series({2});\n", indent_of_body, first.input, arguments);
 }
 
 /// Loops in loops around one statement need no braces.
@@ -112,6 +130,14 @@ struct Printer {
     std::string operator()(const ByMode& s) const { return modes_text(s); }
     std::string operator()(const Return& s) const { return wrapped(fmt::format("return {};", cpp_text(s.value)), column); }
     std::string operator()(const Braces& s) const { return indent_of_body + "{\n" + shifted(cpp_body(s.body)) + indent_of_body + "}\n"; }
+    std::string operator()(const If& s) const { return conditional_text(fmt::format("if ({}) ", cpp_text(s.condition)), s.body); }
+    std::string operator()(const IfRoomForWork& s) const {
+        return conditional_text("if constexpr (std::tuple_size<StateOrMore>::value > state_count) ", s.body);
+    }
+    std::string operator()(const FirstInputs& s) const { return first_inputs_text(s); }
+    std::string operator()(const NextInputs& s) const {
+        return fmt::format("{}const Input {} = next_inputs({});\n", indent_of_body, s.input, cpp_text(s.order));
+    }
     std::string operator()(const Unused& s) const { return fmt::format("{}(void){};\n", indent_of_body, s.name); }
 };
 
@@ -136,6 +162,12 @@ std::string cpp_text(const Value& value) {
         case Value::Kind::call: return call_text(value);
         case Value::Kind::all_of: return value.parts().empty() ? "true" : listed(value.parts(), " && ");
         case Value::Kind::event: return "event::" + value.text();
+        case Value::Kind::interface_size: return value.text();
+        case Value::Kind::room_from: return listed(value.parts(), " + ");
+        case Value::Kind::real: return "Scalar(" + cpp_text(value.parts()[0]) + ")";
+        case Value::Kind::signed_index: return "static_cast<int>(" + cpp_text(value.parts()[0]) + ")";
+        case Value::Kind::comparison: return comparison_text(value);
+        case Value::Kind::choice: return fmt::format("{} ? {} : {}", cpp_text(value.parts()[0]), cpp_text(value.parts()[1]), cpp_text(value.parts()[2]));
     }
     return {};
 }
@@ -156,8 +188,8 @@ std::string cpp_text(const std::vector<Argument>& arguments) {
     std::string text;
     for (const Argument& a : arguments) {
         const char* before = a.passing == Argument::Passing::read ? "const " : "";
-        const char* after = a.passing == Argument::Passing::value ? "" : "&";
-        const std::string type = a.type == "EventNumber" ? "std::size_t" : a.type;
+        const char* after = a.passing == Argument::Passing::value ? "" : a.passing == Argument::Passing::room ? "*" : "&";
+        const std::string type = a.type == "EventNumber" || a.type == "Index" ? "std::size_t" : a.type;
         text += fmt::format("{}{}{}{} {}", text.empty() ? "" : ", ", before, type, after, a.is_used ? a.name : "/*" + a.name + "*/");
     }
     return text;

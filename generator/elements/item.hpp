@@ -36,7 +36,14 @@ struct Quantity : Item {
     std::optional<Range> range;
 };
 
+using NamesWithPlaces = std::vector<std::pair<std::string, Span>>;
 using VectorExpression = std::array<ExpressionPtr, 3>;
+
+/// A list that stands at a place.
+template <class T>
+struct Listed : std::vector<T> {
+    Span span;
+};
 
 /// A turn about an axis (0, 1, 2) of the frame that the turns before it have reached.
 struct Turn {
@@ -54,6 +61,14 @@ struct Reference {
 /// What gets a value: of a run, or where an event resets it.
 struct RunEntry {
     ExpressionPtr variable;  ///< a name, member or dot(name)
+    ExpressionPtr value;
+    Span span;
+};
+
+/// A reference to a coordinate, with an index where coordinates are a family, and what belongs to it.
+struct CoordinateEntry {
+    std::string coordinate;
+    ExpressionPtr index;
     ExpressionPtr value;
     Span span;
 };

@@ -1,40 +1,100 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The description of an element: a function describe(visitor, element) that hands each key with its member to a visitor. Reading, help, the
 // places of expressions and the checks of units are visitors, so that a key is one line.
+//
+// A visitor is called with (name, member, key), and has
+//   choice(name, member, key, choices)      a word, which may decide about other keys
+//   table(name, optional part, key)         an inline table that is described itself
+//   list(name, parts, key)                  a list of such tables
+//   named(name, parts, key)                 a table of such tables
+//   alternatives(name, one, other, key)     a value that is written in one way or another
+//   either(key, key, words)                 of two keys exactly one is there
+//   by_hand(name, key)                      a key that its reader alone knows
+//   item(keys)                              the keys that every element has
+//   dimension_of(expression or coordinate)  where units are known
 #pragma once
 
 #include <concepts>
+#include <string>
 #include <type_traits>
+#include <vector>
 
+#include "elements/dependence.hpp"
+#include "elements/item.hpp"
 #include "elements/schema.hpp"
-#include "elements/sites.hpp"
+#include "text/diagnostic.hpp"
 
 namespace dalembert {
+
+/// Another key that a key needs or excludes.
+struct KeyRule {
+    const char* key;
+    const char* sentence;  ///< about the element where it is broken: "has an energy but no force law that it belongs to"
+    Id id = Id::doubly_defined;  ///< of what excludes
+};
+
+/// What a value must be at the start, and the unit in which a message says what it is.
+struct SignRule {
+    bool is_above_zero;  ///< else not below
+    const char* unit;
+};
+inline SignRule above_zero(const char* unit) { return {true, unit}; }
+inline SignRule not_below_zero(const char* unit) { return {false, unit}; }
+
+/// Of a key that brings modes.
+inline KeyRule no_family() { return {"for", "is a family, whose members cannot have modes of their own", Id::not_allowed_here}; }
 
 /// The facts of one key.
 struct Key {
     bool required = false;
+    std::optional<ValueType> type = {};         ///< none: as the type of its member says
+    const char* refers = "";                    ///< of a name: the kind of thing that it names, "body"
+    std::optional<Unit> unit = {};              ///< in which a number counts; such values are checked where they are converted
     std::optional<Dimension> dimension = {};    ///< none: any, as long as the expression agrees in itself
     unsigned depends = nothing;                 ///< bits of Dependence
+    unsigned names = nothing;                   ///< of { NAME = expression }: what the names may be, likewise
     std::vector<Dimension> variables = {};      ///< of a law; one or two, in their order
+    std::vector<const char*> letters = {};      ///< that mean something in it without being declared, in the dimensions `variables`
     bool may_be_absent = false;                 ///< it is a state, which a scene may leave out
-    const char* words = nullptr;                ///< in sentences: "smallest size"; the name, if left out. Of a table: before those of its keys
+    bool is_of_sizes = false;                   ///< made of sizes alone
+    std::optional<SignRule> sign = {};
+    const char* words = nullptr;                ///< in sentences: "smallest size"; the name, if left out; "": the element itself. Of a table: before those of its keys
     const char* noun = "";                      ///< of a table, in sentences: "course" for "the polytropic course"
-    const char* doc = "";
+    std::vector<KeyRule> needs = {};
+    std::vector<KeyRule> excludes = {};
+    std::string doc = {};
 };
+
+/// A word of a choice. Where one of the choices takes a key, the others do not.
+template <class Value>
+struct KeyChoice {
+    const char* word;  ///< "": the key is left out
+    Value value;
+    std::vector<const char*> needs = {};  ///< keys
+    std::vector<const char*> takes = {};  ///< further keys
+    std::string doc = {};                 ///< what follows the word in the reference: " (3.150)", ": by density"
+};
+
+template <class Value>
+using KeyChoices = std::vector<KeyChoice<Value>>;
 
 /// The keys that every item has.
 struct ItemKeys {
+    bool has_doc = true;
     bool has_family = false;
+    bool has_when = true;
 };
 
 /// A section of the model language that holds one kind of element.
 struct KindSpec {
-    const char* section;
     const char* word;  ///< in sentences: "flow"
     const char* doc;
     const char* example;
+    const char* short_form = "";  ///< the key that a bare value stands for
+    bool is_in_all_modes = false; ///< none of its elements is there in some modes only
 };
+
+inline constexpr bool in_all_modes = true;
 
 /// A specialisation stands beside the description of each kind.
 template <class Element>
@@ -52,9 +112,18 @@ inline std::string words_of(const char* name, const Key& key) {
     return words;
 }
 
+/// "spring 'wall'"; of what has no name, its word.
+template <class Element>
+std::string owner_of(const Element& element) {
+    if constexpr (requires { element.name; }) return std::string(kind_of<Element>.word) + " '" + element.name + "'";
+    else return kind_of<Element>.word;
+}
+
 namespace dimension {
 inline Dimension surface() { return Dimension::length() * Dimension::length(); }
 inline Dimension density() { return Dimension::mass() / Dimension::volume(); }
+inline Dimension rate() { return Dimension::none() / Dimension::time(); }
+inline Dimension mass_flow() { return Dimension::mass() / Dimension::time(); }
 inline Dimension volume_flow() { return Dimension::volume() / Dimension::time(); }
 inline Dimension specific_energy() { return Dimension::energy() / Dimension::mass(); }
 inline Dimension specific_heat() { return specific_energy() / Dimension::temperature(); }

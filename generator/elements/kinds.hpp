@@ -1,57 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one list of kinds of elements, in the order of sections and walks.
+// The one list of kinds of elements, in the order of sections, reading and walks.
 #pragma once
+
+/// KIND(section, member of the model, type)
+#define DALEMBERT_KINDS(KIND) \
+    KIND("sizes", sizes, Size) \
+    KIND("parameters", parameters, Parameter) \
+    KIND("definitions", definitions, Definition) \
+    KIND("coordinates", coordinates, Coordinate) \
+    KIND("inputs", inputs, Input) \
+    KIND("states", states, State) \
+    KIND("outputs", outputs, Output) \
+    KIND("gravity", gravity, Gravity) \
+    KIND("bodies", bodies, Body) \
+    KIND("solids", solids, Solid) \
+    KIND("attitudes", attitudes, Attitude) \
+    KIND("springs", springs, Spring) \
+    KIND("dampers", dampers, Damper) \
+    KIND("forces", forces, Force) \
+    KIND("torques", torques, Torque) \
+    KIND("jets", jets, Jet) \
+    KIND("cuts", cuts, Cut) \
+    KIND("loads", loads, Load) \
+    KIND("sticking", stickings, Sticking) \
+    KIND("kinetic", kinetic, KineticTerm) \
+    KIND("potentials", potentials, PotentialTerm) \
+    KIND("generalised_forces", generalised_forces, GeneralisedForce) \
+    KIND("media", media, Medium) \
+    KIND("reservoirs", reservoirs, Reservoir) \
+    KIND("junctions", junctions, Junction) \
+    KIND("volumes", volumes, Volume) \
+    KIND("flows", flows, Flow) \
+    KIND("nodes", nodes, HeatNode) \
+    KIND("links", links, Link) \
+    KIND("rods", rods, Rod) \
+    KIND("blocks", blocks, Block) \
+    KIND("enclosures", enclosures, Enclosure) \
+    KIND("frictions", frictions, Friction) \
+    KIND("stops", stops, Stop) \
+    KIND("contacts", contacts, Contact) \
+    KIND("saturations", saturations, Saturation) \
+    KIND("profiles", profiles, Profile) \
+    KIND("modes", modes, ModeGroup) \
+    KIND("constraints", constraints, Constraint) \
+    KIND("events", events, Event) \
+    KIND("effects", effects, Effect) \
+    KIND("scenes", scenes, SceneChoice) \
+    KIND("printed", printed, PrintedEquation) \
+    KIND("runs", runs, Run)
 
 namespace dalembert {
 
 /// Calls visit(section, items) for each kind of which `holder`, a model or a scene, has items.
 template <class Holder, class Visit>
 void for_each_kind(Holder& holder, const Visit& visit) {
-#define DALEMBERT_KIND(section, member) \
-    if constexpr (requires { holder.member; }) visit(section, holder.member)
-    DALEMBERT_KIND("sizes", sizes);
-    DALEMBERT_KIND("parameters", parameters);
-    DALEMBERT_KIND("definitions", definitions);
-    DALEMBERT_KIND("coordinates", coordinates);
-    DALEMBERT_KIND("inputs", inputs);
-    DALEMBERT_KIND("states", states);
-    DALEMBERT_KIND("outputs", outputs);
-    DALEMBERT_KIND("gravity", gravity);
-    DALEMBERT_KIND("attitudes", attitudes);
-    DALEMBERT_KIND("solids", solids);
-    DALEMBERT_KIND("bodies", bodies);
-    DALEMBERT_KIND("springs", springs);
-    DALEMBERT_KIND("dampers", dampers);
-    DALEMBERT_KIND("forces", forces);
-    DALEMBERT_KIND("torques", torques);
-    DALEMBERT_KIND("jets", jets);
-    DALEMBERT_KIND("cuts", cuts);
-    DALEMBERT_KIND("loads", loads);
-    DALEMBERT_KIND("sticking", stickings);
-    DALEMBERT_KIND("kinetic", kinetic);
-    DALEMBERT_KIND("potentials", potentials);
-    DALEMBERT_KIND("generalised_forces", generalised_forces);
-    DALEMBERT_KIND("media", media);
-    DALEMBERT_KIND("reservoirs", reservoirs);
-    DALEMBERT_KIND("junctions", junctions);
-    DALEMBERT_KIND("volumes", volumes);
-    DALEMBERT_KIND("flows", flows);
-    DALEMBERT_KIND("nodes", nodes);
-    DALEMBERT_KIND("links", links);
-    DALEMBERT_KIND("rods", rods);
-    DALEMBERT_KIND("blocks", blocks);
-    DALEMBERT_KIND("enclosures", enclosures);
-    DALEMBERT_KIND("frictions", frictions);
-    DALEMBERT_KIND("stops", stops);
-    DALEMBERT_KIND("contacts", contacts);
-    DALEMBERT_KIND("saturations", saturations);
-    DALEMBERT_KIND("profiles", profiles);
-    DALEMBERT_KIND("modes", modes);
-    DALEMBERT_KIND("constraints", constraints);
-    DALEMBERT_KIND("events", events);
-    DALEMBERT_KIND("printed", printed);
-    DALEMBERT_KIND("runs", runs);
+#define DALEMBERT_KIND(section, member, Type) \
+    if constexpr (requires { holder.member; }) visit(section, holder.member);
+    DALEMBERT_KINDS(DALEMBERT_KIND)
 #undef DALEMBERT_KIND
+}
+
+/// The items of a kind; there is one gravity, or none.
+template <class Items, class Visit>
+void for_each_item(Items& items, const Visit& visit) {
+    if constexpr (requires { items.has_value(); }) {
+        if (items) visit(*items);
+    } else {
+        for (auto& item : items) visit(item);
+    }
 }
 
 }  // namespace dalembert

@@ -39,13 +39,16 @@ inline bool needs_step(std::string_view name) {
     return std::any_of(methods_of_integration.begin(), methods_of_integration.end(), [&](const MethodSpec& method) { return method.name == name && method.needs_step; });
 }
 
+/// " (for tight tolerances)", " (fixed step)", or nothing.
+inline std::string described(const MethodSpec& method) {
+    const std::string what = method.what + std::string(method.needs_step ? (*method.what != '\0' ? "; fixed step" : "fixed step") : "");
+    return what.empty() ? "" : " (" + what + ")";
+}
+
 /// "dopri5, dop853 (for tight tolerances), ..., rk4 (fixed step)"
 inline std::string methods_text() {
     std::string text;
-    for (const MethodSpec& method : methods_of_integration) {
-        const std::string what = method.what + std::string(method.needs_step ? (*method.what != '\0' ? "; fixed step" : "fixed step") : "");
-        text += (text.empty() ? "" : ", ") + std::string(method.name) + (what.empty() ? "" : " (" + what + ")");
-    }
+    for (const MethodSpec& method : methods_of_integration) text += (text.empty() ? "" : ", ") + std::string(method.name) + described(method);
     return text;
 }
 

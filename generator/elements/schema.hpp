@@ -30,8 +30,7 @@ enum class ValueType {
     condition,
     effects,
     modes,       ///< conditions, one or a list
-    body,
-    part,        ///< a volume, reservoir, medium, node, rod or block
+    part,        ///< the name of another element
     parts,
     expressions,
     matrix,      ///< of expressions, or "?" for what is left out
@@ -55,8 +54,10 @@ struct KeySpec {
     const char* name;
     ValueType type;
     bool required;
-    const char* doc;
+    std::string doc;
     std::span<const KeySpec> (*parts)() = nullptr;  ///< the keys of a table that stands for the value
+    const char* refers = "";                        ///< of a name: the kind of thing that it names
+    std::vector<std::string> lines = {};            ///< further ones of the reference
 };
 
 struct SectionSpec {
@@ -66,13 +67,10 @@ struct SectionSpec {
     const char* example;     ///< TOML
     std::span<const KeySpec> keys;
     const char* short_form;  ///< the key that a bare value stands for: `m_S = "rho*V"`; empty when there is none
+    std::span<const std::string> rules = {};  ///< between keys, in words
 };
 
 std::span<const SectionSpec> sections();
-/// Of the phases of a profile; of the forces and the unknowns of a load.
-const SectionSpec& phase_section();
-const SectionSpec& load_part_section();
-const SectionSpec& unknown_section();
 const SectionSpec* find_section(std::string_view name);
 const KeySpec* find_key(const SectionSpec& section, std::string_view name);
 const char* describe(ValueType type);

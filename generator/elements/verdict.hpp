@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "elements/model.hpp"
-
 namespace dalembert {
+
+enum class Verdict { proven, proven_under_assumption, numerically_equal, wrong, dimensionally_wrong, not_checkable };
 
 inline constexpr std::array<const char*, 6> verdict_names{"proven",       "proven under assumption", "numerically equal",
                                                           "wrong",        "dimensionally wrong",     "not checkable"};

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/cpp_bodies.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 
 #include "cpp/helpers.hpp"
@@ -44,19 +41,9 @@ Value CppBodies::call_of(const char* function, std::vector<std::string> results)
     return Value::call(Value::Where::plant, function, std::move(arguments));
 }
 
-/// Puts the functions that are called into scope.
-std::string CppBodies::scope(const std::set<std::string>& called) {
-    std::string text;
-    for (const std::string& name : called) {
+void CppBodies::note_helpers(const std::set<std::string>& called) {
+    for (const std::string& name : called)
         if (is_helper(name)) helpers_.insert(name);
-        else text += fmt::format("{}using std::{};\n", indent, name);
-    }
-    return text;
-}
-
-/// The name of one that is not used is commented out.
-std::string CppBodies::argument(const char* type, const char* name, bool is_used) {
-    return is_used ? fmt::format("{} {}", type, name) : fmt::format("{} /*{}*/", type, name);
 }
 
 FunctionBody CppBodies::finish(const CppFunction& cpp, Statements statements, std::vector<Argument> results, Uses uses) {
@@ -67,7 +54,7 @@ FunctionBody CppBodies::finish(const CppFunction& cpp, Statements statements, st
     body.arguments.insert(body.arguments.end(), results.begin(), results.end());
     body.statements = std::move(statements);
     body.called = cpp.called();
-    scope(body.called);  // notes helpers
+    note_helpers(body.called);
     return body;
 }
 

@@ -7,23 +7,16 @@
 
 namespace dalembert {
 
-/// Of series, whose statements are text.
-struct CppBody {
-    std::string arguments;  ///< names of what is not used are commented out
-    std::string statements;
-};
+class CppSeries;
 
 /// Inputs as series: what computes their first coefficients, and those of order k.
 struct InputSeries {
     std::size_t rows;  ///< of series that are multiplied
-    std::string start, step;
+    Statements start, step;
 };
 /// Of expressions of time and states. Throws Failure (no-series).
 InputSeries input_series(Code& code, const std::vector<GiNaC::ex>& inputs);
 bool have_series(Code& code, const std::vector<GiNaC::ex>& inputs);
-
-/// Of statements in a member function.
-inline constexpr const char* indent = "        ";
 
 class CppBodies {
 public:
@@ -38,7 +31,7 @@ public:
     /// Rates, Jacobian, outputs and energies.
     FunctionBody together();
     /// Taylor series of the motion. Afterwards series_rows() is known.
-    CppBody series();
+    FunctionBody series();
     std::size_t series_rows() const { return series_rows_; }
     FunctionBody jacobian(Function function, By by);
     FunctionBody mass_matrix();
@@ -81,8 +74,11 @@ private:
     Value call_of(const char* function, std::vector<std::string> results) const;
     Statements solved(Value right) const;
     Statements assigned(CppFunction& cpp, Value target, NodeId value);
-    std::string scope(const std::set<std::string>& called);
-    static std::string argument(const char* type, const char* name, bool is_used);
+    void note_helpers(const std::set<std::string>& called);
+    Statements integrated_rates(CppSeries& series, const FunctionCode& f) const;
+    Statements solved_at_start(CppFunction& cpp, const FunctionCode& f);
+    Statements rates_at_start(CppFunction& cpp, const FunctionCode& f);
+    static Statements loop_over_orders(const CppSeries& series, Statements step, bool uses_inputs);
     FunctionBody whole_output_jacobian(CppFunction& cpp, const FunctionCode& f, By by);
     void name_multipliers(CppFunction& cpp, const std::vector<NodeId>& solved_for) const;
     FunctionBody finish(const CppFunction& cpp, Statements statements, std::vector<Argument> results, Uses uses);

@@ -87,7 +87,7 @@ FunctionBody CppBodies::resets(const std::vector<ResetCode>& resets) {
         uses_time = uses_time || cpp.uses_time();
         called.insert(cpp.called().begin(), cpp.called().end());
     }
-    scope(called);  // notes helpers
+    note_helpers(called);
     using enum Argument::Passing;
     const bool changes = !statements.empty();
     return {{{"State", "x", result, changes}, {"Input", "u", read, uses_input}, {"Scalar", "t", value, uses_time}}, std::move(statements), std::move(called)};

@@ -4,29 +4,106 @@
 
 #include "emit/cpp_bodies.hpp"
 #include "emit/cpp_series.hpp"
-#include "cpp/helpers.hpp"
 #include "graph/lower.hpp"
 
 namespace dalembert {
 
 namespace {
 
-const std::set<std::string> names_in_series{"x", "u", "t", "k", "s", "row", "rows", "order", "inputs", "next_inputs", "u_now", "by_k", "by_next", "number", "solved", "mass", "p_", "c_", "detail", "Scalar", "State", "Input"};
+const std::set<std::string> names_in_series{"x", "u", "t", "k", "s", "row", "rows", "order", "inputs", "next_inputs", "u_now", "by_k", "by_next",
+                                            "number", "solved", "mass", "p_", "c_", "detail", "Scalar", "State", "Input"};
+
+const Value order_k = Value::name("k");
+const Value next_order = Value::sum({order_k, Value::whole(1)});
+
+/// Coefficient of this order of a state.
+Value coefficient(const Value& order, std::size_t place) { return Value::element(Value::element(Value::name("x"), order), place); }
+Value coefficient(std::size_t order, std::size_t place) { return coefficient(Value::whole(order), place); }
+
+/// That of the work on the plant, behind those of its states.
+Statement work_coefficient(const Value& order, Value value) {
+    const Value target = Value::element(Value::element(Value::name("x"), order), Value::interface_size("state_count"));
+    return IfRoomForWork{{Assignment{target, std::move(value)}}};
+}
+
+/// z_(k+1) from the coefficient of its rate.
+Value integrated(const Value& rate) {
+    return rate.kind() == Value::Kind::none ? Value::constant(0) : Value::product({rate, Value::name("by_next")});
+}
+
+Value inverse_of(const Value& index) { return Value::product({Value::literal(1)}, {Value::real(index)}); }
 
 /// What stands before the statements of order k.
-std::string begin_of_order(const CppSeries& series, const std::string& blanks) {
-    std::string text;
-    if (series.uses_number()) text += blanks + "const Scalar number = Scalar(k);\n";
-    if (series.rows() == 0) return text;
-    text += fmt::format("{0}std::array<Scalar, {1}> s;\n{0}detail::series_sums<Scalar, {1}>(rows, k, s.data());\n{0}Scalar* const row = rows + {2} * k;\n", blanks, series.rows(), 2 * series.rows());
-    return text;
+Statements begin_of_order(const CppSeries& series) {
+    Statements statements;
+    if (series.uses_number()) statements.push_back(Declaration{{}, {"number"}, Value::real(order_k)});
+    const std::size_t rows = series.rows();
+    if (rows == 0) return statements;
+    statements.push_back(Declaration{{Storage::Kind::array, {rows}}, {"s"}});
+    const Value all_rows = Value::name("rows");
+    statements.push_back(Invocation{Value::call(Value::Where::helper, "series_sums", {all_rows, order_k, Value::whole_array("s")}, {rows})});
+    statements.push_back(Declaration{{Storage::Kind::room}, {"row"}, Value::room_from(all_rows, Value::product({Value::whole(2 * rows), order_k}))});
+    return statements;
 }
 
 }  // namespace
 
-CppBody CppBodies::series() {
-    SeriesCode made = make_series(code_.atoms, *code_.series_of, code_.system.unknown_places());
+/// Coefficients of order k + 1 of all states, from those of order k of their rates.
+Statements CppBodies::integrated_rates(CppSeries& series, const FunctionCode& f) const {
     const Symbols& symbols = code_.system.symbols;
+    Statements statements;
+    const auto set = [&](std::size_t place, const Value& rate) { statements.push_back(Assignment{coefficient(next_order, place), integrated(rate)}); };
+    for (std::size_t j = 0; j < n_; ++j)
+        if (symbols.has_value(j)) set(symbols.place(SymbolKind::coordinate, j), coefficient(order_k, velocities_ + j));
+    for (std::size_t j = 0; j < n_; ++j) set(velocities_ + j, series.now(f.accelerations[j]));
+    for (std::size_t i = 0; i < m_; ++i) set(states_ + i, series.now(f.results[i]));
+    statements.push_back(work_coefficient(next_order, integrated(series.now(f.results[m_]))));
+    return statements;
+}
+
+/// Accelerations by loops, where they stand in the first coefficients.
+Statements CppBodies::solved_at_start(CppFunction& cpp, const FunctionCode& f) {
+    if (!f.by_loops) return cpp.compute(f.accelerations);
+    std::vector<NodeId> first = f.mass;
+    first.insert(first.end(), f.force.begin(), f.force.end());
+    Statements statements = cpp.compute(first);
+    append(statements, factored_mass(cpp, f));
+    for (std::size_t j = 0; j < n_; ++j) append(statements, assigned(cpp, coefficient(1, velocities_ + j), f.force[j]));
+    helpers_.insert("ldlt");
+    append(statements, solved(Value::part_from(Value::element(Value::name("x"), 1), velocities_)));
+    return statements;
+}
+
+/// First coefficients of what was computed.
+Statements CppBodies::rates_at_start(CppFunction& cpp, const FunctionCode& f) {
+    const Symbols& symbols = code_.system.symbols;
+    Statements statements;
+    for (std::size_t j = 0; j < n_; ++j)
+        if (symbols.has_value(j))
+            statements.push_back(Assignment{coefficient(1, symbols.place(SymbolKind::coordinate, j)), coefficient(0, velocities_ + j)});
+    for (std::size_t j = 0; !f.by_loops && j < n_; ++j) append(statements, assigned(cpp, coefficient(1, velocities_ + j), f.accelerations[j]));
+    for (std::size_t i = 0; i < m_; ++i) append(statements, assigned(cpp, coefficient(1, states_ + i), f.results[i]));
+    Value power = cpp.value(f.results[m_], statements);
+    statements.push_back(work_coefficient(Value::whole(1), std::move(power)));
+    return statements;
+}
+
+/// Order by order: `step` is what one of them computes.
+Statements CppBodies::loop_over_orders(const CppSeries& series, Statements step, bool uses_inputs) {
+    const bool by_k = mentions(step, "by_k");
+    Statements statements, body;
+    if (by_k) statements.push_back(Declaration{.type = {}, .names = {"by_k"}, .value = Value::literal(1), .changes = true});
+    if (by_k || mentions(step, "by_next")) body.push_back(Declaration{{}, {"by_next"}, inverse_of(next_order)});
+    if (uses_inputs) body.push_back(NextInputs{"u_now", order_k});
+    append(body, begin_of_order(series));
+    append(body, std::move(step));
+    if (by_k) body.push_back(Assignment{Value::name("by_k"), Value::name("by_next")});
+    statements.push_back(Loop{"k", 1, Value::name("order"), std::move(body)});
+    return statements;
+}
+
+FunctionBody CppBodies::series() {
+    SeriesCode made = make_series(code_.atoms, *code_.series_of, code_.system.unknown_places());
     std::set<std::string> arguments = arguments_;
     arguments.insert(names_in_series.begin(), names_in_series.end());
     const FunctionCode f = made.function;
@@ -34,61 +111,34 @@ CppBody CppBodies::series() {
     use.bind = [&](CppFunction& cpp) {
         cpp.bind_state(Value::element(Value::name("x"), 0));
         cpp.bind_accelerations(Value::element(Value::name("x"), 1), velocities_);
-        for (std::size_t j = 0; !f.by_loops && j < n_; ++j) cpp.name_node(f.accelerations[j], cpp_name(symbols.all(SymbolKind::acceleration)[j]));
-        if (!f.by_loops) name_multipliers(cpp, f.accelerations);
+        if (f.by_loops) return;
+        for (std::size_t j = 0; j < n_; ++j) cpp.name_node(f.accelerations[j], cpp_name(code_.system.symbols.all(SymbolKind::acceleration)[j]));
+        name_multipliers(cpp, f.accelerations);
     };
-    const std::string blanks = std::string(indent) + "    ";
-    use.assign = [&](CppSeries& series) {
-        std::string text;
-        const auto set = [&](std::size_t place, NodeId id) {
-            const std::string now = series.now(id, 2);
-            text += wrapped(fmt::format("x[k + 1][{}] = {};", place, now.empty() ? "Scalar(0)" : now + " * by_next"), 12);
-        };
-        for (std::size_t j = 0; j < n_; ++j)
-            if (symbols.has_value(j)) text += fmt::format("{}x[k + 1][{}] = x[k][{}] * by_next;\n", blanks, symbols.place(SymbolKind::coordinate, j), velocities_ + j);
-        for (std::size_t j = 0; j < n_; ++j) set(velocities_ + j, f.accelerations[j]);
-        for (std::size_t i = 0; i < m_; ++i) set(states_ + i, f.results[i]);
-        const std::string power = series.now(f.results[m_], 2);
-        text += wrapped(fmt::format("if constexpr (std::tuple_size<StateOrMore>::value > state_count) x[k + 1][state_count] = {};", power.empty() ? "Scalar(0)" : power + " * by_next"), 12);
-        return text;
-    };
+    use.assign = [&](CppSeries& series) { return integrated_rates(series, f); };
     CppSeries series(code_, std::move(made), cached_values_, arguments, use);
-    const auto first_order = [](std::size_t place) { return Value::element(Value::element(Value::name("x"), 1), place); };
-    std::string statements = series.start([&](CppFunction& cpp) {
-        if (!f.by_loops) return cpp_text(cpp.compute(f.accelerations));
-        std::vector<NodeId> first = f.mass;
-        first.insert(first.end(), f.force.begin(), f.force.end());
-        Statements solve = cpp.compute(first);
-        append(solve, factored_mass(cpp, f));
-        for (std::size_t j = 0; j < n_; ++j) append(solve, assigned(cpp, first_order(velocities_ + j), f.force[j]));
-        helpers_.insert("ldlt");
-        append(solve, solved(Value::part_from(Value::element(Value::name("x"), 1), velocities_)));
-        return cpp_text(solve);
-    });
+    Statements at_start = series.start([&](CppFunction& cpp) { return solved_at_start(cpp, f); });
     CppFunction& cpp = series.code_at_start();
-    for (std::size_t j = 0; j < n_; ++j)
-        if (symbols.has_value(j)) statements += fmt::format("{}x[1][{}] = x[0][{}];\n", indent, symbols.place(SymbolKind::coordinate, j), velocities_ + j);
-    for (std::size_t j = 0; !f.by_loops && j < n_; ++j) statements += cpp_text(assigned(cpp, first_order(velocities_ + j), f.accelerations[j]));
-    for (std::size_t i = 0; i < m_; ++i) statements += cpp_text(assigned(cpp, first_order(states_ + i), f.results[i]));
-    statements += cpp_text(assigned(cpp, Value::name("if constexpr (std::tuple_size<StateOrMore>::value > state_count) x[1][state_count]"), f.results[m_]));
-    const std::string step = series.step();
-    const bool by_k = step.find("by_k") != std::string::npos;
-    if (by_k) statements += std::string(indent) + "Scalar by_k(1);\n";
-    statements += fmt::format("{}for (std::size_t k = 1; k < order; ++k) {{\n", indent);
-    if (by_k || step.find("by_next") != std::string::npos) statements += blanks + "const Scalar by_next = Scalar(1) / Scalar(k + 1);\n";
+    append(at_start, rates_at_start(cpp, f));
     const bool uses_inputs = cpp.uses_input();
-    if (uses_inputs) statements += blanks + "const Input u_now = next_inputs(k);\n";
-    statements += begin_of_order(series, blanks) + step;
-    if (by_k) statements += blanks + "by_k = by_next;\n";
-    statements += std::string(indent) + "}\n";
-    std::string head = scope(cpp.called());
-    if (uses_inputs) head += fmt::format("{0}Input u{{}};\n{0}const auto next_inputs = inputs.series(x, t, u, rows + 2 * series_rows * order);\n", indent);
+    append(at_start, loop_over_orders(series, series.step(), uses_inputs));
+    Statements statements;
+    if (uses_inputs) {
+        const Value first = Value::product({Value::whole(2), Value::interface_size("series_rows"), Value::name("order")});  // behind those of the plant
+        statements.push_back(FirstInputs{Value::name("x"), Value::name("t"), "u", Value::room_from(Value::name("rows"), first)});
+    }
+    append(statements, std::move(at_start));
+    note_helpers(cpp.called());
     if (series.rows() > 0) helpers_.insert("series_sums");
     series_rows_ = series.rows();
-    CppBody body;
-    body.arguments = argument("const Inputs&", "inputs", uses_inputs) + ", " + argument("Scalar", "t", uses_inputs || cpp.uses_time()) + ", std::size_t order, StateOrMore* x, " + argument("Scalar*", "rows", uses_inputs || series.rows() > 0);
-    body.statements = head + statements;
-    return body;
+    using enum Argument::Passing;
+    return {{{"Inputs", "inputs", read, uses_inputs},
+             {"Scalar", "t", value, uses_inputs || cpp.uses_time()},
+             {"Index", "order", value},
+             {"StateOrMore", "x", room},
+             {"Scalar", "rows", room, uses_inputs || series.rows() > 0}},
+            std::move(statements),
+            cpp.called()};
 }
 
 namespace {
@@ -115,28 +165,27 @@ InputSeries input_series(Code& code, const std::vector<GiNaC::ex>& inputs) {
     CppSeries::Use use;
     use.bind = [](CppFunction& cpp) { cpp.bind_state(Value::element(Value::name("x"), 0)); };
     use.assign = [&](CppSeries& series) {
-        std::string text;
-        for (std::size_t i = 0; i < results.results.size(); ++i)
-            if (const std::string now = series.now(results.results[i]); !now.empty()) text += wrapped(fmt::format("u_now[{}] = {};", i, now), 12);
-        return text;
+        Statements statements;
+        for (std::size_t i = 0; i < results.results.size(); ++i) {
+            const Value now = series.now(results.results[i]);
+            if (now.kind() != Value::Kind::none) statements.push_back(Assignment{Value::element(Value::name("u_now"), i), now});
+        }
+        return statements;
     };
     const CachedValues none;
     CppSeries series(code, std::move(made), none, names_in_series, use);
-    std::string statements = series.start([](CppFunction&) { return std::string(); });
+    Statements start = series.start([](CppFunction&) { return Statements(); });
     CppFunction& cpp = series.code_at_start();
     for (std::size_t i = 0; i < results.results.size(); ++i) {
         if (results.is_zero(results.results[i])) continue;
-        Statements before;
-        const Value value = cpp.value(results.results[i], before);
-        statements += cpp_text(before) + fmt::format("        u[{}] = {};\n", i, cpp_text(value));
+        const Value value = cpp.value(results.results[i], start);
+        start.push_back(Assignment{Value::element(Value::name("u"), i), value});
     }
-    const std::string step = series.step();
-    std::string head;
-    for (const std::string& name : cpp.called())
-        if (!is_helper(name)) head += fmt::format("        using std::{};\n", name);
-    std::string inner;
-    if (step.find("by_k") != std::string::npos) inner += "            const Scalar by_k = Scalar(1) / Scalar(k);\n";
-    return {series.rows(), head + statements, inner + begin_of_order(series, std::string(indent) + "    ") + step};
+    Statements step = series.step(), order;
+    if (mentions(step, "by_k")) order.push_back(Declaration{{}, {"by_k"}, inverse_of(order_k)});
+    append(order, begin_of_order(series));
+    append(order, std::move(step));
+    return {series.rows(), std::move(start), std::move(order)};
 }
 
 }  // namespace dalembert

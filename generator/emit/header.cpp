@@ -2,6 +2,7 @@
 #include "emit/header.hpp"
 
 #include "emit/cpp_names.hpp"
+#include "emit/field_plant.hpp"
 #include "emit/plant.hpp"
 
 namespace dalembert {
@@ -13,7 +14,9 @@ Header make_header(const std::vector<const Code*>& modes, const FieldCode* field
     const System& system = modes.front()->system;
     check_cpp_names(system);
     const Scene& scene = system.scene;
-    return {header_name(scene, language), language.name_space(scene), language.file(make_plant(modes), fields, scene, banner(modes, proofs, effects_out, command))};
+    const std::optional<PlantFields> rods = fields != nullptr ? std::optional(make_fields(*fields)) : std::nullopt;
+    return {header_name(scene, language), language.name_space(scene),
+            language.file(make_plant(modes), rods ? &*rods : nullptr, scene, banner(modes, proofs, effects_out, command))};
 }
 
 }  // namespace dalembert

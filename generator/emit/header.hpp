@@ -4,6 +4,7 @@
 
 #include "emit/banner.hpp"
 #include "emit/languages.hpp"
+#include "graph/field_code.hpp"
 
 namespace dalembert {
 

@@ -5,7 +5,6 @@
 #include <span>
 
 #include "form/system.hpp"
-#include "graph/field_code.hpp"
 #include "program/plant.hpp"
 
 namespace dalembert {
@@ -17,7 +16,7 @@ struct Language {
     /// What users write in front of its names: "cart_pendulum::linear".
     std::string (*name_space)(const Scene& scene);
     /// The whole file. `fields`: null where every state is code of its own. Throws Failure where the language cannot express something.
-    std::string (*file)(const Plant& plant, const FieldCode* fields, const Scene& scene, const std::string& banner);
+    std::string (*file)(const Plant& plant, const PlantFields* fields, const Scene& scene, const std::string& banner);
 };
 
 /// The first is taken where none is asked for.

@@ -8,7 +8,5 @@ namespace dalembert {
 
 /// The bodies of a function in the modes of a scene as one, with the mode as first argument: where they differ, a switch.
 FunctionBody by_mode(const Scene& scene, const std::vector<FunctionBody>& bodies);
-/// The same of series, whose statements are text.
-CppBody by_mode(const Scene& scene, const std::vector<CppBody>& bodies);
 
 }  // namespace dalembert

@@ -112,10 +112,10 @@ private:
     /// Nothing where no series were asked for.
     void series() {
         if (!code_.series_of) return;
-        const CppBody body = merged(each([](CppBodies& b) { return b.series(); }));
+        FunctionBody body = merged(each([](CppBodies& b) { return b.series(); }));
         std::size_t rows = 0;
         for (const CppBodies& bodies : bodies_) rows = std::max(rows, bodies.series_rows());
-        plant_.series = PlantSeries{rows, body.arguments, body.statements};
+        plant_.series = PlantSeries{rows, std::move(body)};
     }
 
     /// Nothing where it was not asked for.

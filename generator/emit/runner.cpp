@@ -86,7 +86,7 @@ InputSeriesTexts input_series_texts(Code& code, const SimulationSettings& settin
             fmt::format(", [{0}]([[maybe_unused]] const auto* x, [[maybe_unused]] {1} t, typename System::Input& u, [[maybe_unused]] {1}* rows) {{\n"
                         "        using Scalar = {1};\n        namespace detail = dalembert::detail;\n{2}        (void)u;\n"
                         "        return [=]([[maybe_unused]] std::size_t k) {{\n            typename System::Input u_now{{}};\n{3}            return u_now;\n        }};\n    }})",
-                        captures, scalar, series.start, series.step)};
+                        captures, scalar, cpp_body(series.start), shifted(cpp_text(series.step)))};
 }
 
 /// Columns and values of the states as the model calls them: what is integrated as its root is recorded as itself.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "form/start_values.hpp"
+#include "form/signs.hpp"
 #include "text/diagnostic.hpp"
 #include "text/nearest.hpp"
 
@@ -28,35 +28,13 @@ public:
             if (item.temperature && reservoir.fluid.temperature && !depends_on_input(*reservoir.fluid.temperature)) positive(*reservoir.fluid.temperature, item.temperature->span, fmt::format("the temperature of reservoir '{}'", item.name), "K");
         }
         for (const ControlVolume& volume : system_.fluids.containers.volumes) check(volume);
-        for (const FlowState& flow : system_.fluids.flows) {
-            const Flow& item = *flow.member.item;
-            const auto constant = [&](const ExpressionPtr& e, const char* what, const char* unit) {
-                if (e) positive(system_.translate(e, Translator::indices_of(flow.member)), e->span, fmt::format("the {} of flow '{}'", what, flow.member.name()), unit);
-            };
-            constant(item.width, "width", "Pa");
-            constant(item.length, "length", "m");
-            if (item.law == Flow::Law::pipe) constant(item.area, "area", "m^2");
-            else at_least_zero(item.area, flow, "area", "m^2");
-            at_least_zero(item.coefficient, flow, "coefficient", "1");
-            at_least_zero(item.conductance, flow, "conductance", "m^3/(s*Pa)");
-            at_least_zero(item.cracking_pressure, flow, "cracking pressure", "Pa");
-        }
+        for (const FlowState& flow : system_.fluids.flows)
+            check_signs(*flow.member.item, flow.member.name(), Translator::indices_of(flow.member), system_, value_);
     }
 
 private:
     bool depends_on_input(const ex& e) const { return value_.depends_on_input(e); }
     void positive(const ex& e, const Span& place, const std::string& what, const char* unit) const { value_.positive(e, place, what, unit); }
-
-    /// Of what may be shut. An input may make it zero or negative later.
-    void at_least_zero(const ExpressionPtr& e, const FlowState& flow, const char* what, const char* unit) const {
-        if (!e) return;
-        const ex translated = system_.translate(e, Translator::indices_of(flow.member));
-        if (!depends_on_input(translated)) value_.at_least_zero(translated, e->span, fmt::format("the {} of flow '{}'", what, flow.member.name()), unit);
-    }
-
-    void property(const ExpressionPtr& e, const Medium& medium, const char* what, const char* unit) const {
-        if (e) positive(system_.translate(e, {}), e->span, fmt::format("the {} of medium '{}'", what, medium.name), unit);
-    }
 
     void check(const Medium& medium) const {
         if (medium.law == Medium::Law::ideal_gas) {
@@ -65,12 +43,9 @@ private:
                 throw Failure(Diagnostic{Id::inconsistent_medium, medium.gas_constant->span,
                                          fmt::format("the gas constant of medium '{}' is {:.6g} J/(kg*K), so that c_p = c_v + R is not above c_v", medium.name, R ? R->to_double() : 0.0)});
         }
-        if (medium.density && medium.density->variables.empty()) property(medium.density->body, medium, "density", "kg/m^3");
-        property(medium.bulk_modulus, medium, "bulk modulus", "Pa");
-        property(medium.reference_pressure, medium, "reference pressure", "Pa");
-        property(medium.reference_temperature, medium, "reference temperature", "K");
+        check_signs(medium, medium.name, {}, system_, value_);
         if (medium.isochoric_heat && medium.isochoric_heat->variables.empty() && system_.scene.thermal_media.contains(medium.name))
-            property(medium.isochoric_heat->body, medium, "isochoric heat", "J/(kg*K)");
+            positive(system_.translate(medium.isochoric_heat->body, {}), medium.isochoric_heat->body->span, fmt::format("the isochoric heat of medium '{}'", medium.name), "J/(kg*K)");
     }
 
     void check(const ControlVolume& volume) const {

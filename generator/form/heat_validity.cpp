@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "form/start_values.hpp"
+#include "form/signs.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -21,26 +21,13 @@ public:
 
     void run() const {
         for (const auto& member : system_.scene.rods) check(*member.item);
-        for (const auto& member : system_.scene.blocks) check(*member.item);
+        for (const auto& member : system_.scene.blocks) check_signs(*member.item, member.name(), {}, system_, value_);
         check_radiation();
         for (const NodeState& node : system_.heat.nodes) {
             if (node.kind == NodeState::Kind::storing) above_zero(node.capacity, place_of_capacity(node), fmt::format("the heat capacity of '{}'", node.name), "J/K");
             if (node.kind != NodeState::Kind::sought) above_zero(node.warmth.temperature, node.place, fmt::format("the temperature of '{}'", node.name), "K");
         }
-        for (const auto& member : system_.scene.links) {
-            const Link& item = *member.item;
-            const Indices indices = Translator::indices_of(member);
-            const auto check = [&](const ExpressionPtr& e, const char* what, const char* unit) {
-                if (e) above_zero(system_.translate(e, indices), e->span, fmt::format("the {} of link '{}'", what, member.name()), unit, item.law == Link::Law::linear);
-            };
-            check(item.conductance, "conductance", "W/K");
-            check(item.resistance, "resistance", "K/W");
-            check(item.area, "area", "m^2");
-            check(item.length, "length", "m");
-            check(item.coefficient, "coefficient", "W/(m^2*K)");
-            check(item.emissivity, "emissivity", "1");
-            if (item.conductivity && item.conductivity->variables.empty()) check(item.conductivity->body, "conductivity", "W/(m*K)");
-        }
+        for (const auto& member : system_.scene.links) check_signs(*member.item, member.name(), Translator::indices_of(member), system_, value_);
     }
 
 private:
@@ -60,9 +47,8 @@ private:
     /// What moves with inputs or the time has no value before a run.
     bool moves(const ex& e) const { return value_.depends_on_input(e) || e.has(system_.symbols.time()); }
 
-    void above_zero(const ex& e, const Span& place, const std::string& what, const char* unit, bool strictly = true) const {
-        if (moves(e)) return;
-        strictly ? value_.positive(e, place, what, unit) : value_.at_least_zero(e, place, what, unit);
+    void above_zero(const ex& e, const Span& place, const std::string& what, const char* unit) const {
+        if (!moves(e)) value_.positive(e, place, what, unit);
     }
 
     Span place_of_capacity(const NodeState& node) const {
@@ -72,14 +58,7 @@ private:
     }
 
     void check(const Rod& rod) const {
-        const auto positive = [&](const ExpressionPtr& e, const char* what, const char* unit) {
-            if (e) above_zero(system_.translate(e, {}), e->span, fmt::format("the {} of rod '{}'", what, rod.name), unit);
-        };
-        positive(rod.length, "length", "m");
-        positive(rod.height, "height", "m");
-        positive(rod.density, "density", "kg/m^3");
-        if (rod.conductivity->variables.empty()) positive(rod.conductivity->body, "conductivity", "W/(m*K)");
-        if (rod.inner) above_zero(system_.translate(rod.inner, {}), rod.inner->span, fmt::format("the inner radius of rod '{}'", rod.name), "m", false);
+        check_signs(rod, rod.name, {}, system_, value_);
         if (rod.inner) above_zero(system_.translate(rod.outer, {}) - system_.translate(rod.inner, {}), rod.outer->span, fmt::format("the difference between outer and inner radius of rod '{}'", rod.name), "m");
         if (!rod.grid) return;
         // At its ends and in steps between them; what folds back in between shows in the capacities of cells.
@@ -90,17 +69,6 @@ private:
         bool rises = first && last && first->is_zero() && *last == 1;
         for (int i = 0; rises && i < steps; ++i) rises = at(i) && at(i + 1) && *at(i) < *at(i + 1);
         if (!rises) throw Failure(Diagnostic{Id::value_out_of_range, rod.grid->span, fmt::format("the grid of rod '{}' must rise from 0 at s = 0 to 1 at s = 1, but '{}' does not", rod.name, rod.grid->body->written())});
-    }
-
-    void check(const Block& block) const {
-        const auto positive = [&](const ExpressionPtr& e, const char* what, const char* unit) { above_zero(system_.translate(e, {}), e->span, fmt::format("{} of block '{}'", what, block.name), unit); };
-        for (const BlockPiece& piece : block.columns) positive(piece.length, "the length of a column", "m");
-        for (const BlockPiece& piece : block.rows) positive(piece.length, "the height of a row", "m");
-        positive(block.depth, "the depth", "m");
-        for (const auto& column : block.conductivity)
-            for (const ExpressionPtr& value : column) positive(value, "a conductivity", "W/(m*K)");
-        for (const auto& column : block.density)
-            for (const ExpressionPtr& value : column) positive(value, "a density", "kg/m^3");
     }
 
     const System& system_;

@@ -12,20 +12,10 @@
 #pragma once
 
 #include "graph/code.hpp"
+#include "symbolic/series_rules.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
-
-struct SeriesRule {
-    struct Term {
-        NodeId factor;               ///< does not move
-        std::optional<NodeId> v;     ///< nothing: 1
-        NodeId a;
-    };
-    std::vector<Term> terms = {};
-    std::optional<NodeId> w = {};        ///< nothing: 1
-    std::optional<NodeId> inverse = {};  ///< 1/w, of which the first coefficient is used
-};
 
 /// A function that has no series, and what needs it.
 struct NoSeries {

@@ -27,7 +27,7 @@ public:
         for (const PrintedLetter& letter : entry.letters) explained_.insert(letter.name);
         if (!entry.solved.empty())
             for (const Equation& equation : entry.equations) explained_.insert(equation.sides[0]->name);
-        visit(entry, [&](const Site& site) { use(*site.expression); });
+        visit(static_cast<const PrintedEquation&>(entry), [&](const Site& site) { use(*site.expression); });
     }
 
     const std::set<std::string>& names() const { return names_; }

@@ -11,9 +11,9 @@ namespace {
 
 using Type = ValueType;
 
-constexpr KeySpec about_key{"doc", Type::text, false, "a remark, shown where the verdict is not `proven`"};
+const KeySpec about_key{"doc", Type::text, false, "a remark, shown where the verdict is not `proven`"};
 
-constexpr std::array catalogue_keys{
+const std::array catalogue_keys{
     KeySpec{"format", Type::whole_number, true, "version of the catalogue language: 1"},
     KeySpec{"source", Type::text, true, "the text: author, title"},
     KeySpec{"edition", Type::text, false, "which edition, or where it was found"},
@@ -24,7 +24,7 @@ constexpr std::array catalogue_keys{
     KeySpec{"coordinates", Type::effects, false, "of entries in LaTeX: the Cartesian coordinates that \\nabla differentiates by: [\"x\", \"y\", \"z\"]"},
     KeySpec{"dimensionless", Type::boolean, false, "true: the text counts without units, and all letters of entries without a model are numbers"},
 };
-constexpr std::array letter_keys{
+const std::array letter_keys{
     KeySpec{"unit", Type::unit, true, "its unit: \"kg\", \"N/m\", \"1\""},
     KeySpec{"range", Type::range, false, "[low, high] in its unit: where random points are taken from, and what makes it positive"},
     KeySpec{"value", Type::constant, false, "a number, in its unit: the letter stands for it"},
@@ -32,13 +32,13 @@ constexpr std::array letter_keys{
     KeySpec{"for", Type::family, false, "makes it a family: \"k = 1..3\""},
     KeySpec{"doc", Type::text, false, "what it is"},
 };
-constexpr std::array notation_keys{
+const std::array notation_keys{
     KeySpec{"value", Type::expression, true, "what the letter of the text stands for"},
 };
-constexpr std::array macro_keys{
+const std::array macro_keys{
     KeySpec{"value", Type::text, true, "what it stands for, in LaTeX"},
 };
-constexpr std::array entry_keys{
+const std::array entry_keys{
     KeySpec{"equation", Type::equation, false, "the printed equation in the model language: \"left = right\", also \"a = b = c\""},
     KeySpec{"equations", Type::equations, false, "several equations under one number"},
     KeySpec{"latex", Type::text, false, "instead: the equation, or several, in LaTeX, as it is printed"},
@@ -62,7 +62,7 @@ constexpr std::array entry_keys{
     about_key,
 };
 
-constexpr std::array catalogue_table{
+const std::array catalogue_table{
     SectionSpec{"catalogue", false, "A file with this section is a catalogue: the equations of a text, for `check`.",
                 "[catalogue]\nformat = 1\nsource = \"A. Author, Mechanics\"\nedition = \"second, 2020\"", catalogue_keys, ""},
     SectionSpec{"letters", true, "Letters of the text that may have any sign, with their units.", "[letters]\nx = \"m\"\nq = { unit = \"m\", of = \"t\" }", letter_keys, "unit"},

@@ -12,4 +12,52 @@ std::size_t PlantModes::most_modes() const {
     return most;
 }
 
+namespace {
+
+/// df/dx: neighbours in a rod, and what the core has there.
+PlantPattern pattern_of(const PlantPattern& core, const PlantFields& fields) {
+    PlantPattern result;
+    result.is_sparse = true;
+    result.rows = result.columns = fields.states;
+    result.column_starts.push_back(0);
+    for (std::size_t column = 0; column < fields.states; ++column) {
+        std::set<std::size_t> rows;
+        for (const PlantRod& rod : fields.rods)
+            if (column >= rod.first && column < rod.first + rod.cells) {
+                if (column > rod.first) rows.insert(column - 1);
+                rows.insert(column);
+                if (column + 1 < rod.first + rod.cells) rows.insert(column + 1);
+            }
+        const auto place = std::lower_bound(fields.positions.begin(), fields.positions.end(), column);
+        if (place != fields.positions.end() && *place == column) {
+            const auto c = static_cast<std::size_t>(place - fields.positions.begin());
+            for (std::size_t i = core.column_starts[c]; i < core.column_starts[c + 1]; ++i) rows.insert(fields.positions[core.row_indices[i]]);
+        }
+        result.row_indices.insert(result.row_indices.end(), rows.begin(), rows.end());
+        result.column_starts.push_back(result.row_indices.size());
+    }
+    return result;
+}
+
+}  // namespace
+
+Plant whole_plant(const Plant& core, const PlantFields& fields) {
+    Plant whole = core;
+    whole.functions.clear();
+    whole.constraint_functions.clear();
+    whole.plain_states = fields.plain_states;
+    whole.states.assign(fields.states, {});
+    for (std::size_t i = 0; i < fields.positions.size(); ++i) whole.states[fields.positions[i]] = core.states[i];
+    for (const PlantRod& rod : fields.rods)
+        for (std::size_t k = 0; k < rod.cells; ++k) {
+            PlantQuantity& cell = whole.states[rod.first + k];
+            cell = rod.states;
+            cell.name += "[" + std::to_string(rod.first_number + static_cast<int>(k)) + "]";
+        }
+    whole.by_state = pattern_of(core.by_state, fields);
+    whole.by_input = {false, fields.states, core.inputs.size(), {}, {}};
+    whole.by_parameter = {false, fields.states, core.parameters.size(), {}, {}};
+    return whole;
+}
+
 }  // namespace dalembert

@@ -112,9 +112,8 @@ struct PlantFunction {
 
 /// Taylor series of the motion.
 struct PlantSeries {
-    std::size_t rows;        ///< pairs of series that are multiplied
-    std::string arguments;
-    std::string statements;
+    std::size_t rows;  ///< pairs of series that are multiplied
+    FunctionBody body;
 };
 
 struct Plant {
@@ -140,5 +139,44 @@ struct Plant {
     bool has_together = false;                ///< a function for all at once, with a structure of energies
     std::set<std::string> helpers;            ///< functions of the runtime that are called
 };
+
+/// A rod whose cells are computed in loops. Its cells stand one after the other in x.
+struct PlantRod {
+    std::size_t first;         ///< index of the first cell in x
+    std::size_t cells;
+    int first_number;          ///< of the family of states in the model: T[first_number] is the first cell
+    PlantQuantity states;      ///< of one of them: "T"
+    bool has_range = false;
+};
+
+/// Outputs that contain sums over cells.
+struct PlantSums {
+    std::size_t count;
+    Statements values;                 ///< adds to `sums`
+    Statements slopes;                 ///< adds slopes by cells to C
+    Statements slopes_by_inputs;       ///< and by inputs to D
+    Statements outputs;                ///< y, and what it is differentiated by: C and D at fixed sums, and `by_sums`
+    Statements by_state, by_input, by_sum;
+};
+
+/// Rods with many cells, around a plant that computes all else: the core. What is said of x is said of all states.
+struct PlantFields {
+    std::size_t states = 0;
+    std::size_t plain_states = 0;
+    std::vector<std::size_t> positions;                             ///< of the states of the core in x, rising
+    std::vector<std::pair<std::string, std::size_t>> indices;       ///< of states in x, of a rod that of its first cell
+    std::vector<PlantRod> rods;
+    std::vector<std::string> equations;                             ///< for the reader
+    std::vector<PlantCached> cached;
+    Statements update, start_state;
+    Statements rates;                                               ///< adds to dxdt
+    Statements jacobian, by_input, by_parameter, by_time;           ///< add to J
+    Statements energy, power;                                       ///< add to these
+    std::optional<PlantSums> sums;
+    std::set<std::string> helpers;
+};
+
+/// What users see of a plant with such rods: all states, and the pattern of df/dx. Functions are those of the core.
+Plant whole_plant(const Plant& core, const PlantFields& fields);
 
 }  // namespace dalembert

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/statement.hpp"
 
-#include <algorithm>
-
 namespace dalembert {
 
 struct Value::Content {
@@ -16,6 +14,7 @@ struct Value::Content {
     std::vector<bool> negative = {};
     std::size_t factors = 0;
     std::vector<std::size_t> sizes = {};
+    Comparison comparison = Comparison::equal;
     friend bool operator==(const Content&, const Content&) = default;
 };
 
@@ -29,12 +28,19 @@ Value Value::whole(std::size_t number) { return Value({.kind = Kind::whole, .num
 Value Value::name(std::string text) { return Value({.kind = Kind::name, .text = std::move(text)}); }
 Value Value::whole_array(std::string name) { return Value({.kind = Kind::whole_array, .text = std::move(name)}); }
 Value Value::event(std::string name) { return Value({.kind = Kind::event, .text = std::move(name)}); }
+Value Value::interface_size(std::string name) { return Value({.kind = Kind::interface_size, .text = std::move(name)}); }
 Value Value::member(Object object, std::string text) { return Value({.kind = Kind::member, .object = object, .text = std::move(text)}); }
 Value Value::element(Value array, Value index) { return with_parts(Kind::element, {std::move(array), std::move(index)}); }
 Value Value::part_from(Value array, std::size_t first) { return with_parts(Kind::part_from, {std::move(array), whole(first)}); }
+Value Value::room_from(Value array, Value first) { return with_parts(Kind::room_from, {std::move(array), std::move(first)}); }
+Value Value::real(Value index) { return with_parts(Kind::real, {std::move(index)}); }
+Value Value::signed_index(Value index) { return with_parts(Kind::signed_index, {std::move(index)}); }
 Value Value::list(std::vector<Value> parts) { return with_parts(Kind::list, std::move(parts)); }
 Value Value::parenthesised(Value value) { return with_parts(Kind::parenthesised, {std::move(value)}); }
 Value Value::all_of(std::vector<Value> conditions) { return with_parts(Kind::all_of, std::move(conditions)); }
+
+Value Value::choice(Value condition, Value then, Value otherwise) { return with_parts(Kind::choice, {std::move(condition), std::move(then), std::move(otherwise)}); }
+Value Value::comparison(Comparison holds, Value a, Value b) { return Value({.kind = Kind::comparison, .parts = {std::move(a), std::move(b)}, .comparison = holds}); }
 
 Value Value::sum(std::vector<Value> terms, std::vector<bool> negative) {
     negative.resize(terms.size());
@@ -61,6 +67,7 @@ const std::vector<Value>& Value::parts() const { return content_->parts; }
 const std::vector<bool>& Value::negative() const { return content_->negative; }
 std::size_t Value::factors() const { return content_->factors; }
 const std::vector<std::size_t>& Value::sizes() const { return content_->sizes; }
+Value::Comparison Value::comparison() const { return content_->comparison; }
 
 bool operator==(const Value& a, const Value& b) {
     if (a.content_ == b.content_) return true;
@@ -168,7 +175,8 @@ std::size_t width(const Value& value) {
         case Value::Kind::constant: return width(written_out(value.exact()));
         case Value::Kind::pi: return std::string("detail::pi<Scalar>()").size();
         case Value::Kind::whole: return std::to_string(value.number()).size();
-        case Value::Kind::name: return value.text().size();
+        case Value::Kind::name:
+        case Value::Kind::interface_size: return value.text().size();
         case Value::Kind::member: return (value.object() == Value::Object::energies ? 9 : 3) + value.text().size();
         case Value::Kind::element: return width(value.parts()[0]) + width(value.parts()[1]) + 2;
         case Value::Kind::whole_array: return value.text().size() + std::string(".data()").size();
@@ -180,117 +188,13 @@ std::size_t width(const Value& value) {
         case Value::Kind::call: return width_of_call(value);
         case Value::Kind::all_of: return value.parts().empty() ? 4 : width_of_list(value.parts()) + 2 * (value.parts().size() - 1);
         case Value::Kind::event: return std::string("event::").size() + value.text().size();
+        case Value::Kind::room_from: return width_of_list(value.parts()) + 1;
+        case Value::Kind::real: return std::string("Scalar()").size() + width(value.parts()[0]);
+        case Value::Kind::signed_index: return std::string("static_cast<int>()").size() + width(value.parts()[0]);
+        case Value::Kind::comparison: return width_of_list(value.parts()) + (value.comparison() == Value::Comparison::equal ? 2 : 1);
+        case Value::Kind::choice: return width_of_list(value.parts()) + 2;
     }
     return 0;
-}
-
-namespace {
-
-/// Of what a value is made of, itself included.
-bool any_part(const Value& value, const auto& is_it) {
-    if (value.kind() == Value::Kind::none) return false;
-    return is_it(value) || std::any_of(value.parts().begin(), value.parts().end(), [&](const Value& part) { return any_part(part, is_it); });
-}
-
-template <class... Cases>
-struct Overloaded : Cases... {
-    using Cases::operator()...;
-};
-
-}  // namespace
-
-bool mentions(const Value& value, const std::string& name) {
-    return any_part(value, [&](const Value& v) { return v.kind() == Value::Kind::name && v.text() == name; });
-}
-
-bool operator==(const Loop& a, const Loop& b) { return a.index == b.index && a.first == b.first && a.end == b.end && a.body == b.body; }
-bool operator==(const OnEvent& a, const OnEvent& b) { return a.event == b.event && a.body == b.body; }
-bool operator==(const ByMode::Case& a, const ByMode::Case& b) { return a.modes == b.modes && a.body == b.body; }
-bool operator==(const ByMode& a, const ByMode& b) { return a.cases == b.cases; }
-bool operator==(const Braces& a, const Braces& b) { return a.body == b.body; }
-
-namespace {
-
-/// Whether a statement or one inside of it is wanted.
-bool any_statement(const Statements& statements, const auto& is_it) {
-    return std::any_of(statements.begin(), statements.end(), [&](const Statement& statement) {
-        if (is_it(statement)) return true;
-        return std::visit(Overloaded{
-            [&](const Loop& s) { return any_statement(s.body, is_it); },
-            [&](const OnEvent& s) { return any_statement(s.body, is_it); },
-            [&](const Braces& s) { return any_statement(s.body, is_it); },
-            [&](const ByMode& s) { return std::any_of(s.cases.begin(), s.cases.end(), [&](const ByMode::Case& c) { return any_statement(c.body, is_it); }); },
-            [](const auto&) { return false; }}, statement.content);
-    });
-}
-
-}  // namespace
-
-bool returns(const Statements& statements) {
-    return any_statement(statements, [](const Statement& s) { return std::holds_alternative<Return>(s.content); });
-}
-
-namespace {
-
-/// Visits values of statements, but not those in braces and of modes.
-void each_value(const Statements& statements, const auto& visit) {
-    for (const Statement& statement : statements)
-        std::visit(Overloaded{
-            [&](const Declaration& s) { visit(s.value); },
-            [&](const Assignment& s) { visit(s.target), visit(s.value); },
-            [&](const Invocation& s) { visit(s.call); },
-            [&](const Filling& s) { visit(s.value); },
-            [&](const Loop& s) { visit(s.end), each_value(s.body, visit); },
-            [&](const OnEvent& s) { each_value(s.body, visit); },
-            [&](const Return& s) { visit(s.value); },
-            [](const auto&) {}}, statement.content);
-}
-
-void note_library_calls(const Value& value, std::set<std::string>& names) {
-    if (value.kind() == Value::Kind::none) return;
-    if (value.kind() == Value::Kind::call && value.where() == Value::Where::library) names.insert(value.text());
-    for (const Value& part : value.parts()) note_library_calls(part, names);
-}
-
-}  // namespace
-
-std::set<std::string> library_calls(const Statements& statements) {
-    std::set<std::string> names;
-    each_value(statements, [&](const Value& value) { note_library_calls(value, names); });
-    return names;
-}
-
-namespace {
-
-/// Whether some value of the statements is wanted, also in braces and of modes.
-bool any_value(const Statements& statements, const auto& is_it) {
-    return any_statement(statements, [&](const Statement& statement) {
-        return std::visit(Overloaded{
-            [&](const Declaration& s) { return any_part(s.value, is_it); },
-            [&](const Assignment& s) { return any_part(s.target, is_it) || any_part(s.value, is_it); },
-            [&](const Invocation& s) { return any_part(s.call, is_it); },
-            [&](const Filling& s) { return any_part(s.value, is_it); },
-            [&](const Loop& s) { return any_part(s.end, is_it); },
-            [&](const Return& s) { return any_part(s.value, is_it); },
-            [](const auto&) { return false; }}, statement.content);
-    });
-}
-
-}  // namespace
-
-bool mentions(const Statements& statements, const std::string& name) {
-    const bool is_filled = any_statement(statements, [&](const Statement& s) {
-        const auto* filling = std::get_if<Filling>(&s.content);
-        return filling != nullptr && filling->array == name;
-    });
-    return is_filled || any_value(statements, [&](const Value& v) { return v.kind() == Value::Kind::name && v.text() == name; });
-}
-
-bool uses_plant(const Statements& statements) {
-    return any_value(statements, [](const Value& v) {
-        const bool is_member = v.kind() == Value::Kind::member && v.object() != Value::Object::energies;
-        return is_member || (v.kind() == Value::Kind::call && v.where() == Value::Where::plant);
-    });
 }
 
 }  // namespace dalembert

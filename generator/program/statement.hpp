@@ -35,6 +35,12 @@ public:
         call,          ///< function `text` of the parts; where it is to be found says `where`
         all_of,        ///< parts: whether every condition holds; none: true
         event,         ///< `text`: the number of an event
+        interface_size,  ///< `text`: a number of the plant's interface: state_count, series_rows
+        room_from,     ///< parts: an array that the caller lends, index: what stands there from that element on
+        real,          ///< parts: an index, as a real number
+        signed_index,  ///< parts: an index, as a whole number that others may be subtracted from
+        comparison,    ///< parts: two indices; which holds between them says comparison()
+        choice,        ///< parts: a condition, the index where it holds, and the one where it does not
     };
     /// Whose members are read or set.
     enum class Object {
@@ -48,6 +54,8 @@ public:
         helper,   ///< a function that a generated file brings itself: sign, log_mean, ldlt_solve, ...; for the scalar type and `sizes`
         plant,    ///< another function of the same plant: rhs, jacobian_u, ...
     };
+
+    enum class Comparison { equal, less, greater };
 
     Value() = default;
     static Value literal(unsigned long number);
@@ -68,6 +76,12 @@ public:
     static Value call(Where where, std::string function, std::vector<Value> arguments, std::vector<std::size_t> sizes = {});
     static Value all_of(std::vector<Value> conditions);
     static Value event(std::string name);
+    static Value interface_size(std::string name);
+    static Value room_from(Value array, Value first);
+    static Value real(Value index);
+    static Value signed_index(Value index);
+    static Value comparison(Comparison holds, Value a, Value b);
+    static Value choice(Value condition, Value then, Value otherwise);
 
     Kind kind() const;
     unsigned long number() const;
@@ -79,6 +93,7 @@ public:
     const std::vector<bool>& negative() const;  ///< as many as there are parts of a sum
     std::size_t factors() const;                ///< how many parts of a product are multiplied
     const std::vector<std::size_t>& sizes() const;  ///< of a helper: whole numbers that it is made for
+    Comparison comparison() const;
 
     bool is_zero() const { return kind() == Kind::constant && exact() == 0; }
     /// Same structure, names and numbers.
@@ -113,6 +128,7 @@ struct Storage {
         indices,  ///< sizes[0] whole numbers, known before
         vector,   ///< what `name` stands for in the plant's interface: "State", "Input", "JacobianX", ...
         index,    ///< a whole number
+        room,     ///< where something begins in an array that the caller lends
     };
     Kind kind = Kind::scalar;
     std::vector<std::size_t> sizes = {};
@@ -123,7 +139,7 @@ struct Storage {
 struct Statement;
 using Statements = std::vector<Statement>;
 
-/// A variable; const where it has a value. `names` are several only without one. `is_zeroed`: begins with zeros.
+/// A variable; const where it has a value, unless it `changes`. `names` are several only without one. `is_zeroed`: begins with zeros.
 struct Declaration {
     Storage type;
     std::vector<std::string> names;
@@ -131,6 +147,7 @@ struct Declaration {
     bool is_zeroed = false;
     std::vector<std::size_t> numbers = {};  ///< of indices
     std::string comment = {};
+    bool changes = false;
     friend bool operator==(const Declaration&, const Declaration&) = default;
 };
 
@@ -172,6 +189,36 @@ struct OnEvent {
     friend bool operator==(const OnEvent&, const OnEvent&);
 };
 
+/// Done where a condition on indices holds.
+struct If {
+    Value condition;
+    Statements body;
+    friend bool operator==(const If&, const If&);
+};
+
+/// Done only where the states of the caller have room for one number behind those of the plant: the work that is done on it. Whether they
+/// have is known before the function runs: in C++ from their type; the interface of a language without templates decides it once for all.
+struct IfRoomForWork {
+    Statements body;
+    friend bool operator==(const IfRoomForWork&, const IfRoomForWork&);
+};
+
+/// Declares `input` and sets it to the inputs at this state and time. The caller gives inputs as Taylor series along the motion, which
+/// keep what they need at `room`.
+struct FirstInputs {
+    Value states, time;
+    std::string input;
+    Value room;
+    friend bool operator==(const FirstInputs&, const FirstInputs&) = default;
+};
+
+/// Declares `input`, coefficients of this order of the same series. After FirstInputs, order by order.
+struct NextInputs {
+    std::string input;
+    Value order;
+    friend bool operator==(const NextInputs&, const NextInputs&) = default;
+};
+
 /// By the mode of the plant. The last case is also for a number that is no mode.
 struct ByMode {
     struct Case {
@@ -201,7 +248,8 @@ struct Unused {
 };
 
 struct Statement {
-    using Content = std::variant<Declaration, Assignment, Invocation, Filling, Loop, OnEvent, ByMode, Return, Braces, Unused>;
+    using Content = std::variant<Declaration, Assignment, Invocation, Filling, Loop, OnEvent, ByMode, Return, Braces, Unused, If, IfRoomForWork, FirstInputs,
+                                 NextInputs>;
     Content content;
     template <class T>
         requires std::is_constructible_v<Content, T>
@@ -215,8 +263,11 @@ struct Argument {
         value,   ///< a scalar, mode or event number
         read,    ///< an array that is read
         result,  ///< an array that is written
+        room,    ///< several of `type`, which the caller lends and the function reads and writes
     };
-    std::string type;  ///< "Scalar", "Mode", "EventNumber", or a vector's name in the plant's interface: "State", "JacobianX", ...
+    /// "Scalar", "Mode", "EventNumber", "Index", a vector's name in the plant's interface: "State", "JacobianX", ..., or "StateOrMore", of which
+    /// IfRoomForWork tells, or "Inputs", which gives Taylor series of inputs.
+    std::string type;
     std::string name;
     Passing passing = Passing::read;
     bool is_used = true;

@@ -15,12 +15,12 @@ using NodeKind = DocumentNode::Kind;
 
 }  // namespace
 
-Entry::Entry(const DocumentNode::Member& member, const SectionSpec& section, Diagnostics& diagnostics)
+Entry::Entry(const DocumentNode::Member& member, const SectionSpec& section, Diagnostics& diagnostics, std::string place)
     : name_(member.key), span_(member.key_span), section_(section), diagnostics_(diagnostics) {
-    const std::string path = section.is_collection ? fmt::format("{}.{}", section.name, name_) : section.name;
+    if (place.empty()) place = section.is_collection ? fmt::format("[{}.{}]", section.name, name_) : fmt::format("[{}]", section.name);
     if (member.value.kind != NodeKind::table) {
         if (*section.short_form == '\0') {
-            error(Id::wrong_type, member.value.span, fmt::format("[{}] is {}, but must be a table", path, describe(member.value.kind)));
+            error(Id::wrong_type, member.value.span, fmt::format("{} is {}, but must be a table", place, describe(member.value.kind)));
             return;
         }
         values_.emplace(section.short_form, &member.value);
@@ -34,12 +34,12 @@ Entry::Entry(const DocumentNode::Member& member, const SectionSpec& section, Dia
         }
         has_unknown_key_ = true;
         error(Id::unknown_key, value.key_span,
-              fmt::format("[{}] has no key '{}'{}{}", path, value.key, did_you_mean(value.key, known),
+              fmt::format("{} has no key '{}'{}{}", place, value.key, did_you_mean(value.key, known),
                           nearest(value.key, known).empty() ? "; it takes " + quoted_list(known) : ""));
     }
     for (const KeySpec& key : section.keys)
         if (key.required && !has(key.name))
-            error(Id::missing_key, span_, fmt::format("[{}] needs the key '{}': {}", path, key.name, key.doc));
+            error(Id::missing_key, span_, fmt::format("{} needs the key '{}': {}", place, key.name, key.doc));
 }
 
 Excerpt Entry::key_excerpt(const Span& span) {
@@ -71,7 +71,7 @@ Span Entry::span_of(std::string_view key) const {
 }
 
 void Entry::error(Id id, Span span, std::string message, std::vector<Note> notes) const {
-    if (id == Id::missing_key && has_unknown_key_) return;  // the misspelt key is probably the missing one
+    if (id == Id::missing_key && has_unknown_key_) return;
     diagnostics_.error(id, std::move(span), std::move(message), std::move(notes));
 }
 
@@ -197,20 +197,15 @@ std::optional<Reference> Entry::reference(const DocumentNode& node, ValueType ty
     if (!name) return std::nullopt;
     if (name->kind == Expression::Kind::name && name->children.size() <= 1)
         return Reference{name->name, name->children.empty() ? nullptr : name->children[0], name->span};
-    error(Id::wrong_type, node.span, fmt::format("'{}' is not the name of {}", name->written(), what));
+    const char* article = std::string_view("aeiou").find(*what) == std::string_view::npos ? "a" : "an";
+    error(Id::wrong_type, node.span, fmt::format("'{}' is not the name of {} {}", name->written(), article, what));
     return std::nullopt;
 }
 
-std::optional<Reference> Entry::reference(std::string_view key, ValueType type, const char* what) const {
-    const DocumentNode* node = find(key, type);
-    return node == nullptr ? std::nullopt : reference(*node, type, what);
+std::optional<Reference> Entry::reference(std::string_view key, const char* what) const {
+    const DocumentNode* node = find(key, ValueType::part);
+    return node == nullptr ? std::nullopt : reference(*node, ValueType::part, what);
 }
-
-std::optional<Reference> Entry::body(std::string_view key) const { return reference(key, ValueType::body, "a body"); }
-
-std::optional<Reference> Entry::part(std::string_view key) const { return reference(key, ValueType::part, "a medium, volume or reservoir"); }
-
-std::optional<Reference> Entry::constraint(std::string_view key) const { return reference(key, ValueType::part, "a constraint"); }
 
 bool Entry::boolean(std::string_view key) const {
     const DocumentNode* node = find(key, ValueType::boolean);
@@ -220,13 +215,8 @@ bool Entry::boolean(std::string_view key) const {
 
 std::optional<CoordinateEntry> Entry::coordinate(std::string_view key) const {
     const DocumentNode* node = find(key, ValueType::coordinate);
-    if (node == nullptr) return std::nullopt;
-    const ExpressionPtr name = expression(*node, ValueType::coordinate);
-    if (!name) return std::nullopt;
-    if (name->kind == Expression::Kind::name && name->children.size() <= 1)
-        return CoordinateEntry{name->name, name->children.empty() ? nullptr : name->children[0], nullptr, name->span};
-    error(Id::wrong_type, node->span, fmt::format("'{}' is not the name of a coordinate", name->written()));
-    return std::nullopt;
+    const auto named = node == nullptr ? std::nullopt : reference(*node, ValueType::coordinate, "coordinate");
+    return named ? std::optional(CoordinateEntry{named->name, named->index, nullptr, named->span}) : std::nullopt;
 }
 
 Excerpt Entry::name_excerpt() const { return key_excerpt(span_); }

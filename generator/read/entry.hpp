@@ -14,8 +14,8 @@ namespace dalembert {
 
 class Entry {
 public:
-    /// Reports unknown and missing keys.
-    Entry(const DocumentNode::Member& member, const SectionSpec& section, Diagnostics& diagnostics);
+    /// Reports unknown and missing keys. `place` is what messages call it; "[bodies.rod]" if left out.
+    Entry(const DocumentNode::Member& member, const SectionSpec& section, Diagnostics& diagnostics, std::string place = {});
 
     const std::string& name() const { return name_; }
     const Span& span() const { return span_; }
@@ -45,11 +45,10 @@ public:
     std::optional<Condition> condition(std::string_view key) const;
     /// One or a list.
     std::vector<Condition> conditions(std::string_view key) const;
-    std::vector<std::pair<std::string, Span>> names(std::string_view key) const;
-    std::optional<Reference> body(std::string_view key) const;
-    std::optional<Reference> part(std::string_view key) const;
-    std::optional<Reference> constraint(std::string_view key) const;
-    std::vector<Reference> parts(std::string_view key) const;
+    NamesWithPlaces names(std::string_view key) const;
+    /// `what` is the kind of thing that is named: "body".
+    std::optional<Reference> reference(std::string_view key, const char* what) const;
+    std::vector<Reference> references(std::string_view key, const char* what) const;
     std::vector<ExpressionPtr> expressions(std::string_view key) const;
     /// One or a list of two.
     std::vector<ExpressionPtr> one_or_two(std::string_view key) const;
@@ -61,6 +60,8 @@ public:
     std::vector<std::array<ExpressionPtr, 2>> points(std::string_view key) const;
     bool boolean(std::string_view key) const;
     std::optional<CoordinateEntry> coordinate(std::string_view key) const;
+    /// { NAME = expression } where the names are coordinates.
+    std::vector<CoordinateEntry> coordinates(std::string_view key) const;
     /// Of a table: the text of each key, and the expression.
     std::vector<std::pair<Excerpt, ExpressionPtr>> by_text(std::string_view key) const;
     Excerpt name_excerpt() const;
@@ -69,34 +70,41 @@ public:
     std::vector<Excerpt> excerpts(std::string_view key) const;
     std::vector<RunEntry> by_name(std::string_view key) const;
     std::vector<Plot> plots(std::string_view key) const;
-    /// Calls read(part, is_last) for each of a list of tables, an Entry by a schema of its own.
+    /// Calls read(part) for an inline table, an Entry by a schema of its own.
     template <class Read>
-    void each(std::string_view key, const SectionSpec& section, Read read) const {
-        const auto nodes = list(find(key, ValueType::tables), ValueType::tables);
-        for (const DocumentNode* node : nodes) {
-            const DocumentNode::Member part{section.name, node->span, *node};
-            read(Entry(part, section, diagnostics_), node == nodes.back());
-        }
+    void within(std::string_view key, const SectionSpec& section, const std::string& place, const Read& read) const {
+        if (const DocumentNode* node = find(key)) inside(Entry({section.name, node->span, *node}, section, diagnostics_, place), read);
+    }
+
+    /// The same for each of a list of tables.
+    template <class Read>
+    void each(std::string_view key, const SectionSpec& section, const std::string& place, const Read& read) const {
+        for (const DocumentNode* node : list(find(key, ValueType::tables), ValueType::tables))
+            inside(Entry({section.name, node->span, *node}, section, diagnostics_, place), read);
     }
 
     /// The same for a table of tables, each with its name.
     template <class Read>
-    void each_named(std::string_view key, const SectionSpec& section, Read read) const {
+    void each_named(std::string_view key, const SectionSpec& section, const Read& read) const {
         const DocumentNode* node = table_of_tables(key);
         if (node == nullptr) return;
-        for (const DocumentNode::Member& member : node->members) read(Entry(member, section, diagnostics_));
+        for (const DocumentNode::Member& member : node->members) inside(Entry(member, section, diagnostics_), read);
     }
 
     /// name, span, doc, for, when
     void fill(Item& item) const;
 
 private:
+    template <class Read>
+    void inside(const Entry& part, const Read& read) const {
+        read(part);
+        has_unknown_key_ = has_unknown_key_ || part.has_unknown_key_;
+    }
     const DocumentNode* find(std::string_view key) const;
     const DocumentNode* find(std::string_view key, ValueType type) const;
     void wrong_type(const DocumentNode& node, ValueType expected) const;
     ExpressionPtr expression(const DocumentNode& node, ValueType type) const;
     std::optional<Reference> reference(const DocumentNode& node, ValueType type, const char* what) const;
-    std::optional<Reference> reference(std::string_view key, ValueType type, const char* what) const;
     /// The elements of a list; none, with an error, where it is no list.
     ValueType alternative(std::string_view key, ValueType type) const;
     const DocumentNode* table_of_tables(std::string_view key) const;
@@ -130,7 +138,7 @@ private:
     const SectionSpec& section_;
     Diagnostics& diagnostics_;
     std::map<std::string, const DocumentNode*, std::less<>> values_;
-    bool has_unknown_key_ = false;
+    mutable bool has_unknown_key_ = false;  ///< here or in a table inside: probably the misspelt one that is missing
 };
 
 }  // namespace dalembert

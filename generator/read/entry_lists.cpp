@@ -96,8 +96,8 @@ std::vector<Condition> Entry::conditions(std::string_view key) const {
     return result;
 }
 
-std::vector<std::pair<std::string, Span>> Entry::names(std::string_view key) const {
-    std::vector<std::pair<std::string, Span>> result;
+NamesWithPlaces Entry::names(std::string_view key) const {
+    NamesWithPlaces result;
     for (const DocumentNode* element : list(find(key, ValueType::effects), ValueType::effects)) {
         if (element->kind == NodeKind::string) result.emplace_back(element->string.text, element->span);
         else wrong_type(*element, ValueType::text);
@@ -116,10 +116,10 @@ std::vector<const DocumentNode*> Entry::list(const DocumentNode* node, ValueType
     return result;
 }
 
-std::vector<Reference> Entry::parts(std::string_view key) const {
+std::vector<Reference> Entry::references(std::string_view key, const char* what) const {
     std::vector<Reference> result;
     for (const DocumentNode* element : list(find(key, ValueType::parts), ValueType::parts))
-        if (auto part = reference(*element, ValueType::part, "a node, of a cell of a rod or block, or of a body")) result.push_back(std::move(*part));
+        if (auto part = reference(*element, ValueType::part, what)) result.push_back(std::move(*part));
     return result;
 }
 
@@ -215,6 +215,18 @@ std::vector<RunEntry> Entry::by_name(std::string_view key) const {
         const auto variable = attempt([&] { return parse_expression(key_excerpt(member.key_span)); });
         const ExpressionPtr value = expression(member.value, ValueType::expression);
         if (variable && value) result.push_back({*variable, value, member.key_span});
+    }
+    return result;
+}
+
+std::vector<CoordinateEntry> Entry::coordinates(std::string_view key) const {
+    std::vector<CoordinateEntry> result;
+    for (const RunEntry& entry : by_name(key)) {
+        const Expression& name = *entry.variable;
+        if (name.kind == Expression::Kind::name && name.children.size() <= 1)
+            result.push_back({name.name, name.children.empty() ? nullptr : name.children[0], entry.value, entry.span});
+        else
+            error(Id::wrong_type, entry.span, fmt::format("'{}' is not the name of a coordinate", name.written()));
     }
     return result;
 }

@@ -27,61 +27,116 @@ using Row = ScalarFunction;
 using Symmetry = Row::Symmetry;
 using Cost = Row::Cost;
 using Both = std::pair<ex, ex>;
+using Rule = std::optional<SeriesRule>;
 constexpr auto no_slope = [](const ex&, const ex&) -> ex { return 0; };
 constexpr auto list_of_all = [](const GiNaC::exvector& a) -> ex { return GiNaC::exprseq(a.begin(), a.end()); };
 
-/// In the order of the enumeration.
+/// In the order of the enumeration. In rules of series, p is the program, z the function itself and `of` its arguments.
 constexpr std::array scalar_functions{
     Row{.op = Op::symbol, .name = "symbol", .cost = Cost::nothing},
     Row{.op = Op::pi, .name = "pi", .cost = Cost::nothing},
     Row{.op = Op::sum, .name = "sum", .cost = Cost::nothing},
     // Elementary functions.
-    Row{.op = Op::sin, .name = "sin", .serial = serial_of<GiNaC::sin_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return GiNaC::cos(u); }, .symmetry = Symmetry::odd, .cost = Cost::trigonometric, .latex = "\\sin\\left({}\\right)"},
-    Row{.op = Op::cos, .name = "cos", .serial = serial_of<GiNaC::cos_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return -GiNaC::sin(u); }, .symmetry = Symmetry::even, .cost = Cost::trigonometric, .latex = "\\cos\\left({}\\right)"},
-    Row{.op = Op::tan, .name = "tan", .serial = serial_of<GiNaC::tan_SERIAL>, .slope = [](const ex& f, const ex&) -> ex { return 1 + pow(f, 2); }, .symmetry = Symmetry::odd, .cost = Cost::trigonometric, .latex = "\\tan\\left({}\\right)"},
-    Row{.op = Op::asin, .name = "asin", .serial = serial_of<GiNaC::asin_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return pow(1 - pow(u, 2), numeric(-1, 2)); }, .symmetry = Symmetry::odd, .latex = "\\arcsin\\left({}\\right)"},
-    Row{.op = Op::acos, .name = "acos", .serial = serial_of<GiNaC::acos_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return -pow(1 - pow(u, 2), numeric(-1, 2)); }, .latex = "\\arccos\\left({}\\right)"},
-    Row{.op = Op::atan, .name = "atan", .serial = serial_of<GiNaC::atan_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return pow(1 + pow(u, 2), -1); }, .symmetry = Symmetry::odd, .latex = "\\arctan\\left({}\\right)"},
-    Row{.op = Op::atan2, .name = "atan2", .serial = serial_of<GiNaC::atan2_SERIAL>, .slopes = [](const ex&, const ex& a, const ex& b) { return Both{b / (pow(a, 2) + pow(b, 2)), -a / (pow(a, 2) + pow(b, 2))}; }},
-    Row{.op = Op::sinh, .name = "sinh", .serial = serial_of<GiNaC::sinh_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return GiNaC::cosh(u); }, .symmetry = Symmetry::odd, .latex = "\\sinh\\left({}\\right)"},
-    Row{.op = Op::cosh, .name = "cosh", .serial = serial_of<GiNaC::cosh_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return GiNaC::sinh(u); }, .symmetry = Symmetry::even, .latex = "\\cosh\\left({}\\right)"},
-    Row{.op = Op::tanh, .name = "tanh", .serial = serial_of<GiNaC::tanh_SERIAL>, .slope = [](const ex& f, const ex&) -> ex { return 1 - pow(f, 2); }, .symmetry = Symmetry::odd, .latex = "\\tanh\\left({}\\right)"},
-    Row{.op = Op::exp, .name = "exp", .serial = serial_of<GiNaC::exp_SERIAL>, .slope = [](const ex& f, const ex&) { return f; }, .latex = "\\exp\\left({}\\right)"},
-    Row{.op = Op::log, .name = "log", .serial = serial_of<GiNaC::log_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return pow(u, -1); }, .latex = "\\ln\\left({}\\right)"},
-    Row{.op = Op::sqrt, .name = "sqrt", .serial = serial_of<norm_SERIAL>, .applied = [](const GiNaC::exvector& a) -> ex { return GiNaC::sqrt(a[0]); }, .slope = [](const ex&, const ex& u) -> ex { return inverse_norm(u) / 2; }, .latex = "\\sqrt{{{}}}"},
-    Row{.op = Op::inverse_norm, .name = "inverse_norm", .serial = serial_of<inverse_norm_SERIAL>, .slope = [](const ex& f, const ex&) -> ex { return -pow(f, 3) / 2; }, .latex = "\\frac{{1}}{{\\sqrt{{{}}}}}"},
+    Row{.op = Op::sin, .name = "sin", .serial = serial_of<GiNaC::sin_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return GiNaC::cos(u); }, .symmetry = Symmetry::odd, .cost = Cost::trigonometric, .latex = "\\sin\\left({}\\right)",
+        .series = [](auto& p, auto, auto& of) -> Rule { return p.rule({{p.one(), p.function(Op::cos, of), of[0]}}); }},
+    Row{.op = Op::cos, .name = "cos", .serial = serial_of<GiNaC::cos_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return -GiNaC::sin(u); }, .symmetry = Symmetry::even, .cost = Cost::trigonometric, .latex = "\\cos\\left({}\\right)",
+        .series = [](auto& p, auto, auto& of) -> Rule { return p.rule({{p.minus(), p.function(Op::sin, of), of[0]}}); }},
+    Row{.op = Op::tan, .name = "tan", .serial = serial_of<GiNaC::tan_SERIAL>, .slope = [](const ex& f, const ex&) -> ex { return 1 + pow(f, 2); }, .symmetry = Symmetry::odd, .cost = Cost::trigonometric, .latex = "\\tan\\left({}\\right)",
+        .series = [](auto& p, auto z, auto& of) -> Rule { return p.rule({{p.one(), p.one_plus(p.square(z)), of[0]}}); }},
+    Row{.op = Op::asin, .name = "asin", .serial = serial_of<GiNaC::asin_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return pow(1 - pow(u, 2), numeric(-1, 2)); }, .symmetry = Symmetry::odd, .latex = "\\arcsin\\left({}\\right)",
+        .series = [](auto& p, auto, auto& of) -> Rule {
+            return p.divided({{p.one(), {}, of[0]}}, p.function(Op::sqrt, {p.one_minus(p.square(of[0]))}));
+        }},
+    Row{.op = Op::acos, .name = "acos", .serial = serial_of<GiNaC::acos_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return -pow(1 - pow(u, 2), numeric(-1, 2)); }, .latex = "\\arccos\\left({}\\right)",
+        .series = [](auto& p, auto, auto& of) -> Rule {
+            return p.divided({{p.minus(), {}, of[0]}}, p.function(Op::sqrt, {p.one_minus(p.square(of[0]))}));
+        }},
+    Row{.op = Op::atan, .name = "atan", .serial = serial_of<GiNaC::atan_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return pow(1 + pow(u, 2), -1); }, .symmetry = Symmetry::odd, .latex = "\\arctan\\left({}\\right)",
+        .series = [](auto& p, auto, auto& of) -> Rule { return p.divided({{p.one(), {}, of[0]}}, p.one_plus(p.square(of[0]))); }},
+    Row{.op = Op::atan2, .name = "atan2", .serial = serial_of<GiNaC::atan2_SERIAL>, .slopes = [](const ex&, const ex& a, const ex& b) { return Both{b / (pow(a, 2) + pow(b, 2)), -a / (pow(a, 2) + pow(b, 2))}; },
+        .series = [](auto& p, auto, auto& of) -> Rule {
+            return p.divided({{p.one(), of[1], of[0]}, {p.minus(), of[0], of[1]}}, p.sum({{false, p.square(of[0])}, {false, p.square(of[1])}}));
+        }},
+    Row{.op = Op::sinh, .name = "sinh", .serial = serial_of<GiNaC::sinh_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return GiNaC::cosh(u); }, .symmetry = Symmetry::odd, .latex = "\\sinh\\left({}\\right)",
+        .series = [](auto& p, auto, auto& of) -> Rule { return p.rule({{p.one(), p.function(Op::cosh, of), of[0]}}); }},
+    Row{.op = Op::cosh, .name = "cosh", .serial = serial_of<GiNaC::cosh_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return GiNaC::sinh(u); }, .symmetry = Symmetry::even, .latex = "\\cosh\\left({}\\right)",
+        .series = [](auto& p, auto, auto& of) -> Rule { return p.rule({{p.one(), p.function(Op::sinh, of), of[0]}}); }},
+    Row{.op = Op::tanh, .name = "tanh", .serial = serial_of<GiNaC::tanh_SERIAL>, .slope = [](const ex& f, const ex&) -> ex { return 1 - pow(f, 2); }, .symmetry = Symmetry::odd, .latex = "\\tanh\\left({}\\right)",
+        .series = [](auto& p, auto z, auto& of) -> Rule { return p.rule({{p.one(), p.one_minus(p.square(z)), of[0]}}); }},
+    Row{.op = Op::exp, .name = "exp", .serial = serial_of<GiNaC::exp_SERIAL>, .slope = [](const ex& f, const ex&) { return f; }, .latex = "\\exp\\left({}\\right)",
+        .series = [](auto& p, auto z, auto& of) -> Rule { return p.rule({{p.one(), z, of[0]}}); }},
+    Row{.op = Op::log, .name = "log", .serial = serial_of<GiNaC::log_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return pow(u, -1); }, .latex = "\\ln\\left({}\\right)",
+        .series = [](auto& p, auto, auto& of) -> Rule { return p.divided({{p.one(), {}, of[0]}}, of[0]); }},
+    Row{.op = Op::sqrt, .name = "sqrt", .serial = serial_of<norm_SERIAL>, .applied = [](const GiNaC::exvector& a) -> ex { return GiNaC::sqrt(a[0]); }, .slope = [](const ex&, const ex& u) -> ex { return inverse_norm(u) / 2; }, .latex = "\\sqrt{{{}}}",
+        .series = [](auto& p, auto z, auto& of) -> Rule { return p.divided({{p.half(), {}, of[0]}}, z); }},
+    Row{.op = Op::inverse_norm, .name = "inverse_norm", .serial = serial_of<inverse_norm_SERIAL>, .slope = [](const ex& f, const ex&) -> ex { return -pow(f, 3) / 2; }, .latex = "\\frac{{1}}{{\\sqrt{{{}}}}}",
+        .series = [](auto& p, auto z, auto& of) -> Rule { return p.divided_or_zero({{p.minus_half(), z, of[0]}}, of[0]); }},
     // Kinks and jumps.
-    Row{.op = Op::abs, .name = "abs", .serial = serial_of<magnitude_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return sign_of(u); }, .symmetry = Symmetry::even, .latex = "\\left|{}\\right|"},
+    Row{.op = Op::abs, .name = "abs", .serial = serial_of<magnitude_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return sign_of(u); }, .symmetry = Symmetry::even, .latex = "\\left|{}\\right|",
+        .series = [](auto& p, auto, auto& of) -> Rule { return p.rule({{p.fixed_function(Op::sign, of), {}, of[0]}}); }},
     Row{.op = Op::sign, .name = "sign", .serial = serial_of<sign_of_SERIAL>, .slope = no_slope, .symmetry = Symmetry::odd, .jumps = true},
     Row{.op = Op::step, .name = "step", .serial = serial_of<unit_step_SERIAL>, .slope = no_slope, .jumps = true},
-    Row{.op = Op::min, .name = "min", .serial = serial_of<minimum_SERIAL>, .slopes = [](const ex&, const ex& a, const ex& b) { return Both{unit_step(b - a), unit_step(a - b)}; }, .symmetry = Symmetry::symmetric, .latex = "\\min\\left({}\\right)"},
-    Row{.op = Op::max, .name = "max", .serial = serial_of<maximum_SERIAL>, .slopes = [](const ex&, const ex& a, const ex& b) { return Both{unit_step(a - b), unit_step(b - a)}; }, .symmetry = Symmetry::symmetric, .latex = "\\max\\left({}\\right)"},
+    Row{.op = Op::min, .name = "min", .serial = serial_of<minimum_SERIAL>, .slopes = [](const ex&, const ex& a, const ex& b) { return Both{unit_step(b - a), unit_step(a - b)}; }, .symmetry = Symmetry::symmetric, .latex = "\\min\\left({}\\right)",
+        .series = [](auto& p, auto, auto& of) -> Rule { return p.smaller(of[0], of[1], of[0], of[1]); }},
+    Row{.op = Op::max, .name = "max", .serial = serial_of<maximum_SERIAL>, .slopes = [](const ex&, const ex& a, const ex& b) { return Both{unit_step(a - b), unit_step(b - a)}; }, .symmetry = Symmetry::symmetric, .latex = "\\max\\left({}\\right)",
+        .series = [](auto& p, auto, auto& of) -> Rule { return p.smaller(of[0], of[1], of[1], of[0]); }},
     // Exponentials and logarithms that keep digits.
-    Row{.op = Op::expm1, .name = "expm1", .serial = serial_of<exp_minus_one_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return GiNaC::exp(u); }, .meaning = [](const ex& x) -> ex { return GiNaC::exp(x) - 1; }},
-    Row{.op = Op::log1p, .name = "log1p", .serial = serial_of<log_one_plus_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return pow(1 + u, -1); }, .meaning = [](const ex& x) -> ex { return GiNaC::log(1 + x); }},
+    Row{.op = Op::expm1, .name = "expm1", .serial = serial_of<exp_minus_one_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return GiNaC::exp(u); }, .meaning = [](const ex& x) -> ex { return GiNaC::exp(x) - 1; },
+        .series = [](auto& p, auto, auto& of) -> Rule { return p.rule({{p.one(), {}, p.function(Op::exp, of)}}); }},
+    Row{.op = Op::log1p, .name = "log1p", .serial = serial_of<log_one_plus_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return pow(1 + u, -1); }, .meaning = [](const ex& x) -> ex { return GiNaC::log(1 + x); },
+        .series = [](auto& p, auto, auto& of) -> Rule { return p.divided({{p.one(), {}, of[0]}}, p.one_plus(of[0])); }},
     // Fluids.
-    Row{.op = Op::compression, .name = "compression", .serial = serial_of<compression_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return u * GiNaC::exp(-u); }, .meaning = [](const ex& x) -> ex { return 1 - (1 + x) * GiNaC::exp(-x); }},
-    Row{.op = Op::signed_root, .name = "signed_root", .serial = serial_of<signed_root_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return inverse_root(u) / 2; }, .symmetry = Symmetry::odd},
-    Row{.op = Op::inverse_root, .name = "inverse_root", .serial = serial_of<inverse_root_SERIAL>, .slope = [](const ex& f, const ex& u) -> ex { return -pow(f, 3) * sign_of(u) / 2; }, .symmetry = Symmetry::even},
-    Row{.op = Op::forward_root, .name = "forward_root", .serial = serial_of<forward_root_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return unit_step(u) * inverse_root(u) / 2; }},
-    Row{.op = Op::outflow_factor, .name = "outflow_factor", .serial = serial_of<outflow_factor_SERIAL>, .slopes = [](const ex&, const ex& a, const ex& b) { return Both{outflow_factor_slope(a, b), outflow_factor_by_exponent(a, b)}; }},
+    Row{.op = Op::compression, .name = "compression", .serial = serial_of<compression_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return u * GiNaC::exp(-u); }, .meaning = [](const ex& x) -> ex { return 1 - (1 + x) * GiNaC::exp(-x); },
+        .series = [](auto& p, auto, auto& of) -> Rule {
+            return p.rule({{p.one(), p.product({of[0], p.function(Op::exp, {p.negated(of[0])})}), of[0]}});
+        }},
+    Row{.op = Op::signed_root, .name = "signed_root", .serial = serial_of<signed_root_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return inverse_root(u) / 2; }, .symmetry = Symmetry::odd,
+        .series = [](auto& p, auto z, auto& of) -> Rule {
+            return p.divided({{p.product({p.half(), p.fixed_function(Op::sign, of)}), {}, of[0]}}, z);
+        }},
+    Row{.op = Op::inverse_root, .name = "inverse_root", .serial = serial_of<inverse_root_SERIAL>, .slope = [](const ex& f, const ex& u) -> ex { return -pow(f, 3) * sign_of(u) / 2; }, .symmetry = Symmetry::even,
+        .series = [](auto& p, auto z, auto& of) -> Rule { return p.divided({{p.minus_half(), z, of[0]}}, of[0]); }},
+    Row{.op = Op::forward_root, .name = "forward_root", .serial = serial_of<forward_root_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return unit_step(u) * inverse_root(u) / 2; },
+        .series = [](auto& p, auto z, auto& of) -> Rule { return p.divided_or_zero({{p.half(), {}, of[0]}}, z); }},
+    Row{.op = Op::outflow_factor, .name = "outflow_factor", .serial = serial_of<outflow_factor_SERIAL>, .slopes = [](const ex&, const ex& a, const ex& b) { return Both{outflow_factor_slope(a, b), outflow_factor_by_exponent(a, b)}; },
+        .series = series_of_outflow_factor},
     Row{.op = Op::outflow_factor_slope, .name = "outflow_factor_slope", .serial = serial_of<outflow_factor_slope_SERIAL>},
     Row{.op = Op::outflow_factor_by_exponent, .name = "outflow_factor_by_exponent", .serial = serial_of<outflow_factor_by_exponent_SERIAL>},
     // Heat transfer. Slopes of slopes are those of second derivatives only.
-    Row{.op = Op::decay_mean, .name = "decay_mean", .serial = serial_of<decay_mean_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return decay_mean_slope(u); }},
-    Row{.op = Op::decay_mean_slope, .name = "decay_mean_slope", .serial = serial_of<decay_mean_slope_SERIAL>, .slope = [](const ex& f, const ex& u) -> ex { return -(GiNaC::exp(-u) + 2 * f) / u; }},  // 1/3 at u = 0
-    Row{.op = Op::log_ratio, .name = "log_ratio", .serial = serial_of<log_ratio_SERIAL>, .slopes = [](const ex&, const ex& a, const ex& b) { return Both{pow(a, -1), -pow(b, -1)}; }},
-    Row{.op = Op::log_mean, .name = "log_mean", .serial = serial_of<log_mean_SERIAL>, .slopes = [](const ex&, const ex& a, const ex& b) { return Both{log_mean_slope(a, b), log_mean_slope(b, a)}; }, .symmetry = Symmetry::symmetric},
+    Row{.op = Op::decay_mean, .name = "decay_mean", .serial = serial_of<decay_mean_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return decay_mean_slope(u); },
+        .series = [](auto& p, auto z, auto& of) -> Rule {
+            return p.divided({{p.one(), p.difference(p.function(Op::exp, {p.negated(of[0])}), z), of[0]}}, of[0]);
+        }},
+    Row{.op = Op::decay_mean_slope, .name = "decay_mean_slope", .serial = serial_of<decay_mean_slope_SERIAL>, .slope = [](const ex& f, const ex& u) -> ex { return -(GiNaC::exp(-u) + 2 * f) / u; },  // 1/3 at u = 0
+        .series = [](auto& p, auto z, auto& of) -> Rule {
+            return p.divided({{p.minus(), p.sum({{false, p.function(Op::exp, {p.negated(of[0])})}, {false, p.product({p.number(2), z})}}), of[0]}}, of[0]);
+        }},
+    Row{.op = Op::log_ratio, .name = "log_ratio", .serial = serial_of<log_ratio_SERIAL>, .slopes = [](const ex&, const ex& a, const ex& b) { return Both{pow(a, -1), -pow(b, -1)}; },
+        .series = [](auto& p, auto, auto& of) -> Rule {
+            return p.rule({{p.one(), {}, p.function(Op::log, {of[0]})}, {p.minus(), {}, p.function(Op::log, {of[1]})}});
+        }},
+    Row{.op = Op::log_mean, .name = "log_mean", .serial = serial_of<log_mean_SERIAL>, .slopes = [](const ex&, const ex& a, const ex& b) { return Both{log_mean_slope(a, b), log_mean_slope(b, a)}; }, .symmetry = Symmetry::symmetric,
+        .series = [](auto& p, auto z, auto& of) -> Rule {
+            const SeriesPart logarithm = p.function(Op::log_ratio, of);
+            return p.divided({{p.one(), {}, p.difference(of[0], of[1])}, {p.minus(), z, logarithm}}, logarithm);
+        }},
     Row{.op = Op::log_mean_slope, .name = "log_mean_slope", .serial = serial_of<log_mean_slope_SERIAL>, .slopes = [](const ex& f, const ex& a, const ex& b) {  // -1/6 by the logarithm at a = b
         const ex by_logarithm = (1 - (2 + log_ratio(a, b)) * f) / log_ratio(a, b);
         return Both{by_logarithm / a, -by_logarithm / b};
     }},
-    Row{.op = Op::root_excess, .name = "root_excess", .serial = serial_of<root_excess_SERIAL>, .slopes = [](const ex& f, const ex& a, const ex&) { return Both{-f / (f + a), pow(2 * (f + a), -1)}; }},
-    Row{.op = Op::sum_of_three, .name = "sum_of_three", .serial = serial_of<sum_of_three_SERIAL>},
+    Row{.op = Op::root_excess, .name = "root_excess", .serial = serial_of<root_excess_SERIAL>, .slopes = [](const ex& f, const ex& a, const ex&) { return Both{-f / (f + a), pow(2 * (f + a), -1)}; },
+        .series = [](auto& p, auto z, auto& of) -> Rule {
+            return p.divided({{p.half(), {}, of[1]}, {p.minus(), z, of[0]}}, p.sum({{false, z}, {false, of[0]}}));
+        }},
+    Row{.op = Op::sum_of_three, .name = "sum_of_three", .serial = serial_of<sum_of_three_SERIAL>,
+        .series = [](auto& p, auto, auto& of) -> Rule {
+            return p.rule({{p.one(), {}, of[0]}, {p.one(), {}, of[1]}, {p.one(), {}, of[2]}});
+        }},
     Row{.op = Op::radiant_temperature, .name = "radiant_temperature", .serial = serial_of<radiant_temperature_SERIAL>, .slopes = [](const ex& f, const ex& a, const ex&) {
         const ex by_b = pow(1 + 4 * a * pow(f, 3), -1);
         return Both{-pow(f, 4) * by_b, by_b};
-    }},
+    },
+        .series = series_of_radiant_temperature},
     // Arrays, and what only programs have.
     Row{.op = Op::network_inverse, .name = "network_inverse", .applied = list_of_all, .is_array = true},
     Row{.op = Op::balanced_temperature, .name = "balanced_temperature", .applied = list_of_all, .is_array = true},
@@ -89,17 +144,44 @@ constexpr std::array scalar_functions{
     Row{.op = Op::element, .name = "element", .cost = Cost::nothing},
     Row{.op = Op::independent_inverse, .name = "independent_inverse", .applied = [](const GiNaC::exvector& a) -> ex { return 1 / a[0]; }, .cost = Cost::division},  // of constraints that are independent
     Row{.op = Op::in_column, .name = "in_column", .cost = Cost::nothing},
-    Row{.op = Op::power, .name = "power", .applied = [](const GiNaC::exvector& a) -> ex { return pow(a[0], a[1]); }},
+    Row{.op = Op::power, .name = "power", .applied = [](const GiNaC::exvector& a) -> ex { return pow(a[0], a[1]); },
+        .series = [](auto& p, auto z, auto& of) -> Rule { return p.divided({{of[1], z, of[0]}}, of[0]); }},
     // What forms that lose digits are rewritten into. At u = 0 the slopes of the slopes are -1/3, -1/12 and 2/3.
-    Row{.op = Op::one_minus_cos, .name = "one_minus_cos", .serial = serial_of<one_minus_cos_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return GiNaC::sin(u); }, .symmetry = Symmetry::even, .meaning = [](const ex& x) -> ex { return 1 - GiNaC::cos(x); }},
-    Row{.op = Op::sinc, .name = "sinc", .serial = serial_of<sinc_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return sinc_slope(u); }, .symmetry = Symmetry::even, .meaning = [](const ex& x) -> ex { return GiNaC::sin(x) / x; }, .fills_gap = true},
-    Row{.op = Op::cosc, .name = "cosc", .serial = serial_of<cosc_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return cosc_slope(u); }, .symmetry = Symmetry::even, .meaning = [](const ex& x) -> ex { return (1 - GiNaC::cos(x)) / pow(x, 2); }, .fills_gap = true},
-    Row{.op = Op::growth_mean, .name = "growth_mean", .serial = serial_of<growth_mean_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return -decay_mean_slope(-u); }, .meaning = [](const ex& x) -> ex { return (GiNaC::exp(x) - 1) / x; }, .fills_gap = true},
-    Row{.op = Op::logc, .name = "logc", .serial = serial_of<logc_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return logc_slope(u); }, .meaning = [](const ex& x) -> ex { return GiNaC::log(1 + x) / x; }, .fills_gap = true},
-    Row{.op = Op::sinc_slope, .name = "sinc_slope", .serial = serial_of<sinc_slope_SERIAL>, .slope = [](const ex& f, const ex& u) -> ex { return -sinc(u) - 2 * f / u; }, .symmetry = Symmetry::odd, .meaning = [](const ex& x) -> ex { return GiNaC::cos(x) / x - GiNaC::sin(x) / pow(x, 2); }, .fills_gap = true},
-    Row{.op = Op::cosc_slope, .name = "cosc_slope", .serial = serial_of<cosc_slope_SERIAL>, .slope = [](const ex& f, const ex& u) -> ex { return (sinc_slope(u) - 3 * f) / u; }, .symmetry = Symmetry::odd, .meaning = [](const ex& x) -> ex { return GiNaC::sin(x) / pow(x, 2) - 2 * (1 - GiNaC::cos(x)) / pow(x, 3); }, .fills_gap = true},
-    Row{.op = Op::logc_slope, .name = "logc_slope", .serial = serial_of<logc_slope_SERIAL>, .slope = [](const ex& f, const ex& u) -> ex { return -(pow(1 + u, -2) + 2 * f) / u; }, .meaning = [](const ex& x) -> ex { return 1 / (x * (1 + x)) - GiNaC::log(1 + x) / pow(x, 2); }, .fills_gap = true},
-    Row{.op = Op::if_else, .name = "if_else", .serial = serial_of<if_else_SERIAL>, .jumps = true},
+    Row{.op = Op::one_minus_cos, .name = "one_minus_cos", .serial = serial_of<one_minus_cos_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return GiNaC::sin(u); }, .symmetry = Symmetry::even, .meaning = [](const ex& x) -> ex { return 1 - GiNaC::cos(x); },
+        .series = [](auto& p, auto, auto& of) -> Rule { return p.rule({{p.one(), p.function(Op::sin, of), of[0]}}); }},
+    Row{.op = Op::sinc, .name = "sinc", .serial = serial_of<sinc_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return sinc_slope(u); }, .symmetry = Symmetry::even, .meaning = [](const ex& x) -> ex { return GiNaC::sin(x) / x; }, .fills_gap = true,
+        .series = [](auto& p, auto z, auto& of) -> Rule {
+            return p.divided({{p.one(), p.difference(p.function(Op::cos, of), z), of[0]}}, of[0]);
+        }},
+    Row{.op = Op::cosc, .name = "cosc", .serial = serial_of<cosc_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return cosc_slope(u); }, .symmetry = Symmetry::even, .meaning = [](const ex& x) -> ex { return (1 - GiNaC::cos(x)) / pow(x, 2); }, .fills_gap = true,
+        .series = [](auto& p, auto z, auto& of) -> Rule {
+            return p.divided({{p.one(), p.difference(p.function(Op::sinc, of), p.product({p.number(2), z})), of[0]}}, of[0]);
+        }},
+    Row{.op = Op::growth_mean, .name = "growth_mean", .serial = serial_of<growth_mean_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return -decay_mean_slope(-u); }, .meaning = [](const ex& x) -> ex { return (GiNaC::exp(x) - 1) / x; }, .fills_gap = true,
+        .series = [](auto& p, auto z, auto& of) -> Rule {
+            return p.divided({{p.one(), p.difference(p.function(Op::exp, of), z), of[0]}}, of[0]);
+        }},
+    Row{.op = Op::logc, .name = "logc", .serial = serial_of<logc_SERIAL>, .slope = [](const ex&, const ex& u) -> ex { return logc_slope(u); }, .meaning = [](const ex& x) -> ex { return GiNaC::log(1 + x) / x; }, .fills_gap = true,
+        .series = [](auto& p, auto z, auto& of) -> Rule {
+            return p.divided({{p.one(), p.difference(p.reciprocal(p.one_plus(of[0])), z), of[0]}}, of[0]);
+        }},
+    Row{.op = Op::sinc_slope, .name = "sinc_slope", .serial = serial_of<sinc_slope_SERIAL>, .slope = [](const ex& f, const ex& u) -> ex { return -sinc(u) - 2 * f / u; }, .symmetry = Symmetry::odd, .meaning = [](const ex& x) -> ex { return GiNaC::cos(x) / x - GiNaC::sin(x) / pow(x, 2); }, .fills_gap = true,
+        .series = [](auto& p, auto z, auto& of) -> Rule {
+            return p.divided({{p.minus(), p.sum({{false, p.product({of[0], p.function(Op::sinc, of)})}, {false, p.product({p.number(2), z})}}), of[0]}}, of[0]);
+        }},
+    Row{.op = Op::cosc_slope, .name = "cosc_slope", .serial = serial_of<cosc_slope_SERIAL>, .slope = [](const ex& f, const ex& u) -> ex { return (sinc_slope(u) - 3 * f) / u; }, .symmetry = Symmetry::odd, .meaning = [](const ex& x) -> ex { return GiNaC::sin(x) / pow(x, 2) - 2 * (1 - GiNaC::cos(x)) / pow(x, 3); }, .fills_gap = true,
+        .series = [](auto& p, auto z, auto& of) -> Rule {
+            return p.divided({{p.one(), p.difference(p.function(Op::sinc_slope, of), p.product({p.number(3), z})), of[0]}}, of[0]);
+        }},
+    Row{.op = Op::logc_slope, .name = "logc_slope", .serial = serial_of<logc_slope_SERIAL>, .slope = [](const ex& f, const ex& u) -> ex { return -(pow(1 + u, -2) + 2 * f) / u; }, .meaning = [](const ex& x) -> ex { return 1 / (x * (1 + x)) - GiNaC::log(1 + x) / pow(x, 2); }, .fills_gap = true,
+        .series = [](auto& p, auto z, auto& of) -> Rule {
+            return p.divided({{p.minus(), p.sum({{false, p.square(p.reciprocal(p.one_plus(of[0])))}, {false, p.product({p.number(2), z})}}), of[0]}}, of[0]);
+        }},
+    Row{.op = Op::if_else, .name = "if_else", .serial = serial_of<if_else_SERIAL>, .jumps = true,
+        .series = [](auto& p, auto, auto& of) -> Rule {
+            const SeriesPart is_first = p.fixed_function(Op::if_else, {of[0], p.one(), p.number(0)});
+            return p.rule({{is_first, {}, of[1]}, {p.one_minus(is_first), {}, of[2]}});
+        }},
     Row{.op = Op::floor, .name = "floor", .serial = serial_of<floor_of_SERIAL>, .slope = no_slope, .jumps = true, .latex = "\\left\\lfloor {} \\right\\rfloor"},
 };
 

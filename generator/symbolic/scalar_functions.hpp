@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one table of scalar functions that the graph computes: a row says what derivation, proof, code, operation counts and LaTeX need to know
-// of one. To add a function: a row here, its values in functions.cpp (or a file of its domain), its formula in the runtime with a row in
-// emit/helpers.cpp and, where models may call it, a row of language/vocabulary.cpp under the same name. Its Taylor series, where it has one,
-// is a line of graph/series.cpp.
+// The one table of scalar functions that the graph computes: a row says what derivation, proof, code, Taylor series, operation counts and
+// LaTeX need to know of one. To add a function: a row here, its values in functions.cpp (or a file of its domain), its formula in the
+// runtime with a row in cpp/helpers.cpp and, where models may call it, a row of language/vocabulary.cpp under the same name.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -10,6 +9,8 @@
 #include <cstdint>
 #include <string_view>
 #include <utility>
+
+#include "symbolic/series_rules.hpp"
 
 namespace dalembert {
 
@@ -50,6 +51,7 @@ struct ScalarFunction {
     bool is_array = false;                   ///< what is computed is an array, of which an atom is one element
     Cost cost = Cost::other;
     const char* latex = nullptr;             ///< with {} for the arguments; none: \operatorname{name}
+    RuleOfSeries series = nullptr;           ///< its Taylor series; none: none is known
 };
 
 const ScalarFunction& scalar_function(Op op);

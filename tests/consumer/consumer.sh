@@ -13,6 +13,8 @@ cmake --build "$here/build" >/dev/null
 grep -q 'm_W = 1.000' "$here/first"
 "$here/build/controller" | tee "$here/fixed"
 grep -q '^7 parameters are left' "$here/fixed"
+"$here/build/c_controller" | tee "$here/in_c"
+grep -q '^in C: phi = 0.29' "$here/in_c"
 grep -q 'combined_sin_and_cos' "$here/build/fixed_cart.generated/fixed_cart.hpp"
 
 # Nothing to do while nothing changed; generated again after a change.

@@ -90,8 +90,9 @@ void report_values(const Values& values) {
     board::write("\n");
 }
 
-template <class System, std::size_t count>
-int measure(const Point<System> (&table)[count]) {
+/// `System`: as that of the points, or with the same functions.
+template <class System, class OfPoints, std::size_t count>
+int measure(const Point<OfPoints> (&table)[count]) {
     using State = typename System::State;
     using Input = typename System::Input;
     board::start_ticks();
@@ -100,7 +101,7 @@ int measure(const Point<System> (&table)[count]) {
 
     // See note [instructions]: what is known must come out, or all else means nothing.
     using Known = void (Probe<System>::*)(const State&, const Input&, float) const noexcept;
-    const Point<System>& p = table[0];
+    const Point<OfPoints>& p = table[0];
     report("known", 1000, cost(probe, static_cast<Known>(&Probe<System>::template thousand<const State&, const Input&, float>), p.x, p.u, p.t));
     board::write("\n");
     report("known", 100002, cost(probe, static_cast<Known>(&Probe<System>::template loop<const State&, const Input&, float>), p.x, p.u, p.t));

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # measure.sh HEADER OPTIMISATION...: builds the functions of a generated header for the board, looks at what is in the object files,
 # lets the board run them, and prints a row for each optimisation. 1: a gate failed, and is named. 2: bad input. 3: a tool is missing.
+# C_HEADER: the same plant as a C header, whose functions are measured in place of those of HEADER.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 source "$here/tools.sh"
@@ -18,9 +19,23 @@ rm -f "$work/host"
 # The row of a system: templates with its header and namespace.
 name_space=$(sed -n 's/^namespace \(.*::.*\) {$/\1/p' "$header" | head -1)
 mode=$(grep -q '^enum class Mode' "$header" && echo "$name_space::Mode, " || true)
-for file in functions measure host; do
-  sed "s|@HEADER@|$(realpath "$header")|; s|@NAME_SPACE@|$name_space|g; s|@MODE@|$mode|" "$here/$file.cpp.in" >"$work/$file.cpp"
-done
+c_header=${C_HEADER:+$(realpath "$C_HEADER")}
+[ -z "$mode" ] && c_mode= c_pass= || c_mode="${name}_mode mode, " c_pass="mode, "
+fill() {
+  sed "s|@C_HEADER@|$c_header|g; s|@HEADER@|$(realpath "$header")|; s|@NAME_SPACE@|$name_space|g; s|@MODE@|$mode|; s|@PREFIX@|$name|g; s|@C_MODE@|$c_mode|g; s|@C_PASS@|$c_pass|g" "$here/$1" >"$work/$2"
+}
+fill host.cpp.in host.cpp
+if [ -z "$c_header" ]; then
+  fill functions.cpp.in functions.cpp
+  fill measure.cpp.in measure.cpp
+else
+  fill functions.c.in functions.c
+  fill measure_c.cpp.in measure.cpp
+fi
+build_function() {  # OPTIMISATION FUNCTION OBJECT
+  if [ -z "$c_header" ]; then compile "-$1" -DFUNCTION_"$2" -c "$work/functions.cpp" -o "$3"
+  else compile_c "-$1" -DFUNCTION_"$2" -c "$work/functions.c" -o "$3"; fi
+}
 
 # The table of points, and the judge of the answers: compiled when the first object files have passed.
 prepare_host() {
@@ -37,7 +52,7 @@ measure() {
   local row="$name -$1" function object elf=$work/measure.$1.elf answer=$work/answer.$1.txt objects=() stand_ins degrees stack stack_jacobian error limit error_jacobian pivots
   for function in rhs rhs_and_jacobian set_up; do
     object=$work/$function.$1.o
-    compile "-$1" -DFUNCTION_"$function" -c "$work/functions.cpp" -o "$object" || { echo "$row: $function does not compile for the board" >&2; return 1; }
+    build_function "$1" "$function" "$object" || { echo "$row: $function does not compile for the board" >&2; return 1; }
     check_object "$row: $function" "$object" || return 1
     objects+=("$object")
   done

@@ -4,6 +4,9 @@ board=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/board
 target=(-mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard)
 flags=(-std=c++17 -fno-exceptions -fno-rtti -ffunction-sections -fdata-sections -fno-math-errno
   -Wall -Wextra -Wpedantic -Wconversion -Wfloat-conversion -Wdouble-promotion -Wshadow -Werror)
+# With -std=c99 gcc fuses no products into sums, as it does with -std=gnu99 and in C++.
+c_flags=(-std=c99 -ffp-contract=fast -ffunction-sections -fdata-sections -fno-math-errno
+  -Wall -Wextra -Wpedantic -Wconversion -Wfloat-conversion -Wdouble-promotion -Wshadow -Werror)
 link=(-nostartfiles -Wl,--gc-sections -T "$board/board.ld")
 
 require_tools() {
@@ -14,6 +17,7 @@ require_tools() {
   echo '#include <array>' | arm-none-eabi-g++ -x c++ -fsyntax-only - 2>/dev/null || { echo "arm-none-eabi-g++ has no C++ library (on Debian: libstdc++-arm-none-eabi-newlib)" >&2; exit 3; }
 }
 
+compile_c() { arm-none-eabi-gcc "${target[@]}" "${c_flags[@]}" "$@"; }
 compile() { arm-none-eabi-g++ "${target[@]}" "${flags[@]}" -I"$board/.." "$@"; }
 
 # See note [instructions] in board.hpp for the shift. What a program writes goes to the standard error of QEMU.

@@ -45,6 +45,7 @@ TEST_CASE("outputs of the verbs") {
         {"help_functions.txt", {"help", "functions"}},
         {"help_quantities.txt", {"help", "quantities"}},
         {"dump_scene.txt", {"generate", model("cart_pendulum"), "--scene", "ideal", "--dump", "scene"}},
+        {"header_in_c.txt", {"generate", model("cart_pendulum"), "--language", "c", "--dump", "code"}},
         {"dump_atoms.txt", {"generate", model("spherical_pendulum"), "--dump", "atoms"}},
     };
     std::set<fs::path> models{source / "tests/golden/capacitor.toml"};

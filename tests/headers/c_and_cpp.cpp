@@ -53,7 +53,11 @@ VECTOR(constraint_forces)
 void c_correction(unsigned mode, const double* x, double t, const double* residual, double* step);
 void c_move_back(double* x, const double* step);
 void c_solve_for(const bool* chosen);
-const char* c_texts(std::size_t i);
+void c_series(unsigned mode, double* inputs, double t, std::size_t order, double* x, double* rows);
+const char* c_text(std::size_t i);
+double c_number(std::size_t i);
+std::size_t c_pattern(int by, std::size_t i);
+int c_transition(std::size_t event, unsigned mode, int list, std::size_t i);
 }
 
 namespace {
@@ -67,14 +71,14 @@ constexpr bool has_constraints = false;
 template <class S>
 constexpr bool has_constraints<S, std::void_t<typename S::Constraints>> = true;
 
-std::size_t compared = 0, finite = 0;
+std::size_t compared = 0, finite_ones = 0;
 
 bool is_same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (a != a && b != b); }
 
 void compare(const char* function, unsigned mode, const double* a, const double* b, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         ++compared;
-        if (std::isfinite(a[i])) ++finite;
+        if (std::isfinite(a[i])) ++finite_ones;
         if (is_same(a[i], b[i])) continue;
         std::printf("%s[%zu] in mode %u: %.17g in C++, %.17g in C\n", function, i, mode, a[i], b[i]);
         std::exit(1);
@@ -92,6 +96,22 @@ double value_of(const plant::Quantity& q, double about) {
     return about + between(-size, size);
 }
 
+/// As the series of a function with a constant value.
+template <class S>
+struct HeldInputs {
+    typename S::Input value;
+    static constexpr std::size_t series_rows = 0;
+    auto series(const typename S::State&, double, typename S::Input& u, double*) const {
+        u = value;
+        return [](std::size_t) { return typename S::Input{}; };
+    }
+    template <class X>
+    auto series(const X*, double, typename S::Input& u, double*) const {
+        u = value;
+        return [](std::size_t) { return typename S::Input{}; };
+    }
+};
+
 template <class S>
 void compare_all(const S& system, std::size_t points) {
     typename S::State start = system.start_state(), other_start{};
@@ -103,11 +123,11 @@ void compare_all(const S& system, std::size_t points) {
         const unsigned mode = static_cast<unsigned>(n % modes);
         typename S::State x{};
         typename S::Input u{};
-        for (std::size_t i = 0; i < x.size(); ++i) x[i] = value_of(S::state_table()[i], plant::start_values[i]);
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] = value_of(S::state_table()[i], start[i]);
         for (std::size_t i = 0; i < u.size(); ++i) u[i] = value_of(S::input_table()[i], 0.0);
         const double t = between(0, 10);
         // A member with the mode before its arguments, where the system has modes.
-        const auto call = [&](auto member, auto&... arguments) {
+        const auto call = [&](auto member, auto&&... arguments) {
             if constexpr (has_modes<S>) return (system.*member)(static_cast<typename S::Mode>(mode), arguments...);
             else return (system.*member)(arguments...);
         };
@@ -165,6 +185,17 @@ void compare_all(const S& system, std::size_t points) {
         } else {
             CHECK_VECTOR(guards, Guards)
         }
+#ifdef SERIES
+        constexpr std::size_t order = 7;
+        using WithWork = std::array<double, std::tuple_size<typename S::State>::value + 1>;
+        std::array<WithWork, order + 1> here{}, there{};
+        std::copy(x.begin(), x.end(), here[0].begin());
+        there = here;
+        std::vector<double> rows(2 * S::series_rows * order + 1), other_rows(rows);
+        call(&S::template series<WithWork, HeldInputs<S>>, HeldInputs<S>{u}, t, order, here.data(), rows.data());
+        c_series(mode, u.data(), t, order, there[0].data(), other_rows.data());
+        compare("series", mode, here[0].data(), there[0].data(), (order + 1) * std::tuple_size<WithWork>::value);
+#endif
         if constexpr (has_constraints<S>) {
             CHECK_VECTOR_OF_STATE(constraint_positions, Constraints)
             CHECK_VECTOR_OF_STATE(constraint_rates, Constraints)
@@ -185,27 +216,62 @@ void compare_all(const S& system, std::size_t points) {
     }
 }
 
-void compare_texts() {
-    std::size_t next = 0;
-    const auto table = [&](const auto& quantities) {
-        for (const plant::Quantity& q : quantities)
-            for (const char* text : {q.name, q.unit, q.description}) {
-                const char* const other = c_texts(next++);
-                if (other != nullptr && std::string(text) == other) continue;
-                std::printf("text %zu of the tables: \"%s\" in C++, \"%s\" in C\n", next, text, other == nullptr ? "nothing" : other);
-                std::exit(1);
-            }
+[[noreturn]] void differ(const char* what, std::size_t i) {
+    std::printf("the tables differ: %s %zu\n", what, i);
+    std::exit(1);
+}
+
+template <class Pattern>
+void compare_pattern(const char* what, int by) {
+    if constexpr (Pattern::is_sparse) {
+        std::size_t next = 0;
+        for (const std::size_t number : Pattern::column_starts)
+            if (c_pattern(by, next++) != number) differ(what, next - 1);
+        for (const std::size_t number : Pattern::row_indices)
+            if (c_pattern(by, next++) != number) differ(what, next - 1);
+    }
+}
+
+template <class S>
+void compare_tables() {
+    std::size_t texts = 0, numbers = 0;
+    const auto text = [&](const char* here) {
+        const char* const there = c_text(texts++);
+        if (there == nullptr || std::string(here) != there) differ("text", texts - 1);
     };
-    table(plant::state_quantities);
-    table(plant::input_quantities);
-    table(plant::output_quantities);
-    table(plant::parameter_quantities);
+    const auto table = [&](const auto& quantities) {
+        for (const auto& q : quantities) {
+            text(q.name), text(q.unit), text(q.description);
+            if (c_number(numbers++) != q.low || c_number(numbers++) != q.high) differ("bound", numbers - 1);
+        }
+    };
+    table(S::state_table());
+    table(S::input_table());
+    table(S::output_table());
+    table(S::parameter_table());
+    for (const auto& guard : S::guard_table()) text(guard.name), text(guard.doc);
+    if constexpr (has_constraints<S>)
+        for (const auto& c : S::constraint_table()) text(c.name), text(c.unit), text(c.description);
+    if (c_text(texts) != nullptr) differ("text", texts);
+    compare_pattern<typename S::PatternX>("place of df/dx", 0);
+    compare_pattern<typename S::PatternU>("place of df/du", 1);
+    compare_pattern<typename S::PatternP>("place of df/dp", 2);
+    if constexpr (has_modes<S>)
+        for (std::size_t e = 0; e < S::event_table().size(); ++e)
+            for (unsigned m = 0; m < S::mode_table().size(); ++m) {
+                const auto mode = static_cast<typename S::Mode>(m);
+                if (S::is_watched(mode, e) != (c_transition(e, m, 0, 0) != -1)) differ("watch of event", e);
+                const decltype(&S::next_modes(e, mode)) lists[]{&S::next_modes(e, mode), &S::modes_beside(e, mode), &S::after_accumulation(e, mode)};
+                for (int list = 0; list < 3 && S::is_watched(mode, e); ++list)
+                    for (std::size_t i = 0; i <= lists[list]->count; ++i)
+                        if (c_transition(e, m, list, i) != (i < lists[list]->count ? static_cast<int>(lists[list]->modes[i]) : -2)) differ("transition of event", e);
+            }
 }
 
 }  // namespace
 
 int main() {
-    compare_texts();
+    compare_tables<System>();
     for (int set = 0; set < 4; ++set) {
         std::vector<double> factors(plant::parameter_count + 1, 1.0);
         for (std::size_t i = 0; set > 0 && i < plant::parameter_count; ++i) factors[i] = between(0.9, 1.1);
@@ -216,7 +282,7 @@ int main() {
         for (std::size_t i = 0; i < plant::parameter_count; ++i) all[i] *= factors[i];
         compare_all(System(parameters), 250);
     }
-    if (finite * 2 < compared && compared > 0) std::printf("only %zu of %zu values are finite\n", finite, compared);
+    if (finite_ones * 2 < compared && compared > 0) std::printf("only %zu of %zu values are finite\n", finite_ones, compared);
     std::printf("%zu\n", compared);
     return compared == 0 ? 1 : 0;
 }

@@ -100,15 +100,90 @@ void c_solve_for(const bool* chosen);
 void c_solve_for(const bool* chosen) { N(solve_for)(&plant, chosen); }
 #endif
 
-const char* c_texts(size_t i);
-/* Every text and number of the tables, one after the other; null behind the last. */
-const char* c_texts(size_t i) {
-#define TABLE(table, count) \
-    if (i < 3 * (size_t)(count)) { const size_t k = i / 3; return i % 3 == 0 ? N(table)()[k].name : i % 3 == 1 ? N(table)()[k].unit : N(table)()[k].description; } \
+/* Every text and number of the tables, one after the other; 0 behind the last. */
+const char* c_text(size_t i);
+const char* c_text(size_t i) {
+#define TEXTS(table, count)                                                                                                              \
+    if (i < 3 * (size_t)(count)) {                                                                                                       \
+        const size_t k = i / 3;                                                                                                          \
+        return i % 3 == 0 ? N(table)()[k].name : i % 3 == 1 ? N(table)()[k].unit : N(table)()[k].description;                            \
+    }                                                                                                                                    \
     i -= 3 * (size_t)(count);
-    TABLE(state_table, N(state_count))
-    TABLE(input_table, N(input_count))
-    TABLE(output_table, N(output_count))
-    TABLE(parameter_table, N(parameter_count))
+    TEXTS(state_table, N(state_count))
+    TEXTS(input_table, N(input_count))
+    TEXTS(output_table, N(output_count))
+    TEXTS(parameter_table, N(parameter_count))
+    if (i < 2 * (size_t)N(guard_count)) return i % 2 == 0 ? N(guard_table)()[i / 2].name : N(guard_table)()[i / 2].doc;
+#ifdef CONSTRAINTS
+    i -= 2 * (size_t)N(guard_count);
+    TEXTS(constraint_table, N(constraint_count))
+#endif
     return NULL;
 }
+
+double c_number(size_t i);
+double c_number(size_t i) {
+#define RANGES(table, count)                                                                       \
+    if (i < 2 * (size_t)(count)) return i % 2 == 0 ? N(table)()[i / 2].low : N(table)()[i / 2].high; \
+    i -= 2 * (size_t)(count);
+    RANGES(state_table, N(state_count))
+    RANGES(input_table, N(input_count))
+    RANGES(output_table, N(output_count))
+    RANGES(parameter_table, N(parameter_count))
+    return 0;
+}
+
+size_t c_pattern(int by, size_t i);
+/* Column starts, and behind them rows; of Jacobians by states, inputs, parameters. */
+size_t c_pattern(int by, size_t i) {
+#define PATTERN(letter, columns)                                                 \
+    {                                                                            \
+        if (i <= (size_t)(columns)) return N(jacobian_##letter##_column_starts)()[i]; \
+        return N(jacobian_##letter##_row_indices)()[i - (size_t)(columns)-1];    \
+    }
+    (void)i;
+#ifdef PATTERN_X
+    if (by == 0) PATTERN(x, N(state_count))
+#endif
+#ifdef PATTERN_U
+    if (by == 1) PATTERN(u, N(input_count))
+#endif
+#ifdef PATTERN_P
+    if (by == 2) PATTERN(p, N(parameter_count))
+#endif
+    return by < 0;
+}
+
+#ifdef MODES
+/* -1: not watched; else the i-th mode of a list (0 next, 1 beside, 2 rest), and -2 behind its last. */
+int c_transition(size_t event, unsigned mode, int list, size_t i);
+int c_transition(size_t event, unsigned mode, int list, size_t i) {
+    const N(transition)* const to = N(transition_of)(event, (N(mode))mode);
+    const N(modes)* const modes = list == 0 ? &to->next : list == 1 ? &to->beside : &to->rest;
+    return !to->is_watched ? -1 : i < modes->count ? (int)modes->modes[i] : -2;
+}
+#endif
+
+#ifdef SERIES
+static void set_inputs(void* data, const double* x, double t, double* u) {
+    (void)x;
+    (void)t;
+    for (size_t i = 0; i < N(input_count); ++i) u[i] = ((const double*)data)[i];
+}
+static void no_slopes(void* data, size_t k, double (*x)[N(state_count) + 1], double* u) {
+    (void)data;
+    (void)k;
+    (void)x;
+    for (size_t i = 0; i < N(input_count); ++i) u[i] = 0;
+}
+/* With inputs that stay as they are. */
+void c_series(unsigned mode, double* inputs, double t, size_t order, double* x, double* rows);
+void c_series(unsigned mode, double* inputs, double t, size_t order, double* x, double* rows) {
+    N(input_series) series;
+    series.data = inputs;
+    series.first = set_inputs;
+    series.next = no_slopes;
+    (void)mode;
+    N(series) WITH_MODE(&series, t, order, (double (*)[N(state_count) + 1])x, rows);
+}
+#endif

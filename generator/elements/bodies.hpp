@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gravity, bodies and attitudes as they were written, each key in one place.
+#pragma once
+
+#include "elements/key.hpp"
+
+namespace dalembert {
+
+struct Gravity {
+    VectorExpression acceleration;
+    std::optional<VectorExpression> reference;
+    std::optional<Condition> when;
+    Span span;
+};
+
+template <>
+inline constexpr KindSpec kind_of<Gravity>{"gravity", "Free fall acting on every mass.", "[gravity]\nacceleration = [0, \"-g\", 0]"};
+
+template <class Visitor, ElementOf<Gravity> E>
+void describe(Visitor& v, E& gravity) {
+    v("acceleration", gravity.acceleration, {.required = true, .dimension = Dimension::acceleration(), .depends = constant_only,
+        .doc = "the acceleration of free fall, as a vector"});
+    v("reference", gravity.reference, {.dimension = Dimension::length(), .depends = constant_only,
+        .doc = "the point where the potential energy of gravity is zero; the origin if left out"});
+    v.item({.has_doc = false});
+}
+
+/// A point mass (mass, position), a planar rigid body (also rotation or angular_velocity, inertia about the centre of mass),
+/// a body that only turns (no mass); or a body in space, that turns by turns or an attitude.
+struct Body : Item {
+    ExpressionPtr mass;
+    std::optional<VectorExpression> position;
+    ExpressionPtr rotation;
+    ExpressionPtr angular_velocity;
+    ExpressionPtr inertia;
+    std::vector<std::vector<ExpressionPtr>> tensor;  ///< of a body in space, in its axes: three principal moments in one row, or three rows
+    std::vector<Turn> turns;
+    std::optional<Reference> attitude;
+    std::optional<VectorExpression> origin;          ///< of its axes, in those of the body that it is placed on
+    std::optional<VectorExpression> centre;          ///< of mass, in its axes
+    std::optional<Reference> on;
+    std::optional<Reference> solid;                  ///< that mass, inertia and centre are taken from
+
+    bool has_axes() const { return !tensor.empty() || !turns.empty() || attitude || origin || centre; }
+};
+
+template <>
+inline constexpr KindSpec kind_of<Body>{"body", "Point masses, planar rigid bodies, bodies that only turn.",
+    "[bodies.rod]\nmass     = \"m_S\"\nposition = [\"s + l_S/2*sin(phi)\", \"-l_S/2*cos(phi)\", 0]\n"
+    "rotation = \"phi\"\ninertia  = \"m_S*(l_S^2 + b_S^2)/12\""};
+
+template <class Visitor, ElementOf<Body> E>
+void describe(Visitor& v, E& body) {
+    v("mass", body.mass, {.dimension = Dimension::mass(), .depends = on_parameters | on_states,
+        .excludes = {{"solid", "has a solid and a mass; the solid brings its mass"}}, .doc = "its mass; needs a position"});
+    v("position", body.position, {.dimension = Dimension::length(), .depends = on_configuration,
+        .doc = "position of its centre of mass"});
+    v("rotation", body.rotation, {.dimension = Dimension::none(), .depends = on_configuration,
+        .doc = "its angle about the z axis, from x towards y"});
+    v("angular_velocity", body.angular_velocity, {.dimension = dimension::rate(), .depends = on_motion,
+        .excludes = {{"rotation", "has a rotation and an angular_velocity; the velocity follows from the rotation"}},
+        .doc = "instead of rotation: its angular velocity, linear in the velocities"});
+    v.alternatives("inertia", body.inertia, body.tensor, {.type = ValueType::tensor, .dimension = Dimension::inertia(),
+        .depends = on_parameters | on_states, .excludes = {{"solid", "has a solid and an inertia; the solid brings its inertia"}},
+        .doc = "moment of inertia about the axis through its centre of mass; of a body in space the tensor in its own axes: "
+               "[Jx, Jy, Jz], or three rows with products of inertia, as they stand in the matrix"});
+    v("turns", body.turns, {.dimension = Dimension::none(), .depends = on_configuration, .words = "turn",
+        .doc = "of a body in space: turns about its own axes one after the other, as [[\"z\", \"psi\"], [\"x\", \"theta\"]]"});
+    v("attitude", body.attitude, {.refers = "attitude",
+        .excludes = {{"turns", "has both 'turns' and 'attitude'; either orients it alone"}},
+        .doc = "instead of turns: an attitude, whose quaternion orients the body"});
+    v("solid", body.solid, {.refers = "solid",
+        .doc = "instead of mass, inertia and centre: a solid, in its axes, that they are taken from. Of a planar body its moment about z "
+               "counts, and the position is that of its centre of mass"});
+    v("origin", body.origin, {.dimension = Dimension::length(), .depends = on_configuration,
+        .excludes = {{"position", "has both 'position' and 'origin'; the position is that of its centre of mass"}},
+        .doc = "instead of position: where its axes begin; [0, 0, 0] if left out"});
+    v("centre", body.centre, {.dimension = Dimension::length(), .depends = on_configuration,
+        .excludes = {{"solid", "has a solid and a centre; the solid brings its centre"},
+                     {"position", "has both 'position' and 'centre'; the position is that of its centre of mass"}},
+        .doc = "with origin: its centre of mass, in its own axes; [0, 0, 0] if left out"});
+    v("on", body.on, {.refers = "body",
+        .doc = "another body: position or origin, and turns, are then measured in its frame. Within a family, NAME[k-1] of the first is "
+               "the ground"});
+    v.item({.has_family = true});
+}
+
+/// Start values of an orientation given by a unit quaternion, and of the angular velocity in the axes of what turns.
+struct Attitude : Item {
+    std::vector<ExpressionPtr> start, start_rate;  ///< four and three, or none
+};
+
+template <>
+inline constexpr KindSpec kind_of<Attitude>{"attitude",
+    "Orientations by unit quaternions. NAME brings the states NAME_0, NAME_1, NAME_2, NAME_3, and the velocities dot(NAME_x), dot(NAME_y), "
+    "dot(NAME_z): the angular velocity about the axes of what turns. NAME_x, NAME_y and NAME_z have no values themselves.",
+    "[attitudes.e]\nstart_rate = [0.01, 2, 0]"};
+
+template <class Visitor, ElementOf<Attitude> E>
+void describe(Visitor& v, E& attitude) {
+    v("start", attitude.start, {.depends = constant_only,
+        .doc = "the quaternion at the start, a unit one: [cos(a/2), sin(a/2)*axis]; [1, 0, 0, 0] if left out"});
+    v("start_rate", attitude.start_rate, {.depends = constant_only,
+        .doc = "the angular velocity at the start, about the axes of the body, in rad/s; [0, 0, 0] if left out"});
+    v.item({});
+}
+
+}  // namespace dalembert

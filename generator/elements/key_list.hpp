@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A visitor of descriptions that lists keys, for the reference and for the messages about keys.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "elements/key.hpp"
+#include "elements/model.hpp"
+#include "text/nearest.hpp"
+
+namespace dalembert {
+
+namespace keys {
+using T = ValueType;
+inline ValueType type_of(const ExpressionPtr&, const Key& key) { return key.unit ? T::constant : T::expression; }
+inline ValueType type_of(const std::vector<ExpressionPtr>&, const Key& key) { return key.unit ? T::constants : T::expressions; }
+inline ValueType type_of(const std::vector<std::vector<ExpressionPtr>>&, const Key&) { return T::table; }
+inline ValueType type_of(const std::vector<std::array<ExpressionPtr, 2>>&, const Key&) { return T::points; }
+inline ValueType type_of(const std::vector<BlockPiece>&, const Key&) { return T::pieces; }
+inline ValueType type_of(const VectorExpression&, const Key&) { return T::vector; }
+inline ValueType type_of(const std::optional<VectorExpression>&, const Key&) { return T::vector; }
+inline ValueType type_of(const std::vector<Turn>&, const Key&) { return T::turns; }
+inline ValueType type_of(const Reference&, const Key&) { return T::part; }
+inline ValueType type_of(const std::optional<Reference>&, const Key&) { return T::part; }
+inline ValueType type_of(const std::vector<Reference>&, const Key&) { return T::parts; }
+inline ValueType type_of(const CoordinateEntry&, const Key&) { return T::coordinate; }
+inline ValueType type_of(const std::vector<CoordinateEntry>&, const Key&) { return T::expressions_by_name; }
+inline ValueType type_of(const std::vector<RunEntry>&, const Key&) { return T::expressions_by_name; }
+inline ValueType type_of(const std::vector<Condition>&, const Key&) { return T::modes; }
+inline ValueType type_of(const NamesWithPlaces&, const Key&) { return T::effects; }
+inline ValueType type_of(const std::vector<Plot>&, const Key&) { return T::plots; }
+inline ValueType type_of(const std::string&, const Key&) { return T::text; }
+inline ValueType type_of(bool, const Key&) { return T::boolean; }
+inline ValueType type_of(const std::optional<bool>&, const Key&) { return T::boolean; }
+inline ValueType type_of(int, const Key&) { return T::whole_number; }
+inline ValueType type_of(const Rational&, const Key&) { return T::number; }
+inline ValueType type_of(const Unit&, const Key&) { return T::unit; }
+inline ValueType type_of(const std::optional<Unit>&, const Key&) { return T::unit; }
+inline ValueType type_of(const std::optional<Range>&, const Key&) { return T::range; }
+inline ValueType type_of(const std::optional<Law>&, const Key&) { return T::law; }
+inline ValueType type_of(const std::optional<Property>&, const Key& key) { return key.variables.size() == 1 ? T::dependent : T::property; }
+}  // namespace keys
+
+template <class Described>
+std::span<const KeySpec> keys_of();
+template <class Described>
+std::span<const std::string> rules_of();
+
+class KeyList {
+public:
+    template <class Member>
+    void operator()(const char* name, const Member& member, const Key& key) { add(name, key, key.type ? *key.type : keys::type_of(member, key)); }
+    template <class Value>
+    void choice(const char* name, const Value&, const Key& key, const KeyChoices<Value>& choices) {
+        add(name, key, ValueType::choice);
+        KeySpec& spec = rows.back();
+        const bool is_long = std::any_of(choices.begin(), choices.end(), [](const auto& c) { return c.doc.starts_with(':'); });
+        std::string words;
+        for (const auto& c : choices) {
+            if (*c.word == '\0') continue;
+            words += fmt::format("{}\"{}\"{}", words.empty() ? "" : is_long ? "; " : &c == &choices.back() ? " or " : ", ", c.word, c.doc);
+            if (c.needs.empty() && c.takes.empty()) continue;
+            spec.lines.push_back(fmt::format("\"{}\"{}{}{}", c.word, listed(" needs ", c.needs), c.needs.empty() || c.takes.empty() ? "" : ",", listed(" may have ", c.takes)));
+        }
+        spec.doc = words + (spec.doc.empty() || std::string(".;:").find(spec.doc.front()) != std::string::npos ? "" : "; ") + spec.doc;
+    }
+    template <class One, class Other>
+    void alternatives(const char* name, const One&, const Other&, const Key& key) { add(name, key, *key.type); }
+    void by_hand(const char* name, const Key& key) { add(name, key, *key.type); }
+    template <class Part>
+    void table(const char* name, const std::optional<Part>&, const Key& key) {
+        add(name, key, ValueType::expressions_by_name);
+        rows.back().parts = keys_of<Part>;
+    }
+    template <class Part>
+    void list(const char* name, const std::vector<Part>&, const Key& key) {
+        add(name, key, ValueType::tables);
+        rows.back().parts = keys_of<Part>;
+    }
+    template <class Part>
+    void named(const char* name, const std::vector<Part>&, const Key& key) {
+        add(name, key, ValueType::named_tables);
+        rows.back().parts = keys_of<Part>;
+    }
+    void either(const char* one, const char* other, const char*) { rules.push_back(fmt::format("Either `{}` or `{}`.", one, other)); }
+    void item(const ItemKeys& item) {
+        if (item.has_doc) rows.push_back({"doc", ValueType::text, false, "what it is, in words; goes into the report and the header"});
+        if (item.has_family) rows.push_back({"for", ValueType::family, false, "makes it a family, one for each value of an index: \"k = 1..N\""});
+        if (item.has_when)
+            rows.push_back({"when", ValueType::condition, false,
+                            "the effects under which it is there: \"drag\", \"not drag\", \"a and (b or c)\"; always, if left out"});
+    }
+    template <class Of>
+    std::optional<Dimension> dimension_of(const Of&) const { return std::nullopt; }
+
+    std::vector<KeySpec> rows;
+    std::vector<std::string> rules;
+
+private:
+    static std::string listed(const char* before, const std::vector<const char*>& names) {
+        return names.empty() ? "" : before + quoted_list({names.begin(), names.end()});
+    }
+
+    void add(const char* name, const Key& key, ValueType type) {
+        rows.push_back({name, type, key.required, key.doc, nullptr, key.refers, {}});
+        const auto others = [&](const char* before, const std::vector<KeyRule>& named) {
+            std::vector<const char*> names;
+            for (const KeyRule& rule : named) names.push_back(rule.key);
+            rows.back().doc += listed(before, names);
+        };
+        others("; needs ", key.needs);
+        others("; not with ", key.excludes);
+    }
+};
+
+template <class Described>
+const KeyList& key_list_of() {
+    static const KeyList list = [] {
+        KeyList made;
+        Described item;
+        describe(made, item);
+        return made;
+    }();
+    return list;
+}
+
+template <class Described>
+std::span<const KeySpec> keys_of() { return key_list_of<Described>().rows; }
+template <class Described>
+std::span<const std::string> rules_of() { return key_list_of<Described>().rules; }
+
+/// A section, or the tables of that name in one.
+template <class Described>
+SectionSpec section_of(const char* name) {
+    constexpr const KindSpec& kind = kind_of<Described>;
+    return {name, requires(Described d) { d.name; }, kind.doc, kind.example, keys_of<Described>(), kind.short_form, rules_of<Described>()};
+}
+
+}  // namespace dalembert

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sizes, parameters, definitions, coordinates, inputs, states and outputs as they were written, each key in one place.
+#pragma once
+
+#include "elements/key.hpp"
+
+namespace dalembert {
+
+template <class Visitor, ElementOf<std::optional<Range>> R>
+void describe_range(Visitor& v, R& range, const Unit& unit) {
+    v("range", range, {.unit = unit,
+        .doc = "[low, high] in its unit; inf and -inf are allowed. Positivity in proofs and random test points come from here"});
+}
+
+template <class Visitor, ElementOf<Unit> U>
+void describe_unit(Visitor& v, U& unit) {
+    v("unit", unit, {.required = true, .doc = "its unit: \"kg\", \"N/m\", \"deg\", \"1\""});
+}
+
+inline std::optional<Dimension> dimension_of_unit(const std::optional<Unit>& unit) {
+    return unit ? std::optional(unit->dimension) : std::nullopt;
+}
+
+struct Size : Item {
+    ExpressionPtr value;
+    std::optional<Range> range;
+};
+
+template <>
+inline constexpr KindSpec kind_of<Size>{"size", "Whole numbers that count the members of families; set with --size N=5.",
+    "[sizes]\nN = { value = 3, range = [1, 64], doc = \"number of links\" }", "value"};
+
+template <class Visitor, ElementOf<Size> E>
+void describe(Visitor& v, E& size) {
+    v("value", size.value, {.required = true, .unit = Unit{}, .depends = constant_only, .is_of_sizes = true,
+        .doc = "the size when --size does not set it; a whole number"});
+    describe_range(v, size.range, Unit{});
+    v.item({.has_when = false});
+}
+
+/// Values are in SI: constants, or of a family one for all (its index may occur) or one for each member.
+struct Parameter : Quantity {
+    std::vector<ExpressionPtr> values;
+};
+
+template <>
+inline constexpr KindSpec kind_of<Parameter>{"parameter", "Constants of the machine, set in the header's parameter struct.",
+    "[parameters]\nm_W = { value = 1.0, unit = \"kg\", range = [0.1, 10], doc = \"mass of the cart\" }"};
+
+template <class Visitor, ElementOf<Parameter> E>
+void describe(Visitor& v, E& parameter) {
+    describe_unit(v, parameter.unit);
+    v("value", parameter.values, {.required = true, .unit = parameter.unit,
+        .doc = "the default, in its unit; for a family one for all, or a list with one for each"});
+    describe_range(v, parameter.range, parameter.unit);
+    v.item({.has_family = true, .has_when = false});
+}
+
+struct Definition : Item {
+    ExpressionPtr value;
+    std::optional<Unit> unit;
+};
+
+template <>
+inline constexpr KindSpec kind_of<Definition>{"definition", "Names for expressions.", "[definitions]\nm_S = \"rho_S*l_S*b_S*h_S\"", "value"};
+
+template <class Visitor, ElementOf<Definition> E>
+void describe(Visitor& v, E& definition) {
+    v("value", definition.value, {.required = true, .dimension = dimension_of_unit(definition.unit),
+        .depends = on_state_and_inputs | on_places, .doc = "what the name stands for"});
+    v("unit", definition.unit, {.doc = "checked against the expression"});
+    v.item({.has_family = true});
+}
+
+struct Coordinate : Quantity {
+    ExpressionPtr start;       ///< null: 0
+    ExpressionPtr start_rate;  ///< null: 0
+    ExpressionPtr guess;       ///< as it is read; then it is the start
+    bool is_guess = false;     ///< the start is where constraints begin to look for it
+    /// Of an attitude: it has a rate, an angular velocity about the axis 0, 1 or 2 of what turns, but no value.
+    std::optional<int> quasi_axis = {};
+};
+
+template <>
+inline constexpr KindSpec kind_of<Coordinate>{"coordinate",
+    "Generalised coordinates; their velocities are dot(NAME), their accelerations ddot(NAME).",
+    "[coordinates]\nphi = { unit = \"rad\", start = \"pi/6\", doc = \"rod angle, 0 hanging\" }", "", in_all_modes};
+
+template <class Visitor, ElementOf<Coordinate> E>
+void describe(Visitor& v, E& coordinate) {
+    describe_unit(v, coordinate.unit);
+    v("start", coordinate.start, {.unit = coordinate.unit, .depends = constant_only,
+        .doc = "value at the start, in its unit; if left out 0, or what constraints make of that"});
+    v("guess", coordinate.guess, {.unit = coordinate.unit, .depends = constant_only,
+        .excludes = {{"start", "has a start, so that there is nothing to be guessed"}},
+        .doc = "instead: near which value constraints find it at the start"});
+    Unit rate = coordinate.unit;
+    rate.offset = 0;
+    v("start_rate", coordinate.start_rate, {.unit = rate, .depends = constant_only,
+        .doc = "velocity at the start, in its unit per second; if left out 0, or what constraints make of that"});
+    describe_range(v, coordinate.range, coordinate.unit);
+    v.item({.has_family = true});
+}
+
+struct Input : Quantity {};
+
+template <>
+inline constexpr KindSpec kind_of<Input>{"input", "What drives the machine from outside.",
+    "[inputs]\nf_e = { unit = \"N\", doc = \"driving force\" }", "", in_all_modes};
+
+template <class Visitor, ElementOf<Input> E>
+void describe(Visitor& v, E& input) {
+    describe_unit(v, input.unit);
+    describe_range(v, input.range, input.unit);
+    v.item({.has_family = true});
+}
+
+/// A first-order state: dot(name) = derivative, or, without one, what a volume, pipe, node, rod or block determines.
+struct State : Quantity {
+    ExpressionPtr start;
+    ExpressionPtr derivative;
+    bool root = false;  ///< integrated as its square root
+    std::optional<int> quaternion_part = {};  ///< of an attitude: 0 the scalar, 1 to 3 the vector
+};
+
+template <>
+inline constexpr KindSpec kind_of<State>{"state",
+    "First-order states beside the mechanics: plain ones with their derivative, or those that volumes and pipes determine.",
+    "[states.u_C]\nunit = \"V\"\nderivative = \"i_C/C\"", "", in_all_modes};
+
+template <class Visitor, ElementOf<State> E>
+void describe(Visitor& v, E& state) {
+    describe_unit(v, state.unit);
+    v("start", state.start, {.unit = state.unit, .depends = constant_only, .doc = "value at the start, in its unit; 0 if left out"});
+    v("derivative", state.derivative, {.dimension = state.unit.dimension / Dimension::time(), .depends = on_state_and_inputs | on_places,
+        .doc = "its time derivative; left out for a state that a volume, pipe, node, rod or block determines"});
+    v("root", state.root, {.doc = "true: it is integrated as its square root, so that an outflow that goes like the root of it ends "
+                                  "exactly; for what is not negative"});
+    describe_range(v, state.range, state.unit);
+    v.item({.has_family = true});
+}
+
+struct Output : Item {
+    ExpressionPtr value;
+    std::optional<Unit> unit;
+};
+
+template <>
+inline constexpr KindSpec kind_of<Output>{"output", "What is measured or reported.", "[outputs]\nheight = \"-l*cos(phi)\"", "value", in_all_modes};
+
+template <class Visitor, ElementOf<Output> E>
+void describe(Visitor& v, E& output) {
+    v("value", output.value, {.required = true, .dimension = dimension_of_unit(output.unit), .depends = on_anything & ~on_outputs,
+        .doc = "what is put out; may use ddot(q), kinetic_energy, potential_energy, generalised_force[q]"});
+    v("unit", output.unit, {.doc = "checked against the expression"});
+    v.item({.has_family = true});
+}
+
+}  // namespace dalembert

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Effects, scenes, printed equations and runs as they were written, each key in one place.
+#pragma once
+
+#include "elements/key.hpp"
+#include "elements/methods.hpp"
+#include "elements/verdict.hpp"
+
+namespace dalembert {
+
+struct Effect : Item {
+    NamesWithPlaces excludes;
+    NamesWithPlaces implies;
+    std::string level_of;
+};
+
+template <>
+inline constexpr KindSpec kind_of<Effect>{"effect", "Effects that a scene may call for or leave out.",
+    "[effects]\nviscous_friction = { doc = \"friction of the cart, proportional to its speed\" }"};
+
+template <class Visitor, ElementOf<Effect> E>
+void describe(Visitor& v, E& effect) {
+    v.by_hand("doc", {.required = true, .type = ValueType::text, .doc = "what the effect is"});
+    v("excludes", effect.excludes, {.doc = "effects that cannot be in the same scene"});
+    v("implies", effect.implies, {.doc = "effects that come with it"});
+    v("level_of", effect.level_of, {.doc = "a common name: of the effects that share it a scene has at most one"});
+}
+
+struct SceneChoice : Item {
+    NamesWithPlaces effects;
+};
+
+template <>
+inline constexpr KindSpec kind_of<SceneChoice>{"scene",
+    "Lists of effects. What a scene does not name is gone before anything is derived. `default` names the scene that is meant when none is "
+    "chosen. Without [scenes] there is one, `full`, with all effects.",
+    "[scenes]\nlab     = [\"viscous_friction\"]\nideal   = []\ndefault = \"lab\"", "effects"};
+
+template <class Visitor, ElementOf<SceneChoice> E>
+void describe(Visitor& v, E& scene) {
+    v("effects", scene.effects, {.required = true, .doc = "the effects that the scene calls for"});
+    v.by_hand("doc", {.type = ValueType::text, .doc = "what the scene is for"});
+}
+
+/// A letter that a printed equation uses, with what it stands for.
+struct PrintedLetter {
+    std::string name;
+    ExpressionPtr value;
+    Span span;
+};
+
+/// A point at which a printed equation holds: "dot(phi) = 0".
+struct AtPoint {
+    ExpressionPtr variable;
+    ExpressionPtr value;
+};
+
+struct PrintedEquation : Item {
+    std::string source;
+    std::vector<Equation> equations;    ///< of numbers: those of vectors and matrices are taken apart
+    std::vector<PrintedLetter> letters; ///< of numbers
+    std::vector<Equation> shown;        ///< the equations as they are written
+    std::vector<PrintedLetter> shown_letters;
+    std::vector<AtPoint> at;
+    std::vector<Equation> solved;       ///< the equations give letters what they stand for, and these are what has to hold then
+    std::optional<Unit> number_unit;    ///< a side that is a number alone is a value in this unit, to the digits that are printed
+    std::optional<Verdict> expected;
+    std::string sizes;                  ///< why nothing could be taken apart: sizes of matrices that do not fit
+};
+
+template <>
+inline constexpr KindSpec kind_of<PrintedEquation>{"printed equation", "Equations as a text prints them, to be checked against the derivation.",
+    "[printed.\"2.160\"]\nequation = \"m*l^2*ddot(phi) = -m*g*l*sin(phi)\""};
+
+inline const KeyChoices<std::optional<Verdict>>& expected_verdicts() {
+    static const KeyChoices<std::optional<Verdict>> choices = [] {
+        KeyChoices<std::optional<Verdict>> made;
+        for (const char* name : verdict_names) made.push_back({name, read_verdict(name)});
+        return made;
+    }();
+    return choices;
+}
+
+/// Its expressions are visited by hand (sites.cpp): they may use the letters that stand beside them.
+template <class Visitor, ElementOf<PrintedEquation> E>
+void describe(Visitor& v, E& printed) {
+    v.by_hand("equation", {.type = ValueType::equation,
+        .doc = "the printed equation in the model language: \"left = right\", also \"a = b = c\""});
+    v.by_hand("equations", {.type = ValueType::equations, .doc = "several equations under one number"});
+    v.by_hand("with", {.type = ValueType::expressions_by_name,
+        .doc = "letters of the book that the model does not have, with what they stand for"});
+    v.by_hand("at", {.type = ValueType::expressions_by_name, .doc = "a point at which it holds: { phi = 0, \"dot(phi)\" = 0 }"});
+    v.choice("expect", printed.expected, {.words = "verdict", .doc = ": the verdict of a known misprint"}, expected_verdicts());
+    v("source", printed.source, {.doc = "where it is printed, if not in the model's source"});
+    v.either("equation", "equations", "an equation or a list of equations");
+    v.item({.has_family = true});
+}
+
+struct Plot {
+    std::string title;
+    std::string x;  ///< empty: time
+    std::vector<std::string> y;
+    Span span;
+};
+
+struct Run : Item {
+    std::string scene;
+    Span scene_span;
+    ExpressionPtr until;
+    ExpressionPtr period;
+    std::vector<RunEntry> start;
+    std::vector<RunEntry> inputs;
+    std::vector<RunEntry> parameters;
+    std::vector<RunEntry> exact;  ///< closed forms of outputs and states, of t and parameters
+    Rational tolerance = Rational(1) / 1000000000;
+    ExpressionPtr step;
+    std::string method;
+    int samples = 500;
+    std::vector<Plot> plots;
+};
+
+template <>
+inline constexpr KindSpec kind_of<Run>{"run", "Simulations: `simulate` takes the run `reference`, or the one named with --run.",
+    "[runs.reference]\nuntil = 10\nplots = [[\"s\"], [\"phi\"]]"};
+
+inline const KeyChoices<std::string>& run_methods() {
+    static const KeyChoices<std::string> choices = [] {
+        KeyChoices<std::string> made;
+        for (const MethodSpec& method : methods_of_integration) made.push_back({method.name, method.name, {}, {}, described(method)});
+        return made;
+    }();
+    return choices;
+}
+
+template <class Visitor, ElementOf<Run> E>
+void describe(Visitor& v, E& run) {
+    const Unit second{Dimension::time(), 1, 0, 0, "s"};
+    const Unit declared{};  // that of the variable, in which values are converted
+    v("until", run.until, {.required = true, .unit = second, .depends = constant_only, .words = "end",
+        .doc = "end of the run in seconds, or with a unit, \"2 min\"; an expression of parameters is allowed"});
+    v("scene", run.scene, {.doc = "the scene it belongs to; every scene, if left out"});
+    v("period", run.period, {.unit = second, .depends = constant_only,
+        .doc = "time of one period in seconds, where there is one; used by the energy test"});
+    v("step", run.step, {.unit = second, .depends = constant_only, .doc = "fixed step of euler and rk4 in seconds"});
+    v("start", run.start, {.unit = declared, .depends = constant_only,
+        .names = on_parameters | on_coordinates | on_velocities | on_states, .words = "start value",
+        .doc = "start values that differ: { s = 0.2, \"dot(s)\" = 0 }, without a unit in the declared one"});
+    v("inputs", run.inputs, {.unit = declared, .depends = on_motion | on_states, .names = on_inputs, .words = "course",
+        .doc = "inputs as expressions of t and the states, without a unit in the declared one; 0 for what is left out, but temperatures and "
+               "pressures have to be given"});
+    v("parameters", run.parameters, {.unit = declared, .depends = constant_only, .names = on_parameters, .words = "value",
+        .doc = "parameters that differ, without a unit in the declared one"});
+    v("exact", run.exact, {.unit = declared, .depends = on_parameters | on_time,
+        .names = on_coordinates | on_velocities | on_states | on_outputs, .words = "closed form",
+        .doc = "closed forms of outputs and states, of t and parameters, where there are some: references of `cost`"});
+    v("tolerance", run.tolerance, {.doc = "relative tolerance of a step; 1e-9 if left out"});
+    v.choice("method", run.method, {}, run_methods());
+    v("samples", run.samples, {.doc = "number of equal intervals at which results are written; 500 if left out"});
+    v("plots", run.plots, {.doc = "lists of names over time: [[\"s\"], [\"phi\"]], or { x = \"x\", y = [\"z\"] }"});
+    v.item({.has_when = false});
+}
+
+}  // namespace dalembert
