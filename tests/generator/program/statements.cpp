@@ -49,12 +49,12 @@ TEST_CASE("room that the caller lends") {
           "const Inputs& /*inputs*/, std::size_t order, StateOrMore* x, Scalar* rows");
 }
 
-TEST_CASE("the work on the plant is only for those who have room for it") {
+TEST_CASE("the work on the plant is for states that have room for it, which they always have in C") {
     const Plant plant;
     CPrinter c(plant, "rod");
     const Statements work{IfRoomForWork{{Assignment{entry("x", Value::interface_size("state_count")), y}}}};
     CHECK(cpp_text(work) == "        if constexpr (std::tuple_size<StateOrMore>::value > state_count) x[state_count] = y;\n");
-    CHECK(c.text(work).empty());
+    CHECK(c.text(work) == "    x[rod_state_count] = y;\n");
 }
 
 TEST_CASE("inputs as series") {
@@ -62,6 +62,11 @@ TEST_CASE("inputs as series") {
     CHECK(cpp_text(first) == "        Input u{};\n        const auto next_inputs = inputs.series(x, t, u, rows + order);\n");
     CHECK(cpp_text({NextInputs{"u_now", k}}) == "        const Input u_now = next_inputs(k);\n");
     CHECK(mentions(first, "order"));
+    Plant plant;
+    plant.inputs.resize(2);
+    CPrinter c(plant, "rod");
+    CHECK(c.text(first) == "    rod_real u[2];\n    inputs->first(inputs->data, x[0], t, u);\n");
+    CHECK(c.text({NextInputs{"u_now", k}}) == "    rod_real u_now[2];\n    inputs->next(inputs->data, k, x, u_now);\n");
 }
 
 TEST_CASE("what is found in statements is also found in conditions and in statements inside") {
