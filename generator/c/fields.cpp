@@ -17,7 +17,7 @@ namespace dalembert {
 
 namespace {
 
-/// The core stores its Jacobians in compressed columns, whatever their size.
+/// C has no arrays without entries.
 std::size_t room(std::size_t size) { return std::max<std::size_t>(size, 1); }
 
 class FieldPrinter {
@@ -55,17 +55,6 @@ public:
 private:
     void sizes() {
         const auto number = [&](const char* key, std::size_t value) { texts_[key] = std::to_string(value); };
-        number("API_VERSION", c_api_version);
-        number("DEGREES", whole_.degrees);
-        number("PLAIN_STATES", whole_.plain_states);
-        number("STATES", whole_.states.size());
-        number("INPUTS", whole_.inputs.size());
-        number("OUTPUTS", whole_.outputs.size());
-        number("PARAMETERS", whole_.parameters.size());
-        number("GUARD_COUNT", whole_.guards.size());
-        number("SIZE_X", whole_.by_state.size());
-        number("SIZE_U", whole_.by_input.size());
-        number("SIZE_P", whole_.by_parameter.size());
         number("SIZE_C", whole_.outputs.size() * whole_.states.size());
         number("CORE_STATES", core_.states.size());
         number("CORE_ROOM", room(core_.states.size()));
@@ -77,7 +66,8 @@ private:
 
     void tables() {
         std::map<std::string, std::string> all = c_tables(whole_, name_, fields_.indices);
-        for (const char* key : {"INDICES", "STATE_TABLE"}) texts_[key] = all.at(key);
+        for (const char* key : {"API_VERSION", "DEGREES", "PLAIN_STATES", "STATES", "INPUTS", "OUTPUTS", "PARAMETERS", "GUARD_COUNT", "SIZE_X",
+                                "SIZE_U", "SIZE_P", "INDICES", "STATE_TABLE"}) texts_[key] = all.at(key);
         texts_["PATTERN"] = all.at("PATTERN_X");
         texts_["POSITIONS"] = fields_.positions.empty() ? "0" : fmt::format("{}", fmt::join(fields_.positions, ", "));
         for (const std::string& line : fields_.equations) texts_["FIELD_EQUATIONS"] += cpp_comment(line, 0);

@@ -21,18 +21,6 @@ public:
 
     std::string run() {
         std::map<std::string, std::string> values = c_tables(plant_, name_);
-        const auto number = [&](const char* key, std::size_t value) { values[key] = std::to_string(value); };
-        number("API_VERSION", c_api_version);
-        number("DEGREES", plant_.degrees);
-        number("PLAIN_STATES", plant_.plain_states);
-        number("STATES", plant_.states.size());
-        number("INPUTS", plant_.inputs.size());
-        number("OUTPUTS", plant_.outputs.size());
-        number("PARAMETERS", plant_.parameters.size());
-        number("GUARD_COUNT", plant_.guards.size());
-        number("SIZE_X", plant_.by_state.size());
-        number("SIZE_U", plant_.by_input.size());
-        number("SIZE_P", plant_.by_parameter.size());
         values["NAME"] = name_;
         values["MODEL"] = cpp_string(plant_.model);
         values["SCENE"] = cpp_string(plant_.scene);
@@ -69,10 +57,7 @@ private:
 
     /// Comment lines, or a hint where they would drown the code.
     static std::string equations(const PlantFunction& f) {
-        constexpr std::size_t longest = 8000;
-        std::size_t length = 0;
-        for (const std::string& one : f.equations) length += one.size();
-        if (f.is_large || length > longest) return "/// (Too long to be printed here; `dalembert derive` prints the equations.)\n";
+        if (f.is_large) return "/// (Too long to be printed here; `dalembert derive` prints the equations.)\n";
         std::string text;
         for (const std::string& one : f.equations) text += cpp_comment("    " + one, 0);
         return text;

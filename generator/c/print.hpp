@@ -21,7 +21,7 @@ public:
     std::string text(const Statements& statements);
     /// "const NAME_real x[4], NAME_real t".
     std::string text(const std::vector<Argument>& arguments);
-    /// What stands in braces behind the head of a function: arguments that are not used are told to the compiler.
+    /// The body of a function, without its braces. Arguments that it does not use are cast to void.
     std::string body(const FunctionBody& body);
 
     /// Functions of the runtime that were called so far.

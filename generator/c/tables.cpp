@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "c/header.hpp"
 #include "text/safe_text.hpp"
 
 namespace dalembert {
@@ -34,7 +35,8 @@ public:
         std::vector<std::string> guards;
         for (const PlantGuard& g : plant_.guards)
             guards.push_back(fmt::format("{{{}, {}, {}}}", cpp_string(g.name), cpp_string(g.doc), g.ends));
-        return {
+        std::map<std::string, std::string> texts = sizes();
+        texts.merge(std::map<std::string, std::string>{
             {"INDICES", index_list("x", states.empty() ? places_of(plant_.states) : states) + index_list("u", places_of(plant_.inputs)) +
                             index_list("y", places_of(plant_.outputs)) + index_list("p", places_of(plant_.parameters))},
             {"STATE_TABLE", quantities("state", plant_.states)},
@@ -47,7 +49,8 @@ public:
             {"PATTERN_X", pattern(plant_.by_state, 'x')},
             {"PATTERN_U", pattern(plant_.by_input, 'u')},
             {"PATTERN_P", pattern(plant_.by_parameter, 'p')},
-            {"MORE_SIZES", more_sizes()}};
+            {"MORE_SIZES", more_sizes()}});
+        return texts;
     }
 
 private:
@@ -104,6 +107,23 @@ private:
             width += one.size() + 1;
         }
         return text + (type.empty() ? " };\n" : fmt::format(" }} {};\n", type));
+    }
+
+    std::map<std::string, std::string> sizes() const {
+        std::map<std::string, std::string> texts;
+        const auto number = [&](const char* key, std::size_t value) { texts[key] = std::to_string(value); };
+        number("API_VERSION", c_api_version);
+        number("DEGREES", plant_.degrees);
+        number("PLAIN_STATES", plant_.plain_states);
+        number("STATES", plant_.states.size());
+        number("INPUTS", plant_.inputs.size());
+        number("OUTPUTS", plant_.outputs.size());
+        number("PARAMETERS", plant_.parameters.size());
+        number("GUARD_COUNT", plant_.guards.size());
+        number("SIZE_X", plant_.by_state.size());
+        number("SIZE_U", plant_.by_input.size());
+        number("SIZE_P", plant_.by_parameter.size());
+        return texts;
     }
 
     std::string more_sizes() const {

@@ -47,7 +47,7 @@ private:
     mutable std::map<const Expression*, Measure> measured_;
 };
 
-/// Values of what is declared in a unit are checked where they are converted, printed equations where they are proven.
+/// Values with units are checked when they are converted, printed equations when they are proven.
 class UnitCheck {
 public:
     UnitCheck(const Model& model, const Names& names, Diagnostics& diagnostics)

@@ -18,10 +18,7 @@ constexpr std::size_t indent_of_members = 4;
 
 /// Comment lines, or a hint where they would drown the code.
 std::string equations(const PlantFunction& f) {
-    constexpr std::size_t longest = 8000;
-    std::size_t length = 0;
-    for (const std::string& one : f.equations) length += one.size();
-    if (f.is_large || length > longest) return "    /// (Too long to be printed here; `dalembert derive` prints the equations.)\n";
+    if (f.is_large) return "    /// (Too long to be printed here; `dalembert derive` prints the equations.)\n";
     std::string text;
     for (const std::string& one : f.equations) text += cpp_comment("    " + one, indent_of_members);
     return text;

@@ -52,7 +52,7 @@ void quantities(Texts& texts, const std::string& name, const std::vector<PlantQu
     texts[name + "_TABLE"] = rows_of(rows);
 }
 
-/// Which of the stored entries matter to who factors the matrix; nothing where all of them do.
+/// The entries that a factorisation of the matrix must read. Empty where it must read all of them.
 std::string nonzero(const PlantPattern& p) {
     if (p.row_indices.size() == p.rows * p.columns) return {};
     std::vector<std::string> columns;

@@ -18,6 +18,14 @@ namespace {
 
 using Result = PlantFunction::Result;
 
+constexpr std::size_t longest_equations = 8000;  ///< characters; more of them drown the code
+
+std::size_t length_of(const std::vector<std::string>& lines) {
+    std::size_t length = 0;
+    for (const std::string& line : lines) length += line.size();
+    return length;
+}
+
 class PlantMaker {
     template <class Make>
     auto each(const Make& make) {
@@ -48,6 +56,8 @@ public:
             add(Function::guards, "Functions whose sign matters, in the order of guard_table().",
                 each([](CppBodies& b) { return b.values(Function::guards, "Guards", "g"); }));
         constraints();
+        for (auto* functions : {&plant_.functions, &plant_.constraint_functions})
+            for (PlantFunction& f : *functions) f.is_large = f.is_large || length_of(f.equations) > longest_equations;
         for (const CppBodies& bodies : bodies_) plant_.helpers.insert(bodies.helpers().begin(), bodies.helpers().end());
         return std::move(plant_);
     }

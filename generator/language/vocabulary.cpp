@@ -409,6 +409,8 @@ bool is_cpp_keyword(std::string_view name) { return std::find(keywords.begin(), 
 bool is_cpp_macro(std::string_view name) {
     const auto has = [](std::string_view base) { return std::find(macros.begin(), macros.end(), base) != macros.end(); };
     if (has(name)) return true;
+    // Limits of arithmetic, of <float.h>.
+    if (name.starts_with("FLT_") || name.starts_with("DBL_") || name.starts_with("LDBL_") || name == "DECIMAL_DIG") return true;
     // M_PI also as M_PIf, M_PIl, M_PIf128, ...
     const auto suffixed = [&](std::string_view base) {
         return base.starts_with("M_") && name.starts_with(base) &&

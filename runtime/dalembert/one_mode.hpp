@@ -18,20 +18,38 @@ public:
     using Scalar = typename System::scalar_type;
 
     void rhs(const State& x, const Input& u, Scalar t, State& dxdt) const noexcept { System::rhs(mode, x, u, t, dxdt); }
-    void rhs_and_jacobian(const State& x, const Input& u, Scalar t, State& dxdt, typename System::JacobianX& J) const noexcept { System::rhs_and_jacobian(mode, x, u, t, dxdt, J); }
-    void jacobian_x(const State& x, const Input& u, Scalar t, typename System::JacobianX& J) const noexcept { System::jacobian_x(mode, x, u, t, J); }
-    void jacobian_u(const State& x, const Input& u, Scalar t, typename System::JacobianU& J) const noexcept { System::jacobian_u(mode, x, u, t, J); }
-    void jacobian_p(const State& x, const Input& u, Scalar t, typename System::JacobianP& J) const noexcept { System::jacobian_p(mode, x, u, t, J); }
-    void jacobian_t(const State& x, const Input& u, Scalar t, typename System::JacobianT& J) const noexcept { System::jacobian_t(mode, x, u, t, J); }
+    void rhs_and_jacobian(const State& x, const Input& u, Scalar t, State& dxdt, typename System::JacobianX& J) const noexcept {
+        System::rhs_and_jacobian(mode, x, u, t, dxdt, J);
+    }
+    void jacobian_x(const State& x, const Input& u, Scalar t, typename System::JacobianX& J) const noexcept {
+        System::jacobian_x(mode, x, u, t, J);
+    }
+    void jacobian_u(const State& x, const Input& u, Scalar t, typename System::JacobianU& J) const noexcept {
+        System::jacobian_u(mode, x, u, t, J);
+    }
+    void jacobian_p(const State& x, const Input& u, Scalar t, typename System::JacobianP& J) const noexcept {
+        System::jacobian_p(mode, x, u, t, J);
+    }
+    void jacobian_t(const State& x, const Input& u, Scalar t, typename System::JacobianT& J) const noexcept {
+        System::jacobian_t(mode, x, u, t, J);
+    }
     void mass_matrix(const State& x, Scalar t, typename System::MassMatrix& M) const noexcept { System::mass_matrix(mode, x, t, M); }
     void bias(const State& x, const Input& u, Scalar t, typename System::Generalised& b) const noexcept { System::bias(mode, x, u, t, b); }
-    void generalised_force(const State& x, const Input& u, Scalar t, typename System::Generalised& Q) const noexcept { System::generalised_force(mode, x, u, t, Q); }
+    void generalised_force(const State& x, const Input& u, Scalar t, typename System::Generalised& Q) const noexcept {
+        System::generalised_force(mode, x, u, t, Q);
+    }
     void output(const State& x, const Input& u, Scalar t, typename System::Output& y) const noexcept { System::output(mode, x, u, t, y); }
-    void output_jacobian_x(const State& x, const Input& u, Scalar t, typename System::OutputJacobianX& C) const noexcept { System::output_jacobian_x(mode, x, u, t, C); }
-    void output_jacobian_u(const State& x, const Input& u, Scalar t, typename System::OutputJacobianU& D) const noexcept { System::output_jacobian_u(mode, x, u, t, D); }
+    void output_jacobian_x(const State& x, const Input& u, Scalar t, typename System::OutputJacobianX& C) const noexcept {
+        System::output_jacobian_x(mode, x, u, t, C);
+    }
+    void output_jacobian_u(const State& x, const Input& u, Scalar t, typename System::OutputJacobianU& D) const noexcept {
+        System::output_jacobian_u(mode, x, u, t, D);
+    }
     // Of headers that have them.
     template <class StateOrMore, class Inputs>
-    void series(const Inputs& inputs, Scalar t, std::size_t order, StateOrMore* x, Scalar* rows) const noexcept { System::series(mode, inputs, t, order, x, rows); }
+    void series(const Inputs& inputs, Scalar t, std::size_t order, StateOrMore* x, Scalar* rows) const noexcept {
+        System::series(mode, inputs, t, order, x, rows);
+    }
     template <class Values>
     void constraint_positions(const State& x, Scalar t, Values& f) const noexcept { System::constraint_positions(mode, x, t, f); }
     template <class Values>

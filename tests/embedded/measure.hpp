@@ -27,7 +27,8 @@ inline constexpr std::uint32_t paint = 0xa5c35a3c;
 
 /// What lies between two readings of the counter, and how far down the stack was changed: the call, and what it costs to make one.
 template <class Class, class... Parameters>
-__attribute__((noinline)) Cost around(const Class& object, void (Class::*volatile function)(Parameters...) const noexcept, typename Same<Parameters>::type... arguments) {
+__attribute__((noinline)) Cost around(const Class& object, void (Class::*volatile function)(Parameters...) const noexcept,
+                                      typename Same<Parameters>::type... arguments) {
     std::uint32_t bottom;
     asm volatile("mov %0, sp" : "=r"(bottom));
     auto* const lowest = reinterpret_cast<volatile std::uint32_t*>(bottom - painted_bytes);
@@ -71,7 +72,8 @@ struct Probe : System {
 template <class System, class Class, class... Parameters>
 Cost cost(const Probe<System>& probe, void (Class::*function)(Parameters...) const noexcept, typename Same<Parameters>::type... arguments) {
     using Function = void (Probe<System>::*)(Parameters...) const noexcept;
-    const Cost least = around<Probe<System>, Parameters...>(probe, static_cast<Function>(&Probe<System>::template one<Parameters...>), arguments...);
+    const Cost least =
+        around<Probe<System>, Parameters...>(probe, static_cast<Function>(&Probe<System>::template one<Parameters...>), arguments...);
     const Cost all = around<Probe<System>, Parameters...>(probe, static_cast<Function>(function), arguments...);
     return {board::instructions(all.instructions - least.instructions) + 1, all.stack - least.stack};
 }
@@ -102,9 +104,11 @@ int measure(const Point<OfPoints> (&table)[count]) {
     // See note [instructions]: what is known must come out, or all else means nothing.
     using Known = void (Probe<System>::*)(const State&, const Input&, float) const noexcept;
     const Point<OfPoints>& p = table[0];
-    report("known", 1000, cost(probe, static_cast<Known>(&Probe<System>::template thousand<const State&, const Input&, float>), p.x, p.u, p.t));
+    report("known", 1000,
+           cost(probe, static_cast<Known>(&Probe<System>::template thousand<const State&, const Input&, float>), p.x, p.u, p.t));
     board::write("\n");
-    report("known", 100002, cost(probe, static_cast<Known>(&Probe<System>::template loop<const State&, const Input&, float>), p.x, p.u, p.t));
+    report("known", 100002,
+           cost(probe, static_cast<Known>(&Probe<System>::template loop<const State&, const Input&, float>), p.x, p.u, p.t));
     board::write("\n");
 
     static State dxdt;

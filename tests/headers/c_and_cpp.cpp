@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The C header of a plant computes the same as its C++ header, to the last bit, at random points and parameters. HEADER: that of C++; SPACE:
-// its namespace; the other side is c_side.c. Prints the number of values that were compared, or the first that differs.
+// The C header of a plant computes the same as its C++ header, to the last bit, at random points and parameters. HEADER: that of C++;
+// SPACE: its namespace; the other side is c_side.c. Prints the number of values that were compared, or the first that differs.
 #include HEADER
 
 #include <algorithm>
@@ -156,8 +156,9 @@ void compare_all(const S& system, std::size_t points) {
         CHECK_VECTOR(output, Output)
         CHECK_VECTOR(output_jacobian_x, OutputJacobianX)
         CHECK_VECTOR(output_jacobian_u, OutputJacobianU)
-        const double a[]{call(&S::kinetic_energy, x, t),      call(&S::potential_energy, x, t),    call(&S::internal_energy, x, t),    call(&S::supplied_power, x, u, t),
-                         call(&S::dissipated_power, x, u, t), call(&S::prescribed_power, x, u, t), call(&S::exchanged_power, x, u, t)};
+        const double a[]{call(&S::kinetic_energy, x, t),    call(&S::potential_energy, x, t),    call(&S::internal_energy, x, t),
+                         call(&S::supplied_power, x, u, t), call(&S::dissipated_power, x, u, t), call(&S::prescribed_power, x, u, t),
+                         call(&S::exchanged_power, x, u, t)};
         const double b[]{c_kinetic_energy(mode, x.data(), t),
                          c_potential_energy(mode, x.data(), t),
                          c_internal_energy(mode, x.data(), t),
@@ -261,10 +262,12 @@ void compare_tables() {
             for (unsigned m = 0; m < S::mode_table().size(); ++m) {
                 const auto mode = static_cast<typename S::Mode>(m);
                 if (S::is_watched(mode, e) != (c_transition(e, m, 0, 0) != -1)) differ("watch of event", e);
-                const decltype(&S::next_modes(e, mode)) lists[]{&S::next_modes(e, mode), &S::modes_beside(e, mode), &S::after_accumulation(e, mode)};
+                const decltype(&S::next_modes(e, mode)) lists[]{&S::next_modes(e, mode), &S::modes_beside(e, mode),
+                                                                &S::after_accumulation(e, mode)};
                 for (int list = 0; list < 3 && S::is_watched(mode, e); ++list)
                     for (std::size_t i = 0; i <= lists[list]->count; ++i)
-                        if (c_transition(e, m, list, i) != (i < lists[list]->count ? static_cast<int>(lists[list]->modes[i]) : -2)) differ("transition of event", e);
+                        if (c_transition(e, m, list, i) != (i < lists[list]->count ? static_cast<int>(lists[list]->modes[i]) : -2))
+                            differ("transition of event", e);
             }
 }
 
@@ -277,7 +280,8 @@ int main() {
         for (std::size_t i = 0; set > 0 && i < plant::parameter_count; ++i) factors[i] = between(0.9, 1.1);
         c_update(factors.data());
         plant::Parameters<double> parameters;
-        static_assert(plant::parameter_count == 0 || sizeof parameters == plant::parameter_count * sizeof(double), "parameters are numbers, one after the other");
+        static_assert(plant::parameter_count == 0 || sizeof parameters == plant::parameter_count * sizeof(double),
+                      "parameters are numbers, one after the other");
         double* const all = reinterpret_cast<double*>(&parameters);
         for (std::size_t i = 0; i < plant::parameter_count; ++i) all[i] *= factors[i];
         compare_all(System(parameters), 250);

@@ -20,12 +20,14 @@ TEST_CASE("values in C") {
     const Plant plant = plant_of(4);
     CPrinter print(plant, "cart");
     const Value x = Value::element(Value::name("x"), 2), m = Value::member(Value::Object::parameters, "m");
-    CHECK(print.text(Value::sum({x, Value::product({m, Value::constant(Rational(3) / 4)})}, {false, true})) == "x[2] - plant_->p.m * (cart_R(3) / cart_R(4))");
+    CHECK(print.text(Value::sum({x, Value::product({m, Value::constant(Rational(3) / 4)})}, {false, true})) ==
+          "x[2] - plant_->p.m * (cart_R(3) / cart_R(4))");
     CHECK(print.text(Value::product({}, {x, x})) == "cart_R(1) / x[2] / x[2]");
     CHECK(print.called().empty());
     CHECK(print.text(Value::call(Value::Where::library, "abs", {x})) == "cart_fabs(x[2])");
     CHECK(print.text(Value::call(Value::Where::helper, "compression", {x, m})) == "cart_compression_by_decay(x[2], plant_->p.m)");
-    CHECK(print.text(Value::call(Value::Where::helper, "ldlt_solve", {Value::name("mass"), Value::part_from(Value::name("dxdt"), 2)}, {3})) == "cart_ldlt_solve_3(mass, dxdt + 2)");
+    CHECK(print.text(Value::call(Value::Where::helper, "ldlt_solve", {Value::name("mass"), Value::part_from(Value::name("dxdt"), 2)},
+                                 {3})) == "cart_ldlt_solve_3(mass, dxdt + 2)");
     CHECK(print.text(Value::call(Value::Where::plant, "rhs", {Value::name("x"), Value::name("dxdt")})) == "cart_rhs(plant_, x, dxdt)");
     CHECK(print.text(Value::all_of({})) == "true");
     CHECK(print.called() == std::set<CHelper>{{"compression_by_decay", 0}, {"fabs", 0}, {"ldlt_solve", 3}});
@@ -34,23 +36,35 @@ TEST_CASE("values in C") {
 TEST_CASE("statements in C") {
     const Plant plant = plant_of(4);
     CPrinter print(plant, "cart");
-    CHECK(print.text({Declaration{{}, {"s", "c"}}, Invocation{Value::call(Value::Where::helper, "sin_and_cos", {Value::name("phi"), Value::name("s"), Value::name("c")})}}) ==
+    CHECK(print.text({Declaration{{}, {"s", "c"}}, Invocation{Value::call(Value::Where::helper, "sin_and_cos",
+                                                                          {Value::name("phi"), Value::name("s"), Value::name("c")})}}) ==
           "    cart_real s, c;\n    cart_sin_and_cos(phi, &s, &c);\n");
     CHECK(print.text({Declaration{{Storage::Kind::vector, {}, "State"}, {"dxdt"}}}) == "    cart_real dxdt[4];\n");
     CHECK(print.text({Declaration{{Storage::Kind::table, {2, 3}}, {"solved"}, {}, true}}) == "    cart_real solved[2][3] = {{0}};\n");
-    CHECK(print.text({Declaration{{Storage::Kind::array, {2}}, {"T"}, Value::call(Value::Where::helper, "network_inverse", {Value::list({Value::name("a"), Value::name("b")})}, {1})}}) ==
+    CHECK(print.text({Declaration{
+              {Storage::Kind::array, {2}},
+              {"T"},
+              Value::call(Value::Where::helper, "network_inverse", {Value::list({Value::name("a"), Value::name("b")})}, {1})}}) ==
           "    cart_real T[2];\n    {\n        cart_real data_[2] = {a, b};\n        cart_network_inverse_1(data_, T);\n    }\n");
-    CHECK(print.text({Loop{"c", 0, Value::whole(3), {Assignment{Value::element(Value::name("J"), Value::name("c")), Value::literal(2), Assignment::Operation::add}}}}) ==
+    CHECK(print.text(
+              {Loop{"c",
+                    0,
+                    Value::whole(3),
+                    {Assignment{Value::element(Value::name("J"), Value::name("c")), Value::literal(2), Assignment::Operation::add}}}}) ==
           "    for (size_t c = 0; c < 3; ++c) {\n        J[c] += cart_R(2);\n    }\n");
     CHECK(print.text({ByMode{{{{"rolls"}, {Return{Value::literal(1)}}}, {{"slips", "rests"}, {Return{Value::literal(0)}}}}}}) ==
-          "    switch (mode) {\n        case cart_m_rolls: {\n            return cart_R(1);\n        }\n        case cart_m_slips:\n        case cart_m_rests:\n        default: {\n"
+          "    switch (mode) {\n        case cart_m_rolls: {\n            return cart_R(1);\n        }\n        case cart_m_slips:\n       "
+          " case cart_m_rests:\n        default: {\n"
           "            return cart_R(0);\n        }\n    }\n");
 }
 
 TEST_CASE("arguments that nothing uses are told to the compiler") {
     const Plant plant = plant_of(2);
     CPrinter print(plant, "cart");
-    const FunctionBody body{{{"State", "x"}, {"Input", "u", Argument::Passing::read, false}, {"Scalar", "t", Argument::Passing::value, false}, {"State", "dxdt", Argument::Passing::result}},
+    const FunctionBody body{{{"State", "x"},
+                             {"Input", "u", Argument::Passing::read, false},
+                             {"Scalar", "t", Argument::Passing::value, false},
+                             {"State", "dxdt", Argument::Passing::result}},
                             {Assignment{Value::element(Value::name("dxdt"), 0), Value::element(Value::name("x"), 1)}}};
     CHECK(print.text(body.arguments) == "const cart_real x[2], const cart_real* u, cart_real t, cart_real dxdt[2]");
     CHECK(print.body(body) == "    (void)plant_;\n    (void)u;\n    (void)t;\n    dxdt[0] = x[1];\n");
@@ -58,7 +72,8 @@ TEST_CASE("arguments that nothing uses are told to the compiler") {
 
 TEST_CASE("a C header brings what it calls, each function behind those that it needs") {
     const std::string text = c_helper_source({{"cosc", 0}, {"network_inverse", 3}}, "cart");
-    for (const char* function : {"cart_sin(", "cart_select(", "cart_sinc(", "cart_cosc(", "cart_network_factor_3(", "cart_network_inverse_3("}) {
+    for (const char* function :
+         {"cart_sin(", "cart_select(", "cart_sinc(", "cart_cosc(", "cart_network_factor_3(", "cart_network_inverse_3("}) {
         CAPTURE(function);
         CHECK(text.find(function) != std::string::npos);
     }

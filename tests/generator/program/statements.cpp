@@ -38,7 +38,8 @@ TEST_CASE("indices as numbers, and what depends on them") {
 TEST_CASE("room that the caller lends") {
     const Plant plant;
     CPrinter c(plant, "rod");
-    const Statements row{Declaration{{Storage::Kind::room}, {"row"}, Value::room_from(Value::name("rows"), Value::product({Value::whole(4), k}))}};
+    const Statements row{
+        Declaration{{Storage::Kind::room}, {"row"}, Value::room_from(Value::name("rows"), Value::product({Value::whole(4), k}))}};
     CHECK(cpp_text(row) == "        Scalar* const row = rows + 4 * k;\n");
     CHECK(c.text(row) == "    rod_real* const row = rows + 4 * k;\n");
     const Statements sum{Declaration{.type = {}, .names = {"sum"}, .value = Value::literal(1), .changes = true}};
@@ -58,7 +59,8 @@ TEST_CASE("the work on the plant is for states that have room for it, which they
 }
 
 TEST_CASE("inputs as series") {
-    const Statements first{FirstInputs{Value::name("x"), Value::name("t"), "u", Value::room_from(Value::name("rows"), Value::name("order"))}};
+    const Statements first{
+        FirstInputs{Value::name("x"), Value::name("t"), "u", Value::room_from(Value::name("rows"), Value::name("order"))}};
     CHECK(cpp_text(first) == "        Input u{};\n        const auto next_inputs = inputs.series(x, t, u, rows + order);\n");
     CHECK(cpp_text({NextInputs{"u_now", k}}) == "        const Input u_now = next_inputs(k);\n");
     CHECK(mentions(first, "order"));
@@ -71,7 +73,11 @@ TEST_CASE("inputs as series") {
 
 TEST_CASE("what is found in statements is also found in conditions and in statements inside") {
     const Value root = Value::call(Value::Where::library, "sqrt", {Value::member(Value::Object::parameters, "area")});
-    const Statements statements{Loop{"k", 0, Value::whole(3), {If{Value::comparison(Value::Comparison::less, k, Value::name("end")), {IfRoomForWork{{Assignment{y, root}}}}}}}};
+    const Statements statements{
+        Loop{"k",
+             0,
+             Value::whole(3),
+             {If{Value::comparison(Value::Comparison::less, k, Value::name("end")), {IfRoomForWork{{Assignment{y, root}}}}}}}};
     for (const char* name : {"k", "end", "y"}) CHECK(mentions(statements, name));
     for (const char* name : {"area", "sqrt", "en"}) CHECK(!mentions(statements, name));
     CHECK(library_calls(statements) == std::set<std::string>{"sqrt"});
