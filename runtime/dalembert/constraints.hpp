@@ -10,6 +10,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "dalembert/sizes.hpp"
+
 namespace dalembert {
 inline namespace v1 {
 namespace detail {
@@ -23,7 +25,7 @@ inline constexpr bool needs_projection<System, std::void_t<typename System::Cons
 /// Whether positions are held of coordinates that all have values.
 template <class System>
 constexpr bool holds_positions() {
-    if constexpr (needs_projection<System>) return System::velocity_place == std::tuple_size<typename System::Generalised>::value && System::constraint_table().size() > 0;
+    if constexpr (needs_projection<System>) return System::velocity_place == size_of<typename System::Generalised>() && System::constraint_table().size() > 0;
     else return false;
 }
 
@@ -79,7 +81,7 @@ template <class System, class... Mode>
 std::size_t broken_constraint(const System& system, const typename System::State& x, typename System::scalar_type t, Mode... mode) {
     using std::abs;
     using Scalar = typename System::scalar_type;
-    constexpr std::size_t m = std::tuple_size<typename System::Constraints>::value, n = std::tuple_size<typename System::Generalised>::value;
+    const std::size_t m = size_of<typename System::Constraints>(), n = size_of<typename System::Generalised>();
     const std::size_t velocities = System::velocity_place;
     typename System::Constraints f{}, w{};
     typename System::ConstraintJacobian A{};
@@ -110,9 +112,8 @@ Residuals<typename System::scalar_type> project(const System& system, typename S
     using Scalar = typename System::scalar_type;
     using Constraints = typename System::Constraints;
     using Generalised = typename System::Generalised;
-    constexpr std::size_t n = std::tuple_size<Generalised>::value, m = std::tuple_size<Constraints>::value;
     Residuals<Scalar> result;
-    if constexpr (m == 0) {
+    if (detail::size_of<Constraints>() == 0) {
         system.move_back(x, Generalised{});
         return result;
     }
@@ -125,7 +126,7 @@ Residuals<typename System::scalar_type> project(const System& system, typename S
     result.position = detail::newton<Constraints>(x, 10, [&](Constraints& f) { system.constraint_positions(mode..., x, t, f); }, [&](const Constraints& r) { system.move_back(x, step(r)); });
     result.rate = detail::newton<Constraints>(x, 3, [&](Constraints& w) { system.constraint_rates(mode..., x, t, w); }, [&](const Constraints& r) {
         const Generalised d = step(r);
-        for (std::size_t j = 0; j < n; ++j) x[System::velocity_place + j] -= d[j];
+        for (std::size_t j = 0; j < d.size(); ++j) x[System::velocity_place + j] -= d[j];
     });
     constexpr double small = std::numeric_limits<Scalar>::digits10 < 10 ? 1e-5 : 1e-10;
     if (!(result.position <= Scalar(small)) || !(result.rate <= Scalar(small))) result.broken = detail::broken_constraint(system, x, t, mode...);

@@ -84,8 +84,9 @@ private:
         which.push_back(static_cast<Index>(i));
     }
     Index columns() const { return static_cast<Index>(unknowns_.size()); }
+    static constexpr bool may_hold = needs_projection<System>;
     static constexpr std::size_t positions() {
-        if constexpr (holds_positions<System>()) return System::constraint_table().size();
+        if constexpr (may_hold) return holds_positions<System>() ? System::constraint_table().size() : 0;
         else return 0;
     }
 
@@ -107,7 +108,8 @@ private:
         f_.resize(rows_);
         f_.head(static_cast<Index>(dxdt.size())) = Eigen::Map<const Vector<Scalar>>(dxdt.data(), static_cast<Index>(dxdt.size()));
         for (const Index k : moving_) f_[k] = Scalar(0);
-        if constexpr (positions() > 0) f_.tail(2 * static_cast<Index>(positions())) << constraint_positions(system_, point_.x, t_), constraint_rates(system_, point_.x, t_);
+        if constexpr (may_hold)
+            if (positions() > 0) f_.tail(2 * static_cast<Index>(positions())) << constraint_positions(system_, point_.x, t_), constraint_rates(system_, point_.x, t_);
         return f_.allFinite();
     }
 
@@ -115,7 +117,7 @@ private:
         Matrix<Scalar> A = Matrix<Scalar>::Zero(rows_, static_cast<Index>(point_.x.size())), B = Matrix<Scalar>::Zero(rows_, static_cast<Index>(point_.u.size()));
         A.topRows(A.cols()) = jacobian_x(system_, point_.x, point_.u, t_);
         B.topRows(A.cols()) = jacobian_u(system_, point_.x, point_.u, t_);
-        if constexpr (positions() > 0) {
+        if constexpr (may_hold) if (positions() > 0) {
             const Matrix<Scalar> J = constraint_position_jacobian(system_, point_.x, t_);
             A.block(A.cols(), 0, J.rows(), J.cols()) = J;
             A.bottomRows(J.rows()) = constraint_rate_jacobian(system_, point_.x, t_);
@@ -133,7 +135,7 @@ private:
             scaled_.col(j) *= sizes_[j];
         }
         row_sizes_ = scaled_.cwiseAbs().rowwise().sum();
-        if constexpr (positions() > 0) {
+        if constexpr (may_hold) if (positions() > 0) {
             // Accelerations that constraints hold at zero: what is left of them is rounding, of the size of the others.
             auto accelerations = row_sizes_.segment(static_cast<Index>(System::velocity_place), static_cast<Index>(System::velocity_place));
             const Scalar largest = accelerations.maxCoeff();
@@ -215,10 +217,10 @@ private:
 /// constant speed.
 template <class System>
 Equilibrium<System> find_equilibrium(const System& system, const typename System::State& x0, const typename System::Input& u0,
-                                     const std::array<bool, std::tuple_size<typename System::State>::value>& free_states,
-                                     const std::array<bool, std::tuple_size<typename System::Input>::value>& free_inputs,
+                                     const detail::Like<typename System::State, bool>& free_states,
+                                     const detail::Like<typename System::Input, bool>& free_inputs,
                                      typename System::scalar_type t = typename System::scalar_type(0), std::size_t most_iterations = 100,
-                                     const std::array<bool, std::tuple_size<typename System::State>::value>& moving = {}) {
+                                     const detail::Like<typename System::State, bool>& moving = {}) {
     Equilibrium<System> result;
     result.x = x0;
     result.u = u0;

@@ -76,11 +76,11 @@ inline double euler_step(double real, double imaginary, double negligible) {
 /// In seconds; NaN where the Jacobian is not finite, or is neither small nor three diagonals wide.
 template <class System>
 double largest_euler_step(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
-    constexpr std::size_t n = std::tuple_size<typename System::State>::value;
+    const std::size_t n = x.size();
     constexpr std::size_t largest_dense = 300;
-    constexpr detail::Bandwidth band = detail::bandwidth<typename System::PatternX>(n);
+    const detail::Bandwidth band = detail::bandwidth<typename System::PatternX>(n);
     const double epsilon = std::numeric_limits<double>::epsilon() * static_cast<double>(n);
-    if constexpr (band.lower <= 1 && band.upper <= 1) {
+    if (n > 0 && band.lower <= 1 && band.upper <= 1) {
         typename System::JacobianX J;
         system.jacobian_x(x, u, t, J);
         const detail::ThreeDiagonals matrix = detail::three_diagonals<System>(J, n);
@@ -91,7 +91,7 @@ double largest_euler_step(const System& system, const typename System::State& x,
             return std::min(detail::euler_step(least, 0, epsilon * size), detail::euler_step(greatest, 0, epsilon * size));
         }
     }
-    if constexpr (n <= largest_dense) {
+    if (n <= largest_dense) {
         const Eigen::MatrixXd A = jacobian_x(system, x, u, t).template cast<double>();
         if (!A.allFinite()) return std::numeric_limits<double>::quiet_NaN();
         const auto values = Eigen::EigenSolver<Eigen::MatrixXd>(A, false).eigenvalues().eval();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Integration of dx/dt = f(x, t) on fixed-size states.
+// Integration of dx/dt = f(x, t) on states of fixed size, or of a size that belongs to the run: see sizes.hpp.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ inline namespace v1 {
 /// Integrates dx/dt = rhs(x, t, dxdt) from `from` to `to`. `x` holds the start and afterwards the last good state.
 /// Calls observe(t, x) at the output points.
 ///
-/// guards(x, t, g) writes functions whose sign matters into an array. Where one changes its sign, the step is cut:
+/// guards(x, t, g) writes functions whose sign matters into an array, as long as `ends`. Where one changes its sign, the step is cut:
 /// ends[i] = true: the model holds only where g[i] >= 0. The run ends there with Status::event; x is the last state with g[i] >= 0, and
 /// is observed. A start with g[i] < 0 is such an end.
 /// ends[i] = false: the right-hand side has a kink, a jump or an infinite slope there. Integration starts anew just behind it.
@@ -30,12 +30,12 @@ inline namespace v1 {
 /// Guards are looked at in the stages of a step, at its end, and at three points between, in its interpolation. What changes and changes
 /// back between two of these is missed; options.max_step puts them closer together. Sliding along a zero, as a relay does whose two
 /// sides both lead back to it, is an event storm.
-template <class State, class Rhs, class Observer, class Guards, std::size_t G>
+template <class State, class Rhs, class Observer, class Guards, class Ends>
 Outcome integrate(Rhs&& rhs, State& x, typename State::value_type from, typename State::value_type to, const IntegrationOptions<State>& options, Observer&& observe,
-                  Guards&& guards, const std::array<bool, G>& ends) {
-    detail::Integration<State, std::remove_reference_t<Rhs>, std::remove_reference_t<Observer>, std::remove_reference_t<Guards>, G> run(rhs, x, from, to, options, observe, guards, ends);
+                  Guards&& guards, const Ends& ends) {
+    detail::Integration<State, std::remove_reference_t<Rhs>, std::remove_reference_t<Observer>, std::remove_reference_t<Guards>, detail::Like<Ends, typename State::value_type>> run(rhs, x, from, to, options, observe, guards, ends);
     detail::NoDerivatives none;
-    detail::Choice<typename State::value_type, 0> choice;
+    detail::ChoiceOf<typename State::value_type, detail::NoDerivatives> choice;
     return detail::run_by_method(run, none, options, choice);
 }
 
@@ -47,11 +47,11 @@ Outcome integrate(Rhs&& rhs, State& x, typename State::value_type from, typename
 
 /// The same with what Method::rodas5p needs besides, and Method::automatic where a problem is stiff; see Derivatives. The other methods do
 /// without it.
-template <class State, class Rhs, class Derivatives, class Observer, class Guards, std::size_t G>
+template <class State, class Rhs, class Derivatives, class Observer, class Guards, class Ends>
 Outcome integrate(Rhs&& rhs, Derivatives&& derivatives, State& x, typename State::value_type from, typename State::value_type to, const IntegrationOptions<State>& options,
-                  Observer&& observe, Guards&& guards, const std::array<bool, G>& ends) {
-    detail::Integration<State, std::remove_reference_t<Rhs>, std::remove_reference_t<Observer>, std::remove_reference_t<Guards>, G> run(rhs, x, from, to, options, observe, guards, ends);
-    detail::Choice<typename State::value_type, detail::ChosenDerivatives<State, std::remove_reference_t<Derivatives>>::states> choice;
+                  Observer&& observe, Guards&& guards, const Ends& ends) {
+    detail::Integration<State, std::remove_reference_t<Rhs>, std::remove_reference_t<Observer>, std::remove_reference_t<Guards>, detail::Like<Ends, typename State::value_type>> run(rhs, x, from, to, options, observe, guards, ends);
+    detail::ChoiceOf<typename State::value_type, std::remove_reference_t<Derivatives>> choice;
     return detail::run_by_method(run, derivatives, options, choice);
 }
 

@@ -14,9 +14,9 @@ inline namespace v1 {
 namespace detail {
 
 /// Integrates; the observer is called at the output points in order.
-template <class StateOfRun, class Rhs, class Observer, class Guards, std::size_t G>
-class Integration : WatchedRun<StateOfRun, Rhs, Observer, Guards, G> {
-    using Run = WatchedRun<StateOfRun, Rhs, Observer, Guards, G>;
+template <class StateOfRun, class Rhs, class Observer, class Guards, class Values>
+class Integration : WatchedRun<StateOfRun, Rhs, Observer, Guards, Values> {
+    using Run = WatchedRun<StateOfRun, Rhs, Observer, Guards, Values>;
     using typename Run::Try;
     using Run::x_, Run::dxdt_, Run::t_, Run::from_, Run::to_, Run::options_, Run::control_, Run::outcome_, Run::events_, Run::observe_, Run::stepper_, Run::is_anew_;
     using Run::evaluate, Run::end, Run::end_at, Run::end_not_finite, Run::stop, Run::observe, Run::here, Run::try_step, Run::accept, Run::is_cut, Run::keeps_rest, Run::pass_event, Run::pass_kink;
@@ -40,7 +40,7 @@ public:
     void be_part(const OutputPoints<Scalar>& outputs, std::size_t next) {
         control_.set_outputs(outputs);
         next_ = next;
-        if constexpr (G > 0) events_.spare_stages();
+        if constexpr (may_have_entries<Values>) events_.spare_stages();
     }
 
     /// Where the run is, in s; Outcome has no more digits than a double.
@@ -61,13 +61,13 @@ public:
         evaluate(x_, t_, dxdt_);
         if (!are_finite(x_, dxdt_)) return end_not_finite(Scalar(0));
         observe(t_);
-        if constexpr (G > 0) {
-            if (events_.not_a_number(x_, t_) != G) return end_not_finite(Scalar(0));
+        if constexpr (may_have_entries<Values>) {
+            if (events_.not_a_number(x_, t_) != Run::guard_count()) return end_not_finite(Scalar(0));
             const std::size_t guard = events_.start(x_, t_);
-            if (guard != G) return end_at(Status::event, guard);
+            if (guard != Run::guard_count()) return end_at(Status::event, guard);
         }
         if (to_ == from_) return end(Status::success);
-        if constexpr (G > 0) this->leave_zero();
+        if constexpr (may_have_entries<Values>) this->leave_zero();
         switch (options_.has_fixed_steps() ? Steps::fixed : steps) {
             case Steps::fixed: return fixed_steps();
             case Steps::to_outputs: return controlled_steps(false);

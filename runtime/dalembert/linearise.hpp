@@ -107,12 +107,10 @@ void take_eigenvalues(const Matrix<Scalar>& A, const std::vector<bool>& is_ignor
 template <class System>
 auto constraint_rows(const System& system, const typename System::State& x, typename System::scalar_type t) {
     using Scalar = typename System::scalar_type;
-    if constexpr (detail::holds_positions<System>()) {
-        return ConstraintRows<Scalar>{constraint_position_jacobian(system, x, t), constraint_rate_jacobian(system, x, t)};
-    } else {
-        (void)system, (void)x, (void)t;
-        return ConstraintRows<Scalar>{};
-    }
+    if constexpr (detail::needs_projection<System>)
+        if (detail::holds_positions<System>()) return ConstraintRows<Scalar>{constraint_position_jacobian(system, x, t), constraint_rate_jacobian(system, x, t)};
+    (void)system, (void)x, (void)t;
+    return ConstraintRows<Scalar>{};
 }
 
 /// The changes of a state that neither positions nor rates of constraints see. Velocities of coordinates that are `wanted` stay free if they can;

@@ -398,7 +398,7 @@ Eigen::MatrixXd whole_mass_matrix(const System& system, const typename System::S
 /// the linearisation there. Not of systems with constraints: see reduced_motions.hpp.
 template <class System>
 LinearSystem linear_system(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
-    constexpr Eigen::Index n = static_cast<Eigen::Index>(System::degrees);
+    const Eigen::Index n = static_cast<Eigen::Index>(System::degrees);
     const Eigen::MatrixXd by_x = jacobian_x(system, x, u, t).template cast<double>(), by_u = jacobian_u(system, x, u, t).template cast<double>();
     return detail::from_accelerations(detail::whole_mass_matrix(system, x, t), by_x.block(n, 0, n, n), by_x.block(n, n, n, n), by_u.middleRows(n, n),
                                       16 * static_cast<double>(n) * std::numeric_limits<double>::epsilon());

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "dalembert/series_functions.hpp"
+#include "dalembert/sizes.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -47,7 +48,7 @@ template <class System, bool>
 struct SeriesRows {};
 template <class System>
 struct SeriesRows<System, true> {
-    static constexpr std::size_t series_rows = System::series_rows;
+    static constexpr auto series_rows = System::series_rows;
 };
 
 /// Inputs that are not there.
@@ -63,17 +64,17 @@ struct NoInputs {
 template <class System, class Inputs>
 constexpr bool can_make_series() {
     if constexpr (!has_series<System>) return false;
-    else return std::tuple_size<typename System::Input>::value == 0 || has_series<Inputs>;
+    else return !may_have_entries<typename System::Input> || has_series<Inputs>;
 }
 
 /// As Taylor wants it: the series of a system with its inputs.
 template <class System, class Inputs>
 class SystemSeries {
-    static constexpr bool has_inputs = std::tuple_size<typename System::Input>::value > 0;
+    static constexpr bool has_inputs = may_have_entries<typename System::Input>;
     using Source = std::conditional_t<has_inputs, Inputs, NoInputs>;
 
 public:
-    static constexpr std::size_t rows = System::series_rows + Source::series_rows;
+    static std::size_t rows() noexcept { return System::series_rows + Source::series_rows; }
 
     SystemSeries(const System& system, const Inputs& inputs) : system_(system), inputs_(inputs) {}
 

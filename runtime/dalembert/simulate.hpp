@@ -39,7 +39,7 @@ struct Sample {
 
 /// Options of a run; the last state is the work in joules.
 template <class System>
-using SimulationOptions = IntegrationOptions<std::array<typename System::scalar_type, std::tuple_size<typename System::State>::value + 1>>;
+using SimulationOptions = IntegrationOptions<detail::Longer<typename System::State>>;
 
 struct SimulationResult {
     Outcome outcome;
@@ -60,9 +60,9 @@ SimulationResult simulate(const System& given, const Inputs& inputs, typename Sy
     detail::SystemOfRun<System> own{given};
     const System& system = own.system;
     using Scalar = typename System::scalar_type;
-    constexpr std::size_t n = std::tuple_size<typename System::State>::value;
-    using Extended = std::array<Scalar, n + 1>;
-    const auto plain = [](const Extended& extended) {
+    const std::size_t n = detail::size_of<typename System::State>();
+    using Extended = detail::Longer<typename System::State>;
+    const auto plain = [n](const Extended& extended) {
         typename System::State state;
         std::copy_n(extended.begin(), n, state.begin());
         return state;
@@ -97,19 +97,18 @@ SimulationResult simulate(const System& given, const Inputs& inputs, typename Sy
                 return detail::ProjectedRhs{plain_rhs, back};
             }
         } else if constexpr (detail::is_separable<System>) {
-            return detail::separable_rhs<System::degrees>(plain_rhs);
+            return detail::separable_rhs<typename detail::CoordinatesOf<System>::type>(plain_rhs);
         } else {
             return plain_rhs;
         }
     }();
     using Guards = typename System::Guards;
-    constexpr std::size_t guard_count = std::tuple_size<Guards>::value;
     const auto guards = [&](const Extended& extended, Scalar t, Guards& g) {
         const auto state = plain(extended);
         system.guards(state, inputs(state, t), t, g);
     };
-    std::array<bool, guard_count> ends{};
-    for (std::size_t i = 0; i < guard_count; ++i) ends[i] = System::guard_table()[i].ends;
+    detail::Like<Guards, bool> ends{};
+    for (std::size_t i = 0; i < ends.size(); ++i) ends[i] = System::guard_table()[i].ends;
     SimulationResult result;
     Scalar first = Scalar(0);
     bool is_first = true;
@@ -137,7 +136,7 @@ SimulationResult simulate(const System& given, const Inputs& inputs, typename Sy
     if constexpr (detail::can_make_series<System, Inputs>()) {
         if (options.method == Method::taylor) {
             const detail::SystemSeries<System, Inputs> series(system, inputs);
-            detail::Integration<Extended, decltype(rhs), decltype(watch), decltype(guards), guard_count> run(rhs, extended, from, to, options, watch, guards, ends);
+            detail::Integration<Extended, decltype(rhs), decltype(watch), decltype(guards), Guards> run(rhs, extended, from, to, options, watch, guards, ends);
             result.outcome = detail::run_taylor(run, series);
             x = plain(extended);
             return result;

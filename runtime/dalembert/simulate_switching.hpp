@@ -19,8 +19,8 @@ class WithWork : public DerivativeTypes<System, has_derivatives<System>>, public
 public:
     using scalar_type = typename System::scalar_type;
     using Plain = typename System::State;
-    static constexpr std::size_t n = std::tuple_size<Plain>::value;
-    using State = std::array<scalar_type, n + 1>;
+    using State = Longer<Plain>;
+    static constexpr std::size_t n() noexcept { return size_of<Plain>(); }
     using DifferentiatedState = Plain;
     using Input = typename System::Input;
     using Mode = typename System::Mode;
@@ -31,7 +31,7 @@ public:
 
     static Plain plain(const State& x) {
         Plain result;
-        std::copy_n(x.begin(), n, result.begin());
+        std::copy_n(x.begin(), n(), result.begin());
         return result;
     }
 
@@ -55,8 +55,8 @@ public:
         const Plain at = plain(x);
         Plain rate;
         system_.rhs(mode, at, u, t, rate);
-        std::copy_n(rate.begin(), n, dxdt.begin());
-        dxdt[n] = system_.supplied_power(mode, at, u, t) - system_.dissipated_power(mode, at, u, t) + system_.prescribed_power(mode, at, u, t) + system_.exchanged_power(mode, at, u, t);
+        std::copy_n(rate.begin(), n(), dxdt.begin());
+        dxdt[n()] = system_.supplied_power(mode, at, u, t) - system_.dissipated_power(mode, at, u, t) + system_.prescribed_power(mode, at, u, t) + system_.exchanged_power(mode, at, u, t);
     }
     void guards(Mode mode, const State& x, const Input& u, scalar_type t, Events& g) const { system_.guards(mode, plain(x), u, t, g); }
     void guard_rates(Mode mode, const State& x, const Input& u, scalar_type t, Events& rates) const { system_.guard_rates(mode, plain(x), u, t, rates); }
@@ -90,7 +90,7 @@ private:
     static void change(State& x, Change by) {
         Plain at = plain(x);
         by(at);
-        std::copy_n(at.begin(), n, x.begin());
+        std::copy_n(at.begin(), n(), x.begin());
     }
 
     const System& system_;
@@ -149,7 +149,7 @@ SwitchingResult<System> simulate_switching(const System& system, const Inputs& i
     using Scalar = typename System::scalar_type;
     using Whole = detail::WithWork<System>;
     using std::abs;
-    constexpr std::size_t n = Whole::n;
+    const std::size_t n = Whole::n();
     const Whole whole(system);
     // Derivatives ask with a state of the system, the run with one that ends with the work.
     const detail::InputsOfPlain<System, Inputs> inputs_of(inputs);

@@ -55,7 +55,8 @@ struct SystemOfRun<System, true> {
 template <class System>
 class IndependenceOf {
     using Scalar = typename System::scalar_type;
-    static constexpr std::size_t m = std::tuple_size<typename System::Constraints>::value, n = std::tuple_size<typename System::Generalised>::value;
+    using Rows = typename System::Constraints;  // a number for each constraint
+    using Flags = Like<Rows, bool>;
 
 public:
     /// `learns`: the state is one of the motion.
@@ -66,6 +67,7 @@ public:
         if constexpr (!chooses_constraints<System>)
             if (learns) see_used(system, x, t, mode...);
         const std::vector<Scalar> rows = weighted_rows(system, x, t, mode...);
+        const std::size_t m = size_of<Rows>(), n = size_of<typename System::Generalised>();
         std::vector<Scalar> gram(m * m);
         for (std::size_t i = 0; i < m; ++i)
             for (std::size_t k = 0; k <= i; ++k) {
@@ -73,7 +75,7 @@ public:
                 for (std::size_t j = 0; j < n; ++j) sum += rows[i * n + j] * rows[k * n + j];
                 gram[i * m + k] = gram[k * m + i] = sum;
             }
-        std::array<Scalar, m> sizes = sizes_;
+        Rows sizes = sizes_;
         for (std::size_t i = 0; i < m; ++i) sizes[i] = max(sizes[i], gram[i * m + i]);
         if (learns) sizes_ = sizes;
         for (std::size_t i = 0; i < m; ++i)
@@ -82,7 +84,7 @@ public:
     }
 
     /// Those that are solved for.
-    const std::array<bool, m>& chosen() const { return chosen_; }
+    const Flags& chosen() const { return chosen_; }
 
 private:
     /// Constraints that follow from others were left out of the equations: their residuals correct nothing. One that is dependent at the start alone does later.
@@ -90,7 +92,7 @@ private:
     void see_used(const System& system, const typename System::State& x, Scalar t, Mode... mode) {
         if (looks_ == 20) return;
         ++looks_;
-        for (std::size_t i = 0; i < m; ++i) {
+        for (std::size_t i = 0; i < is_used_.size(); ++i) {
             if (is_used_[i]) continue;
             typename System::Constraints residual{};
             typename System::Generalised step{};
@@ -110,6 +112,7 @@ private:
         typename System::MassMatrix M{};
         system.constraint_jacobian(mode..., x, t, A);
         system.mass_matrix(x, t, M);
+        const std::size_t m = size_of<Rows>(), n = size_of<typename System::Generalised>();
         Scalar heaviest(0);
         for (std::size_t j = 0; j < n; ++j) heaviest = max(heaviest, Scalar(abs(M[j * n + j])));
         std::vector<Scalar> rows(m * n);
@@ -121,8 +124,8 @@ private:
     }
 
     struct Pivots {
-        std::array<Scalar, m> values{};
-        std::array<std::size_t, m> order{};
+        Rows values{};
+        Like<Rows, std::size_t> order{};
         std::size_t rank = 0;
         /// Of the first ones: the square of what these rows span.
         Scalar product(std::size_t count) const {
@@ -133,9 +136,10 @@ private:
     };
 
     /// Elimination with the largest pivot first, of those rows that come first.
-    static Pivots eliminate(std::vector<Scalar> g, const std::array<bool, m>& comes_first) {
+    static Pivots eliminate(std::vector<Scalar> g, const Flags& comes_first) {
         Pivots result;
-        std::array<bool, m> is_done{};
+        Flags is_done{};
+        const std::size_t m = size_of<Rows>();
         for (std::size_t step = 0; step < m; ++step) {
             std::size_t p = m;
             for (std::size_t i = 0; i < m; ++i)
@@ -182,27 +186,29 @@ private:
         return true;
     }
 
-    static constexpr std::array<bool, m> at_start() {
-        if constexpr (chooses_constraints<System>) return System::solved_for_at_start;
-        else return {};
-    }
-    /// Those that are never left out.
-    static constexpr std::array<bool, m> held() {
-        std::array<bool, m> result{};
+    static Flags at_start() {
+        Flags result{};
         if constexpr (chooses_constraints<System>)
-            for (std::size_t i = 0; i < m; ++i) result[i] = !System::can_be_left_out[i];
+            for (std::size_t i = 0; i < result.size(); ++i) result[i] = System::solved_for_at_start[i];
         return result;
     }
-    static constexpr std::array<bool, m> all() {
-        std::array<bool, m> result{};
-        for (std::size_t i = 0; i < m; ++i) result[i] = true;
+    static Flags all(bool value) {
+        Flags result{};
+        result.fill(value);
+        return result;
+    }
+    /// Those that are never left out.
+    static Flags held() {
+        Flags result{};
+        if constexpr (chooses_constraints<System>)
+            for (std::size_t i = 0; i < result.size(); ++i) result[i] = !System::can_be_left_out[i];
         return result;
     }
 
-    std::array<Scalar, m> sizes_{};
-    std::array<bool, m> is_used_ = chooses_constraints<System> ? all() : std::array<bool, m>{};
-    std::array<bool, m> chosen_ = at_start();
-    std::array<bool, m> held_ = held();
+    Rows sizes_{};
+    Flags is_used_ = all(chooses_constraints<System>);
+    Flags chosen_ = at_start();
+    Flags held_ = held();
     int looks_ = 0;
     std::size_t rank_ = 0;
 };
@@ -211,7 +217,7 @@ private:
 template <class System, class = void>
 inline constexpr bool can_be_singular = false;
 template <class System>
-inline constexpr bool can_be_singular<System, std::void_t<typename System::Constraints>> = std::tuple_size<typename System::Constraints>::value > 0;
+inline constexpr bool can_be_singular<System, std::void_t<typename System::Constraints>> = may_have_entries<typename System::Constraints>;
 
 template <class System, bool = can_be_singular<System>>
 struct MeasureChoice {

@@ -92,7 +92,7 @@ template <class State, class Rhs, class Derivatives>
 class SundialsRun : SundialsHandles {
     static_assert(std::is_same<typename State::value_type, realtype>::value, "SUNDIALS computes in one arithmetic, as a rule double");
     static constexpr std::size_t n = std::tuple_size<State>::value;
-    static_assert(Derivatives::states == n, "all states are integrated by the same formulas");
+    static_assert(size_of<typename Derivatives::DifferentiatedState>() == n, "all states are integrated by the same formulas");
     using Matrix = SquareMatrix<realtype, typename Derivatives::Pattern, n>;
 
 public:

@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "dalembert/linear/jacobian_pattern.hpp"
+#include "dalembert/sizes.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -36,20 +37,20 @@ class SystemDerivatives {
 
 public:
     using Pattern = typename System::PatternX;
-    static constexpr std::size_t states = std::tuple_size<State>::value;
+    using DifferentiatedState = State;
 
     /// `scale` is what counts as one, state by state.
     template <class Scale>
     SystemDerivatives(const System& system, const Inputs& inputs, const Scale& scale) : system_(system), inputs_(inputs) {
-        std::copy_n(scale.begin(), states, scale_.begin());
+        std::copy_n(scale.begin(), scale_.size(), scale_.begin());
     }
 
     template <class Extended>
     void prepare(const Extended& extended, Scalar t) {
-        std::copy_n(extended.begin(), states, x_.begin());
+        std::copy_n(extended.begin(), x_.size(), x_.begin());
         u_ = inputs_(x_, t);
         system_.jacobian_x(x_, u_, t, J_);
-        if constexpr (count > 0) {
+        if constexpr (may_have_entries<Input>) {
             system_.jacobian_u(x_, u_, t, J_u_);
             has_feedback_ = depends_on_state(t);
             if (has_feedback_) differentiate_inputs(t);
@@ -58,12 +59,12 @@ public:
 
     template <class Add>
     void for_each_entry(Add add) const {
-        for (std::size_t column = 0; column < states; ++column) {
-            for_each_in_column<Pattern>(J_, states, column, [&](std::size_t row, const Scalar& value) { add(row, column, value); });
-            for (std::size_t j = 0; has_feedback_ && j < count; ++j) {
+        for (std::size_t column = 0; column < x_.size(); ++column) {
+            for_each_in_column<Pattern>(J_, x_.size(), column, [&](std::size_t row, const Scalar& value) { add(row, column, value); });
+            for (std::size_t j = 0; has_feedback_ && j < u_.size(); ++j) {
                 const Scalar& gain = gains_[column][j];
                 if (gain == Scalar(0)) continue;
-                for_each_in_column<PatternU>(J_u_, states, j, [&](std::size_t row, const Scalar& value) { add(row, column, value * gain); });
+                for_each_in_column<PatternU>(J_u_, x_.size(), j, [&](std::size_t row, const Scalar& value) { add(row, column, value * gain); });
             }
         }
     }
@@ -73,23 +74,22 @@ public:
     template <class Extended>
     void time_derivative(const Extended&, Scalar t, Scalar length, State& dfdt) const {
         system_.jacobian_t(x_, u_, t, dfdt);
-        if constexpr (count > 0) {
+        if constexpr (may_have_entries<Input>) {
             constexpr int weights[] = {48, -36, 16, -3};
             Input rate{};
             for (int k = 1; k <= 4; ++k) {
                 const Input u = inputs_(x_, t + length * (Scalar(k) / Scalar(4)));
-                for (std::size_t j = 0; j < count; ++j) rate[j] += Scalar(weights[k - 1]) * (u[j] - u_[j]);
+                for (std::size_t j = 0; j < u_.size(); ++j) rate[j] += Scalar(weights[k - 1]) * (u[j] - u_[j]);
             }
-            for (std::size_t j = 0; j < count; ++j) {
+            for (std::size_t j = 0; j < u_.size(); ++j) {
                 const Scalar slope = rate[j] / (Scalar(3) * length);
-                if (slope != Scalar(0)) for_each_in_column<PatternU>(J_u_, states, j, [&](std::size_t row, const Scalar& value) { dfdt[row] += value * slope; });
+                if (slope != Scalar(0)) for_each_in_column<PatternU>(J_u_, x_.size(), j, [&](std::size_t row, const Scalar& value) { dfdt[row] += value * slope; });
             }
         }
     }
 
 private:
     using PatternU = typename System::PatternU;
-    static constexpr std::size_t count = std::tuple_size<Input>::value;
 
     /// The difference for a state: central differences lose a third of the digits.
     Scalar difference(std::size_t i) const {
@@ -102,21 +102,21 @@ private:
     /// Whether the inputs change when all states do, each by another amount.
     bool depends_on_state(Scalar t) const {
         State x = x_;
-        for (std::size_t i = 0; i < states; ++i) x[i] += difference(i) / Scalar(static_cast<double>(1 + i * 7 % 11));
+        for (std::size_t i = 0; i < x_.size(); ++i) x[i] += difference(i) / Scalar(static_cast<double>(1 + i * 7 % 11));
         const Input u = inputs_(x, t);
         return !std::equal(u.begin(), u.end(), u_.begin());
     }
 
     void differentiate_inputs(Scalar t) {
         State x = x_;
-        for (std::size_t i = 0; i < states; ++i) {
+        for (std::size_t i = 0; i < x_.size(); ++i) {
             const Scalar d = difference(i);
             x[i] = x_[i] + d;
             const Input ahead = inputs_(x, t);
             x[i] = x_[i] - d;
             const Input behind = inputs_(x, t);
             x[i] = x_[i];
-            for (std::size_t j = 0; j < count; ++j) gains_[i][j] = (ahead[j] - behind[j]) / (Scalar(2) * d);
+            for (std::size_t j = 0; j < u_.size(); ++j) gains_[i][j] = (ahead[j] - behind[j]) / (Scalar(2) * d);
         }
     }
 
@@ -126,7 +126,7 @@ private:
     Input u_{};
     typename System::JacobianX J_{};
     typename System::JacobianU J_u_{};
-    std::array<Input, states> gains_{};  ///< du/dx
+    Like<State, Input> gains_{};  ///< du/dx
     bool has_feedback_ = false;
 };
 

@@ -10,14 +10,15 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-/// A closing bracket around the first time at which one of G functions is negative; at `near` none is, at `far` one is.
+/// A closing bracket around the first time at which one of several functions is negative; at `near` none is, at `far` one is.
 /// ITP: Oliveira, Takahashi: An enhancement of the bisection method average performance preserving minmax optimality, ACM TOMS 47
 /// (2020), article 5: regula falsi, drawn a little to the middle so that both ends move, and kept so close to the middle that a few
 /// evaluations more than those of bisection are enough for whatever function.
-template <class Scalar, std::size_t G>
+template <class Values>
 class Bracket {
+    using Scalar = typename Values::value_type;
+
 public:
-    using Values = std::array<Scalar, G>;
 
     Bracket(Scalar near, const Values& at_near, Scalar far, const Values& at_far)
         : near_(near), far_(far), at_near_(at_near), at_far_(at_far), width_(far - near), reach_(Scalar(slack) * width_) {}
@@ -52,7 +53,7 @@ private:
     /// By regula falsi: of each function that changes its sign, the first of all.
     Scalar first_zero() const {
         Scalar first = far_;
-        for (std::size_t i = 0; i < G; ++i) {
+        for (std::size_t i = 0; i < at_far_.size(); ++i) {
             if (!(at_far_[i] <= Scalar(0) && at_near_[i] > at_far_[i])) continue;
             const Scalar zero = near_ + (far_ - near_) * (at_near_[i] / (at_near_[i] - at_far_[i]));
             if (!(zero >= first)) first = zero;

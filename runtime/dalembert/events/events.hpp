@@ -20,6 +20,7 @@
 
 #include "dalembert/events/bracket.hpp"
 #include "dalembert/methods/stepper.hpp"
+#include "dalembert/sizes.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -34,17 +35,18 @@ struct NoGuards {
 /// Watches the guards of a run. A guard has a side, the sign that it had last; zero belongs to the side where the guard comes from,
 /// and a guard that begins at zero takes the side to which it goes. A guard that ends the run is on the side >= 0 from the start.
 /// Values here are those of the guards times their sides: negative means changed.
-template <class State, class Guards, std::size_t G>
+template <class State, class Guards, class ValuesOfGuards>
 class EventSearch {
     using Scalar = typename State::value_type;
     using Try = Candidate<State>;
 
 public:
-    using Values = std::array<Scalar, G>;
-    static constexpr std::size_t none = G;
+    using Values = ValuesOfGuards;
+    /// How many guards there are, which also says that none is meant.
+    static constexpr std::size_t count() noexcept { return size_of<Values>(); }
 
     /// A kink may rest when it moves by less than `tolerance` of what it did before, or comes back within the time `soon`.
-    EventSearch(Guards& guards, const std::array<bool, G>& ends, Scalar tolerance, Scalar soon) : guards_(guards), ends_(ends), tolerance_(tolerance), soon_(soon) {}
+    EventSearch(Guards& guards, const Like<Values, bool>& ends, Scalar tolerance, Scalar soon) : guards_(guards), ends_(ends), tolerance_(tolerance), soon_(soon) {}
 
     /// The first guard that is not a number, or none.
     std::size_t not_a_number(const State& x, Scalar t) const {
@@ -64,7 +66,7 @@ public:
     /// The sides at the start. The first guard that ends the run there and then, or none.
     std::size_t start(const State& x, Scalar t) {
         const Values g = raw(x, t);
-        for (std::size_t i = 0; i < G; ++i) side_[i] = ends_[i] ? 1 : sign(g[i]);
+        for (std::size_t i = 0; i < count(); ++i) side_[i] = ends_[i] ? 1 : sign(g[i]);
         settled_ = side_;
         found_ = values(x, t);
         return ending_guard();
@@ -81,7 +83,7 @@ public:
     bool leave_zero(const State& x, Scalar t) {
         const Values g = raw(x, t);
         bool leaves = false;
-        for (std::size_t i = 0; i < G; ++i) {
+        for (std::size_t i = 0; i < count(); ++i) {
             if (ends_[i] && g[i] < Scalar(0)) return false;
             if (settled_[i] == 0) side_[i] = sign(g[i]);
             leaves = leaves || side_[i] != settled_[i];
@@ -100,7 +102,7 @@ public:
         notice(x, t);
         side_ = settled_;
         const Values at_start = values(x, t);
-        for (std::size_t i = 0; i < G; ++i) {
+        for (std::size_t i = 0; i < count(); ++i) {
             is_strict_[i] = !may_touch_ && !ends_[i] && at_start[i] > Scalar(0);
             begins_at_zero_[i] = ends_[i] && at_start[i] == Scalar(0);
         }
@@ -121,7 +123,7 @@ public:
                 at_before = sample;
                 continue;
             }
-            const Scalar guess = inside && is_behind(sample) ? interpolated(Bracket<Scalar, G>(before, at_before, at, sample), c, between) : at;
+            const Scalar guess = inside && is_behind(sample) ? interpolated(Bracket<Values>(before, at_before, at, sample), c, between) : at;
             Try part = c;
             if (!is_end) {
                 part.end = at;
@@ -145,7 +147,7 @@ public:
     void see(const State& x, Scalar t) {
         if (!is_watching_) return;
         const Values seen = values(x, t);
-        for (std::size_t i = 0; i < G; ++i)
+        for (std::size_t i = 0; i < count(); ++i)
             if (seen[i] < lowest_[i] && (sees_ends_ || !ends_[i]) && !(begins_at_zero_[i] && t == begin_)) lowest_[i] = seen[i];
     }
 
@@ -155,9 +157,9 @@ public:
 
     /// Of the guards that changed: the first one that ends the run, or none.
     std::size_t ending_guard() const {
-        for (std::size_t i = 0; i < G; ++i)
+        for (std::size_t i = 0; i < count(); ++i)
             if (ends_[i] && found_[i] < Scalar(0)) return i;
-        return none;
+        return count();
     }
     std::size_t changed_guard() const { return first(found_, [](const Scalar& value) { return value < Scalar(0); }); }
 
@@ -186,7 +188,7 @@ public:
         cuts_ = 0;
         may_touch_ = false;
         std::size_t changed = 0;
-        for (std::size_t i = 0; i < G; ++i) {
+        for (std::size_t i = 0; i < count(); ++i) {
             if (!(found_[i] < Scalar(0))) continue;
             settled_[i] = -side_[i];
             ++changed;
@@ -199,7 +201,7 @@ public:
     std::size_t pass_known(const State& x, Scalar t) {
         const Values g = raw(x, t);
         std::size_t changed = 0;
-        for (std::size_t i = 0; i < G; ++i) {
+        for (std::size_t i = 0; i < count(); ++i) {
             const int now = sign(g[i]);
             if (ends_[i] || watches_[i].rests || now == 0 || now == settled_[i]) continue;
             if (settled_[i] != 0) ++changed;
@@ -215,7 +217,7 @@ public:
         using std::abs;
         using std::max;
         const Values g = raw(x, t);
-        for (std::size_t i = 0; i < G; ++i) {
+        for (std::size_t i = 0; i < count(); ++i) {
             const Watch& watch = watches_[i];
             const Scalar leaving = watch.kept >= 5 ? Scalar(2) * watch.last : Scalar(0);
             if (watch.rests && abs(g[i]) > max(Scalar(1000) * max(Scalar(tolerance_ * watch.largest), watch.rest), leaving)) return false;
@@ -226,9 +228,9 @@ public:
     /// The guard that ends the run and is next to nothing beside what it was, or none: where a step cannot be made, it is why.
     std::size_t vanishing_guard(const State& x, Scalar t) const {
         const Values g = raw(x, t);
-        for (std::size_t i = 0; i < G; ++i)
+        for (std::size_t i = 0; i < count(); ++i)
             if (ends_[i] && !(g[i] > watches_[i].largest / Scalar(1000000)) && !(spares_stages_ && watches_[i].largest == Scalar(0))) return i;
-        return none;
+        return count();
     }
 
 private:
@@ -271,7 +273,7 @@ private:
         if (t == noticed_) return;
         noticed_ = t;
         const Values g = raw(x, t);
-        for (std::size_t i = 0; i < G; ++i) {
+        for (std::size_t i = 0; i < count(); ++i) {
             Watch& watch = watches_[i];
             const Scalar size = abs(g[i]);
             if (size > watch.largest) watch.largest = size;
@@ -294,13 +296,13 @@ private:
 
     Values values_and_sides(const State& x, Scalar t) {
         const Values g = raw(x, t);
-        for (std::size_t i = 0; i < G; ++i)
+        for (std::size_t i = 0; i < count(); ++i)
             if (side_[i] == 0) side_[i] = sign(g[i]);
         return with_sides(g);
     }
 
     Values with_sides(Values g) const {
-        for (std::size_t i = 0; i < G; ++i)
+        for (std::size_t i = 0; i < count(); ++i)
             if (watches_[i].rests) g[i] = Scalar(1);
             else if (g[i] == g[i]) g[i] = side_[i] > 0 ? g[i] : side_[i] < 0 ? Scalar(-g[i]) : Scalar(0);
         return g;
@@ -310,25 +312,25 @@ private:
 
     template <class Condition>
     static std::size_t first(const Values& values, Condition condition) {
-        for (std::size_t i = 0; i < G; ++i)
+        for (std::size_t i = 0; i < count(); ++i)
             if (condition(values[i])) return i;
-        return none;
+        return count();
     }
     static bool has_changed(const Values& values) {
-        return first(values, [](const Scalar& value) { return value < Scalar(0); }) != none;
+        return first(values, [](const Scalar& value) { return value < Scalar(0); }) != count();
     }
     bool is_behind(const Values& values) const {
-        for (std::size_t i = 0; i < G; ++i)
+        for (std::size_t i = 0; i < count(); ++i)
             if (values[i] < Scalar(0) || (is_strict_[i] && values[i] == Scalar(0))) return true;
         return false;
     }
     static bool has_nan(const Values& values) {
-        return first(values, [](const Scalar& value) { return !(value == value); }) != none;
+        return first(values, [](const Scalar& value) { return !(value == value); }) != count();
     }
 
     /// The time of the change in the interpolation of the step.
     template <class Between>
-    Scalar interpolated(Bracket<Scalar, G> bracket, Try& c, Between& between) const {
+    Scalar interpolated(Bracket<Values> bracket, Try& c, Between& between) const {
         const Scalar rough = c.length / Scalar(1000000);
         while (!bracket.is_closed(rough)) {
             const Scalar at = bracket.next(rough);
@@ -357,7 +359,7 @@ private:
         watch(c, !spares_stages_, take);
         if (spares_stages_ && !c.finite) watch(c, true, take);
         const Values at_end = values(c.y, c.end);
-        for (std::size_t i = 0; i < G; ++i)
+        for (std::size_t i = 0; i < count(); ++i)
             if (at_end[i] < lowest_[i]) lowest_[i] = at_end[i];
         if (has_nan(at_end)) c.finite = false;
         lowest = cuts_ < most_cuts || !c.finite ? lowest_ : at_end;
@@ -365,7 +367,7 @@ private:
         behind_ = c;
         found_ = at_end;
         // What ends the run is found when it is near enough, whether or not there are numbers on the other side.
-        for (std::size_t i = 0; i < G; ++i)
+        for (std::size_t i = 0; i < count(); ++i)
             if (ends_[i] && !(c.length > tiny) && !(found_[i] < Scalar(0))) found_[i] = lowest_[i];
         return false;
     }
@@ -373,7 +375,7 @@ private:
     /// Closes the bracket with repeated steps, the guess first, and leaves the longest clean step.
     template <class Take, class Accurate>
     void close(Scalar t, const Values& at_start, Scalar end, const Values& at_end, Scalar guess, Try& c, const State& x, Scalar tiny, Scalar resolution, Take& take, Accurate& accurate) {
-        Bracket<Scalar, G> bracket(t, at_start, end, at_end);
+        Bracket<Values> bracket(t, at_start, end, at_end);
         c = Try();
         bool is_first = guess > bracket.near() && guess < bracket.far();
         while (!bracket.is_closed(resolution)) {
@@ -400,15 +402,15 @@ private:
     }
 
     Guards& guards_;
-    const std::array<bool, G>& ends_;
+    const Like<Values, bool>& ends_;
     Scalar tolerance_, soon_;
-    std::array<Watch, G> watches_{};
+    Like<Values, Watch> watches_{};
     Scalar noticed_ = std::numeric_limits<Scalar>::quiet_NaN();
-    std::array<int, G> settled_{};     ///< the sides where the run is: -1, 1, or 0 when not known yet
-    std::array<int, G> side_{};        ///< and further on in the step that is tried
-    std::array<bool, G> is_strict_{};  ///< kinks that the step does not start on, and must not end on
+    Like<Values, int> settled_{};     ///< the sides where the run is: -1, 1, or 0 when not known yet
+    Like<Values, int> side_{};        ///< and further on in the step that is tried
+    Like<Values, bool> is_strict_{};  ///< kinks that the step does not start on, and must not end on
     bool may_touch_ = false;           ///< it may
-    std::array<bool, G> begins_at_zero_{};  ///< guards that end the run
+    Like<Values, bool> begins_at_zero_{};  ///< guards that end the run
     Scalar begin_ = Scalar(0);         ///< of the step
     bool is_watching_ = false;
     bool spares_stages_ = false, has_kinks_ = false, sees_ends_ = true;

@@ -20,7 +20,7 @@ public:
     using State = typename System::State;
     using Input = typename System::Input;
     using Mode = typename System::Mode;
-    static constexpr std::size_t events = std::tuple_size<typename System::Events>::value;
+    static constexpr std::size_t event_count() noexcept { return size_of<typename System::Events>(); }
     static constexpr std::size_t none = Outcome::none;
 
     ModeRun(const System& system, const Inputs& inputs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options, Observer& observer)
@@ -69,15 +69,15 @@ protected:
         }();
         const auto guards = [this](const State& at, Scalar t, typename Here::Guards& g) { here_.guards(at, inputs_(at, t), t, g); };
         const auto observe = [this](Scalar t, const State& at) { observe_output(t, at); };
-        std::array<bool, std::tuple_size<typename Here::Guards>::value> ends{};
-        for (std::size_t e = 0; e < events; ++e) ends[e] = true;
+        Like<typename Here::Guards, bool> ends{};
+        for (std::size_t e = 0; e < event_count(); ++e) ends[e] = true;
         // The limits are those of the whole.
         IntegrationOptions<State> options = options_;
         options.max_steps -= result_.steps + result_.rejected;
         options.max_events -= result_.events;
         if (to < to_)
             for (options.intervals = next_; outputs_.time(options.intervals) < to;) ++options.intervals;
-        Integration<State, decltype(rhs), decltype(observe), decltype(guards), ends.size()> run(rhs, x, t_, to, options, observe, guards, ends);
+        Integration<State, decltype(rhs), decltype(observe), decltype(guards), typename Here::Guards> run(rhs, x, t_, to, options, observe, guards, ends);
         run.be_part(outputs_, next_);
         const auto steps_before = choice_.steps;
         const Outcome part = integrate_by_method(run);
@@ -140,7 +140,7 @@ protected:
     Here here_;
     using OwnDerivatives = typename DerivativesOf<Here, has_derivatives<System>>::type;
     OwnDerivatives derivatives_;
-    Choice<Scalar, ChosenDerivatives<State, OwnDerivatives>::states> choice_;
+    ChoiceOf<Scalar, OwnDerivatives> choice_;
     Result result_;
     Scalar observed_ = Scalar(0);  ///< s, when it was last
     bool is_trial_ = false;        ///< nobody looks, and nothing counts

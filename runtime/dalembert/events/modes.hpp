@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "dalembert/series.hpp"
+#include "dalembert/sizes.hpp"
 #include "dalembert/status.hpp"
 #include "dalembert/system_derivatives.hpp"
 
@@ -17,9 +18,13 @@ namespace detail {
 
 // What a system may do without; see switching.hpp.
 template <class System, class = void>
-inline constexpr std::size_t kink_count = 0;
+struct KinksOf {
+    using type = std::array<typename System::scalar_type, 0>;
+};
 template <class System>
-inline constexpr std::size_t kink_count<System, std::void_t<typename System::Kinks>> = std::tuple_size<typename System::Kinks>::value;
+struct KinksOf<System, std::void_t<typename System::Kinks>> {
+    using type = typename System::Kinks;
+};
 
 template <class System, class = void>
 inline constexpr bool has_conditions = false;
@@ -60,15 +65,15 @@ public:
     using State = typename System::State;
     using Input = typename System::Input;
     using Mode = typename System::Mode;
-    static constexpr std::size_t events = std::tuple_size<typename System::Events>::value;
-    static constexpr std::size_t kinks = kink_count<System>;
-    using Guards = std::array<scalar_type, events + kinks>;
+    using Events = typename System::Events;
+    using Kinks = typename KinksOf<System>::type;
+    using Guards = Joined<Events, Kinks>;
     using Differentiated = typename detail::DifferentiatedState<System>::type;
 
     InMode(const System& system, Mode start) : mode(start), system_(system) {}
 
     Mode mode;
-    std::array<bool, events> is_ignored{};  ///< events that are not looked at
+    Like<Events, bool> is_ignored{};  ///< events that are not looked at
 
     void rhs(const State& x, const Input& u, scalar_type t, State& dxdt) const { system_.rhs(mode, x, u, t, dxdt); }
     template <class StateOrMore, class Inputs>
@@ -89,13 +94,13 @@ public:
     }
 
     void guards(const State& x, const Input& u, scalar_type t, Guards& g) const {
-        typename System::Events of_events{};
+        Events of_events{};
         system_.guards(mode, x, u, t, of_events);
-        for (std::size_t e = 0; e < events; ++e) g[e] = !is_ignored[e] && System::is_watched(mode, e) ? of_events[e] : scalar_type(1);
-        if constexpr (kinks > 0) {
-            typename System::Kinks of_kinks{};
+        for (std::size_t e = 0; e < of_events.size(); ++e) g[e] = !is_ignored[e] && System::is_watched(mode, e) ? of_events[e] : scalar_type(1);
+        if constexpr (may_have_entries<Kinks>) {
+            Kinks of_kinks{};
             system_.kinks(mode, x, u, t, of_kinks);
-            for (std::size_t k = 0; k < kinks; ++k) g[events + k] = of_kinks[k];
+            for (std::size_t k = 0; k < of_kinks.size(); ++k) g[of_events.size() + k] = of_kinks[k];
         }
     }
 

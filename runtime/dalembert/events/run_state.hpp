@@ -19,21 +19,23 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-/// The observer is called as observe(t, x). There are G guards.
-template <class StateOfRun, class Rhs, class Observer, class Guards, std::size_t G>
+/// The observer is called as observe(t, x). `Values` is an array for those of the guards.
+template <class StateOfRun, class Rhs, class Observer, class Guards, class Values>
 class RunState {
 public:
     using State = StateOfRun;
     using Scalar = typename State::value_type;
 
-    RunState(Rhs& rhs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options, Observer& observe, Guards& guards, const std::array<bool, G>& ends)
+    RunState(Rhs& rhs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options, Observer& observe, Guards& guards, const Like<Values, bool>& ends)
         : rhs_(rhs), x_(x), from_(from), to_(to), t_(from), options_(options), control_(options, from, to), observe_(observe), events_(guards, ends, options.tolerance, (to - from) / Scalar(1000000)) {}
 
 protected:
     using Try = Candidate<State>;
 
+    static constexpr std::size_t guard_count() noexcept { return size_of<Values>(); }
+
     void evaluate(const State& x, Scalar t, State& dxdt) {
-        if constexpr (G > 0) events_.see(x, t);
+        if constexpr (may_have_entries<Values>) events_.see(x, t);
         ++outcome_.rhs_calls;
         rhs_(x, t, dxdt);
     }
@@ -71,10 +73,10 @@ protected:
             evaluate(ahead, t_ + further, dxdt);
             i = to_blame(ahead, dxdt);
         }
-        if constexpr (G > 0) {
+        if constexpr (may_have_entries<Values>) {
             const std::size_t here = events_.not_a_number(x_, t_);
-            const std::size_t guard = here != G ? here : events_.not_a_number(ahead, t_ + further);
-            if (i == x_.size() && guard != G) outcome_.guard = guard;
+            const std::size_t guard = here != guard_count() ? here : events_.not_a_number(ahead, t_ + further);
+            if (i == x_.size() && guard != guard_count()) outcome_.guard = guard;
         }
         outcome_.state = i;
         return end(Status::not_finite);
@@ -82,10 +84,10 @@ protected:
 
     /// A step that cannot be made next to the zero of a guard that ends the run ends there.
     Outcome stop(Status status) {
-        if constexpr (G > 0) {
+        if constexpr (may_have_entries<Values>) {
             const bool is_stuck = status == Status::not_finite || status == Status::step_too_small;
-            const std::size_t guard = is_stuck ? events_.vanishing_guard(x_, t_) : G;
-            if (guard != G) {
+            const std::size_t guard = is_stuck ? events_.vanishing_guard(x_, t_) : guard_count();
+            if (guard != guard_count()) {
                 if (observed_ != t_) observe(t_);
                 return end_at(Status::event, guard);
             }
@@ -105,7 +107,7 @@ protected:
     void accept(const Try& c) {
         if (c.length > Scalar(0)) ++outcome_.steps;
         move(c.end, c.y);
-        if constexpr (G > 0) events_.accept();
+        if constexpr (may_have_entries<Values>) events_.accept();
         if (is_at_end()) {
             dxdt_ = c.dydt;
             return;
@@ -129,31 +131,32 @@ protected:
     bool is_broken() const { return outcome_.constraint != Outcome::none; }
 
     bool is_cut() const {
-        if constexpr (G > 0) return events_.is_cut();
+        if constexpr (may_have_entries<Values>) return events_.is_cut();
         else return false;
     }
     /// A guard that ends the run is behind the step that was cut. On the zero itself the right-hand side may have no value.
     bool is_at_end() const {
-        if constexpr (G > 0) return events_.is_cut() && is_sure_of_end();
+        if constexpr (may_have_entries<Values>) return events_.is_cut() && is_sure_of_end();
         else return false;
     }
 
     /// Where the right-hand side is smooth across guards, it is not they that cut a step short that runs into an input that jumps.
-    bool is_sure_of_end() const { return events_.ending_guard() != G && !events_.spares_stages(); }
+    bool is_sure_of_end() const { return events_.ending_guard() != guard_count() && !events_.spares_stages(); }
 
     bool keeps_rest(const Try& c) const {
-        if constexpr (G > 0) return events_.keeps_rest(c.y, c.end);
+        if constexpr (may_have_entries<Values>) return events_.keeps_rest(c.y, c.end);
         else return true;
     }
 
     /// Makes the step; with guards, only up to its first event.
     void try_step(Try& c) {
         const auto take = [this](Try& step) { stepper_->take(here(), step); };
-        if constexpr (G == 0) {
+        if constexpr (!may_have_entries<Values>) {
             take(c);
         } else {
             const auto between = [this](Try& step, Scalar t, State& x) { stepper_->between(here(), step, t, x); };
             const auto accurate = [this](const Try& step) { return control_.error_norm(x_, step.y, step.error) <= Scalar(1); };
+            if (guard_count() == 0) return take(c);
             events_.search(c, x_, t_, control_.tiny(t_), control_.resolution(c.end), take, between, accurate);
         }
     }
@@ -178,7 +181,7 @@ protected:
         State x;
         for (std::size_t i = 0; i < x_.size(); ++i) x[i] = x_[i] + (behind - t_) * dxdt_[i];
         move(behind, x);
-        if constexpr (G > 0) outcome_.events += events_.pass_known(x_, t_);
+        if constexpr (may_have_entries<Values>) outcome_.events += events_.pass_known(x_, t_);
         control_.forget();
         evaluate(x_, t_, dxdt_);
     }
@@ -186,7 +189,7 @@ protected:
     /// At the end of a step that was cut for an event: ends the run there, or starts anew behind it.
     Status pass_event() {
         if (is_broken()) return Status::constraint_broken;
-        if constexpr (G > 0) {
+        if constexpr (may_have_entries<Values>) {
             is_anew_ = false;
             if (!is_cut()) return Status::success;
             Scalar t = t_;
@@ -196,7 +199,7 @@ protected:
                 return Status::success;
             }
             const std::size_t ending = events_.ending_guard();
-            if (ending != G) {
+            if (ending != guard_count()) {
                 outcome_.guard = ending;
                 if (observed_ != t_) observe(t_);
                 return Status::event;
@@ -210,7 +213,7 @@ protected:
             control_.forget();
             evaluate(x_, t_, dxdt_);
             if (!are_finite(x_, dxdt_)) return Status::not_finite;
-            if (outcome_.events > options_.max_events || stalled_ > 100 + G) {
+            if (outcome_.events > options_.max_events || stalled_ > 100 + guard_count()) {
                 outcome_.guard = changed;
                 return Status::event_storm;
             }
@@ -250,7 +253,7 @@ protected:
     Stepper<State>* stepper_ = nullptr;
     Outcome outcome_;
     Scalar observed_ = Scalar(0);  ///< s, of the last observation of the state where the run is
-    EventSearch<State, Guards, G> events_;
+    EventSearch<State, Guards, Values> events_;
     Scalar last_event_ = Scalar(0);
     bool is_anew_ = false;     ///< integration has just started anew
     std::size_t stalled_ = 0;  ///< events in a row without progress in time

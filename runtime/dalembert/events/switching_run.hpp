@@ -14,13 +14,27 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
+/// All modes, in order of declaration.
+template <class Mode>
+struct EveryMode {
+    struct Place {
+        std::size_t i;
+        Mode operator*() const noexcept { return static_cast<Mode>(i); }
+        Place& operator++() noexcept { return ++i, *this; }
+        bool operator!=(const Place& other) const noexcept { return i != other.i; }
+    };
+    std::size_t count;
+    Place begin() const noexcept { return {0}; }
+    Place end() const noexcept { return {count}; }
+};
+
 template <class System, class Inputs, class Observer, class OnChange, class Result, class Change>
 class SwitchingRun : ModeRun<System, Inputs, Observer, Result> {
     using Run = ModeRun<System, Inputs, Observer, Result>;
     using typename Run::Scalar, typename Run::State, typename Run::Input, typename Run::Mode;
-    using Run::events, Run::none, Run::system_, Run::inputs_, Run::x_, Run::t_, Run::to_, Run::options_, Run::control_, Run::here_, Run::observed_, Run::is_trial_, Run::result_;
+    using Run::event_count, Run::none, Run::system_, Run::inputs_, Run::x_, Run::t_, Run::to_, Run::options_, Run::control_, Run::here_, Run::observed_, Run::is_trial_, Run::result_;
     using Run::is_finite, Run::choose, Run::integrate_to, Run::observe, Run::observe_output;
-    static constexpr std::size_t mode_count = std::tuple_size<std::decay_t<decltype(System::mode_table())>>::value;
+    using EachEvent = Like<typename System::Events, bool>;
 
 public:
     SwitchingRun(const System& system, const Inputs& inputs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options, Observer& observer, OnChange& on_change)
@@ -31,7 +45,7 @@ public:
         if (!is_finite()) return end(Status::not_finite);
         std::size_t event = none;
         if constexpr (has_events_at_once<System>)
-            for (std::size_t e = 0; e < events; ++e)
+            for (std::size_t e = 0; e < event_count(); ++e)
                 if (System::happens_at_start(e)) system_.reset(e, Mode{}, x_, inputs_(x_, t_), t_);
         if (!start(is_given, given, event)) {
             result_.last.event = happened_before();
@@ -72,22 +86,20 @@ private:
     /// The first mode that accepts the start, or else the first one in which an event happens there and then.
     bool start(bool is_given, Mode given, std::size_t& event) {
         if (is_given) return choose(std::array<Mode, 1>{given}, event);
-        std::array<Mode, mode_count> all{};
-        for (std::size_t i = 0; i < mode_count; ++i) all[i] = static_cast<Mode>(i);
-        return choose(all, event);
+        return choose(EveryMode<Mode>{System::mode_table().size()}, event);
     }
 
     /// An event that has happened before the start, whatever the mode, or none.
     std::size_t happened_before() const {
-        std::array<bool, events> in_all{};
+        EachEvent in_all{};
         in_all.fill(true);
-        for (std::size_t i = 0; i < mode_count; ++i) {
+        for (std::size_t i = 0; i < System::mode_table().size(); ++i) {
             const Mode mode = static_cast<Mode>(i);
             typename System::Events g{};
             system_.guards(mode, x_, inputs_(x_, t_), t_, g);
-            for (std::size_t e = 0; e < events; ++e) in_all[e] = in_all[e] && System::is_watched(mode, e) && g[e] < Scalar(0);
+            for (std::size_t e = 0; e < event_count(); ++e) in_all[e] = in_all[e] && System::is_watched(mode, e) && g[e] < Scalar(0);
         }
-        for (std::size_t e = 0; e < events; ++e)
+        for (std::size_t e = 0; e < event_count(); ++e)
             if (in_all[e]) return e;
         return none;
     }
@@ -120,7 +132,7 @@ private:
         result_.before_last = result_.last;
         result_.last = {event, here_.mode};
         accumulations_[event].add(t_, control_.tiny(t_), result_.before_last.event == event);
-        return result_.events++ < options_.max_events && stalled_ <= 100 + events;
+        return result_.events++ < options_.max_events && stalled_ <= 100 + event_count();
     }
 
     /// The guard rises from zero, but is back there before the time has changed. A reset would take it the wrong way.
@@ -243,8 +255,8 @@ private:
         const std::size_t leader = goes_on_after(happened) ? happened : leader_of(happened);
         if constexpr (says_what_follows_accumulation<System>) {
             if (leader != none && leader != happened && !accumulations_[leader].is_certain() && !times.is_stalled()) return Status::success;
-            std::array<bool, events> is_over{}, is_ignored{};
-            for (std::size_t e = 0; e < events; ++e) {
+            EachEvent is_over{}, is_ignored{};
+            for (std::size_t e = 0; e < event_count(); ++e) {
                 const bool is_certain = accumulations_[e].is_certain();
                 const Scalar apart = abs(accumulations_[e].end() - end);
                 is_over[e] = e == leader || (System::is_watched(here_.mode, e) && goes_on_after(e) && is_certain && apart <= control_.tiny(t_));
@@ -258,7 +270,7 @@ private:
 
     /// An event that says what follows, and happens between any two times of the one that does not.
     std::size_t leader_of(std::size_t event) const {
-        for (std::size_t e = 0; e < events; ++e)
+        for (std::size_t e = 0; e < event_count(); ++e)
             if (e != event && goes_on_after(e) && accumulations_[e].is_between(accumulations_[event])) return e;
         return none;
     }
@@ -273,7 +285,7 @@ private:
     }
 
     /// To the end of accumulations, without a look at their events. False, and nothing has happened, if there is another one before.
-    bool coast(const std::array<bool, events>& is_ignored, Scalar end) {
+    bool coast(const EachEvent& is_ignored, Scalar end) {
         here_.is_ignored = is_ignored;
         State x = x_;
         std::size_t other = none;
@@ -285,13 +297,13 @@ private:
         return is_alone;
     }
 
-    Status settle(const std::array<bool, events>& is_over, std::size_t& event) {
+    Status settle(const EachEvent& is_over, std::size_t& event) {
         bool is_first = true;
         const auto all = [&](State& x, const Input& u) {
-            for (std::size_t e = 0; e < events && is_first; ++e)
+            for (std::size_t e = 0; e < event_count() && is_first; ++e)
                 if (is_over[e]) system_.settle(e, here_.mode, x, u, t_);
         };
-        for (std::size_t e = 0; e < events; ++e) {
+        for (std::size_t e = 0; e < event_count(); ++e) {
             if (!is_over[e]) continue;
             accumulations_[e].forget();
             const Status status = change(e, System::after_accumulation(e, here_.mode), all, true, event);
@@ -302,8 +314,8 @@ private:
     }
 
     OnChange& on_change_;
-    std::array<Accumulation<Scalar>, events> accumulations_{};
-    std::array<Scalar, events> departures_{};  ///< how fast the guards rose after their last events
+    Like<typename System::Events, Accumulation<Scalar>> accumulations_{};
+    typename System::Events departures_{};  ///< how fast the guards rose after their last events
     Scalar last_time_ = Scalar(0);
     std::size_t stalled_ = 0;  ///< events in a row without progress in time
     bool is_circle_ = false;   ///< the last of them are two that lead to each other

@@ -23,9 +23,9 @@ enum class Ahead {
     stuck,    ///< one that no step leads over, and next to it
 };
 
-template <class StateOfRun, class Rhs, class Observer, class Guards, std::size_t G>
-class WatchedRun : public RunState<StateOfRun, Rhs, Observer, Guards, G> {
-    using Run = RunState<StateOfRun, Rhs, Observer, Guards, G>;
+template <class StateOfRun, class Rhs, class Observer, class Guards, class Values>
+class WatchedRun : public RunState<StateOfRun, Rhs, Observer, Guards, Values> {
+    using Run = RunState<StateOfRun, Rhs, Observer, Guards, Values>;
 
 public:
     using typename Run::State;
@@ -230,7 +230,7 @@ private:
     }
 
     bool changes_guard(const State& x, const Scalar& t) const {
-        if constexpr (G > 0) return events_.changes_at(x, t);
+        if constexpr (may_have_entries<Values>) return events_.changes_at(x, t);
         else return (void)x, (void)t, false;
     }
 

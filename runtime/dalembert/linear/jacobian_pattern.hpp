@@ -7,6 +7,7 @@
 
 #include "dalembert/linear_solve.hpp"
 #include "dalembert/linear/pattern_lu.hpp"
+#include "dalembert/sizes.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -64,30 +65,48 @@ constexpr std::size_t entries_of(std::size_t n) noexcept {
 }
 
 /// Straight-line code for a pattern is worth its bytes up to so many states and operations.
+inline constexpr std::size_t most_unrolled_states = 24, most_unrolled_updates = 500;
 template <class Pattern, std::size_t n>
 constexpr bool is_unrolled() noexcept {
-    constexpr std::size_t most_states = 24, most_updates = 500;
-    if constexpr (n == 0 || n > most_states) return false;
-    else return EliminationPlan<Pattern, n>::updates <= most_updates;
+    if constexpr (n == 0 || n > most_unrolled_states) return false;
+    else return EliminationPlan<Pattern, n>::updates <= most_unrolled_updates;
 }
 
-/// A matrix with the pattern and the diagonal: straight-line code where that is short, else a band where that takes at most half of the places
-/// of all entries.
+/// A band is worth it where it takes at most half of the places of all entries.
+constexpr bool is_worth_a_band(const Bandwidth& band, std::size_t n) noexcept { return 2 * band.height() <= n; }
+/// So that everything stays well within the usual stack of 8 MB.
+constexpr bool fits_the_stack(const Bandwidth& band, std::size_t n, std::size_t bytes) noexcept {
+    return (is_worth_a_band(band, n) ? band.height() : n) * n * bytes <= std::size_t(2) << 20;
+}
+/// Multiplications to factor a matrix and to solve with it so many times, in loops.
+constexpr double looped_multiplications(const Bandwidth& band, std::size_t n, double solutions) noexcept {
+    const double rows = static_cast<double>(n), below = static_cast<double>(band.lower), width = static_cast<double>(band.lower + band.upper);
+    return is_worth_a_band(band, n) ? rows * (below * width + solutions * (below + width)) : rows * rows * (rows / 3 + solutions);
+}
+
+/// A matrix with the pattern and the diagonal: straight-line code where that is short, else a band where that is worth it.
 template <class Scalar, class Pattern, std::size_t n>
 struct SquareMatrix {
     static constexpr Bandwidth band = bandwidth<Pattern>(n);
-    static constexpr bool is_band = 2 * band.height() <= n;
-    /// So that everything stays well within the usual stack of 8 MB.
-    static constexpr bool fits = (is_band ? band.height() : n) * n * sizeof(Scalar) <= std::size_t(2) << 20;
+    static constexpr bool is_band = is_worth_a_band(band, n);
+    static constexpr bool fits = fits_the_stack(band, n, sizeof(Scalar));
     using Looped = std::conditional_t<is_band, BandLu<Scalar, n, is_band ? band.lower : 0, is_band ? band.upper : 0>, DenseLu<Scalar, is_band ? 0 : n>>;
     /// Multiplications to factor it and to solve with it so many times.
     static constexpr double multiplications(double solutions) noexcept {
-        constexpr double rows = static_cast<double>(n), below = static_cast<double>(band.lower), width = static_cast<double>(band.lower + band.upper);
         if constexpr (is_unrolled<Pattern, n>()) return static_cast<double>(EliminationPlan<Pattern, n>::updates) + solutions * static_cast<double>(EliminationPlan<Pattern, n>::entries);
-        else if constexpr (is_band) return rows * (below * width + solutions * (below + width));
-        else return rows * rows * (rows / 3 + solutions);
+        else return looped_multiplications(band, n, solutions);
     }
     using type = std::conditional_t<is_unrolled<Pattern, n>(), PatternLu<Scalar, Pattern, n>, Looped>;
+};
+
+/// The matrix for Jacobians of a state, and what is to be known of it; see run_matrix.hpp for states whose size belongs to a run.
+template <class State, class Pattern>
+struct MatrixOf {
+    static constexpr std::size_t n = size_of<State>();
+    using Matrix = SquareMatrix<typename State::value_type, Pattern, n>;
+    using type = typename Matrix::type;
+    static constexpr bool fits() noexcept { return Matrix::fits; }
+    static constexpr double multiplications(double solutions) noexcept { return Matrix::multiplications(solutions); }
 };
 
 }  // namespace detail

@@ -57,13 +57,10 @@ struct Elimination {
 
 /// The pivot with the fewest updates (Markowitz's count). Of several the one that waits for the fewest others, so that both ends of a
 /// chain are eliminated side by side.
-template <std::size_t n>
-constexpr Elimination<n> eliminate(const Places<n>& places) noexcept {
-    Elimination<n> result;
-    result.filled = places;
-    auto& at = result.filled.at;
-    std::array<bool, n> is_done{};
-    std::array<std::size_t, n> depth{};
+/// Fills `at`, sets `order`, and returns how many updates there are; `is_done` and `depth` begin with zeros. All are arrays for n columns.
+template <class Grid, class Numbers, class Flags>
+constexpr std::size_t eliminate(std::size_t n, Grid& at, Numbers& order, Flags& is_done, Numbers& depth) noexcept {
+    std::size_t updates = 0;
     for (std::size_t step = 0; step < n; ++step) {
         std::size_t best = n, best_count = 0;
         for (std::size_t k = 0; k < n; ++k) {
@@ -79,7 +76,7 @@ constexpr Elimination<n> eliminate(const Places<n>& places) noexcept {
             best = k;
             best_count = count;
         }
-        result.order[step] = best;
+        order[step] = best;
         is_done[best] = true;
         for (std::size_t i = 0; i < n; ++i) {
             if (is_done[i] || !at[i][best]) continue;
@@ -87,12 +84,21 @@ constexpr Elimination<n> eliminate(const Places<n>& places) noexcept {
             for (std::size_t j = 0; j < n; ++j) {
                 if (is_done[j] || !at[best][j]) continue;
                 at[i][j] = true;
-                ++result.updates;
+                ++updates;
             }
         }
     }
+    return updates;
+}
+template <std::size_t n>
+constexpr Elimination<n> eliminate(const Places<n>& places) noexcept {
+    Elimination<n> result;
+    result.filled = places;
+    std::array<bool, n> is_done{};
+    std::array<std::size_t, n> depth{};
+    result.updates = eliminate(n, result.filled.at, result.order, is_done, depth);
     for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j < n; ++j) result.entries += at[i][j] ? 1 : 0;
+        for (std::size_t j = 0; j < n; ++j) result.entries += result.filled.at[i][j] ? 1 : 0;
     return result;
 }
 

@@ -13,20 +13,28 @@
 #include "dalembert/methods/explicit_steppers.hpp"
 #include "dalembert/methods/rosenbrock.hpp"
 #include "dalembert/methods/symplectic.hpp"
+#include "dalembert/sizes.hpp"
 
 namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
 /// For right-hand sides without a Jacobian, and those whose Jacobian is too large to be factored.
-struct NoDerivatives {
-    static constexpr std::size_t states = 0;
+struct HasNoJacobian {};
+template <class State>
+struct NoDerivativesOf : HasNoJacobian {
+    using DifferentiatedState = State;
 };
+using NoDerivatives = NoDerivativesOf<std::array<double, 0>>;
+template <class Derivatives>
+inline constexpr bool can_be_implicit = !std::is_base_of_v<HasNoJacobian, Derivatives> && may_have_entries<typename Derivatives::DifferentiatedState>;
 
 /// The magnitude of the largest eigenvalue of a Jacobian by the power method. Its vector stays from one call to the next, as the
 /// Jacobian changes little in between.
-template <class Scalar, std::size_t n>
+template <class Vector>
 class SpectralRadius {
+    using Scalar = typename Vector::value_type;
+
 public:
     /// `size` is what counts as one, state by state. NaN if the Jacobian is not finite.
     template <class Derivatives, class Size>
@@ -46,11 +54,9 @@ public:
     }
 
 private:
-    using Vector = std::array<Scalar, n>;
-
     template <class Size>
     void begin(const Size& size) {
-        for (std::size_t i = 0; i < n; ++i) v_[i] = size[i] / Scalar(static_cast<double>(1 + i * 7 % 11)) * Scalar(i % 3 == 1 ? -1 : 1);
+        for (std::size_t i = 0; i < v_.size(); ++i) v_[i] = size[i] / Scalar(static_cast<double>(1 + i * 7 % 11)) * Scalar(i % 3 == 1 ? -1 : 1);
         normalise(v_, size);
         is_begun_ = true;
     }
@@ -67,7 +73,7 @@ private:
     static Scalar normalise(Vector& v, const Size& size) {
         using std::abs;
         Scalar norm = Scalar(0);
-        for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t i = 0; i < v.size(); ++i) {
             const Scalar entry = abs(v[i]) / size[i];
             if (!(entry <= norm)) norm = entry;
         }
@@ -81,24 +87,25 @@ private:
 };
 
 /// What was learnt in one part of a run, for the next one.
-template <class Scalar, std::size_t n>
+template <class Scalar, class DifferentiatedState>
 struct Choice {
+    using State = DifferentiatedState;
     enum Kind : std::size_t { dopri5, dop853, rodas5p };
     Kind kind = dopri5;
     bool is_smooth = true;  ///< in this part: dop853 has not had most of its steps rejected
     std::size_t patience = 2;  ///< how often in succession stability is to be what limits steps
     Scalar implicit_pace = Scalar(0);  ///< s for each step of an explicit method in the same time, when Rodas5P ran last
     std::array<std::size_t, 3> steps{};
-    SpectralRadius<Scalar, n> radius;
+    SpectralRadius<DifferentiatedState> radius;
 };
 
 template <class State, class Rhs, class Derivatives>
 class Automatic final : public Stepper<State> {
     using Scalar = typename State::value_type;
-    static constexpr bool has_implicit = Derivatives::states > 0;
+    static constexpr bool has_implicit = can_be_implicit<Derivatives>;
 
 public:
-    using Memory = Choice<Scalar, Derivatives::states>;
+    using Memory = Choice<Scalar, typename Derivatives::DifferentiatedState>;
 
     Automatic(Rhs rhs, Derivatives& derivatives, const IntegrationOptions<State>& options, Memory& memory) : rhs_(rhs), options_(options), derivatives_(derivatives), memory_(memory) {
         // What was rejected before an event says little of what comes after it.
@@ -155,9 +162,10 @@ private:
     /// tell how long the right-hand side is: some eight operations each.
     static constexpr double explicit_steps_for_one() {
         if constexpr (has_implicit) {
+            using Increment = typename Derivatives::DifferentiatedState;
+            using Pattern = typename Derivatives::Pattern;
             constexpr double stages = 8, explicit_stages = 6, operations = 8;
-            constexpr std::size_t entries = entries_of<typename Derivatives::Pattern>(Derivatives::states);
-            const double systems = SquareMatrix<Scalar, typename Derivatives::Pattern, Derivatives::states>::multiplications(stages) / (operations * static_cast<double>(entries + 1));
+            const double systems = MatrixOf<Increment, Pattern>::multiplications(stages) / (operations * static_cast<double>(entries_of<Pattern>(size_of<Increment>()) + 1));
             return std::max(4.0, (2 * stages + systems) / explicit_stages);
         } else {
             return 4;
@@ -223,15 +231,23 @@ private:
     Scalar stint_begin_ = Scalar(0), window_begin_ = Scalar(0);  ///< s
 };
 
-/// Those with which a linear system can be solved.
-template <class State, class Derivatives, bool = (Derivatives::states > 0)>
+/// Those with which a linear system can be solved: the given ones or none, where that is known when code is compiled.
+template <class Derivatives, bool = can_be_implicit<Derivatives>>
 struct ChosenDerivatives {
-    static constexpr std::size_t states = 0;
+    using type = NoDerivatives;
 };
-template <class State, class Derivatives>
-struct ChosenDerivatives<State, Derivatives, true> {
-    static constexpr std::size_t states = SquareMatrix<typename State::value_type, typename Derivatives::Pattern, Derivatives::states>::fits ? Derivatives::states : 0;
+template <class Derivatives>
+struct ChosenDerivatives<Derivatives, true> {
+    using State = typename Derivatives::DifferentiatedState;
+    static constexpr bool may_fit() {
+        if constexpr (has_fixed_size<State>) return MatrixOf<State, typename Derivatives::Pattern>::fits();
+        else return true;
+    }
+    using type = std::conditional_t<may_fit(), Derivatives, NoDerivatives>;
 };
+/// What Method::automatic remembers in a run with these derivatives.
+template <class Scalar, class Derivatives>
+using ChoiceOf = Choice<Scalar, typename ChosenDerivatives<Derivatives>::type::DifferentiatedState>;
 
 template <class Run, class Derivatives, class Memory>
 Outcome run_automatic(Run& run, Derivatives& derivatives, const IntegrationOptions<typename Run::State>& options, Memory& memory) {
@@ -250,17 +266,18 @@ template <class Run, class Derivatives, class Choice>
 Outcome run_by_method(Run& run, Derivatives& derivatives, const IntegrationOptions<typename Run::State>& options, Choice& choice) {
     if (options.method == Method::automatic && options.is_fixed) return run_explicit(run, Method::dopri5);
     if (options.method == Method::automatic) {
-        if constexpr (ChosenDerivatives<typename Run::State, Derivatives>::states > 0) {
-            return run_automatic(run, derivatives, options, choice);
-        } else {
-            NoDerivatives none;
-            return run_automatic(run, none, options, choice);
+        if constexpr (can_be_implicit<typename ChosenDerivatives<Derivatives>::type>) {
+            using Increment = typename Derivatives::DifferentiatedState;
+            if (has_fixed_size<Increment> || MatrixOf<Increment, typename Derivatives::Pattern>::fits()) return run_automatic(run, derivatives, options, choice);
         }
+        NoDerivativesOf<typename Choice::State> none;
+        return run_automatic(run, none, options, choice);
     }
     if (options.method == Method::bulirsch_stoer) return run_with<BulirschStoer<typename Run::State, typename Run::RightHandSide>>(run, Steps::to_outputs, options.tolerance);
-    if constexpr (constexpr std::size_t n = separable_coordinates<typename Run::GivenRhs>; n > 0)
-        if (options.method == Method::symplectic) return run_with<Symplectic<typename Run::State, typename Run::RightHandSide, n>>(run, Steps::fixed);
-    if constexpr (Derivatives::states > 0)
+    using Coordinates = typename SeparableCoordinates<typename Run::GivenRhs>::type;
+    if constexpr (may_have_entries<Coordinates>)
+        if (options.method == Method::symplectic && size_of<Coordinates>() > 0) return run_with<Symplectic<typename Run::State, typename Run::RightHandSide, Coordinates>>(run, Steps::fixed);
+    if constexpr (can_be_implicit<Derivatives>)
         if (options.method == Method::rodas5p) return run_rodas5p(run, derivatives);
     return run_explicit(run, options.method);
 }

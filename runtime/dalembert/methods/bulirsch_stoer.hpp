@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include <boost/numeric/odeint/algebra/array_algebra.hpp>
 #include <boost/numeric/odeint/stepper/modified_midpoint.hpp>
 
 #include "dalembert/methods/explicit_steppers.hpp"
@@ -54,7 +53,7 @@ private:
         return std::min(most, std::max<std::size_t>(3, static_cast<std::size_t>(digits > 0 ? 2 + digits / 3 : 0)));
     }
 
-    odeint::modified_midpoint<State, Scalar, State, Scalar, odeint::array_algebra, odeint::default_operations, odeint::initially_resizer> midpoint_;
+    odeint::modified_midpoint<State, Scalar, State, Scalar, AlgebraOf<State>, odeint::default_operations, odeint::initially_resizer> midpoint_;
     std::array<State, most> row_{};
     std::size_t columns_;
 };

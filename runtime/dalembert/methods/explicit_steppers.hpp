@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// The explicit steppers: those of Boost.Odeint on fixed-size states, as the driver wants them, and which method takes which. Step control
+// The explicit steppers: those of Boost.Odeint, as the driver wants them, and which method takes which. Step control
 // is our own, because odeint's controlled steppers take a step whose error is NaN for a success and go on.
 #pragma once
 
 #include <boost/numeric/odeint/algebra/array_algebra.hpp>
+#include <boost/numeric/odeint/algebra/range_algebra.hpp>
 #include <boost/numeric/odeint/stepper/euler.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
@@ -13,6 +14,7 @@
 #include "dalembert/integration_options.hpp"
 #include "dalembert/status.hpp"
 #include "dalembert/methods/stepper.hpp"
+#include "dalembert/sizes.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -20,8 +22,11 @@ namespace detail {
 
 namespace odeint = boost::numeric::odeint;
 
+template <class State>
+using AlgebraOf = std::conditional_t<has_fixed_size<State>, odeint::array_algebra, odeint::range_algebra>;
+
 template <template <class, class, class, class, class, class, class> class Method, class State>
-using OdeintStepper = Method<State, typename State::value_type, State, typename State::value_type, odeint::array_algebra, odeint::default_operations, odeint::initially_resizer>;
+using OdeintStepper = Method<State, typename State::value_type, State, typename State::value_type, AlgebraOf<State>, odeint::default_operations, odeint::initially_resizer>;
 
 /// Between its ends a step is the cubic polynomial through both with their derivatives.
 template <class State, class Rhs>
@@ -63,7 +68,7 @@ private:
 };
 
 template <class State, class Rhs>
-using Euler = FixedStepper<State, Rhs, odeint::euler<State, typename State::value_type, State, typename State::value_type, odeint::array_algebra>, 1>;
+using Euler = FixedStepper<State, Rhs, odeint::euler<State, typename State::value_type, State, typename State::value_type, AlgebraOf<State>>, 1>;
 template <class State, class Rhs>
 using RungeKutta4 = FixedStepper<State, Rhs, OdeintStepper<odeint::runge_kutta4, State>, 4>;
 

@@ -13,6 +13,7 @@
 #include "dalembert/methods/rodas5p_coefficients.hpp"
 #include "dalembert/status.hpp"
 #include "dalembert/methods/stepper.hpp"
+#include "dalembert/sizes.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -30,7 +31,8 @@ class Derivatives {
 
 public:
     using Pattern = PatternOfJacobian;
-    static constexpr std::size_t states = std::tuple_size<State>::value;
+    using DifferentiatedState = State;
+    static constexpr std::size_t states = detail::size_of<State>();
 
     Derivatives(Jacobian jacobian, TimeDerivative rate) : jacobian_(jacobian), rate_(rate) {}
 
@@ -72,12 +74,14 @@ template <class State, class Rhs, class Derivatives>
 class Rodas5p final : public Stepper<State> {
     using Scalar = typename State::value_type;
     using Table = Rodas5pCoefficients;
-    static constexpr std::size_t n = Derivatives::states;
-    static constexpr std::size_t integrals = std::tuple_size<State>::value - n;
-    using Increment = std::array<Scalar, n>;
+    using Increment = typename Derivatives::DifferentiatedState;
+    using Matrix = MatrixOf<Increment, typename Derivatives::Pattern>;
+    static constexpr std::size_t integrals = EntriesMore<State, Increment>::value;
 
 public:
     Rodas5p(Rhs rhs, Derivatives& derivatives) : rhs_(rhs), derivatives_(derivatives) {}
+
+    static constexpr std::size_t n() noexcept { return size_of<Increment>(); }
 
     int order() const override { return 5; }
 
@@ -90,7 +94,7 @@ public:
         c.dydt = from.dxdt;
         make_stages(from, c, Scalar(1) / c.length, std::make_index_sequence<Table::stages>{});
         c.error.fill(Scalar(0));
-        for (std::size_t r = 0; r < n; ++r) {
+        for (std::size_t r = 0; r < n(); ++r) {
             c.y[r] += u_.back()[r];
             c.error[r] = u_.back()[r];
         }
@@ -112,7 +116,7 @@ public:
             if (row == column) diagonal[row] = value;
         });
         const Scalar rate = Scalar(1) / c.length;
-        for (std::size_t r = 0; r < n; ++r) {
+        for (std::size_t r = 0; r < n(); ++r) {
             Scalar slope = c.y[r] - from.x[r];
             for (std::size_t j = 0; j < Table::stages; ++j) slope -= Scalar(Table::dense[0][j] + Table::dense[1][j] + Table::dense[2][j]) * u_[j][r];
             const Scalar unfit = abs(c.dydt[r] - rate * slope) / (rate / Scalar(Table::gamma) + abs(diagonal[r]));
@@ -123,7 +127,7 @@ public:
     void between(const Point<State>& from, Candidate<State>& c, Scalar t, State& x) override {
         const Scalar s = (t - from.t) / c.length;
         interpolate(from, c, s, x);
-        for (std::size_t i = n; i < n + integrals; ++i) x[i] = integral(from, c, s, i);
+        for (std::size_t i = n(); i < n() + integrals; ++i) x[i] = integral(from, c, s, i);
     }
 
 private:
@@ -157,7 +161,7 @@ private:
             else is_finite = false;
         });
         const Scalar diagonal = Scalar(1) / (length * Scalar(Table::gamma));
-        for (std::size_t i = 0; i < n; ++i) W_.add(i, i, diagonal);
+        for (std::size_t i = 0; i < n(); ++i) W_.add(i, i, diagonal);
         return is_finite;
     }
 
@@ -171,18 +175,18 @@ private:
     void make_stage(const Point<State>& from, Candidate<State>& c, const Scalar& rate) {
         constexpr auto before = std::make_index_sequence<i>{};
         if constexpr (i > 5) {
-            for (std::size_t r = 0; r < n; ++r) c.y[r] += u_[i - 1][r];
+            for (std::size_t r = 0; r < n(); ++r) c.y[r] += u_[i - 1][r];
         } else if constexpr (i > 0) {
-            for (std::size_t r = 0; r < n; ++r) c.y[r] = from.x[r] + state_sum<i>(r, before);
+            for (std::size_t r = 0; r < n(); ++r) c.y[r] = from.x[r] + state_sum<i>(r, before);
         }
         if constexpr (i > 0) rhs_(c.y, c.dydt, Table::time[i] == 1 ? c.end : from.t + Scalar(Table::time[i]) * c.length);
         Increment& u = u_[i];
-        std::copy_n(c.dydt.begin(), n, u.begin());
+        std::copy_n(c.dydt.begin(), n(), u.begin());
         if constexpr (i > 0)
-            for (std::size_t r = 0; r < n; ++r) u[r] += rate * increment_sum<i>(r, before);
+            for (std::size_t r = 0; r < n(); ++r) u[r] += rate * increment_sum<i>(r, before);
         if constexpr (Table::gradient[i] != 0) {
             const Scalar gradient = Scalar(Table::gradient[i]) * c.length;
-            for (std::size_t r = 0; r < n; ++r) u[r] += gradient * dfdt_[r];
+            for (std::size_t r = 0; r < n(); ++r) u[r] += gradient * dfdt_[r];
         }
         W_.solve(u);
     }
@@ -198,11 +202,11 @@ private:
 
     /// The dense output, s from 0 to 1.
     void interpolate(const Point<State>& from, const Candidate<State>& c, Scalar s, State& x) const {
-        for (std::size_t r = 0; r < n; ++r) x[r] = from.x[r] + s * (c.y[r] - from.x[r]);
+        for (std::size_t r = 0; r < n(); ++r) x[r] = from.x[r] + s * (c.y[r] - from.x[r]);
         for (std::size_t j = 0; j < Table::stages; ++j) {
             const Scalar d = Scalar(Table::dense[0][j]) + s * (Scalar(Table::dense[1][j]) + s * Scalar(Table::dense[2][j]));
             const Scalar factor = s * (Scalar(1) - s) * d;
-            for (std::size_t r = 0; r < n; ++r) x[r] += factor * u_[j][r];
+            for (std::size_t r = 0; r < n(); ++r) x[r] += factor * u_[j][r];
         }
     }
 
@@ -219,10 +223,10 @@ private:
         };
         for (std::size_t k = 0; k < 2; ++k) {
             rate_at(Scalar(1) / Scalar(2) + (k == 0 ? -half_distance : half_distance));
-            std::copy(rate.begin() + n, rate.end(), rates_[k].begin());
+            std::copy(rate.begin() + n(), rate.end(), rates_[k].begin());
         }
         rate_at(Scalar(1) / Scalar(2));
-        for (std::size_t i = n; i < n + integrals; ++i) {
+        for (std::size_t i = n(); i < n() + integrals; ++i) {
             c.y[i] = integral(from, c, Scalar(1), i);
             c.error[i] = from.x[i] + c.length / Scalar(6) * (from.dxdt[i] + Scalar(4) * rate[i] + c.dydt[i]) - c.y[i];
         }
@@ -233,8 +237,8 @@ private:
     Scalar integral(const Point<State>& from, const Candidate<State>& c, Scalar s, std::size_t i) const {
         using std::sqrt;
         const Scalar two = Scalar(2);
-        const Scalar inner_even = (rates_[1][i - n] + rates_[0][i - n]) / two;
-        const Scalar inner_odd = (rates_[1][i - n] - rates_[0][i - n]) / two * sqrt(Scalar(5));
+        const Scalar inner_even = (rates_[1][i - n()] + rates_[0][i - n()]) / two;
+        const Scalar inner_odd = (rates_[1][i - n()] - rates_[0][i - n()]) / two * sqrt(Scalar(5));
         const Scalar outer_even = (c.dydt[i] + from.dxdt[i]) / two;
         const Scalar outer_odd = (c.dydt[i] - from.dxdt[i]) / two;
         const Scalar even = Scalar(5) / Scalar(4) * (outer_even - inner_even);
@@ -247,7 +251,7 @@ private:
 
     Rhs rhs_;
     Derivatives& derivatives_;
-    typename SquareMatrix<Scalar, typename Derivatives::Pattern, n>::type W_;
+    typename Matrix::type W_;
     std::array<Increment, Table::stages> u_{};
     Increment dfdt_{};
     std::array<std::array<Scalar, integrals>, 2> rates_{};  ///< at the inner points of Lobatto's rule
@@ -260,11 +264,11 @@ private:
 template <class Run, class Derivatives>
 Outcome run_rodas5p(Run& run, Derivatives& derivatives) {
     using State = typename Run::State;
-    if constexpr (SquareMatrix<typename State::value_type, typename Derivatives::Pattern, Derivatives::states>::fits) {
-        return run_with<Rodas5p<State, typename Run::RightHandSide, Derivatives>>(run, Steps::dense, derivatives);
-    } else {
-        return run.refuse();
-    }
+    using Matrix = MatrixOf<typename Derivatives::DifferentiatedState, typename Derivatives::Pattern>;
+    using Method = Rodas5p<State, typename Run::RightHandSide, Derivatives>;
+    if constexpr (!has_fixed_size<State>) return Matrix::fits() ? run_with<Method>(run, Steps::dense, derivatives) : run.refuse();
+    else if constexpr (Matrix::fits()) return run_with<Method>(run, Steps::dense, derivatives);
+    else return run.refuse();
 }
 
 }  // namespace detail

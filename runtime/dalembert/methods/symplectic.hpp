@@ -23,31 +23,44 @@ inline constexpr bool is_separable = false;
 template <class System>
 inline constexpr bool is_separable<System, std::void_t<decltype(System::is_separable)>> = System::is_separable;
 
-/// A right-hand side whose state begins with so many coordinates and their velocities, and is separable.
-template <class Rhs, std::size_t n>
+/// The coordinates of such a system. Of one that is loaded there are none where it turns out not to be separable.
+template <class System, class = void>
+struct CoordinatesOf {
+    using type = typename System::Generalised;
+};
+template <class System>
+struct CoordinatesOf<System, std::void_t<typename System::SeparableCoordinates>> {
+    using type = typename System::SeparableCoordinates;
+};
+
+/// A right-hand side whose state begins with coordinates, as many as an array of the type has entries, and their velocities, and is separable.
+template <class Rhs, class CoordinateArray>
 struct SeparableRhs {
-    static constexpr std::size_t coordinates = n;
+    using Coordinates = CoordinateArray;
     Rhs rhs;
     template <class State>
     void operator()(const State& x, typename State::value_type t, State& dxdt) const {
         rhs(x, t, dxdt);
     }
 };
-template <std::size_t n, class Rhs>
-SeparableRhs<Rhs, n> separable_rhs(Rhs rhs) {
+template <class Coordinates, class Rhs>
+SeparableRhs<Rhs, Coordinates> separable_rhs(Rhs rhs) {
     return {rhs};
 }
 template <class Rhs, class = void>
-inline constexpr std::size_t separable_coordinates = 0;
+struct SeparableCoordinates {
+    using type = std::array<double, 0>;
+};
 template <class Rhs>
-inline constexpr std::size_t separable_coordinates<Rhs, std::void_t<decltype(Rhs::coordinates)>> = Rhs::coordinates;
+struct SeparableCoordinates<Rhs, std::void_t<typename Rhs::Coordinates>> {
+    using type = typename Rhs::Coordinates;
+};
 
 /// McLachlan's method of order 4 with six stages (SIAM J. Sci. Comput. 16 (1995), SB3A) of Boost.Odeint, whose coefficients have the digits of
 /// a double. States behind q and v are integrals; of what is separable, of nothing: they stay.
-template <class State, class Rhs, std::size_t n>
+template <class State, class Rhs, class Part>
 class Symplectic final : public CubicStepper<State, Rhs> {
     using Scalar = typename State::value_type;
-    using Part = std::array<Scalar, n>;
 
 public:
     using CubicStepper<State, Rhs>::CubicStepper;
@@ -55,6 +68,7 @@ public:
 
     void take(const Point<State>& from, Candidate<State>& c) override {
         Part q, v;
+        const std::size_t n = q.size();
         std::copy_n(from.x.begin(), n, q.begin());
         std::copy_n(from.x.begin() + n, n, v.begin());
         c.y = from.x;
@@ -72,7 +86,7 @@ public:
     }
 
 private:
-    odeint::symplectic_rkn_sb3a_mclachlan<Part, Part, Scalar, Part, Part, Scalar, odeint::array_algebra, odeint::default_operations, odeint::initially_resizer> stepper_;
+    odeint::symplectic_rkn_sb3a_mclachlan<Part, Part, Scalar, Part, Part, Scalar, AlgebraOf<Part>, odeint::default_operations, odeint::initially_resizer> stepper_;
 };
 
 }  // namespace detail

@@ -45,7 +45,7 @@ class Taylor final : public Stepper<State> {
 
 public:
     Taylor(Rhs rhs, const Series& series, const IntegrationOptions<State>& options)
-        : rhs_(rhs), other_(rhs), series_(series), options_(options), most_(options.order > 0 ? options.order : order_of_series(options.tolerance)), x_(most_ + 1), work_(2 * Series::rows * most_) {}
+        : rhs_(rhs), other_(rhs), series_(series), options_(options), most_(options.order > 0 ? options.order : order_of_series(options.tolerance)), x_(most_ + 1), work_(2 * Series::rows() * most_) {}
 
     int order() const override { return is_series_ ? static_cast<int>(order_) : other_.order(); }
 

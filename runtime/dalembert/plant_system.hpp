@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: BSL-1.0
+// A plant (plant.h) as a system that what integrates, searches for equilibria and linearises takes: the same code as for generated headers, with sizes
+// that are known when the plant is loaded.
+//
+// note [in use]: Arrays of a run have the sizes of the plant that the thread uses at the moment: whoever works with a plant holds a UsePlant for as
+// long as there are arrays, systems or results of it.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "dalembert/linear/run_matrix.hpp"
+#include "dalembert/plant.h"
+#include "dalembert/run_array.hpp"
+#include "dalembert/simulate.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+inline thread_local const dalembert_plant* plant_in_use = nullptr;
+
+/// A number of the plant in use, that says it when it is read.
+template <std::size_t (*read)(const dalembert_plant&)>
+struct OfPlant {
+    static std::size_t of_run() noexcept { return read(*plant_in_use); }
+    operator std::size_t() const noexcept { return of_run(); }
+};
+/// An entry of a list that belongs to the plant in use.
+template <class T, T (*read)(const dalembert_plant&, std::size_t)>
+struct ListOfPlant {
+    T operator[](std::size_t i) const noexcept { return read(*plant_in_use, i); }
+};
+template <class T>
+struct TableOfPlant {
+    const T* entries;
+    std::size_t count;
+    std::size_t size() const noexcept { return count; }
+    const T* begin() const noexcept { return entries; }
+    const T* end() const noexcept { return entries + count; }
+    const T& operator[](std::size_t i) const noexcept { return entries[i]; }
+};
+
+namespace of_plant {
+
+using Plant = const dalembert_plant&;
+inline std::size_t states(Plant p) { return p.states; }
+inline std::size_t inputs(Plant p) { return p.inputs; }
+inline std::size_t outputs(Plant p) { return p.outputs; }
+inline std::size_t degrees(Plant p) { return p.degrees; }
+inline std::size_t separable(Plant p) { return p.is_separable != 0 ? p.degrees : 0; }
+inline std::size_t square(Plant p) { return p.degrees * p.degrees; }
+inline std::size_t guards(Plant p) { return p.guards; }
+inline std::size_t kinks(Plant p) { return p.kinks; }
+inline std::size_t events(Plant p) { return p.events; }
+inline std::size_t constraints(Plant p) { return p.constraints; }
+inline std::size_t constraint_entries(Plant p) { return p.constraints * p.degrees; }
+inline std::size_t rank(Plant p) { return p.constraint_rank; }
+inline std::size_t velocity_place(Plant p) { return p.velocity_place; }
+inline std::size_t outputs_by_states(Plant p) { return p.outputs * p.states; }
+inline std::size_t outputs_by_inputs(Plant p) { return p.outputs * p.inputs; }
+inline std::size_t series_rows(Plant p) { return p.series_rows; }
+inline bool can_be_left_out(Plant p, std::size_t i) { return p.constraint_table[i].can_be_left_out != 0; }
+inline bool solved_for_at_start(Plant p, std::size_t i) { return p.constraint_table[i].solved_for_at_start != 0; }
+inline const dalembert_pattern& x(Plant p) { return p.pattern_x; }
+inline const dalembert_pattern& u(Plant p) { return p.pattern_u; }
+
+}  // namespace of_plant
+
+/// As the patterns of generated headers; all have as many rows as there are states.
+template <const dalembert_pattern& (*which)(const dalembert_plant&)>
+struct PatternOfPlant {
+    static constexpr bool is_sparse = true;
+    static std::size_t start(const dalembert_plant& plant, std::size_t column) {
+        const dalembert_pattern& pattern = which(plant);
+        return pattern.column_starts != nullptr ? pattern.column_starts[column] : column * plant.states;
+    }
+    static std::size_t row(const dalembert_plant& plant, std::size_t entry) {
+        const dalembert_pattern& pattern = which(plant);
+        return pattern.column_starts != nullptr ? pattern.row_indices[entry] : entry % plant.states;
+    }
+    static constexpr ListOfPlant<std::size_t, start> column_starts{};
+    static constexpr ListOfPlant<std::size_t, row> row_indices{};
+};
+using PatternXOfPlant = PatternOfPlant<of_plant::x>;
+using PatternUOfPlant = PatternOfPlant<of_plant::u>;
+namespace of_plant {
+inline std::size_t entries_x(Plant p) { return PatternXOfPlant::start(p, p.states); }
+inline std::size_t entries_u(Plant p) { return PatternUOfPlant::start(p, p.inputs); }
+}  // namespace of_plant
+
+template <std::size_t (*count)(const dalembert_plant&)>
+using PlantArray = RunArray<OfPlant<count>, double>;
+
+}  // namespace detail
+
+/// Makes a plant the one whose sizes the arrays of this thread have; see note [in use]. The one before is back afterwards.
+class UsePlant {
+public:
+    explicit UsePlant(const dalembert_plant& plant) : before_(detail::plant_in_use) { detail::plant_in_use = &plant; }
+    ~UsePlant() { detail::plant_in_use = before_; }
+    UsePlant(const UsePlant&) = delete;
+    UsePlant& operator=(const UsePlant&) = delete;
+
+private:
+    const dalembert_plant* before_;
+};
+
+/// What a plant is to the code that runs it.
+enum class PlantKind {
+    free,         ///< integration needs nothing but the rates
+    normed,       ///< quaternions are brought back to their norm
+    constrained,  ///< and the state to constraints
+    choosing,     ///< of which the run chooses those that are solved for
+    switching,    ///< modes and events
+};
+inline PlantKind kind_of(const dalembert_plant& plant) {
+    if (plant.modes > 0) return PlantKind::switching;
+    if (plant.is_projected == 0) return PlantKind::free;
+    if (plant.constraints == 0) return PlantKind::normed;
+    return plant.constraint_rank > 0 ? PlantKind::choosing : PlantKind::constrained;
+}
+
+enum class PlantMode : unsigned {};
+
+namespace detail {
+
+template <PlantKind kind>
+struct ConstraintTypesOfPlant {};
+template <>
+struct ConstraintTypesOfPlant<PlantKind::normed> {
+    using Constraints = std::array<double, 0>;
+    using ConstraintJacobian = std::array<double, 0>;
+    static constexpr OfPlant<of_plant::velocity_place> velocity_place{};
+};
+template <>
+struct ConstraintTypesOfPlant<PlantKind::constrained> {
+    using Constraints = PlantArray<of_plant::constraints>;
+    using ConstraintJacobian = PlantArray<of_plant::constraint_entries>;
+    static constexpr OfPlant<of_plant::velocity_place> velocity_place{};
+};
+template <>
+struct ConstraintTypesOfPlant<PlantKind::choosing> : ConstraintTypesOfPlant<PlantKind::constrained> {
+    static constexpr OfPlant<of_plant::rank> constraint_rank{};
+    static constexpr ListOfPlant<bool, of_plant::can_be_left_out> can_be_left_out{};
+    static constexpr ListOfPlant<bool, of_plant::solved_for_at_start> solved_for_at_start{};
+};
+
+/// The series of a plant. What integrates has its states one by one, the plant all in one row.
+template <class StateAndWork>
+void series_of_plant(const dalembert_plant& plant, const void* self, unsigned mode, double t, std::size_t order, StateAndWork* x, double* rows) {
+    const std::size_t length = plant.states + 1;
+    std::vector<double> all((order + 1) * length);
+    std::copy(x[0].begin(), x[0].end(), all.begin());
+    plant.series(self, mode, t, order, all.data(), rows);
+    for (std::size_t k = 1; k <= order; ++k) std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(k * length), length, x[k].begin());
+}
+
+/// What the plant itself says: types, tables, one instance.
+class PlantBase {
+public:
+    using scalar_type = double;
+    using State = PlantArray<of_plant::states>;
+    using Input = PlantArray<of_plant::inputs>;
+    using Output = PlantArray<of_plant::outputs>;
+    using Generalised = PlantArray<of_plant::degrees>;
+    using SeparableCoordinates = PlantArray<of_plant::separable>;
+    using MassMatrix = PlantArray<of_plant::square>;
+    using PatternX = PatternXOfPlant;
+    using PatternU = PatternUOfPlant;
+    using JacobianX = PlantArray<of_plant::entries_x>;
+    using JacobianU = PlantArray<of_plant::entries_u>;
+    using JacobianT = State;
+    using OutputJacobianX = PlantArray<of_plant::outputs_by_states>;
+    using OutputJacobianU = PlantArray<of_plant::outputs_by_inputs>;
+    static constexpr int api = supported_api;
+    static constexpr OfPlant<of_plant::degrees> degrees{};
+    static constexpr OfPlant<of_plant::series_rows> series_rows{};
+    static auto state_table() { return TableOfPlant<dalembert_quantity>{now().state_table, now().states}; }
+    static auto input_table() { return TableOfPlant<dalembert_quantity>{now().input_table, now().inputs}; }
+    static auto output_table() { return TableOfPlant<dalembert_quantity>{now().output_table, now().outputs}; }
+    static auto parameter_table() { return TableOfPlant<dalembert_quantity>{now().parameter_table, now().parameters}; }
+    static auto guard_table() { return TableOfPlant<dalembert_guard>{now().guard_table, now().guards}; }
+    static auto constraint_table() { return TableOfPlant<dalembert_constraint>{now().constraint_table, now().constraints}; }
+    static auto mode_table() { return TableOfPlant<const char*>{now().mode_names, now().modes}; }
+    static auto event_table() { return TableOfPlant<const char*>{now().event_names, now().events}; }
+
+    /// Of the plant in use, with these parameters in SI, in the order of its table.
+    explicit PlantBase(std::vector<double> parameters) : parameters_(std::move(parameters)), self_(make(parameters_)) {}
+    PlantBase(const PlantBase& other) : parameters_(other.parameters_), self_(make(parameters_)) {}
+    PlantBase& operator=(const PlantBase&) = delete;
+
+    const void* self() const { return self_.get(); }
+    State start_state() const {
+        State x;
+        now().start_state(self(), x.data());
+        return x;
+    }
+
+protected:
+    static const dalembert_plant& now() noexcept { return *plant_in_use; }
+    void solve_for_all(const int* chosen) { now().solve_for(self_.get(), chosen); }
+
+private:
+    using Instance = std::unique_ptr<void, void (*)(void*)>;
+    static Instance make(const std::vector<double>& parameters) {
+        Instance self(now().create(), now().destroy);
+        if (self == nullptr) throw std::bad_alloc();
+        now().set_parameters(self.get(), parameters.data());
+        return self;
+    }
+    std::vector<double> parameters_;
+    Instance self_;
+};
+
+}  // namespace detail
+
+/// A plant without modes, or one seen in one of its modes.
+template <PlantKind kind>
+class PlantSystem : public detail::PlantBase, public detail::ConstraintTypesOfPlant<kind> {
+public:
+    using Guards = detail::PlantArray<detail::of_plant::guards>;
+    static constexpr bool is_separable = kind == PlantKind::free;
+
+    explicit PlantSystem(std::vector<double> parameters, unsigned mode = 0) : PlantBase(std::move(parameters)), mode_(mode) {}
+
+    void rhs(const State& x, const Input& u, double t, State& dxdt) const { now().rhs(self(), mode_, x.data(), u.data(), t, dxdt.data()); }
+    void jacobian_x(const State& x, const Input& u, double t, JacobianX& J) const {
+        State dxdt;
+        now().rhs_and_jacobian(self(), mode_, x.data(), u.data(), t, dxdt.data(), J.data());
+    }
+    void jacobian_u(const State& x, const Input& u, double t, JacobianU& J) const {
+        if (now().jacobian_u != nullptr) now().jacobian_u(self(), mode_, x.data(), u.data(), t, J.data());
+    }
+    void jacobian_t(const State& x, const Input& u, double t, JacobianT& dfdt) const {
+        if (now().jacobian_t != nullptr) now().jacobian_t(self(), mode_, x.data(), u.data(), t, dfdt.data());
+        else dfdt.fill(0);
+    }
+    void output(const State& x, const Input& u, double t, Output& y) const {
+        if (now().output != nullptr) now().output(self(), mode_, x.data(), u.data(), t, y.data());
+    }
+    void output_jacobian_x(const State& x, const Input& u, double t, OutputJacobianX& C) const {
+        if (now().output_jacobian_x != nullptr) now().output_jacobian_x(self(), mode_, x.data(), u.data(), t, C.data());
+    }
+    void output_jacobian_u(const State& x, const Input& u, double t, OutputJacobianU& D) const {
+        if (now().output_jacobian_u != nullptr) now().output_jacobian_u(self(), mode_, x.data(), u.data(), t, D.data());
+    }
+    void mass_matrix(const State& x, double t, MassMatrix& M) const { now().mass_matrix(self(), mode_, x.data(), t, M.data()); }
+    double kinetic_energy(const State& x, double t) const { return now().kinetic_energy != nullptr ? now().kinetic_energy(self(), mode_, x.data(), t) : 0; }
+    double potential_energy(const State& x, double t) const { return now().potential_energy != nullptr ? now().potential_energy(self(), mode_, x.data(), t) : 0; }
+    double internal_energy(const State& x, double t) const { return now().internal_energy != nullptr ? now().internal_energy(self(), mode_, x.data(), t) : 0; }
+    double supplied_power(const State& x, const Input& u, double t) const { return power(now().supplied_power, x, u, t); }
+    double dissipated_power(const State& x, const Input& u, double t) const { return power(now().dissipated_power, x, u, t); }
+    double prescribed_power(const State& x, const Input& u, double t) const { return power(now().prescribed_power, x, u, t); }
+    double exchanged_power(const State& x, const Input& u, double t) const { return power(now().exchanged_power, x, u, t); }
+    void guards(const State& x, const Input& u, double t, Guards& g) const {
+        if (now().guard_values != nullptr) now().guard_values(self(), mode_, x.data(), u.data(), t, g.data());
+    }
+    template <class Values>
+    void constraint_positions(const State& x, double t, Values& f) const {
+        now().constraint_positions(self(), mode_, x.data(), t, f.data());
+    }
+    template <class Values>
+    void constraint_rates(const State& x, double t, Values& w) const {
+        now().constraint_rates(self(), mode_, x.data(), t, w.data());
+    }
+    template <class Values>
+    void constraint_jacobian(const State& x, double t, Values& A) const {
+        now().constraint_jacobian(self(), mode_, x.data(), t, A.data());
+    }
+    template <class Values>
+    void correction(const State& x, double t, const Values& residual, Generalised& step) const {
+        now().correction(self(), mode_, x.data(), t, residual.data(), step.data());
+    }
+    void move_back(State& x, const Generalised& step) const { now().move_back(self(), x.data(), step.data()); }
+    template <class Flags>
+    void solve_for(const Flags& chosen) {
+        const std::vector<int> flags(chosen.begin(), chosen.end());
+        solve_for_all(flags.data());
+    }
+    /// With the inputs that the plant was compiled for.
+    template <class Inputs, class StateAndWork>
+    void series(const Inputs&, double t, std::size_t order, StateAndWork* x, double* rows) const {
+        detail::series_of_plant(now(), self(), mode_, t, order, x, rows);
+    }
+
+private:
+    using Power = double (*)(const void*, unsigned, const double*, const double*, double);
+    double power(Power of, const State& x, const Input& u, double t) const { return of != nullptr ? of(self(), mode_, x.data(), u.data(), t) : 0; }
+    unsigned mode_;
+};
+
+/// A plant that switches.
+template <>
+class PlantSystem<PlantKind::switching> : public detail::PlantBase {
+public:
+    using Mode = PlantMode;
+    using Events = detail::PlantArray<detail::of_plant::events>;
+    using Kinks = detail::PlantArray<detail::of_plant::kinks>;
+    using Modes = std::vector<Mode>;
+
+    explicit PlantSystem(std::vector<double> parameters) : PlantBase(std::move(parameters)) {}
+
+    static bool is_watched(Mode mode, std::size_t event) { return now().is_watched(static_cast<unsigned>(mode), event) != 0; }
+    static bool happens_at_once(std::size_t event) { return now().happens_at_once != nullptr && now().happens_at_once(event) != 0; }
+    static bool happens_at_start(std::size_t event) { return now().happens_at_start != nullptr && now().happens_at_start(event) != 0; }
+    static Modes next_modes(std::size_t event, Mode mode) { return transitions(event, mode, dalembert_next); }
+    static Modes modes_beside(std::size_t event, Mode mode) { return transitions(event, mode, dalembert_beside); }
+    static Modes after_accumulation(std::size_t event, Mode mode) { return transitions(event, mode, dalembert_after_accumulation); }
+
+    void rhs(Mode mode, const State& x, const Input& u, double t, State& dxdt) const { now().rhs(self(), number(mode), x.data(), u.data(), t, dxdt.data()); }
+    void jacobian_x(Mode mode, const State& x, const Input& u, double t, JacobianX& J) const {
+        State dxdt;
+        now().rhs_and_jacobian(self(), number(mode), x.data(), u.data(), t, dxdt.data(), J.data());
+    }
+    void jacobian_u(Mode mode, const State& x, const Input& u, double t, JacobianU& J) const {
+        if (now().jacobian_u != nullptr) now().jacobian_u(self(), number(mode), x.data(), u.data(), t, J.data());
+    }
+    void jacobian_t(Mode mode, const State& x, const Input& u, double t, JacobianT& dfdt) const {
+        if (now().jacobian_t != nullptr) now().jacobian_t(self(), number(mode), x.data(), u.data(), t, dfdt.data());
+        else dfdt.fill(0);
+    }
+    void output(Mode mode, const State& x, const Input& u, double t, Output& y) const {
+        if (now().output != nullptr) now().output(self(), number(mode), x.data(), u.data(), t, y.data());
+    }
+    double kinetic_energy(Mode mode, const State& x, double t) const { return now().kinetic_energy != nullptr ? now().kinetic_energy(self(), number(mode), x.data(), t) : 0; }
+    double potential_energy(Mode mode, const State& x, double t) const { return now().potential_energy != nullptr ? now().potential_energy(self(), number(mode), x.data(), t) : 0; }
+    double internal_energy(Mode mode, const State& x, double t) const { return now().internal_energy != nullptr ? now().internal_energy(self(), number(mode), x.data(), t) : 0; }
+    double supplied_power(Mode mode, const State& x, const Input& u, double t) const { return power(now().supplied_power, mode, x, u, t); }
+    double dissipated_power(Mode mode, const State& x, const Input& u, double t) const { return power(now().dissipated_power, mode, x, u, t); }
+    double prescribed_power(Mode mode, const State& x, const Input& u, double t) const { return power(now().prescribed_power, mode, x, u, t); }
+    double exchanged_power(Mode mode, const State& x, const Input& u, double t) const { return power(now().exchanged_power, mode, x, u, t); }
+    void guards(Mode mode, const State& x, const Input& u, double t, Events& g) const { now().guard_values(self(), number(mode), x.data(), u.data(), t, g.data()); }
+    void guard_rates(Mode mode, const State& x, const Input& u, double t, Events& rates) const { now().guard_rates(self(), number(mode), x.data(), u.data(), t, rates.data()); }
+    void kinks(Mode mode, const State& x, const Input& u, double t, Kinks& k) const {
+        if (now().kink_values != nullptr) now().kink_values(self(), number(mode), x.data(), u.data(), t, k.data());
+    }
+    bool holds(Mode mode, const State& x, const Input& u, double t) const { return now().holds == nullptr || now().holds(self(), number(mode), x.data(), u.data(), t) != 0; }
+    void reset(std::size_t event, Mode mode, State& x, const Input& u, double t) const { now().reset(self(), event, number(mode), x.data(), u.data(), t); }
+    void settle(std::size_t event, Mode mode, State& x, const Input& u, double t) const { now().settle(self(), event, number(mode), x.data(), u.data(), t); }
+    template <class Inputs, class StateAndWork>
+    void series(Mode mode, const Inputs&, double t, std::size_t order, StateAndWork* x, double* rows) const {
+        detail::series_of_plant(now(), self(), number(mode), t, order, x, rows);
+    }
+
+private:
+    static unsigned number(Mode mode) { return static_cast<unsigned>(mode); }
+    static Modes transitions(std::size_t event, Mode mode, dalembert_transition kind) {
+        std::vector<unsigned> numbers(now().most_transitions);
+        numbers.resize(now().transitions(event, number(mode), kind, numbers.data()));
+        Modes modes;
+        for (const unsigned each : numbers) modes.push_back(static_cast<Mode>(each));
+        return modes;
+    }
+    using Power = double (*)(const void*, unsigned, const double*, const double*, double);
+    double power(Power of, Mode mode, const State& x, const Input& u, double t) const { return of != nullptr ? of(self(), number(mode), x.data(), u.data(), t) : 0; }
+};
+
+/// The inputs that a plant was compiled for; where it was compiled for none, numbers that stay.
+class InputsOfPlant {
+public:
+    static constexpr std::size_t series_rows = 0;
+    InputsOfPlant(const detail::PlantBase& system, detail::PlantBase::Input held) : system_(system), held_(std::move(held)) {}
+    detail::PlantBase::Input operator()(const detail::PlantBase::State& x, double t) const {
+        detail::PlantBase::Input u = held_;
+        if (detail::plant_in_use->inputs_of_run != nullptr) detail::plant_in_use->inputs_of_run(system_.self(), x.data(), t, u.data());
+        return u;
+    }
+
+private:
+    const detail::PlantBase& system_;
+    detail::PlantBase::Input held_;
+};
+
+}  // namespace v1
+}  // namespace dalembert

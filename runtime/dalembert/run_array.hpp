@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSL-1.0
+// Arrays whose size belongs to a run: those of plants, which a program loads and whose sizes it learns then.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+#include "dalembert/sizes.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+/// An array with as many entries as Size::of_run() says when it is made, all of them zero. The rest is as of std::array. Short ones take no heap.
+template <class Size, class T>
+class RunArray {
+    static constexpr std::size_t most_without_heap = sizeof(T) > 64 ? 1 : 128 / sizeof(T);
+
+public:
+    using value_type = T;
+    using size_type = std::size_t;
+    using difference_type = std::ptrdiff_t;
+    using reference = T&;
+    using const_reference = const T&;
+    using iterator = T*;
+    using const_iterator = const T*;
+
+    RunArray() : RunArray(Size::of_run()) {}
+    RunArray(const RunArray& other) : RunArray(other.size()) { std::copy(other.begin(), other.end(), begin()); }
+    RunArray(RunArray&& other) : size_(other.size_), short_(std::move(other.short_)), long_(std::move(other.long_)) { other.size_ = 0; }
+    RunArray& operator=(const RunArray& other) {
+        if (size_ != other.size_) return *this = RunArray(other);
+        std::copy(other.begin(), other.end(), begin());
+        return *this;
+    }
+    RunArray& operator=(RunArray&& other) {
+        if (long_ == nullptr && size_ == other.size_) return *this = std::as_const(other);
+        size_ = std::exchange(other.size_, 0);
+        short_ = std::move(other.short_);
+        long_ = std::move(other.long_);
+        return *this;
+    }
+    ~RunArray() = default;
+
+    std::size_t size() const noexcept { return size_; }
+    T* data() noexcept { return long_ != nullptr ? long_.get() : short_.data(); }
+    const T* data() const noexcept { return long_ != nullptr ? long_.get() : short_.data(); }
+    T* begin() noexcept { return data(); }
+    T* end() noexcept { return data() + size_; }
+    const T* begin() const noexcept { return data(); }
+    const T* end() const noexcept { return data() + size_; }
+    T& operator[](std::size_t i) noexcept { return data()[i]; }
+    const T& operator[](std::size_t i) const noexcept { return data()[i]; }
+    T& back() noexcept { return data()[size_ - 1]; }
+    const T& back() const noexcept { return data()[size_ - 1]; }
+    void fill(const T& value) { std::fill(begin(), end(), value); }
+    friend bool operator==(const RunArray& a, const RunArray& b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); }
+    friend bool operator!=(const RunArray& a, const RunArray& b) { return !(a == b); }
+
+private:
+    explicit RunArray(std::size_t size) : size_(size), long_(size > most_without_heap ? new T[size]() : nullptr) {}
+
+    std::size_t size_;
+    std::array<T, most_without_heap> short_{};
+    std::unique_ptr<T[]> long_;
+};
+
+/// So many entries more.
+template <class Size, std::size_t more>
+struct LongerSize {
+    static std::size_t of_run() noexcept { return Size::of_run() + more; }
+};
+/// The entries of both.
+template <class First, class Second>
+struct SumOfSizes {
+    static std::size_t of_run() noexcept { return First::of_run() + Second::of_run(); }
+};
+
+template <class S, class T>
+struct ArrayTraits<RunArray<S, T>> {
+    using Size = S;
+    static constexpr bool is_fixed = false;
+    static constexpr bool may_have_entries = true;
+    template <class U>
+    using Like = RunArray<S, U>;
+    template <std::size_t more>
+    using Longer = RunArray<LongerSize<S, more>, T>;
+};
+template <class S, class R, class T>
+struct JoinedArrays<RunArray<S, T>, RunArray<R, T>> {
+    using type = RunArray<SumOfSizes<S, R>, T>;
+};
+template <class S, class T>
+struct EntriesMore<RunArray<S, T>, RunArray<S, T>> : std::integral_constant<std::size_t, 0> {};
+template <class S, class T, std::size_t more>
+struct EntriesMore<RunArray<LongerSize<S, more>, T>, RunArray<S, T>> : std::integral_constant<std::size_t, more> {};
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert
