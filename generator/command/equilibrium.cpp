@@ -7,11 +7,9 @@
 #include <cmath>
 
 #include "command/write_result.hpp"
-#include "run/number_lists.hpp"
-#include "run/run_header.hpp"
+#include "run/plant_run.hpp"
 #include "run/settings.hpp"
 #include "run/shared.hpp"
-#include "emit/runner.hpp"
 #include "form/constrained_motion.hpp"
 #include "prove/constraint_validity.hpp"
 #include "text/nearest.hpp"
@@ -102,10 +100,9 @@ std::optional<Restless> restless_state(const std::vector<const Variable*>& state
     return Restless{states[worst]->name, states[worst]->unit, rates[worst], x[worst]};
 }
 
-/// Names of states by the places that the program printed.
-std::vector<std::string> names_at(const std::string& places, const std::vector<const Variable*>& states) {
+std::vector<std::string> names_at(const std::vector<std::size_t>& places, const std::vector<const Variable*>& states) {
     std::vector<std::string> names;
-    for (const double place : number_list(places, ',')) names.push_back(states[static_cast<std::size_t>(place)]->name);
+    for (const std::size_t place : places) names.push_back(states[place]->name);
     return names;
 }
 
@@ -153,13 +150,8 @@ void refuse_floating_parts(const System& system, const std::vector<bool>& free_s
     }
 }
 
-using PrintedValues = std::map<std::string, std::string>;
-
-EquilibriumLinearisation linearisation_of(const PrintedValues& printed, const std::vector<const Variable*>& states) {
-    EquilibriumLinearisation linear{matrix(printed.at("A")), matrix(printed.at("B")), matrix(printed.at("C")), matrix(printed.at("D")),
-                                    names_at(printed.at("free"), states), names_at(printed.at("ignorable"), states), {}};
-    for (const auto& pair : matrix(printed.at("eigenvalues"))) linear.eigenvalues.emplace_back(pair[0], pair[1]);
-    return linear;
+EquilibriumLinearisation linearisation_of(const PlantLinearisation& linear, const std::vector<const Variable*>& states) {
+    return {linear.A, linear.B, linear.C, linear.D, names_at(linear.free, states), names_at(linear.ignorable, states), linear.eigenvalues};
 }
 
 std::vector<ResultValue> with_values(const std::vector<const Variable*>& variables, const std::vector<double>& numbers) {
@@ -194,19 +186,21 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     auto start = values.state();
     hold_positions(system, start, values, free_states, !options.moving.empty());
 
-    const ScratchFolder scratch;
-    const std::string source = equilibrium_source(*chosen.code, header, values, start, free_states, free_inputs, moving);
-    const PrintedValues printed = run_with_header(scratch, header, source, {}, "-O0");  // compiling takes longer than running
-    const auto x = number_list(printed.at("x"), ',');
-    EquilibriumResult result{.subject = subject_of(system.scene), .status = printed.at("status"), .kind = printed.at("kind")};
-    result.dimension = std::stoul(printed.at("dimension"));
-    result.residual = std::stod(printed.at("residual"));
-    result.iterations = std::stoul(printed.at("iterations"));
+    const PlantLibrary library(source_of_plant(*chosen.code, header), options.no_cache ? PlantCache::unused : PlantCache::used);
+    EquilibriumSearchOfPlant search{parameter_numbers(system, values), numbers_of(start), numbers_of(values.inputs()), free_states, free_inputs, moving};
+    search.mode = static_cast<unsigned>(system.scene.mode.value_or(0));
+    search.takes_rows_of_plant = projects_to_constraints(system);
+    if (!search.takes_rows_of_plant) search.rows = held_rows(system, values, false);
+    const PlantEquilibrium found = find_equilibrium_of(library.table(), search);
+    EquilibriumResult result{.subject = subject_of(system.scene), .status = found.status, .kind = found.kind};
+    result.dimension = found.dimension;
+    result.residual = std::stod(fmt::format("{:.3g}", found.residual));
+    result.iterations = found.iterations;
     result.is_motion = !options.moving.empty();
-    result.states = with_values(states, x);
-    result.inputs = with_values(inputs, number_list(printed.at("u"), ','));
-    if (result.status == "success") result.linearisation = linearisation_of(printed, states);
-    else result.restless = restless_state(states, moving, x, number_list(printed.at("rates"), ','), result.residual);
+    result.states = with_values(states, found.x);
+    result.inputs = with_values(inputs, found.u);
+    if (found.linearisation) result.linearisation = linearisation_of(*found.linearisation, states);
+    else result.restless = restless_state(states, moving, found.x, found.rates, result.residual);
     write_result(result, options, streams);
     return result.found() ? ExitCode::good : ExitCode::run_stopped;
 }

@@ -7,20 +7,16 @@
 #include <cmath>
 
 #include "command/write_result.hpp"
-#include "run/number_lists.hpp"
-#include "run/run_header.hpp"
+#include "plant/modal.hpp"
+#include "run/plant_run.hpp"
 #include "run/settings.hpp"
 #include "run/shared.hpp"
 #include "run/simulation.hpp"
-#include "emit/runner.hpp"
 #include "form/linear_system.hpp"
 
 namespace dalembert {
 
 namespace {
-
-/// Of a program: names and values.
-using PrintedValues = std::map<std::string, std::string>;
 
 /// Modal forms are of machines with coordinates, whose forces know no further states.
 void refuse_other_machines(const System& system) {
@@ -48,61 +44,34 @@ void refuse_other_machines(const System& system) {
                                    "`dalembert equilibrium` has the eigenvalues", q[i].name, z.name));
 }
 
-std::vector<Complex> complex_row(const std::vector<double>& numbers) {
-    std::vector<Complex> result;
-    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) result.emplace_back(numbers[i], numbers[i + 1]);
-    return result;
-}
-
-std::vector<ModalMode> modes_of(const PrintedValues& printed) {
-    const auto rows = [&](const char* name) {
-        std::vector<std::vector<Complex>> complex;
-        for (const auto& row : matrix(printed.at(name))) complex.push_back(complex_row(row));
-        return complex;
-    };
-    const auto eigenvalues = rows("eigenvalues"), alpha = rows("alpha"), vectors = rows("vectors"), matrix_rows = rows("matrix"),
-               input = rows("input");
+std::vector<ModalMode> modes_of(const PlantModalForm& found) {
     std::vector<ModalMode> modes;
     std::size_t number = 0;
-    for (const auto& block : matrix(printed.at("blocks"))) {
-        const auto size = static_cast<std::size_t>(block[0]);
+    for (const PlantModalBlock& block : found.blocks) {
         ++number;
-        for (std::size_t i = 0; i < size; ++i) {
+        for (std::size_t i = 0; i < block.size; ++i) {
             const std::size_t k = modes.size();
-            modes.push_back({eigenvalues[k][0], alpha[k][0], number, size, block[1] != 0, {}, matrix_rows[k],
-                             input.empty() ? std::vector<Complex>{} : input[k]});
-            for (const auto& row : vectors) modes.back().vector.push_back(row[k]);
+            modes.push_back({found.eigenvalues[k], found.alpha[k], number, block.size, block.is_real, {}, found.matrix[k],
+                             found.input.empty() ? std::vector<Complex>{} : found.input[k]});
+            for (const auto& row : found.vectors) modes.back().vector.push_back(row[k]);
         }
     }
     return modes;
 }
 
-ModalReduction reduction_of(const PrintedValues& printed, const System& system) {
+ModalReduction reduction_of(const PlantModalReduction& found, const System& system) {
     const std::vector<const Variable*> states = system.symbols.state_variables();
-    const auto names = [&](const char* key) {
+    const auto names = [&](const std::vector<std::size_t>& places) {
         std::vector<std::string> list;
-        for (const double place : number_list(printed.at(key), ',')) list.push_back(states[static_cast<std::size_t>(place)]->name);
+        for (const std::size_t place : places) list.push_back(states[place]->name);
         return list;
     };
-    ModalReduction reduction{printed.at("is_closed") == "1", names("coordinates"), names("apart"), names("free"), {},
-                             matrix(printed.at("N"))};
-    for (const auto& row : matrix(printed.at("of_apart"))) reduction.of_apart.emplace_back(row[0], row[1]);
-    return reduction;
-}
-
-std::vector<ModalMatrix> matrices_of(const PrintedValues& printed) {
-    std::vector<ModalMatrix> matrices;
-    for (const char* name : {"M", "D", "C", "B"}) {
-        const auto definiteness = printed.find(std::string("of_") + name);
-        matrices.push_back({name, matrix(printed.at(name)), definiteness == printed.end() ? "" : definiteness->second});
-    }
-    return matrices;
+    return {found.is_closed, names(found.coordinates), names(found.apart), names(found.free), found.of_apart, found.N};
 }
 
 /// The largest of the second half of the rates of coordinates.
-double largest_acceleration(const PrintedValues& printed, const System& system) {
+double largest_acceleration(const std::vector<double>& rates, const System& system) {
     const std::size_t n = system.symbols.degrees();
-    const auto rates = number_list(printed.at("rates"), ',');
     double largest = 0;
     for (std::size_t i = n; i < 2 * n; ++i) largest = std::max(largest, std::abs(rates[i]));
     return largest;
@@ -129,21 +98,25 @@ ExitCode modal_command(const Options& options, Streams streams) {
     const auto [values, inputs] = start_of_run(system, options);
     streams.err << doubts_of_start(values, system);
     const Linearity linearity = linear_system(system);
-    const ScratchFolder scratch;
-    const std::string source = modal_source(*chosen.code, header, values, values.state(), inputs);
-    const PrintedValues printed = run_with_header(scratch, header, source, {}, "-O0");  // compiling takes longer than running
+    const PlantLibrary library(source_of_plant(*chosen.code, header), options.no_cache ? PlantCache::unused : PlantCache::used);
+    ModalPointOfPlant point{parameter_numbers(system, values), numbers_of(values.state()), numbers_of(inputs)};
+    point.mode = static_cast<unsigned>(system.scene.mode.value_or(0));
+    point.is_held = std::any_of(system.constraints.begin(), system.constraints.end(), [](const ConstraintEquation& c) { return c.holds; });
+    point.takes_rows_of_plant = projects_to_constraints(system);
+    if (point.is_held && !point.takes_rows_of_plant) point.rows = held_rows(system, values, true);
+    const PlantModalForm found = modes_of_plant(library.table(), point);
 
     std::vector<const Variable*> input_variables;
     for (const Variable& v : system.symbols.all(SymbolKind::input)) input_variables.push_back(&v);
-    ModalResult result{.subject = subject_of(system.scene), .status = printed.at("status"), .not_linear = linearity.reason};
+    ModalResult result{.subject = subject_of(system.scene), .status = found.status, .not_linear = linearity.reason};
     result.is_linear = linearity.system.has_value();
-    result.largest_acceleration = largest_acceleration(printed, system);
+    result.largest_acceleration = largest_acceleration(found.rates, system);
     for (const Variable& q : system.symbols.all(SymbolKind::coordinate)) result.coordinates.push_back(q.name);
-    if (printed.contains("is_closed")) result.reduction = reduction_of(printed, system);
+    if (found.reduction) result.reduction = reduction_of(*found.reduction, system);
     result.states = evaluated(system.symbols.state_variables(), values.state());
     result.inputs = evaluated(input_variables, inputs);
-    result.matrices = matrices_of(printed);
-    if (result.found()) result.modes = modes_of(printed);
+    result.matrices = {{"M", found.M, found.of_M}, {"D", found.D, found.of_D}, {"C", found.C, found.of_C}, {"B", found.B, ""}};
+    if (result.found()) result.modes = modes_of(found);
     write_result(result, options, streams);
     return result.found() ? ExitCode::good : ExitCode::run_stopped;
 }

@@ -67,6 +67,8 @@ void VerbOptions::integration() {
         ->check(CLI::PositiveNumber);
 }
 
+void VerbOptions::cache() { verb_.add_flag("--no-cache", options.no_cache, "compile the plant anew, and keep none"); }
+
 void VerbOptions::plots() {
     verb_.add_flag("--no-plot", options.no_plot, "write the CSV only");
     verb_.add_option("--units", options.units,

@@ -48,6 +48,8 @@ public:
     void integration();
     /// Of runs that are drawn.
     void plots();
+    /// Of what runs plants.
+    void cache();
     void explain(const char* doc);
     void rewriting();
     void language();

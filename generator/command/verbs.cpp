@@ -82,6 +82,7 @@ void take_simulate(VerbOptions& o) {
     o.integration();
     o.plots();
     o.until();
+    o.cache();
 }
 
 void take_equilibrium(VerbOptions& o) {
@@ -94,6 +95,7 @@ void take_equilibrium(VerbOptions& o) {
           "coordinates that go on at constant speed: a steady motion is sought, at the speeds of the start; comma separated")
         ->delimiter(',');
     o.add("--free", o.options.free, "inputs that may change, comma separated")->delimiter(',');
+    o.cache();
 }
 
 void take_modal(VerbOptions& o) {
@@ -102,6 +104,7 @@ void take_modal(VerbOptions& o) {
     o.mode();
     o.format();
     o.run("the [runs.NAME] at whose start; `reference`, or the only one, if left out");
+    o.cache();
 }
 
 void take_optimise(VerbOptions& o) {
@@ -116,6 +119,7 @@ void take_optimise(VerbOptions& o) {
     o.format();
     o.integration();
     o.until("end of the run in seconds, where no event ends it before");
+    o.cache();
 }
 
 void take_survey(VerbOptions& o) {
@@ -126,6 +130,7 @@ void take_survey(VerbOptions& o) {
     o.format();
     o.integration();
     o.plots();
+    o.cache();
 }
 
 void take_effects(VerbOptions& o) {
@@ -137,6 +142,7 @@ void take_effects(VerbOptions& o) {
     o.integration();
     o.plots();
     o.until();
+    o.cache();
 }
 
 void take_cost(VerbOptions& o) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small programs around a generated header that simulate it or look for its equilibrium.
+// What is compiled around a generated header: a plant with the inputs of a run, and programs that measure it.
 #pragma once
 
 #include "emit/header.hpp"
@@ -26,14 +26,8 @@ struct SimulationSettings {
 /// step that the control of its error would not see.
 bool steps_freely(const System& system, const std::vector<GiNaC::ex>& inputs);
 
-/// The source of a simulation. Parameters and start are those of `values`.
-std::string simulation_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings);
-
-/// The source of a program that makes a run again and again. Its arguments are those of `repeated_arguments`; it prints what is recorded
-/// under `wanted` at the end of a run.
-std::string repeated_source(Code& code, const Header& header, const SimulationSettings& settings, const std::string& wanted);
-/// Parameters and start of `values`, and of the run its end, tolerance, step and number of samples.
-std::vector<std::string> repeated_arguments(const System& system, const Values& values, const SimulationSettings& settings);
+/// What makes a plant of a header: the file that exports it, with the inputs of a run. Without inputs it is the plant alone.
+std::string plant_source(Code& code, const Header& header, const SimulationSettings& settings);
 
 /// The source of a program that measures one call of the right-hand side at the start, and the bytes of its code.
 std::string cost_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings);
@@ -44,13 +38,5 @@ std::string work_precision_source(Code& code, const Header& header, const Values
                                   const std::vector<std::string>& arithmetics);
 /// What its rows have behind the time: the outputs, or the states where the model has none.
 std::vector<std::string> compared_columns(const System& system);
-
-/// The source of a search for an equilibrium from x; flags say which states and inputs are free.
-std::string equilibrium_source(const Code& code, const Header& header, const Values& values, const std::vector<GiNaC::ex>& x,
-                               const std::vector<bool>& free_states, const std::vector<bool>& free_inputs, const std::vector<bool>& moving);
-
-/// The program that prints the modal form at x (in the order of the model) with the inputs.
-std::string modal_source(const Code& code, const Header& header, const Values& values, const std::vector<GiNaC::ex>& x,
-                         const std::vector<GiNaC::ex>& inputs);
 
 }  // namespace dalembert

@@ -33,6 +33,7 @@ struct Options {
     int samples = 0;
     double periods = 0;                   ///< length of the run in periods, where the run names one
     bool no_plot = false;
+    bool no_cache = false;                ///< plants are compiled anew
     std::string units;                    ///< "declared" or "si", of CSV and plots; empty: CSV in SI, plots in declared units
     bool compares_scenes = false;         ///< a run counts for every scene
     std::string against;                  ///< the scene that others are compared with; the fullest, if empty

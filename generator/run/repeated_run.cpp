@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "run/run_header.hpp"
 #include "prove/body_validity.hpp"
 #include "prove/constraint_validity.hpp"
 #include "prove/switching_validity.hpp"
@@ -34,10 +33,11 @@ RepeatedRun::RepeatedRun(const std::shared_ptr<const LoadedModel>& model, const 
     constexpr double fine = 1e-12;
     const SimulationSettings settings = preparation_.make_settings(values(), system);
     tolerance_ = options.tolerance > 0 ? options.tolerance : std::min(settings.tolerance, fine);
-    source_ = repeated_source(*machine_.code, header_, settings, names.front());
+    source_ = source_of_plant(*machine_.code, header_, settings);
+    wanted_ = names.front();
 }
 
-void RepeatedRun::compile() { compile_with_header(folder_, header_, source_, "-O2"); }
+void RepeatedRun::compile() { library_.emplace(source_, options_.no_cache ? PlantCache::unused : PlantCache::used); }
 
 /// Those of the model, the run and the command line.
 Values RepeatedRun::values() const {
@@ -60,17 +60,19 @@ RepeatedRun::End RepeatedRun::operator()(const Expression& parameter, double val
         settings.step *= 2;
         settings.intervals = std::max(1, settings.intervals / 2);
     }
-    const auto result = run_compiled(folder_, repeated_arguments(system, at, settings));
-    const std::string& status = result.at("status");
-    End end{0, std::stod(result.at("t")), std::stod(result.at("steps")), ""};
-    const std::size_t event = std::stoul(result.at("guard"));
-    const bool ends = status == "event" && !system.scene.modes.empty() && event < system.events.size() &&
+    PlantRun run = run_of_plant(system, at, settings);
+    run.keeps_all = false;
+    const PlantRunResult result = simulate_plant(library_->table(), run);
+    const Status status = result.outcome.status;
+    End end{0, result.outcome.t, static_cast<double>(result.outcome.steps), ""};
+    const std::size_t event = result.outcome.guard;
+    const bool ends = status == Status::event && !system.scene.modes.empty() && event < system.events.size() &&
                       system.events[event].item != nullptr && !system.events[event].item->is_limit;
     if (ends) end.event = system.events[event].name;
-    if (const auto last = result.find("value"); last != result.end()) end.value = std::stod(last->second);
-    if ((status != "success" && !ends) || !std::isfinite(end.value))
+    if (!result.recording.rows.empty()) end.value = result.recording.rows.back()[result.recording.find(wanted_)];
+    if ((status != Status::success && !ends) || !std::isfinite(end.value))
         throw RunStopped(fmt::format("with {} = {:.6g} the run does not come to its end: {} at t = {:.6g} s", parameter.written(), value,
-                                     status == "success" ? "not finite" : status, end.t));
+                                     status == Status::success ? "not finite" : to_string(status), end.t));
     return end;
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A run that is compiled once and made many times, with other values of one parameter.
+// A run whose plant is compiled once, made many times, with other values of one parameter.
 #pragma once
 
 #include "run/run_preparation.hpp"
 #include "run/settings.hpp"
 #include "run/simulation.hpp"
-#include "text/process.hpp"
 
 namespace dalembert {
 
@@ -37,9 +36,10 @@ private:
     RunPreparation preparation_;
     Machine machine_;
     Header header_;
-    std::string source_;
+    PlantSource source_;
+    std::string wanted_;    ///< as the recording has it
     double tolerance_ = 0;  ///< that of the command line, else 1e-12 or what the run has, where that is finer
-    ScratchFolder folder_;
+    std::optional<PlantLibrary> library_;
 };
 
 }  // namespace dalembert

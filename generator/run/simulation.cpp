@@ -5,14 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+
+#include <dalembert/plot.hpp>
 
 #include "run/run_header.hpp"
 #include "run/run_preparation.hpp"
 #include "run/settings.hpp"
 #include "run/shared.hpp"
 #include "emit/cpp_bodies.hpp"
-#include "emit/runner.hpp"
 #include "form/state_places.hpp"
 #include "prove/body_validity.hpp"
 #include "prove/constraint_validity.hpp"
@@ -136,7 +136,13 @@ PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& 
     PreparedSimulation prepared;
     prepared.draw = run.settings.draw;
     prepared.settings = run.settings;
-    prepared.source = simulation_source(*run.machine.code, run.header, run.values, run.settings);
+    const System& system = *run.machine.system;
+    prepared.plant = source_of_plant(*run.machine.code, run.header, run.settings);
+    prepared.run = run_of_plant(system, run.values, run.settings);
+    prepared.cache = options.no_cache ? PlantCache::unused : PlantCache::used;
+    prepared.units = shown_units(system);
+    const std::string title = system.scene.model->title.empty() ? system.scene.sized_name() : system.scene.model->title;
+    prepared.title = fmt::format("{} ({})", title, system.scene.name);
     if (options.compares_scenes) prepared.cost = cost_source(*run.machine.code, run.header, run.values, run.settings);
     prepared.doubts = doubts_of_start(run.values, *run.machine.system);
     prepared.machine = std::move(run.machine);
@@ -155,53 +161,79 @@ void CostMeasurement::measure() {
     bytes_ = std::stoul(result.at("bytes"));
 }
 
+namespace {
+
+/// A number as reports show it: with so many digits.
+double rounded(double value, int digits) { return std::stod(fmt::format("{:.{}g}", value, digits)); }
+
+/// "t [s],event,from,to", a line each event.
+std::string events_csv(const PlantRunResult& run, const dalembert_plant& plant) {
+    std::string text = "t [s],event,from,to\n";
+    for (const EventOfRun& e : run.events)
+        text += fmt::format("{},{},{},{}\n", detail::number_text(e.t), plant.event_names[e.event], plant.mode_names[e.from], e.to ? plant.mode_names[*e.to] : "");
+    return text;
+}
+
+std::vector<Panel> panels_of(const std::vector<Plot>& plots) {
+    std::vector<Panel> panels;
+    for (const Plot& plot : plots) panels.push_back({plot.title, plot.x, plot.y});
+    return panels;
+}
+
+/// How it ended, in words of the model.
+void name_end(SimulationReport& report, const PlantRunResult& run, const System& system) {
+    const Outcome& outcome = run.outcome;
+    if (outcome.guard < system.guards.size() && system.scene.modes.empty()) report.guard = system.guards[outcome.guard].doc;
+    if (!system.scene.modes.empty()) {
+        const std::size_t event = outcome.guard;
+        const bool is_event = outcome.status == Status::event && event < system.events.size();
+        report.message = run.message;
+        report.ended = is_event && system.events[event].item != nullptr && !system.events[event].item->is_limit;
+        report.guard = is_event && !report.ended ? system.events[event].doc : "";
+        if (report.ended && !system.events[event].doc.empty()) report.message += ": " + system.events[event].doc;
+    }
+    if (outcome.status == Status::constraint_broken || outcome.status == Status::singular_position)
+        report.constraint = system.constraints[outcome.constraint].item->name;
+    if (outcome.status == Status::not_finite || outcome.status == Status::step_too_small) report.culprit = name_of_state(system, outcome.state);
+}
+
+}  // namespace
+
 SimulationReport run_simulation(const PreparedSimulation& prepared, const std::filesystem::path& folder) {
-    const ScratchFolder scratch;
-    const std::filesystem::path base = std::filesystem::path(scratch.path()) / prepared.name;
-    const auto result = run_with_header(scratch, prepared.header, prepared.source, {base.string()}, "-O2");
+    const PlantLibrary library(prepared.plant, prepared.cache);
+    const dalembert_plant& plant = library.table();
+    const PlantRunResult run = simulate_plant(plant, prepared.run);
+    const Outcome& outcome = run.outcome;
     SimulationReport report;
-    report.status = result.at("status");
-    report.t = std::stod(result.at("t"));
-    report.events = std::stoul(result.at("events"));
-    const auto& guards = prepared.machine.system->guards;
-    if (const std::size_t guard = std::stoul(result.at("guard")); guard < guards.size() && prepared.machine.system->scene.modes.empty())
-        report.guard = guards[guard].doc;
-    report.steps = std::stoul(result.at("steps"));
-    report.rejected = std::stoul(result.at("rejected"));
-    report.rhs_calls = std::stoul(result.at("rhs_calls"));
-    std::istringstream steps_by(result.at("steps_by"));
-    for (const char* method : {"dopri5", "dop853", "rodas5p"}) {
-        std::size_t steps = 0;
-        if (steps_by >> steps && steps > 0) report.methods.emplace_back(method, steps);
-    }
-    report.energy_error = std::stod(result.at("energy_error"));
+    report.status = to_string(outcome.status);
+    report.t = outcome.t;
+    report.events = outcome.events;
+    report.steps = outcome.steps;
+    report.rejected = outcome.rejected;
+    report.rhs_calls = outcome.rhs_calls;
+    report.was_kept = library.was_kept();
+    std::size_t method = 0;
+    for (const char* name : {"dopri5", "dop853", "rodas5p"})
+        if (const std::size_t steps = outcome.steps_by[method++]; steps > 0) report.methods.emplace_back(name, steps);
+    report.energy_error = rounded(run.energy_error, 3);
     report.energy_limit = energy_limit(prepared.settings);
-    if (const auto step = result.find("euler_step"); step != result.end()) {
-        const double value = std::stod(step->second);
-        if (std::isfinite(value)) report.euler_step = value;
+    if (prepared.run.is_of_heat && std::isfinite(run.euler_step)) report.euler_step = run.euler_step;
+    if (plant.modes > 0) {
+        report.lost = rounded(run.lost, 6);
+        report.mode = plant.mode_names[run.mode];
     }
-    report.drawn = result.at("drawn") == "1";
-    if (const auto lost = result.find("lost"); lost != result.end()) {
-        report.lost = std::stod(lost->second);
-        report.mode = result.at("mode");
-        report.message = result.at("message");
-        const auto& events = prepared.machine.system->events;
-        const std::size_t event = std::stoul(result.at("guard"));
-        report.ended = report.status == "event" && event < events.size() && events[event].item != nullptr && !events[event].item->is_limit;
-        report.guard = event < events.size() && !report.ended && report.status == "event" ? events[event].doc : "";
-        if (report.ended && !events[event].doc.empty()) report.message += ": " + events[event].doc;
-    }
-    if (report.status == "constraint broken" || report.status == "singular position")
-        report.constraint = prepared.machine.system->constraints[std::stoul(result.at("constraint"))].item->name;
-    if (report.status == "not finite" || report.status == "step too small") {
-        report.culprit = name_of_state(*prepared.machine.system, std::stoul(result.at("state")));
-    }
+    name_end(report, run, *prepared.machine.system);
+    const ScratchFolder scratch;
+    const std::string base = (std::filesystem::path(scratch.path()) / prepared.name).string();
+    const SimulationSettings& settings = prepared.settings;
+    const Recording shown = in_units(run.recording, prepared.units);
+    report.drawn = settings.draw && draw(settings.declared_plots ? shown : run.recording, panels_of(settings.plots), prepared.title, base);
     report.files = {{folder / prepared.header.file_name, prepared.header.text},
-                    {folder / (prepared.name + ".csv"), read_file(base.string() + ".csv")}};
-    if (report.lost) report.files.emplace_back(folder / (prepared.name + "_events.csv"), read_file(base.string() + "_events.csv"));
+                    {folder / (prepared.name + ".csv"), csv_text(settings.declared_csv ? shown : run.recording)}};
+    if (report.lost) report.files.emplace_back(folder / (prepared.name + "_events.csv"), events_csv(run, plant));
     if (report.drawn)
         for (const char* ending : {".svg", ".png"})
-            report.files.emplace_back(folder / (prepared.name + ending), read_file(base.string() + ending));
+            report.files.emplace_back(folder / (prepared.name + ending), read_file(base + ending));
     return report;
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "run/options.hpp"
-#include "emit/runner.hpp"
+#include "run/plant_run.hpp"
 #include "form/system.hpp"
 #include "text/files.hpp"
 #include "text/process.hpp"
@@ -14,7 +14,11 @@ namespace dalembert {
 struct PreparedSimulation {
     Machine machine;
     Header header;
-    std::string source;
+    PlantSource plant;
+    PlantRun run;
+    PlantCache cache = PlantCache::used;
+    std::string title;   ///< of plots
+    std::vector<ShownUnit> units;  ///< that are declared and not SI
     std::string cost;    ///< the source that measures the right-hand side; where costs are asked for
     std::string name;    ///< of result files, without ending
     bool draw = true;
@@ -53,6 +57,7 @@ struct SimulationReport {
     bool keeps_energy() const { return energy_error <= energy_limit; }  // false for NaN
     bool is_good() const { return status == "success" || ended; }
     bool drawn = false;
+    bool was_kept = false;   ///< the plant came from the cache
     FileContents files;      ///< to be written: header, CSV, plots
 };
 

@@ -68,6 +68,7 @@ constexpr std::array kinds{
     DiagnosticKind{Id::not_equal, "not-equal", "two derivations that disagree: a defect of this program"},
     DiagnosticKind{Id::unused, "unused", "something defined that nothing uses"},
     DiagnosticKind{Id::bad_option, "bad-option", "an argument of the command line that cannot be used"},
+    DiagnosticKind{Id::bad_plant, "bad-plant", "a library that is no plant of this version"},
     DiagnosticKind{Id::tool_failed, "tool-failed", "a compiler or plot program that is missing or failed"},
     DiagnosticKind{Id::too_large, "too-large", "a model too large to be derived"},
 };

@@ -70,6 +70,7 @@ enum class Id {
     not_equal,
     unused,
     bad_option,
+    bad_plant,
     tool_failed,
     too_large,
 };

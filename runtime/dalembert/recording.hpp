@@ -68,15 +68,25 @@ inline std::string csv_field(const std::string& text) {
 
 }  // namespace detail
 
-/// First line: titles with units. Returns false when the file cannot be written.
+/// First line: titles with units.
+inline std::string csv_text(const Recording& recording) {
+    std::string text;
+    for (std::size_t i = 0; i < recording.columns.size(); ++i) text += (i == 0 ? "" : ",") + detail::csv_field(recording.columns[i].title());
+    text += "\n";
+    for (const std::vector<double>& row : recording.rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            if (i > 0) text += ",";
+            text += detail::number_text(row[i]);
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+/// Returns false when the file cannot be written.
 inline bool write_csv(const Recording& recording, const std::string& path) {
     std::ofstream out(path);
-    for (std::size_t i = 0; i < recording.columns.size(); ++i) out << (i == 0 ? "" : ",") << detail::csv_field(recording.columns[i].title());
-    out << "\n";
-    for (const std::vector<double>& row : recording.rows) {
-        for (std::size_t i = 0; i < row.size(); ++i) out << (i == 0 ? "" : ",") << detail::number_text(row[i]);
-        out << "\n";
-    }
+    out << csv_text(recording);
     out.close();
     return static_cast<bool>(out);
 }

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// From below. A layer is a folder of `generator` with all its subfolders, or a file beside them.
-const std::vector<std::string> order{"text",    "language", "elements", "check", "read",  "scene", "printed",  "symbolic", "mechanics", "balance",
+const std::vector<std::string> order{"text",    "plant", "language", "elements", "check", "read",  "scene", "printed",  "symbolic", "mechanics", "balance",
                                      "form",    "prove",    "graph",    "program",  "cpp", "c", "emit", "pipeline", "book",     "run",
                                      "report",  "command",  "main"};
 

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Plants as shared libraries: compiled, kept in the user's cache, loaded.
+#pragma once
+
+#include <dalembert/plant.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace dalembert {
+
+/// What is compiled: the header of a system, and the file that exports it.
+struct PlantSource {
+    std::string header_name, header;
+    std::string source;
+};
+
+/// Whether plants that were compiled once are kept for the next time.
+enum class PlantCache { used, unused };
+
+class PlantLibrary {
+public:
+    /// Compiles, or takes what was compiled before from the same text with the same compiler, and loads. Throws Failure (tool-failed).
+    PlantLibrary(const PlantSource& source, PlantCache cache);
+    /// Loads a library that somebody else made. Throws Failure (unreadable-file, bad-plant).
+    explicit PlantLibrary(const std::filesystem::path& file);
+
+    const dalembert_plant& table() const { return *table_; }
+    /// Whether it came from the cache.
+    bool was_kept() const { return was_kept_; }
+
+private:
+    void load(const std::filesystem::path& file);
+
+    struct Close {
+        void operator()(void* handle) const;
+    };
+    std::unique_ptr<void, Close> handle_;
+    const dalembert_plant* table_ = nullptr;
+    bool was_kept_ = false;
+};
+
+/// Compiles a plant into a file. Throws Failure (tool-failed).
+void compile_plant(const PlantSource& source, const std::filesystem::path& library);
+
+/// The folder of the cache: $XDG_CACHE_HOME/dalembert, else ~/.cache/dalembert; empty where there is neither.
+std::filesystem::path plant_cache_folder();
+
+}  // namespace dalembert

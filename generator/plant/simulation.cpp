@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plant/simulation_of_kind.hpp"
+
+namespace dalembert {
+
+PlantRunResult simulate_plant(const dalembert_plant& plant, const PlantRun& run) {
+    switch (kind_of(plant)) {
+        case PlantKind::free: return simulate_kind<PlantKind::free>(plant, run);
+        case PlantKind::normed: return simulate_kind<PlantKind::normed>(plant, run);
+        case PlantKind::constrained: return simulate_kind<PlantKind::constrained>(plant, run);
+        case PlantKind::choosing: return simulate_kind<PlantKind::choosing>(plant, run);
+        case PlantKind::switching: return simulate_kind<PlantKind::switching>(plant, run);
+    }
+    return {};
+}
+
+}  // namespace dalembert

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A run of a plant, by the integrators that are compiled into the program.
+#pragma once
+
+#include <dalembert/plant.h>
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <dalembert/recording.hpp>
+#include <dalembert/status.hpp>
+
+namespace dalembert {
+
+/// A state as the model calls it; what is integrated as its root is recorded as itself.
+struct RecordedState {
+    std::string name, unit;
+    std::size_t place;  ///< in x
+    bool is_root;
+};
+
+/// What is to be run. Numbers are in SI; parameters and inputs in the order of the tables of the plant.
+struct PlantRun {
+    std::vector<double> parameters;
+    std::vector<double> start = {};        ///< of the states at `places` in x; all others begin as the plant says
+    std::vector<std::size_t> places = {};
+    std::vector<double> held_inputs = {};  ///< of a plant that was compiled without inputs; empty: zero
+    std::vector<RecordedState> states = {};
+    std::string method = "automatic";
+    double tolerance = 1e-9;
+    double step = 0;   ///< s; 0: chosen by the method
+    double until = 0;  ///< s
+    std::size_t intervals = 500;
+    std::vector<double> kinks = {};  ///< s, at known times
+    bool steps_freely = false;       ///< nothing acts in between that steps could miss
+    bool keeps_all = true;           ///< else only the last row
+    bool is_of_heat = false;         ///< the largest step of the explicit Euler method is asked for
+};
+
+struct EventOfRun {
+    double t;  ///< s
+    std::size_t event, from;
+    std::optional<std::size_t> to;  ///< nothing where it ended the run
+};
+
+struct PlantRunResult {
+    Outcome outcome;
+    Recording recording;          ///< in SI: time, states, outputs, inputs, energies; where it switches the mode, a number
+    std::vector<EventOfRun> events;
+    double energy_error = 0;      ///< max |E - E(0) - work| / max(T + |V| + |internal energy|)
+    double euler_step = 0;        ///< s
+    // Of what switches.
+    double lost = 0;              ///< J, at events
+    std::size_t mode = 0;         ///< in which it ended
+    std::string message;          ///< how it ended, for people
+};
+
+/// Makes the run. A method that does not exist is Status::bad_options.
+PlantRunResult simulate_plant(const dalembert_plant& plant, const PlantRun& run);
+
+}  // namespace dalembert

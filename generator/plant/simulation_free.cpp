@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plant/simulation_of_kind.hpp"
+
+namespace dalembert {
+
+template PlantRunResult simulate_kind<PlantKind::free>(const dalembert_plant&, const PlantRun&);
+template PlantRunResult simulate_kind<PlantKind::normed>(const dalembert_plant&, const PlantRun&);
+
+}  // namespace dalembert

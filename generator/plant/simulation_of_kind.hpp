@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The run of a plant of one kind. Each kind is compiled in a file of its own: integrators take the compiler seconds.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <type_traits>
+#include <utility>
+
+#include <dalembert/euler_step.hpp>
+#include <dalembert/plant_system.hpp>
+#include <dalembert/run_program.hpp>
+
+#include "plant/simulation.hpp"
+
+namespace dalembert {
+
+template <PlantKind kind>
+PlantRunResult simulate_kind(const dalembert_plant& plant, const PlantRun& run);
+
+extern template PlantRunResult simulate_kind<PlantKind::free>(const dalembert_plant&, const PlantRun&);
+extern template PlantRunResult simulate_kind<PlantKind::normed>(const dalembert_plant&, const PlantRun&);
+extern template PlantRunResult simulate_kind<PlantKind::constrained>(const dalembert_plant&, const PlantRun&);
+extern template PlantRunResult simulate_kind<PlantKind::choosing>(const dalembert_plant&, const PlantRun&);
+extern template PlantRunResult simulate_kind<PlantKind::switching>(const dalembert_plant&, const PlantRun&);
+
+namespace plant_run {
+
+template <class System>
+class Runner {
+    using State = typename System::State;
+    using Running = dalembert::detail::Running<System>;
+    static constexpr bool switches = dalembert::detail::is_switching<System>;
+
+public:
+    Runner(const dalembert_plant& plant, const PlantRun& run) : plant_(plant), run_(run), system_(run.parameters), inputs_(system_, held_inputs(run)) {}
+
+    PlantRunResult operator()() {
+        State x = system_.start_state();
+        for (std::size_t i = 0; i < run_.start.size(); ++i) x[run_.places[i]] = run_.start[i];
+        result_.recording = empty_recording();
+        typename Running::Options options;
+        options.method = *method_named(run_.method);
+        if (options.method == Method::taylor && plant_.series == nullptr) {
+            result_.outcome.status = Status::no_series;
+            return result_;
+        }
+        dalembert::detail::set_run(options, system_, inputs_, x, run_.tolerance, run_.step, run_.intervals, run_.until, energy(x));
+        if (run_.steps_freely) options.max_step = 0;
+        options.kinks = run_.kinks;
+        if constexpr (!switches)
+            if (run_.is_of_heat) result_.euler_step = largest_euler_step(system_, x, inputs_(x, 0.0), 0.0);
+        const auto observe = [this](const auto& sample) { record(sample); };
+        if constexpr (switches) {
+            using Mode = typename System::Mode;
+            const auto ended = Running::run(system_, inputs_, x, run_.until, options, observe, [this](double t, std::size_t event, Mode from, Mode to, const State&, const State&) {
+                result_.events.push_back({t, event, static_cast<std::size_t>(from), static_cast<std::size_t>(to)});
+            });
+            finish(ended);
+        } else {
+            const auto ended = Running::run(system_, inputs_, x, run_.until, options, observe);
+            result_.outcome = ended.outcome;
+            result_.energy_error = ended.energy.relative_error();
+        }
+        return result_;
+    }
+
+private:
+    static typename System::Input held_inputs(const PlantRun& run) {
+        typename System::Input u;
+        std::copy(run.held_inputs.begin(), run.held_inputs.end(), u.begin());
+        return u;
+    }
+
+    static const Method* method_named(const std::string& name) {
+        static const std::map<std::string, Method> methods{
+            {"automatic", Method::automatic}, {"euler", Method::euler}, {"rk4", Method::rk4}, {"dopri5", Method::dopri5}, {"dopri5_controlled", Method::dopri5_controlled},
+            {"dop853", Method::dop853}, {"fehlberg78", Method::fehlberg78}, {"bulirsch_stoer", Method::bulirsch_stoer}, {"symplectic", Method::symplectic}, {"rodas5p", Method::rodas5p},
+            {"taylor", Method::taylor}};
+        return &methods.at(name);
+    }
+
+    double energy(const State& x) const {
+        const auto of = [&](auto... mode) {
+            return system_.kinetic_energy(mode..., x, 0.0) + std::fabs(system_.potential_energy(mode..., x, 0.0)) + std::fabs(system_.internal_energy(mode..., x, 0.0));
+        };
+        if constexpr (switches) return of(typename System::Mode{});
+        else return of();
+    }
+
+    Recording empty_recording() const {
+        Recording recording;
+        auto& columns = recording.columns;
+        columns.push_back({"t", "s"});
+        for (const RecordedState& state : run_.states) columns.push_back({state.name, state.unit});
+        for (const auto& quantity : System::output_table()) columns.push_back({quantity.name, quantity.unit});
+        for (const auto& quantity : System::input_table()) columns.push_back({quantity.name, quantity.unit});
+        for (const char* each : {"kinetic_energy", "potential_energy", "internal_energy", "work"}) columns.push_back({each, "J"});
+        if (switches) columns.push_back({"mode", ""});
+        return recording;
+    }
+
+    template <class Sample>
+    void record(const Sample& sample) {
+        std::vector<double> row{sample.t};
+        for (const RecordedState& state : run_.states) row.push_back(state.is_root ? sample.x[state.place] * sample.x[state.place] : sample.x[state.place]);
+        row.insert(row.end(), sample.y.begin(), sample.y.end());
+        row.insert(row.end(), sample.u.begin(), sample.u.end());
+        row.insert(row.end(), {sample.kinetic_energy, sample.potential_energy, sample.internal_energy, sample.work});
+        if constexpr (switches) row.push_back(static_cast<double>(static_cast<unsigned>(sample.mode)));
+        auto& rows = result_.recording.rows;
+        if (!run_.keeps_all) rows.clear();
+        rows.push_back(std::move(row));
+    }
+
+    template <class Ended>
+    void finish(const Ended& ended) {
+        result_.outcome = ended.outcome;
+        result_.energy_error = ended.energy.relative_error();
+        result_.lost = ended.energy.lost;
+        result_.mode = static_cast<std::size_t>(ended.outcome.mode);
+        result_.message = message(system_, ended.outcome, System::state_table());
+        // The event that ends a run leads to no mode.
+        if (ended.outcome.status == Status::event) result_.events.push_back({ended.outcome.t, ended.outcome.last.event, static_cast<std::size_t>(ended.outcome.last.mode), std::nullopt});
+    }
+
+    const dalembert_plant& plant_;
+    const PlantRun& run_;
+    System system_;
+    InputsOfPlant inputs_;
+    PlantRunResult result_;
+};
+
+}  // namespace plant_run
+
+template <PlantKind kind>
+PlantRunResult simulate_kind(const dalembert_plant& plant, const PlantRun& run) {
+    const UsePlant use(plant);
+    return plant_run::Runner<PlantSystem<kind>>(plant, run)();
+}
+
+}  // namespace dalembert
