@@ -13,6 +13,7 @@ namespace dalembert {
 /// Each in a file of its own.
 ExitCode derive_command(const Options& options, Streams streams);
 ExitCode generate_command(const Options& options, Streams streams);
+ExitCode compile_command(const Options& options, Streams streams);
 ExitCode check_command(const Options& options, Streams streams);
 ExitCode evaluate_command(const Options& options, Streams streams);
 ExitCode simulate_command(const Options& options, Streams streams);
@@ -54,6 +55,13 @@ void take_generate(VerbOptions& o) {
     o.dump();
     o.rewriting();
     o.language();
+}
+
+void take_compile(VerbOptions& o) {
+    o.model();
+    o.output();
+    o.format();
+    o.rewriting();
 }
 
 void take_check(VerbOptions& o) {
@@ -186,10 +194,11 @@ void take_help(VerbOptions& o) { o.add("TOPIC", o.options.topic, "for example `b
 constexpr auto table = std::to_array<Verb>({
     {"derive", "print the equations of motion", derive_command, take_derive},
     {"generate", "write the C++ header", generate_command, take_generate},
+    {"compile", "write the model as a plant: a shared library with a table of C functions, and the C header of that table", compile_command, take_compile},
     {"check", "prove derivations and check printed equations: of models, in every scene unless one is chosen, and of catalogues of texts",
      check_command, take_check},
     {"evaluate", "state derivative, outputs and energies at one point", evaluate_command, take_evaluate},
-    {"simulate", "generate, compile and run a simulation; write CSV and plots", simulate_command, take_simulate},
+    {"simulate", "run a simulation of a model, or of a plant (FILE.so) that somebody compiled; write CSV and plots", simulate_command, take_simulate},
     {"equilibrium", "find an equilibrium, and the linearisation there with its eigenvalues", equilibrium_command, take_equilibrium},
     {"modal", "eigenvalues, eigenvectors and modal form of a linear mechanical system, or of the linearisation at its start", modal_command,
      take_modal},

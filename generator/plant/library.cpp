@@ -143,9 +143,12 @@ PlantLibrary::PlantLibrary(const PlantSource& source, PlantCache cache) {
     if (is_kept && fs::exists(library, error) && content(text) == key) {
         fs::last_write_time(library, fs::file_time_type::clock::now(), error);
         fs::last_write_time(text, fs::file_time_type::clock::now(), error);
-        load(library);
-        was_kept_ = true;
-        return;
+        try {
+            load(library);
+            was_kept_ = true;
+            return;
+        } catch (const Failure&) {  // somebody has changed it: it is made anew
+        }
     }
     const ScratchFolder scratch;
     const fs::path made = fs::path(scratch.path()) / "plant.so", made_text = fs::path(scratch.path()) / "plant.txt";

@@ -147,6 +147,16 @@ constexpr auto of_evaluate = std::to_array<JsonField>({
     {"exchanged_power", "W; likewise"},
 });
 
+constexpr auto of_compile = std::to_array<JsonField>({
+    {"scene", "the scene"},
+    {"sizes.<NAME>", "sizes of families"},
+    {"plant", "the shared library"},
+    {"header", "the C header of its table"},
+    {"function", "what the library exports"},
+    {"table_version", "of the table"},
+    {"bytes", "of the library"},
+});
+
 constexpr auto of_simulate = std::to_array<JsonField>({
     {"scene", "the scene"},
     {"sizes.<NAME>", "sizes of families"},
@@ -244,6 +254,7 @@ constexpr auto of_scenes = std::to_array<JsonField>({
 constexpr auto schemas = std::to_array<JsonSchema>({
     {"derive", of_derive},
     {"generate", of_generate},
+    {"compile", of_compile},
     {"check", of_check},
     {"evaluate", of_evaluate},
     {"simulate", of_simulate},

@@ -199,10 +199,7 @@ void name_end(SimulationReport& report, const PlantRunResult& run, const System&
 
 }  // namespace
 
-SimulationReport run_simulation(const PreparedSimulation& prepared, const std::filesystem::path& folder) {
-    const PlantLibrary library(prepared.plant, prepared.cache);
-    const dalembert_plant& plant = library.table();
-    const PlantRunResult run = simulate_plant(plant, prepared.run);
+SimulationReport report_of_run(const PlantRunResult& run, const dalembert_plant& plant, const SimulationSettings& settings) {
     const Outcome& outcome = run.outcome;
     SimulationReport report;
     report.status = to_string(outcome.status);
@@ -211,29 +208,38 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
     report.steps = outcome.steps;
     report.rejected = outcome.rejected;
     report.rhs_calls = outcome.rhs_calls;
-    report.was_kept = library.was_kept();
     std::size_t method = 0;
     for (const char* name : {"dopri5", "dop853", "rodas5p"})
         if (const std::size_t steps = outcome.steps_by[method++]; steps > 0) report.methods.emplace_back(name, steps);
     report.energy_error = rounded(run.energy_error, 3);
-    report.energy_limit = energy_limit(prepared.settings);
-    if (prepared.run.is_of_heat && std::isfinite(run.euler_step)) report.euler_step = run.euler_step;
+    report.energy_limit = energy_limit(settings);
     if (plant.modes > 0) {
         report.lost = rounded(run.lost, 6);
         report.mode = plant.mode_names[run.mode];
     }
-    name_end(report, run, *prepared.machine.system);
+    return report;
+}
+
+void add_results(SimulationReport& report, const PlantRunResult& run, const dalembert_plant& plant, const SimulationSettings& settings, const std::vector<ShownUnit>& units,
+                 const std::string& title, const std::filesystem::path& folder, const std::string& name) {
     const ScratchFolder scratch;
-    const std::string base = (std::filesystem::path(scratch.path()) / prepared.name).string();
-    const SimulationSettings& settings = prepared.settings;
-    const Recording shown = in_units(run.recording, prepared.units);
-    report.drawn = settings.draw && draw(settings.declared_plots ? shown : run.recording, panels_of(settings.plots), prepared.title, base);
-    report.files = {{folder / prepared.header.file_name, prepared.header.text},
-                    {folder / (prepared.name + ".csv"), csv_text(settings.declared_csv ? shown : run.recording)}};
-    if (report.lost) report.files.emplace_back(folder / (prepared.name + "_events.csv"), events_csv(run, plant));
+    const std::string base = (std::filesystem::path(scratch.path()) / name).string();
+    const Recording shown = in_units(run.recording, units);
+    report.drawn = settings.draw && draw(settings.declared_plots ? shown : run.recording, panels_of(settings.plots), title, base);
+    report.files.emplace_back(folder / (name + ".csv"), csv_text(settings.declared_csv ? shown : run.recording));
+    if (report.lost) report.files.emplace_back(folder / (name + "_events.csv"), events_csv(run, plant));
     if (report.drawn)
-        for (const char* ending : {".svg", ".png"})
-            report.files.emplace_back(folder / (prepared.name + ending), read_file(base + ending));
+        for (const char* ending : {".svg", ".png"}) report.files.emplace_back(folder / (name + ending), read_file(base + ending));
+}
+
+SimulationReport run_simulation(const PreparedSimulation& prepared, const std::filesystem::path& folder) {
+    const PlantLibrary library(prepared.plant, prepared.cache);
+    const PlantRunResult run = simulate_plant(library.table(), prepared.run);
+    SimulationReport report = report_of_run(run, library.table(), prepared.settings);
+    if (prepared.run.is_of_heat && std::isfinite(run.euler_step)) report.euler_step = run.euler_step;
+    name_end(report, run, *prepared.machine.system);
+    report.files.emplace_back(folder / prepared.header.file_name, prepared.header.text);
+    add_results(report, run, library.table(), prepared.settings, prepared.units, prepared.title, folder, prepared.name);
     return report;
 }
 

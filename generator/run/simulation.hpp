@@ -57,7 +57,6 @@ struct SimulationReport {
     bool keeps_energy() const { return energy_error <= energy_limit; }  // false for NaN
     bool is_good() const { return status == "success" || ended; }
     bool drawn = false;
-    bool was_kept = false;   ///< the plant came from the cache
     FileContents files;      ///< to be written: header, CSV, plots
 };
 
@@ -99,6 +98,11 @@ std::string exact_roots(const Scene& scene);
 
 /// What to think of a run that does not keep its energy: a sentence with the likely cause.
 std::string energy_warning(const PreparedSimulation& prepared, const SimulationReport& report);
+/// How a run of a plant went, but for what it calls by the names of a model, and without files.
+SimulationReport report_of_run(const PlantRunResult& run, const dalembert_plant& plant, const SimulationSettings& settings);
+/// Adds its files, NAME.csv and what belongs to it, and draws.
+void add_results(SimulationReport& report, const PlantRunResult& run, const dalembert_plant& plant, const SimulationSettings& settings, const std::vector<ShownUnit>& units,
+                 const std::string& title, const std::filesystem::path& folder, const std::string& name);
 /// Compiles and runs it. Throws Failure.
 SimulationReport run_simulation(const PreparedSimulation& prepared, const std::filesystem::path& folder);
 

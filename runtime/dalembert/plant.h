@@ -149,6 +149,8 @@ typedef struct dalembert_plant {
     void (*series)(const void* self, unsigned mode, double t, size_t order, double* x, double* rows);
 } dalembert_plant;
 
+/* What a plant exports. */
+const dalembert_plant* dalembert_plant_table(void);
 typedef const dalembert_plant* (*dalembert_plant_function)(void);
 #define DALEMBERT_PLANT_FUNCTION "dalembert_plant_table"
 
