@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "command/write_result.hpp"
+#include "elements/model.hpp"
 #include "run/number_lists.hpp"
 #include "run/run_header.hpp"
 #include "run/settings.hpp"

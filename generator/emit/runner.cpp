@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "elements/model.hpp"
+#include "elements/runs.hpp"
 #include "emit/cpp_bodies.hpp"
 #include "cpp/helpers.hpp"
 #include "text/safe_text.hpp"

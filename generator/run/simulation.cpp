@@ -7,6 +7,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "elements/fluids.hpp"
+#include "elements/runs.hpp"
 #include "run/run_header.hpp"
 #include "run/run_preparation.hpp"
 #include "run/settings.hpp"
