@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "elements/bodies.hpp"
+#include "elements/model.hpp"
 #include "emit/notation.hpp"
 #include "form/fluid_validity.hpp"
 #include "form/heat_validity.hpp"

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "elements/model.hpp"
 #include "emit/header.hpp"
 #include "scene/fix_parameters.hpp"
 #include "prove/printed.hpp"

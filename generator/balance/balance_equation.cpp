@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "balance/junctions.hpp"
+#include "elements/fluids.hpp"
 #include "symbolic/functions.hpp"
 
 namespace dalembert {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "elements/conduction.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {

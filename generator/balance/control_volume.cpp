@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "elements/fluids.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/integrate.hpp"
 #include "text/diagnostic.hpp"

@@ -7,6 +7,8 @@
 
 #include "balance/crossed_strings.hpp"
 #include "balance/view_factors.hpp"
+#include "elements/heat.hpp"
+#include "elements/walk.hpp"
 #include "symbolic/heat_formulas.hpp"
 #include "text/diagnostic.hpp"
 
@@ -28,9 +30,10 @@ public:
           n_(item.surfaces.size()) {}
 
     void run() {
+        check_signs();
         for (const Reference& surface : item_.surfaces) nodes_.push_back(&node(surface));
         Surroundings surroundings;
-        for (std::size_t i = 0; i < n_; ++i) surroundings.emissivities.push_back(emissivity(i));
+        for (std::size_t i = 0; i < n_; ++i) surroundings.emissivities.push_back(translate_(item_.emissivities[i], {}));
         item_.is_prism() ? see_in_prism(surroundings) : see_as_given(surroundings);
         Steps steps = steps_for(surroundings.emissivities);
         EnclosureState& state = network_.enclosures.emplace_back(
@@ -47,15 +50,24 @@ private:
         throw Failure(Diagnostic{Id::index_out_of_range, surface.span, fmt::format("the scene has no '{}'", name)});
     }
 
-    ex emissivity(std::size_t i) const {
-        const ExpressionPtr& written = item_.emissivities[i];
-        const ex e = translate_(written, {});
-        const auto number = value_(e);
-        if (number && (sign_of_value(*number) < 0 || sign_of_value(*number - 1) > 0))
-            throw Failure(Diagnostic{
-                Id::value_out_of_range, written->span,
-                fmt::format("the emissivity of surface {} is {}, but must lie between 0 and 1", surface_name(item_, i), shown(*number))});
-        return e;
+    /// What its description says about signs, at the defaults.
+    void check_signs() const {
+        const auto check = [&](const Written& written) {
+            const std::optional<SignRule>& rule = written.key.sign;
+            if (!rule) return;
+            const std::string what =
+                written.place ? fmt::format("the {} of surface {}", written.key.words, surface_name(item_, *written.place)) : written.what;
+            const auto number = value_(translate_(written.expression, {}));
+            const bool has_none = !number && written.depends == constant_only;
+            const char* must = has_none  ? "must be above zero"
+                               : !number ? nullptr
+                                         : broken(*rule, sign_of_value(*number), sign_of_value(*number - 1));
+            if (must != nullptr)
+                throw Failure(Diagnostic{Id::value_out_of_range, written.expression.span,
+                                         fmt::format("{} is {}{}, but {}", what, has_none ? "no number" : shown(*number),
+                                                     has_none ? "" : with_space(rule->unit), must)});
+        };
+        walk(item_, check);
     }
 
     /// With letters where all depends on parameters alone; written out the exchange factors grow exponentially.
@@ -72,14 +84,7 @@ private:
     }
 
     void see_as_given(Surroundings& s) {
-        for (std::size_t i = 0; i < n_; ++i) {
-            s.areas.push_back(translate_(item_.areas[i], {}));
-            const auto number = value_(s.areas[i]);
-            if (number && sign_of_value(*number) <= 0)
-                throw Failure(Diagnostic{
-                    Id::value_out_of_range, item_.areas[i]->span,
-                    fmt::format("the area of surface {} is {} m^2, but must be above zero", surface_name(item_, i), shown(*number))});
-        }
+        for (std::size_t i = 0; i < n_; ++i) s.areas.push_back(translate_(item_.areas[i], {}));
         std::vector<std::vector<std::optional<ex>>> factors(n_, std::vector<std::optional<ex>>(n_));
         std::vector<ex> all = s.areas;
         for (std::size_t i = 0; i < n_; ++i)
@@ -123,11 +128,6 @@ private:
             numbers.push_back({*x_number, *y_number});
         }
         const ex height = translate_(item_.height, {});
-        const auto length = value_(height);
-        if (!length || sign_of_value(*length) <= 0)
-            throw Failure(Diagnostic{Id::value_out_of_range, item_.height->span,
-                                     fmt::format("the height of enclosure '{}' is {} m, but must be above zero", item_.name,
-                                                 length ? shown(*length) : "no number")});
         const Polygon polygon(numbers);
         if (const auto problem = polygon.problem()) {
             const auto [i, j] = *problem;

@@ -11,6 +11,8 @@
 #include "balance/enclosure.hpp"
 #include "balance/rod.hpp"
 #include "balance/sought_temperatures.hpp"
+#include "elements/conduction.hpp"
+#include "elements/heat.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/heat_formulas.hpp"
 #include "symbolic/integrate.hpp"

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "elements/fluids.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/integrate.hpp"
 #include "text/diagnostic.hpp"

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "elements/fluids.hpp"
 #include "symbolic/translate.hpp"
 
 namespace dalembert {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "elements/conduction.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {

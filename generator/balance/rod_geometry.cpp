@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "balance/rod_geometry.hpp"
 
+#include "elements/conduction.hpp"
 #include "symbolic/functions.hpp"
 
 namespace dalembert {

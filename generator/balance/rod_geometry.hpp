@@ -3,6 +3,7 @@
 // letters, so that one formula serves all cells.
 #pragma once
 
+#include "elements/conduction.hpp"
 #include "symbolic/translate.hpp"
 
 namespace dalembert {

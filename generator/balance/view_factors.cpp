@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "elements/heat.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "elements/model.hpp"
+#include "elements/runs.hpp"
 #include "form/letters_system.hpp"
 #include "form/mode_systems.hpp"
 #include "text/guardian.hpp"

@@ -6,6 +6,8 @@
 #include <algorithm>
 
 #include "book/difference_text.hpp"
+#include "elements/model.hpp"
+#include "elements/runs.hpp"
 #include "elements/verdict.hpp"
 #include "emit/mathml.hpp"
 #include "read/cases.hpp"

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "check/checks.hpp"
+#include "elements/model.hpp"
 
 namespace dalembert {
 

@@ -2,7 +2,8 @@
 #include <fmt/format.h>
 
 #include "check/checks.hpp"
-#include "text/nearest.hpp"
+#include "elements/fluids.hpp"
+#include "elements/model.hpp"
 
 namespace dalembert {
 
@@ -14,23 +15,15 @@ public:
         : model_(model), names_(names), claims_(claims), diagnostics_(diagnostics) {}
 
     void run() {
-        for (const Reservoir& reservoir : model_.reservoirs) medium_of(reservoir.medium, "reservoir", reservoir);
         for (const Junction& junction : model_.junctions) check(junction);
         for (const Volume& volume : model_.volumes) check(volume);
         for (const Flow& flow : model_.flows) check(flow);
     }
 
 private:
-    const Medium* medium_of(const Reference& reference, const char* kind, const Item& item) {
-        const Part* part = names_.find_part(reference.name);
-        if (part == nullptr || part->kind != Part::Kind::medium || reference.index) {
-            diagnostics_.error(
-                Id::unknown_name, reference.span,
-                fmt::format("{} '{}' holds '{}', which is not a medium{}", kind, item.name, std::string(reference.span.text()),
-                            did_you_mean(reference.name, names_.parts({Part::Kind::medium}))));
-            return nullptr;
-        }
-        return static_cast<const Medium*>(part->item);
+    /// Null where there is none, which was said already.
+    const Medium* medium_of(const Reference& reference) const {
+        return static_cast<const Medium*>(names_.find_element(reference.name, {"medium"}).item);
     }
 
     const State* claim(const ExpressionPtr& named, const char* key, const char* kind, const Item& item) {
@@ -45,7 +38,7 @@ private:
     }
 
     void check(const Junction& junction) {
-        const Medium* medium = medium_of(junction.medium, "junction", junction);
+        const Medium* medium = medium_of(junction.medium);
         if (medium != nullptr && medium->law != Medium::Law::liquid && medium->law != Medium::Law::incompressible)
             wrong(junction.span,
                   fmt::format("junction '{}' stores nothing, which this version solves for liquids, but '{}' is {}; make it a small volume",
@@ -83,7 +76,7 @@ private:
         claim(volume.mass, "mass", "volume", volume);
         claim(volume.filling, "filling", "volume", volume);
         claim(volume.temperature, "temperature", "volume", volume);
-        const Medium* medium = medium_of(volume.medium, "volume", volume);
+        const Medium* medium = medium_of(volume.medium);
         if (medium == nullptr) return;
         if (medium->law == Medium::Law::incompressible && !volume.filling)
             diagnostics_.error(Id::undetermined, volume.span,
@@ -122,26 +115,15 @@ private:
     }
 
     /// The medium at an end of a flow, if the end is one.
-    const Medium* end(const Reference& reference, const char* preposition, const Flow& flow) {
+    const Medium* end(const Reference& reference) const {
         const Part* part = names_.find_part(reference.name);
-        const bool is_end = part != nullptr &&
-                            (part->kind == Part::Kind::volume || part->kind == Part::Kind::reservoir || part->kind == Part::Kind::junction);
-        if (!is_end) {
-            diagnostics_.error(
-                Id::unknown_name, reference.span,
-                fmt::format("flow '{}' goes {} '{}', which is no volume, reservoir or junction{}", flow.name, preposition, reference.name,
-                            did_you_mean(reference.name, names_.parts({Part::Kind::volume, Part::Kind::reservoir, Part::Kind::junction}))));
-            return nullptr;
+        if (part == nullptr) return nullptr;
+        switch (part->kind) {
+            case Part::Kind::volume: return medium_of(static_cast<const Volume*>(part->item)->medium);
+            case Part::Kind::junction: return medium_of(static_cast<const Junction*>(part->item)->medium);
+            case Part::Kind::reservoir: return medium_of(static_cast<const Reservoir*>(part->item)->medium);
+            default: return nullptr;
         }
-        if (part->item->family.has_value() != (reference.index != nullptr))
-            diagnostics_.error(part->item->family ? Id::index_missing : Id::not_indexed, reference.span,
-                               fmt::format("'{}' is {} family", reference.name, part->item->family ? "a" : "not a"),
-                               {{part->item->span, "it is defined here"}});
-        const Reference& medium = part->kind == Part::Kind::volume     ? static_cast<const Volume*>(part->item)->medium
-                                  : part->kind == Part::Kind::junction ? static_cast<const Junction*>(part->item)->medium
-                                                                       : static_cast<const Reservoir*>(part->item)->medium;
-        const Part* named = names_.find_part(medium.name);
-        return named != nullptr && named->kind == Part::Kind::medium ? static_cast<const Medium*>(named->item) : nullptr;
     }
 
     void check(const Flow& flow) {
@@ -149,8 +131,8 @@ private:
             diagnostics_.error(Id::not_allowed_here, flow.velocity->span,
                                fmt::format("the velocity of pipe '{}' may become negative, so that its root is no state", flow.name),
                                {{state->span, fmt::format("'{}' is declared here", state->name)}});
-        const Medium* from = end(flow.from, "from", flow);
-        const Medium* to = end(flow.to, "to", flow);
+        const Medium* from = end(flow.from);
+        const Medium* to = end(flow.to);
         if (from == nullptr || to == nullptr) return;
         if (flow.from.name == flow.to.name && !flow.from.index)
             diagnostics_.error(Id::not_allowed_here, flow.to.span,

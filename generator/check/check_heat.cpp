@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include "check/checks.hpp"
-#include "text/nearest.hpp"
+#include "elements/conduction.hpp"
+#include "elements/heat.hpp"
+#include "elements/model.hpp"
 
 namespace dalembert {
 
@@ -33,6 +35,8 @@ public:
 
 private:
     void temperatures(const Reference& named, const std::string& what) {
+        const Named* found = names_.find(named.name);
+        if (found == nullptr || found->kind != Named::Kind::state) return;  // which was said already
         const State* states = temperature(named.name, named.span, what);
         if (states != nullptr && !states->family)
             diagnostics_.error(Id::index_missing, named.span,
@@ -67,32 +71,12 @@ private:
         fits(block.conductivity, block.conductivity.span, "conductivity");
         fits(block.density, block.density.span, "density");
         fits(block.heat_capacity, block.heat_capacity.span, "heat capacity");
-        for (const auto& [side, name] : {std::pair(&block.left, "left"), std::pair(&block.right, "right"),
-                                         std::pair(&block.bottom, "bottom"), std::pair(&block.top, "top")}) {
-            if (!*side || !(*side)->node) continue;
-            const Reference& node = *(*side)->node;
-            const std::vector kinds{Part::Kind::node};
-            warm(node, kinds, [&, &name = name] {
-                return fmt::format("the {} side of block '{}' touches '{}', which is no node{}", name, block.name, node.name,
-                                   did_you_mean(node.name, names_.parts(kinds)));
-            });
-        }
     }
 
     void check(const Link& link) {
-        end(link.from, "from", link);
-        end(link.to, "to", link);
         if (link.from.name == link.to.name && !link.from.index)
             diagnostics_.error(Id::not_allowed_here, link.to.span,
                                fmt::format("link '{}' goes from '{}' to '{}' itself", link.name, link.from.name, link.to.name));
-    }
-
-    void end(const Reference& reference, const char* preposition, const Link& link) {
-        const auto kinds = parts_in(Subscript::warm);
-        warm(reference, kinds, [&] {
-            return fmt::format("link '{}' goes {} '{}', which is no node, rod, block, volume or reservoir{}", link.name, preposition,
-                               reference.name, did_you_mean(reference.name, names_.parts(kinds)));
-        });
     }
 
     void check(const Enclosure& enclosure) {
@@ -124,33 +108,6 @@ private:
                                        fmt::format("enclosure '{}' has {} surfaces, but row {} of its view factors has {} entries",
                                                    enclosure.name, n, i + 1, enclosure.view_factors[i].size()));
         }
-        using K = Part::Kind;
-        const std::vector<K> kinds{K::node, K::rod, K::block};
-        for (const Reference& surface : enclosure.surfaces)
-            warm(surface, kinds, [&] {
-                return fmt::format("a surface of enclosure '{}' is '{}', which is no node or cell of a rod or block{}", enclosure.name,
-                                   surface.name, did_you_mean(surface.name, names_.parts(kinds)));
-            });
-    }
-
-    /// A reference to something with a temperature, with an index where it is a rod, a block or a family.
-    template <class Message>
-    void warm(const Reference& reference, const std::vector<Part::Kind>& kinds, const Message& wrong_kind) {
-        using K = Part::Kind;
-        const Part* part = names_.find_part(reference.name);
-        if (part == nullptr || std::find(kinds.begin(), kinds.end(), part->kind) == kinds.end()) {
-            diagnostics_.error(Id::unknown_name, reference.span, wrong_kind());
-            return;
-        }
-        const bool has_cells = part->kind == K::rod || part->kind == K::block;
-        const bool takes_index = has_cells || part->item->family.has_value();
-        if (takes_index != (reference.index != nullptr))
-            diagnostics_.error(takes_index ? Id::index_missing : Id::not_indexed, reference.span,
-                               fmt::format("'{}' is {}", reference.name,
-                                           has_cells     ? fmt::format("a {}; name the cell", part->kind == K::rod ? "rod" : "block")
-                                           : takes_index ? "a family"
-                                                         : "not a family"),
-                               {{part->item->span, "it is defined here"}});
     }
 
     const Model& model_;

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "check/checks.hpp"
+#include "elements/every_kind.hpp"
+#include "elements/references.hpp"
 #include "elements/sites.hpp"
 #include "language/vocabulary.hpp"
 
@@ -33,73 +35,17 @@ public:
             diagnostics_.error(
                 Id::reserved_name, model_.name_span,
                 fmt::format("'{}' has a meaning of its own in C or C++ and cannot be the namespace of the header", model_.name));
-        // Names that expressions use share one namespace; a velocity gets the name NAME_dot in C++.
-        std::map<std::string, const Item*> used;
-        const auto shared = [&](const auto& items) {
-            for (const auto& item : items) define(used, item.name, item);
-        };
-        shared(model_.sizes);
-        shared(model_.parameters);
-        shared(model_.definitions);
-        shared(model_.coordinates);
-        shared(model_.inputs);
-        shared(model_.states);
-        shared(model_.outputs);
-        for (const ModeGroup& group : model_.modes) shared(group.modes);
+        for_each_kind(model_, [&](const char*, const auto& items) { of_kind(items); });
+        // A velocity gets the name NAME_dot in C++.
         for (const Coordinate& coordinate : model_.coordinates)
-            if (const auto clash = used.find(coordinate.name + "_dot"); clash != used.end())
+            if (const auto clash = in_formulas_.find(coordinate.name + "_dot"); clash != in_formulas_.end())
                 diagnostics_.error(
                     Id::doubly_defined, clash->second->span,
                     fmt::format("'{}' is also the name of the velocity of '{}' in the header", clash->first, coordinate.name),
                     {{coordinate.span, fmt::format("'{}' is defined here", coordinate.name)}});
-        each_separately(model_.bodies);
-        each_separately(model_.springs);
-        each_separately(model_.dampers);
-        each_separately(model_.forces);
-        each_separately(model_.torques);
-        each_separately(model_.jets);
-        each_separately(model_.cuts);
-        each_separately(model_.solids);
-        each_separately(model_.loads);
-        for (const Load& load : model_.loads) each_separately(load.parts);
-        each_separately(model_.stickings);
-        each_separately(model_.kinetic);
-        each_separately(model_.potentials);
-        each_separately(model_.generalised_forces);
-        std::map<std::string, const Item*> parts;
-        const auto part = [&](const auto& items) {
-            for (const auto& item : items) {
-                if (!well_formed(item.name, item.span)) continue;
-                const auto [first, is_new] = parts.emplace(item.name, &item);
-                if (!is_new)
-                    diagnostics_.error(
-                        Id::doubly_defined, item.span,
-                        fmt::format(
-                            "'{}' is defined twice among media, volumes, reservoirs, flows, nodes, links, rods, blocks and enclosures",
-                            item.name),
-                        {{first->second->span, fmt::format("'{}' is first defined here", item.name)}});
-            }
-        };
-        part(model_.media);
-        part(model_.volumes);
-        part(model_.reservoirs);
-        part(model_.junctions);
-        part(model_.flows);
-        part(model_.nodes);
-        part(model_.links);
-        part(model_.rods);
-        part(model_.blocks);
-        part(model_.enclosures);
-        distinct(model_.attitudes, "attitudes");
-        distinct(model_.modes, "groups of modes");
-        distinct(model_.constraints, "constraints");
-        distinct(model_.events, "events");
         for (const Event& event : model_.events)
             if (event.name == "event")
                 diagnostics_.error(Id::reserved_name, event.span, "'event' is a name that every header with events defines itself");
-        each_separately(model_.effects);
-        each_separately(model_.scenes);
-        each_separately(model_.runs);
         for (const PrintedEquation& printed : model_.printed)
             if (printed.name.empty() || printed.name.size() > 80)
                 diagnostics_.error(Id::bad_name, printed.span, "the name of a printed equation has 1 to 80 characters");
@@ -107,12 +53,31 @@ public:
 
     void run_letters() {
         is_header_ = false;
-        std::map<std::string, const Item*> used;
-        for (const Parameter& letter : model_.parameters) define(used, letter.name, letter);
-        for (const Coordinate& letter : model_.coordinates) define(used, letter.name, letter);
+        for (const Parameter& letter : model_.parameters) define(letter.name, letter);
+        for (const Coordinate& letter : model_.coordinates) define(letter.name, letter);
     }
 
 private:
+    /// The names of one kind of elements, and of what has a name inside of them.
+    template <class Items>
+    void of_kind(const Items& items) {
+        using Element = typename Items::value_type;
+        if constexpr (std::derived_from<Element, Item>) {
+            constexpr Naming naming = kind_of<Element>.facts.naming;
+            std::map<std::string, const Item*> seen;
+            for (const Element& item : items) {
+                if (naming == Naming::section) well_formed(item.name, item.span);
+                if (naming == Naming::formulas) define(item.name, item);
+                if (naming == Naming::parts) part(item);
+                if (naming == Naming::brought_section) only_one(seen, item, kind_of<Element>.word);
+                if constexpr (std::same_as<Element, ModeGroup>)
+                    for (const Mode& mode : item.modes) define(mode.name, mode);
+                if constexpr (std::same_as<Element, Load>)
+                    for (const LoadPart& force : item.parts) well_formed(force.name, force.span);
+            }
+        }
+    }
+
     bool well_formed(const std::string& name, const Span& span) {
         if (!is_identifier(name)) {
             diagnostics_.error(
@@ -131,7 +96,7 @@ private:
         return what == nullptr;
     }
 
-    void define(std::map<std::string, const Item*>& used, const std::string& name, const Item& item) {
+    void define(const std::string& name, const Item& item) {
         if (!well_formed(name, item.span)) return;
         const char* meaning = name == "t"                             ? "the time"
                               : name == "pi"                          ? "the number pi"
@@ -150,33 +115,40 @@ private:
             diagnostics_.error(Id::reserved_name, item.span, fmt::format("'{}' is a name that every header defines itself", name));
             return;
         }
-        const auto [first, is_new] = used.emplace(name, &item);
+        const auto [first, is_new] = in_formulas_.emplace(name, &item);
         if (!is_new)
             diagnostics_.error(Id::doubly_defined, item.span, fmt::format("'{}' is defined twice", name),
                                {{first->second->span, fmt::format("'{}' is first defined here", name)}});
     }
 
-    template <class T>
-    void each_separately(const std::vector<T>& items) {
-        for (const T& item : items) well_formed(item.name, item.span);
+    void part(const Item& item) {
+        if (!well_formed(item.name, item.span)) return;
+        const auto [first, is_new] = parts_.emplace(item.name, &item);
+        if (is_new) return;
+        std::vector<const char*> sections;
+        for_each_kind(model_, [&]<class Items>(const char* section, const Items&) {
+            if constexpr (std::derived_from<typename Items::value_type, Item>)
+                if (kind_of<typename Items::value_type>.facts.naming == Naming::parts) sections.push_back(section);
+        });
+        std::string among = words_of(sections);
+        among.replace(among.rfind(" or "), 4, " and ");
+        diagnostics_.error(Id::doubly_defined, item.span, fmt::format("'{}' is defined twice among {}", item.name, among),
+                           {{first->second->span, fmt::format("'{}' is first defined here", item.name)}});
     }
 
     /// Of what elements bring along some may have the name of something that was written.
-    template <class T>
-    void distinct(const std::vector<T>& items, const char* what) {
-        std::map<std::string, const Item*> seen;
-        for (const T& item : items) {
-            if (!well_formed(item.name, item.span)) continue;
-            const auto [first, is_new] = seen.emplace(item.name, &item);
-            if (!is_new)
-                diagnostics_.error(Id::doubly_defined, item.span, fmt::format("there are two {} '{}'", what, item.name),
-                                   {{first->second->span, fmt::format("'{}' is first defined here", item.name)}});
-        }
+    void only_one(std::map<std::string, const Item*>& seen, const Item& item, const char* word) {
+        if (!well_formed(item.name, item.span)) return;
+        const auto [first, is_new] = seen.emplace(item.name, &item);
+        if (!is_new)
+            diagnostics_.error(Id::doubly_defined, item.span, fmt::format("there are two {}s '{}'", word, item.name),
+                               {{first->second->span, fmt::format("'{}' is first defined here", item.name)}});
     }
 
     const Model& model_;
     Diagnostics& diagnostics_;
     bool is_header_ = true;
+    std::map<std::string, const Item*> in_formulas_, parts_;  ///< by what they are called, the first of that name
 };
 
 /// Reports definitions, solids and loads that need themselves; the others can be followed without end.
@@ -191,9 +163,9 @@ public:
     void follow(const Solid& solid) {
         visit_once(solid, fmt::format("solid '{}' needs itself", solid.name), [&] {
             visit(solid, [&](const Site& site) { names_in(*site.expression, site.bound); });
-            for (const auto* parts : {&solid.of, &solid.without})
-                for (const Reference& part : *parts)
-                    if (const Solid* other = names_.find_solid(part.name)) follow(*other);
+            visit_references(solid, [&](const Referred& part) {
+                if (const Solid* other = names_.find_solid(part.to.name)) follow(*other);
+            });
         });
     }
     void follow(const Load& load) {

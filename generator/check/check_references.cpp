@@ -5,77 +5,99 @@
 #include <set>
 
 #include "check/checks.hpp"
+#include "elements/every_kind.hpp"
 #include "elements/kinds.hpp"
+#include "elements/references.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
 
+std::string with_article(const std::string& words) {
+    return (std::string_view("aeiou").find(words.front()) == std::string_view::npos ? "a " : "an ") + words;
+}
+
 namespace {
 
-/// References that are not expressions: bodies, coordinates, effects.
+/// References that are not expressions: to other elements, effects, scenes and what is plotted.
 class ReferenceCheck {
 public:
     ReferenceCheck(const Model& model, const Names& names, Diagnostics& diagnostics)
         : model_(model), names_(names), diagnostics_(diagnostics) {}
 
     void run() {
-        for (const Body& item : model_.bodies) {
-            body(item.on, false, false);
-            placement(item);
-            attitude(item);
-        }
-        for (const Damper& item : model_.dampers) body(item.on, true, false);
-        for (const Force& item : model_.forces) body(item.on, !item.in_axes, false);
-        for (const Jet& item : model_.jets) body(item.from, true, false);
-        for (const Torque& item : model_.torques) {
-            body(item.on, false, true);
-            body(item.against, false, true);
-        }
+        for_each_kind(model_, [&](const char*, const auto& items) { for_each_item(items, [&](const auto& item) { elements(item); }); });
+        for (const Body& item : model_.bodies) placement(item);
+        for (const Damper& item : model_.dampers) has_position(item.on);
+        for (const Force& item : model_.forces)
+            if (!item.in_axes) has_position(item.on);
+        for (const Jet& item : model_.jets) has_position(item.from);
         for (const Cut& item : model_.cuts)
-            for (const Reference& freed : item.bodies) body(freed, !item.about, false);
-        placement_cycles();
-        for (const PotentialTerm& item : model_.potentials) {
-            for (const CoordinateEntry& entry : item.forces) coordinate(entry);
-            for (const CoordinateEntry& entry : item.reference) coordinate(entry);
+            for (const Reference& freed : item.bodies)
+                if (!item.about) has_position(freed);
+        for (const Torque& item : model_.torques) {
+            turns(item.on);
+            turns(item.against);
         }
-        for (const GeneralisedForce& item : model_.generalised_forces) coordinate(item.coordinate);
-        for (const Constraint& item : model_.constraints)
-            if (item.eliminates) coordinate({item.eliminates->name, item.eliminates->index, nullptr, item.eliminates->span});
+        placement_cycles();
         effects();
     }
 
 private:
-    void body(const std::optional<Reference>& reference, bool needs_position, bool needs_rotation) {
-        if (!reference) return;
-        const Body* found = names_.find_body(reference->name);
-        if (found == nullptr) {
-            std::vector<std::string> known;
-            for (const Body& item : model_.bodies) known.push_back(item.name);
-            diagnostics_.error(Id::unknown_name, reference->span,
-                               fmt::format("there is no body '{}'{}", reference->name, did_you_mean(reference->name, known)));
-            return;
+    /// What an element brings along refers to what the element itself does.
+    template <class Described>
+    void elements(const Described& item) {
+        if constexpr (requires { item.is_made; })
+            if (item.is_made) return;
+        visit_references(item, [&](const Referred& referred) { element(referred, owner_of(item)); });
+    }
+
+    void element(const Referred& referred, const std::string& owner) {
+        const Reference& to = referred.to;
+        const OfKind found = names_.find_element(to.name, referred.kinds);
+        const std::string wanted = words_of(referred.kinds);
+        if (found.item == nullptr) {
+            const std::string hint = did_you_mean(to.name, names_.names_of(referred.kinds));
+            const std::vector<OfKind>& others = names_.elements(to.name);
+            const Part* border = names_.find_part(to.name);  // "bar.first"
+            if (others.empty() && border == nullptr)
+                return diagnostics_.error(
+                    Id::unknown_name, to.span,
+                    fmt::format("there is no {} '{}' for '{}' of {}{}", wanted, to.name, referred.key, owner, hint));
+            const std::string is = others.empty() ? describe(border->kind) : with_article(others.front().kind->word);
+            return diagnostics_.error(Id::unknown_name, to.span,
+                                      fmt::format("'{}' is {}, but '{}' of {} takes the name of {}{}", to.name, is, referred.key, owner,
+                                                  with_article(wanted), hint),
+                                      {{(others.empty() ? border->item : others.front().item)->span, "it is defined here"}});
         }
-        if (found->family.has_value() != (reference->index != nullptr))
-            diagnostics_.error(found->family ? Id::index_missing : Id::not_indexed, reference->span,
-                               fmt::format("body '{}' is {} family", reference->name, found->family ? "a" : "not a"),
-                               {{found->span, "it is defined here"}});
-        if (needs_position && !found->position && !found->has_axes())
+        const std::string it = fmt::format("{} '{}'", found.kind->word, to.name);
+        const std::vector<Note> defined{{found.item->span, "it is defined here"}};
+        const bool is_several = found.kind->facts.has_cells || found.item->family;
+        if (to.index && referred.all_members)
+            diagnostics_.error(Id::not_indexed, to.span,
+                               fmt::format("'{}' of {} takes all of '{}', without an index", referred.key, owner, to.name), defined);
+        else if (to.index && !is_several)
+            diagnostics_.error(Id::not_indexed, to.span, fmt::format("{} is not a family and has no index", it), defined);
+        else if (!to.index && is_several && !referred.all_members)
+            diagnostics_.error(Id::index_missing, to.span,
+                               fmt::format("{} {}, as in '{}[1]'", it,
+                                           found.kind->facts.has_cells ? "consists of cells and needs the index of one"
+                                                                       : "is a family and needs an index",
+                                           to.name),
+                               defined);
+    }
+
+    void has_position(const std::optional<Reference>& reference) {
+        const Body* found = reference ? names_.find_body(reference->name) : nullptr;
+        if (found != nullptr && !found->position && !found->has_axes())
             diagnostics_.error(Id::not_allowed_here, reference->span, fmt::format("body '{}' has no position", reference->name),
-                               {{found->span, "it is defined here"}});
-        if (needs_rotation && !found->rotation && !found->angular_velocity && !found->has_axes())
-            diagnostics_.error(Id::not_allowed_here, reference->span, fmt::format("body '{}' does not turn", reference->name),
                                {{found->span, "it is defined here"}});
     }
 
-    void attitude(const Body& item) {
-        if (!item.attitude) return;
-        std::vector<std::string> known;
-        for (const Attitude& attitude : model_.attitudes) known.push_back(attitude.name);
-        if (std::find(known.begin(), known.end(), item.attitude->name) == known.end())
-            diagnostics_.error(Id::unknown_name, item.attitude->span,
-                               fmt::format("there is no attitude '{}'{}", item.attitude->name, did_you_mean(item.attitude->name, known)));
-        else if (item.attitude->index)
-            diagnostics_.error(Id::not_indexed, item.attitude->span, fmt::format("attitude '{}' has no index", item.attitude->name));
+    void turns(const std::optional<Reference>& reference) {
+        const Body* found = reference ? names_.find_body(reference->name) : nullptr;
+        if (found != nullptr && !found->rotation && !found->angular_velocity && !found->has_axes())
+            diagnostics_.error(Id::not_allowed_here, reference->span, fmt::format("body '{}' does not turn", reference->name),
+                               {{found->span, "it is defined here"}});
     }
 
     /// A body that turns by its angular velocity alone points nobody knows where.
@@ -86,19 +108,6 @@ private:
                            fmt::format("body '{}' cannot be placed on '{}', of which only the angular velocity is given; give its rotation",
                                        item.name, base->name),
                            {{base->angular_velocity->span, "it turns like this"}});
-    }
-
-    void coordinate(const CoordinateEntry& entry) {
-        const Named* named = names_.find(entry.coordinate);
-        if (named == nullptr || named->kind != Named::Kind::coordinate) {
-            std::vector<std::string> known;
-            for (const Coordinate& item : model_.coordinates) known.push_back(item.name);
-            diagnostics_.error(Id::unknown_name, entry.span,
-                               fmt::format("there is no coordinate '{}'{}", entry.coordinate, did_you_mean(entry.coordinate, known)));
-        } else if (named->item->family.has_value() != (entry.index != nullptr)) {
-            diagnostics_.error(named->item->family ? Id::index_missing : Id::not_indexed, entry.span,
-                               fmt::format("coordinate '{}' is {} family", entry.coordinate, named->item->family ? "a" : "not a"));
-        }
     }
 
     /// A chain of "on" that comes back to where it began; members of one family are ordered by their index instead.

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "check/checks.hpp"
+#include "elements/every_kind.hpp"
 #include "elements/kinds.hpp"
 #include "text/nearest.hpp"
 
@@ -22,7 +23,7 @@ public:
     void run() {
         for_each_kind(model_, [&]<class Items>(const char*, const Items& items) {
             if constexpr (requires { kind_of<typename Items::value_type>; })
-                if constexpr (kind_of<typename Items::value_type>.is_in_all_modes) same_in_all_modes(items);
+                if constexpr (kind_of<typename Items::value_type>.facts.in_all_modes) same_in_all_modes(items);
         });
         for (const ModeGroup& group : model_.modes)
             if (const auto mode = mode_in(group.when))
@@ -68,19 +69,6 @@ private:
                   fmt::format(
                       "event '{}' neither leads to a mode nor resets anything nor ends the run, so that it would happen again at once",
                       event.name));
-        if (event.meets) {
-            const Constraint* met = names_.find_constraint(event.meets->name);
-            if (met == nullptr) {
-                std::vector<std::string> known;
-                for (const Constraint& constraint : model_.constraints) known.push_back(constraint.name);
-                diagnostics_.error(Id::unknown_name, event.meets->span,
-                                   fmt::format("there is no constraint '{}'{}", event.meets->name, did_you_mean(event.meets->name, known)));
-            } else if (met->family.has_value() != (event.meets->index != nullptr)) {
-                diagnostics_.error(met->family ? Id::index_missing : Id::not_indexed, event.meets->span,
-                                   fmt::format("constraint '{}' is {} family", met->name, met->family ? "a" : "not a"),
-                                   {{met->span, "it is defined here"}});
-            }
-        }
         for (const auto* next : {&event.next, &event.rest})
             for (const Condition& condition : *next) target(event, condition);
         for (const auto* reset : {&event.reset, &event.rest_reset}) resets(event, *reset);

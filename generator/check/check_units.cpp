@@ -4,6 +4,7 @@
 #include "check/checks.hpp"
 #include "check/units.hpp"
 #include "elements/kinds.hpp"
+#include "elements/model.hpp"
 #include "elements/walk.hpp"
 
 namespace dalembert {

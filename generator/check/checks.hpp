@@ -15,6 +15,9 @@ void check_names(const Model& model, Diagnostics& diagnostics);
 /// Every word of every expression: defined, with the right index and arguments, and nothing that its place must not depend on.
 void check_expressions(const Model& model, Diagnostics& diagnostics);
 
+/// "a body", "an enclosure"
+std::string with_article(const std::string& words);
+
 /// The same of one printed equation.
 void check_expressions(const PrintedEquation& printed, const Names& names, Diagnostics& diagnostics);
 
@@ -42,7 +45,7 @@ private:
     std::set<std::string> claimed_;
 };
 
-/// What balances are about: who refers to whom, whether laws fit media, and that each state is determined.
+/// What balances are about: whether laws fit media, and that each state is determined.
 void check_balances(const Model& model, Diagnostics& diagnostics);
 /// Media, volumes, reservoirs and flows.
 void check_fluids(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics);
@@ -50,11 +53,9 @@ void check_fluids(const Model& model, const Names& names, Claims& claims, Diagno
 void check_heat(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics);
 /// Warns of volumes that can reach zero within the declared ranges of coordinates and states, at the default parameters.
 void warn_of_vanishing(const Model& model, Diagnostics& diagnostics);
-/// Bodies, coordinates, effects and scenes that items refer to by name.
+/// What items refer to by name: other elements, as their descriptions say, effects, scenes and what is plotted. The other checks say
+/// nothing of names that this one does not find.
 void check_references(const Model& model, Diagnostics& diagnostics);
-
-/// Solids that others are made of.
-void check_statics(const Model& model, Diagnostics& diagnostics);
 
 /// Modes, constraints and events: what they refer to, what a mode must not change, guards that never move.
 void check_switching(const Model& model, Diagnostics& diagnostics);

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
-#include "language/vocabulary.hpp"
 #include "check/written_values.hpp"
+#include "elements/forces.hpp"
+#include "elements/model.hpp"
+#include "elements/statics.hpp"
+#include "language/vocabulary.hpp"
 
 namespace dalembert {
 

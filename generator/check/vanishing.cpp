@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "check/checks.hpp"
+#include "elements/fluids.hpp"
+#include "elements/model.hpp"
 
 namespace dalembert {
 

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "check/checks.hpp"
+#include "elements/model.hpp"
 #include "text/budgets.hpp"
 
 namespace dalembert {

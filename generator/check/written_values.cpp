@@ -6,6 +6,9 @@
 #include <algorithm>
 
 #include "check/units.hpp"
+#include "elements/bodies.hpp"
+#include "elements/forces.hpp"
+#include "elements/model.hpp"
 #include "language/vocabulary.hpp"
 
 namespace dalembert {

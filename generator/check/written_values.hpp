@@ -4,6 +4,7 @@
 #pragma once
 
 #include "elements/names.hpp"
+#include "elements/runs.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {

@@ -5,6 +5,7 @@
 
 #include "book/entry_process.hpp"
 #include "command/write_result.hpp"
+#include "elements/model.hpp"
 #include "run/shared.hpp"
 #include "text/safe_text.hpp"
 

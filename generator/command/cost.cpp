@@ -8,6 +8,7 @@
 
 #include "command/cost_budget.hpp"
 #include "command/write_result.hpp"
+#include "elements/model.hpp"
 #include "report/measurement_notes.hpp"
 #include "report/precision_plot.hpp"
 #include "report/precision_table.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "elements/model.hpp"
 #include "language/dimension.hpp"
 #include "language/lexer.hpp"
 #include "report/precision_table.hpp"

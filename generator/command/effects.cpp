@@ -2,6 +2,7 @@
 #include "report/effects.hpp"
 
 #include "command/write_result.hpp"
+#include "elements/model.hpp"
 #include "report/effects_plot.hpp"
 #include "run/shared.hpp"
 

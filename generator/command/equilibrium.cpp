@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "command/write_result.hpp"
+#include "elements/model.hpp"
 #include "run/plant_run.hpp"
 #include "run/settings.hpp"
 #include "run/shared.hpp"

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include "command/write_result.hpp"
+#include "elements/model.hpp"
+#include "elements/statics.hpp"
 #include "run/settings.hpp"
 #include "run/shared.hpp"
 #include "form/quantities.hpp"

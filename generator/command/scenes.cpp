@@ -2,6 +2,8 @@
 #include "report/scenes.hpp"
 
 #include "command/write_result.hpp"
+#include "elements/model.hpp"
+#include "elements/runs.hpp"
 #include "run/shared.hpp"
 
 namespace dalembert {

@@ -9,6 +9,7 @@
 
 #include "book/printed_verdicts.hpp"
 #include "command/write_result.hpp"
+#include "elements/model.hpp"
 #include "run/shared.hpp"
 #include "run/simulation.hpp"
 

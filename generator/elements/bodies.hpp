@@ -1,29 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gravity, bodies and attitudes as they were written, each key in one place.
+// Bodies and attitudes as they were written, each key in one place.
 #pragma once
 
 #include "elements/key.hpp"
 
 namespace dalembert {
-
-struct Gravity {
-    VectorExpression acceleration;
-    std::optional<VectorExpression> reference;
-    std::optional<Condition> when;
-    Span span;
-};
-
-template <>
-inline constexpr KindSpec kind_of<Gravity>{"gravity", "Free fall acting on every mass.", "[gravity]\nacceleration = [0, \"-g\", 0]"};
-
-template <class Visitor, ElementOf<Gravity> E>
-void describe(Visitor& v, E& gravity) {
-    v("acceleration", gravity.acceleration, {.required = true, .dimension = Dimension::acceleration(), .depends = constant_only,
-        .doc = "the acceleration of free fall, as a vector"});
-    v("reference", gravity.reference, {.dimension = Dimension::length(), .depends = constant_only,
-        .doc = "the point where the potential energy of gravity is zero; the origin if left out"});
-    v.item({.has_doc = false});
-}
 
 /// A point mass (mass, position), a planar rigid body (also rotation or angular_velocity, inertia about the centre of mass),
 /// a body that only turns (no mass); or a body in space, that turns by turns or an attitude.
@@ -66,10 +47,10 @@ void describe(Visitor& v, E& body) {
                "[Jx, Jy, Jz], or three rows with products of inertia, as they stand in the matrix"});
     v("turns", body.turns, {.dimension = Dimension::none(), .depends = on_configuration, .words = "turn",
         .doc = "of a body in space: turns about its own axes one after the other, as [[\"z\", \"psi\"], [\"x\", \"theta\"]]"});
-    v("attitude", body.attitude, {.refers = "attitude",
+    v("attitude", body.attitude, {.refers = {"attitude"},
         .excludes = {{"turns", "has both 'turns' and 'attitude'; either orients it alone"}},
         .doc = "instead of turns: an attitude, whose quaternion orients the body"});
-    v("solid", body.solid, {.refers = "solid",
+    v("solid", body.solid, {.refers = {"solid"},
         .doc = "instead of mass, inertia and centre: a solid, in its axes, that they are taken from. Of a planar body its moment about z "
                "counts, and the position is that of its centre of mass"});
     v("origin", body.origin, {.dimension = Dimension::length(), .depends = on_configuration,
@@ -79,7 +60,7 @@ void describe(Visitor& v, E& body) {
         .excludes = {{"solid", "has a solid and a centre; the solid brings its centre"},
                      {"position", "has both 'position' and 'centre'; the position is that of its centre of mass"}},
         .doc = "with origin: its centre of mass, in its own axes; [0, 0, 0] if left out"});
-    v("on", body.on, {.refers = "body",
+    v("on", body.on, {.refers = {"body"},
         .doc = "another body: position or origin, and turns, are then measured in its frame. Within a family, NAME[k-1] of the first is "
                "the ground"});
     v.item({.has_family = true});
@@ -94,7 +75,7 @@ template <>
 inline constexpr KindSpec kind_of<Attitude>{"attitude",
     "Orientations by unit quaternions. NAME brings the states NAME_0, NAME_1, NAME_2, NAME_3, and the velocities dot(NAME_x), dot(NAME_y), "
     "dot(NAME_z): the angular velocity about the axes of what turns. NAME_x, NAME_y and NAME_z have no values themselves.",
-    "[attitudes.e]\nstart_rate = [0.01, 2, 0]"};
+    "[attitudes.e]\nstart_rate = [0.01, 2, 0]", "", {.naming = Naming::brought_section}};
 
 template <class Visitor, ElementOf<Attitude> E>
 void describe(Visitor& v, E& attitude) {

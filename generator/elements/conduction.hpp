@@ -61,7 +61,7 @@ inline constexpr KindSpec kind_of<Rod>{"rod",
     "the heat into it through its ends.",
     "[rods.bar]\ntemperature   = \"T\"\nlength        = \"L\"\narea          = \"A\"\nconductivity  = \"lambda\"\ndensity       = "
     "\"rho\"\nheat_capacity = \"c_p\"\nfirst         = { temperature = \"T_0\" }\nlast          = { coefficient = \"alpha\", ambient = "
-    "\"T_inf\" }", "", in_all_modes};
+    "\"T_inf\" }", "", {.in_all_modes = true, .naming = Naming::parts, .has_cells = true}};
 
 inline const KeyChoices<Rod::Scheme>& rod_schemes() {
     using S = Rod::Scheme;
@@ -88,7 +88,7 @@ inline const KeyChoices<Rod::Shape>& rod_shapes() {
 
 template <class Visitor, ElementOf<Rod> E>
 void describe(Visitor& v, E& rod) {
-    v("temperature", rod.temperature, {.required = true, .refers = "state",
+    v("temperature", rod.temperature, {.required = true, .refers = {"state"}, .all_members = true,
         .doc = "the family of states that are its temperatures, from the first to the last"});
     v.choice("scheme", rod.scheme, {}, rod_schemes());
     v.choice("shape", rod.shape, {}, rod_shapes());
@@ -142,7 +142,7 @@ struct Side : Boundary {
 
 template <class Visitor, ElementOf<Side> E>
 void describe(Visitor& v, E& side) {
-    v("node", side.node, {.refers = "node", .doc = "in perfect contact with it; then nothing else is said"});
+    v("node", side.node, {.refers = {"node"}, .doc = "in perfect contact with it; then nothing else is said"});
     if constexpr (std::is_const_v<E>) describe(v, static_cast<const Boundary&>(side));
     else describe(v, static_cast<Boundary&>(side));
 }
@@ -176,11 +176,12 @@ inline constexpr KindSpec kind_of<Block>{"block",
     "halves of two cells that touch stand in series. heat[NAME.left], right, bottom and top are the heat into it through its sides.",
     "[blocks.wall]\ntemperature   = \"T\"\ncolumns       = [[\"L\", 8]]\nrows          = [[\"H_1\", 4], [\"H_2\", 4]]\n"
     "depth         = \"B\"\nconductivity  = [[\"lambda_1\", \"lambda_2\"]]\ndensity       = \"rho\"\nheat_capacity = \"c_p\"\n"
-    "left          = { node = \"plate\" }\nright         = { coefficient = \"alpha\", ambient = \"T_inf\" }", "", in_all_modes};
+    "left          = { node = \"plate\" }\nright         = { coefficient = \"alpha\", ambient = \"T_inf\" }",
+    "", {.in_all_modes = true, .naming = Naming::parts, .has_cells = true}};
 
 template <class Visitor, ElementOf<Block> E>
 void describe(Visitor& v, E& block) {
-    v("temperature", block.temperature, {.required = true, .refers = "state",
+    v("temperature", block.temperature, {.required = true, .refers = {"state"}, .all_members = true,
         .doc = "the family of states that are its temperatures, a cell each: along the bottom row from left to right, then the next row"});
     v("columns", block.columns, {.required = true, .dimension = Dimension::length(), .depends = constant_only,
         .sign = above_zero("m"), .words = "length of a column",

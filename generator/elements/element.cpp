@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "elements/element.hpp"
 
+#include "elements/model.hpp"
+
 namespace dalembert {
 
 using Kind = Expression::Kind;

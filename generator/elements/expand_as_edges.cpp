@@ -6,8 +6,12 @@
 #include <cctype>
 #include <cmath>
 
+#include "elements/bodies.hpp"
 #include "elements/element.hpp"
 #include "elements/expand_switching.hpp"
+#include "elements/fluids.hpp"
+#include "elements/heat.hpp"
+#include "elements/model.hpp"
 
 namespace dalembert {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "elements/bodies.hpp"
 #include "elements/element.hpp"
 #include "elements/expand_switching.hpp"
+#include "elements/model.hpp"
 
 namespace dalembert {
 

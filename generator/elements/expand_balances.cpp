@@ -3,6 +3,9 @@
 
 #include "elements/element.hpp"
 #include "elements/expand_switching.hpp"
+#include "elements/fluids.hpp"
+#include "elements/heat.hpp"
+#include "elements/model.hpp"
 
 namespace dalembert {
 

@@ -4,6 +4,8 @@
 
 #include "elements/element.hpp"
 #include "elements/expand_switching.hpp"
+#include "elements/forces.hpp"
+#include "elements/model.hpp"
 
 namespace dalembert {
 

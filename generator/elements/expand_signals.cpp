@@ -3,6 +3,7 @@
 
 #include "elements/element.hpp"
 #include "elements/expand_switching.hpp"
+#include "elements/model.hpp"
 
 namespace dalembert {
 

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <set>
 
+#include "elements/bodies.hpp"
+#include "elements/model.hpp"
+#include "elements/statics.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {

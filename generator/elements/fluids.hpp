@@ -23,7 +23,8 @@ struct Medium : Item {
 template <>
 inline constexpr KindSpec kind_of<Medium>{"medium",
     "Gases and liquids.",
-    "[media.air]\nlaw            = \"ideal_gas\"\ngas_constant   = \"R_s\"\nisochoric_heat = \"c_v\"", "", in_all_modes};
+    "[media.air]\nlaw            = \"ideal_gas\"\ngas_constant   = \"R_s\"\nisochoric_heat = \"c_v\"",
+    "", {.in_all_modes = true, .naming = Naming::parts}};
 
 inline const KeyChoices<Medium::Law>& medium_laws() {
     using L = Medium::Law;
@@ -88,15 +89,15 @@ struct Reservoir : Item {
 template <>
 inline constexpr KindSpec kind_of<Reservoir>{"reservoir",
     "Media at a state that the model does not change: ambient, supply.",
-    "[reservoirs.ambient]\nmedium   = \"air\"\npressure = \"p_0\"", "", in_all_modes};
+    "[reservoirs.ambient]\nmedium   = \"air\"\npressure = \"p_0\"", "", {.in_all_modes = true, .naming = Naming::parts}};
 
 template <class Visitor, ElementOf<Reservoir> E>
 void describe(Visitor& v, E& reservoir) {
-    v("medium", reservoir.medium, {.required = true, .refers = "medium", .doc = "what it holds"});
+    v("medium", reservoir.medium, {.required = true, .refers = {"medium"}, .doc = "what it holds"});
     v("pressure", reservoir.pressure, {.required = true, .dimension = Dimension::pressure(), .depends = on_parameters | on_inputs | on_time,
-        .doc = "its pressure, absolute; may depend on inputs and the time"});
+        .sign = above_zero("Pa"), .doc = "its pressure, absolute; may depend on inputs and the time"});
     v("temperature", reservoir.temperature, {.dimension = Dimension::temperature(), .depends = on_parameters | on_inputs | on_time,
-        .doc = "its temperature; that of the medium's reference if left out"});
+        .sign = above_zero("K"), .doc = "its temperature; that of the medium's reference if left out"});
     v("potential", reservoir.potential, {.dimension = dimension::specific_energy(), .depends = on_parameters | on_time,
         .doc = "specific potential energy, as \"g*z_1\"; where it differs between two ends of a flow, its height drives the flow as "
                "well as the pressure does"});
@@ -114,11 +115,11 @@ inline constexpr KindSpec kind_of<Junction>{"junction",
     "Places where flows meet and nothing is stored. The pressure is such that the mass flows sum up to zero: solved exactly with "
     "orifices, laminar flows, switching check valves, pumps, pipes and given flows, of which at least one orifice, laminar flow or open "
     "valve must lead to where the pressure is known.",
-    "[junctions.tee]\nmedium = \"water\"", "", in_all_modes};
+    "[junctions.tee]\nmedium = \"water\"", "", {.in_all_modes = true, .naming = Naming::parts}};
 
 template <class Visitor, ElementOf<Junction> E>
 void describe(Visitor& v, E& junction) {
-    v("medium", junction.medium, {.required = true, .refers = "medium",
+    v("medium", junction.medium, {.required = true, .refers = {"medium"},
         .doc = "what flows through it, a liquid or what is incompressible; flows that end here have its reference density"});
     v("potential", junction.potential, {.dimension = dimension::specific_energy(), .depends = on_parameters,
         .doc = "specific potential energy, as \"g*z_1\"; where it differs between two ends of a flow, its height drives the flow as "
@@ -154,33 +155,38 @@ template <>
 inline constexpr KindSpec kind_of<Volume>{"volume",
     "Control volumes. Balances of mass (3.98) and energy (3.165) determine the states that they name; the force p*dV/dq acts on the "
     "mechanics by itself.",
-    "[volumes.chamber_1]\nmedium      = \"oil\"\nvolume      = \"A_1*s\"\npressure    = \"p_1\"\ntemperature = \"T_1\"", "", in_all_modes};
+    "[volumes.chamber_1]\nmedium      = \"oil\"\nvolume      = \"A_1*s\"\npressure    = \"p_1\"\ntemperature = \"T_1\"",
+    "", {.in_all_modes = true, .naming = Naming::parts}};
 
 template <class Visitor, ElementOf<Volume::Polytropic> Course>
 void describe(Visitor& v, Course& course) {
     v("exponent", course.exponent, {.required = true, .dimension = Dimension::none(), .depends = on_parameters,
-        .doc = "n: p*V^n stays as it is"});
+        .sign = above_zero("1"), .doc = "n: p*V^n stays as it is"});
     v("pressure", course.pressure, {.required = true, .dimension = Dimension::pressure(), .depends = on_parameters,
-        .doc = "at one point of the course"});
+        .sign = above_zero("Pa"), .doc = "at one point of the course"});
     v("temperature", course.temperature, {.required = true, .dimension = Dimension::temperature(), .depends = on_parameters,
-        .doc = "at the same point"});
+        .sign = above_zero("K"), .doc = "at the same point"});
 }
 
 template <class Visitor, ElementOf<Volume> E>
 void describe(Visitor& v, E& volume) {
-    v("medium", volume.medium, {.required = true, .refers = "medium", .doc = "what it holds"});
+    // Where a filling is the state, the volume may be empty, and the pressure is an expression.
+    const auto positive = [&](const char* unit) { return volume.filling ? std::nullopt : std::optional(above_zero(unit)); };
+    v("medium", volume.medium, {.required = true, .refers = {"medium"}, .doc = "what it holds"});
     v("volume", volume.volume, {.required = true, .dimension = Dimension::volume(),
-        .depends = volume.filling ? on_configuration | on_states : on_configuration, .words = "size",
+        .depends = volume.filling ? on_configuration | on_states : on_configuration, .sign = positive("m^3"), .words = "size",
         .doc = "its volume; may depend on coordinates, the time, and the filling"});
     v("pressure", volume.pressure, {.dimension = Dimension::pressure(), .depends = volume.filling ? on_plain_states_and_inputs : on_states,
-        .doc = "the state that is its pressure; with filling: the pressure at the surface, an expression"});
-    v("density", volume.density, {.dimension = dimension::density(), .depends = on_states,
+        .sign = positive("Pa"), .doc = "the state that is its pressure; with filling: the pressure at the surface, an expression"});
+    v("density", volume.density, {.dimension = dimension::density(), .depends = on_states, .sign = above_zero("kg/m^3"),
         .doc = "instead: the state that is its density"});
-    v("mass", volume.mass, {.dimension = Dimension::mass(), .depends = on_states, .doc = "instead: the state that is its mass"});
+    v("mass", volume.mass, {.dimension = Dimension::mass(), .depends = on_states, .sign = above_zero("kg"),
+        .doc = "instead: the state that is its mass"});
     v("filling", volume.filling, {.depends = on_states, .doc = "instead: the state that its volume follows, as the level of a tank"});
     v("temperature", volume.temperature, {.dimension = Dimension::temperature(), .depends = on_states, .may_be_absent = true,
-        .doc = "the state that is its temperature; where a scene leaves it out, the temperature is not balanced"});
-    v("isothermal", volume.isothermal, {.dimension = Dimension::temperature(), .depends = on_parameters, .words = "temperature",
+        .sign = above_zero("K"), .doc = "the state that is its temperature; where a scene leaves it out, the temperature is not balanced"});
+    v("isothermal", volume.isothermal, {.dimension = Dimension::temperature(), .depends = on_parameters, .sign = above_zero("K"),
+        .words = "temperature",
         .doc = "the temperature at which it is held; that of the medium's reference if left out"});
     v.table("polytropic", volume.polytropic, {.words = "polytropic", .noun = "course",
         .excludes = {{"isothermal", "is isothermal and polytropic; both fix its temperature", Id::doubly_determined}},
@@ -235,7 +241,8 @@ struct Flow : Item {
 template <>
 inline constexpr KindSpec kind_of<Flow>{"flow",
     "Flows between volumes, reservoirs and junctions. What flows carries the enthalpy of the side that it comes from.",
-    "[flows.leak]\nfrom        = \"chamber_1\"\nto          = \"chamber_2\"\nlaw         = \"laminar\"\nconductance = \"c_L\""};
+    "[flows.leak]\nfrom        = \"chamber_1\"\nto          = \"chamber_2\"\nlaw         = \"laminar\"\nconductance = \"c_L\"",
+    "", {.naming = Naming::parts}};
 
 inline const KeyChoices<Flow::Law>& flow_laws() {
     using L = Flow::Law;
@@ -255,10 +262,10 @@ inline const KeyChoices<Flow::Law>& flow_laws() {
 
 template <class Visitor, ElementOf<Flow> E>
 void describe(Visitor& v, E& flow) {
-    v("from", flow.from, {.required = true, .refers = "volume, reservoir or junction",
+    v("from", flow.from, {.required = true, .refers = {"volume", "reservoir", "junction"},
         .doc = "the volume, reservoir or junction that it leaves; the flow counts positive this way"});
     v("to", flow.to,
-      {.required = true, .refers = "volume, reservoir or junction", .doc = "the volume, reservoir or junction that it enters"});
+      {.required = true, .refers = {"volume", "reservoir", "junction"}, .doc = "the volume, reservoir or junction that it enters"});
     v.choice("law", flow.law, {.doc = "; none if the flow is given"}, flow_laws());
     v("mass_flow", flow.mass_flow, {.dimension = Dimension::mass() / Dimension::time(), .depends = on_state_and_inputs,
         .doc = "the mass flow, given"});

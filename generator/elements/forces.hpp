@@ -48,7 +48,7 @@ inline constexpr KindSpec kind_of<Damper>{"damper", "Resistances, whose power is
 template <class Visitor, ElementOf<Damper> E>
 void describe(Visitor& v, E& damper) {
     v("rate", damper.rate, {.depends = on_motion | on_places, .doc = "the velocity that it resists, linear in the velocities"});
-    v("on", damper.on, {.refers = "body", .doc = "instead of a rate: a body whose speed through a medium at rest is resisted"});
+    v("on", damper.on, {.refers = {"body"}, .doc = "instead of a rate: a body whose speed through a medium at rest is resisted"});
     const Dimension rate = damper.rate ? v.dimension_of(damper.rate).value_or(Dimension::none()) : Dimension::speed();
     v("coefficient", damper.coefficient, {.dimension = Dimension::power() / rate / rate, .depends = on_state_and_inputs | on_places,
         .doc = "of a linear damper: force = coefficient*rate"});
@@ -75,7 +75,7 @@ void describe(Visitor& v, E& force) {
         .doc = "the force as a vector; its power counts as supplied"});
     v("in_axes", force.in_axes, {.needs = {{"on", "acts on no body whose axes could be meant"}},
         .doc = "true, with on: the vector is given in the axes of the body, else in those of the ground"});
-    v("on", force.on, {.refers = "body", .doc = "the body at whose position it acts"});
+    v("on", force.on, {.refers = {"body"}, .doc = "the body at whose position it acts"});
     v("at", force.at, {.dimension = Dimension::length(), .depends = on_configuration | on_places, .words = "point",
         .doc = "instead of a body: the point at which it acts"});
     v.either("on", "at", "the body that it acts on or the point at which it acts");
@@ -101,8 +101,8 @@ void describe(Visitor& v, E& torque) {
         .depends = on_state_and_inputs | on_places, .words = "",
         .doc = "the torque about the z axis, or on a body in space as a vector; its power counts as supplied"});
     v("in_axes", torque.in_axes, {.doc = "true: the vector is given in the axes of the body, else in those of the ground"});
-    v("on", torque.on, {.refers = "body", .doc = "the body that it turns"});
-    v("against", torque.against, {.refers = "body", .doc = "the body that carries the reaction; the ground if left out"});
+    v("on", torque.on, {.refers = {"body"}, .doc = "the body that it turns"});
+    v("against", torque.against, {.refers = {"body"}, .doc = "the body that carries the reaction; the ground if left out"});
     v("rate", torque.rate, {.dimension = dimension::rate(), .depends = on_motion | on_places,
         .doc = "instead of bodies: the angular velocity with which the torque works"});
     v.either("on", "rate", "the body that it turns or a rate");
@@ -125,7 +125,7 @@ inline constexpr KindSpec kind_of<Jet>{"jet",
 
 template <class Visitor, ElementOf<Jet> E>
 void describe(Visitor& v, E& jet) {
-    v("from", jet.from, {.required = true, .refers = "body",
+    v("from", jet.from, {.required = true, .refers = {"body"},
         .doc = "the body that loses mass; its mass contains a state whose rate is minus the mass flows"});
     v("mass_flow", jet.mass_flow, {.required = true, .dimension = dimension::mass_flow(), .depends = on_state_and_inputs | on_places,
         .doc = "what leaves, in kg/s; negative for mass that arrives"});
@@ -152,7 +152,7 @@ inline constexpr KindSpec kind_of<Cut>{"cut",
 
 template <class Visitor, ElementOf<Cut> E>
 void describe(Visitor& v, E& cut) {
-    v("bodies", cut.bodies, {.required = true, .refers = "body", .doc = "those that are cut free together"});
+    v("bodies", cut.bodies, {.required = true, .refers = {"body"}, .doc = "those that are cut free together"});
     v("direction", cut.direction, {.required = true, .dimension = Dimension::none(), .depends = on_configuration | on_places,
         .doc = "of length 1, in the axes of the ground: the force that everything else exerts on the bodies is put out along it"});
     v("about", cut.about, {.dimension = Dimension::length(), .depends = on_configuration | on_places, .words = "point",

@@ -39,7 +39,8 @@ struct HeatNode : Item {
 template <>
 inline constexpr KindSpec kind_of<HeatNode>{"node",
     "Places with one temperature: bodies that store heat, surfaces, ambient air.",
-    "[nodes.plate]\ntemperature = \"T_B\"\ncapacity    = \"m_B*c_B\"\nheat        = \"P\"", "", in_all_modes};
+    "[nodes.plate]\ntemperature = \"T_B\"\ncapacity    = \"m_B*c_B\"\nheat        = \"P\"",
+    "", {.in_all_modes = true, .naming = Naming::parts}};
 
 template <class Visitor, ElementOf<HeatNode> E>
 void describe(Visitor& v, E& node) {
@@ -83,7 +84,7 @@ struct Link : Item {
 template <>
 inline constexpr KindSpec kind_of<Link>{"link",
     "Heat between nodes, volumes, reservoirs and cells of rods and blocks.",
-    "[links.paste]\nfrom       = \"plate\"\nto         = \"sink\"\nresistance = \"H/(lambda*A)\""};
+    "[links.paste]\nfrom       = \"plate\"\nto         = \"sink\"\nresistance = \"H/(lambda*A)\"", "", {.naming = Naming::parts}};
 
 inline const KeyChoices<Link::Law>& link_laws() {
     using L = Link::Law;
@@ -101,9 +102,9 @@ template <class Visitor, ElementOf<Link> E>
 void describe(Visitor& v, E& link) {
     v("from", link.from,
       {.required = true,
-       .refers = "place with a temperature",
+       .refers = {"node", "rod", "block", "volume", "reservoir"},
        .doc = "a node, volume, reservoir or cell of a rod; the heat counts positive from here"});
-    v("to", link.to, {.required = true, .refers = "place with a temperature", .doc = "where it goes"});
+    v("to", link.to, {.required = true, .refers = {"node", "rod", "block", "volume", "reservoir"}, .doc = "where it goes"});
     v.choice("law", link.law, {.doc = "; none with conductance, resistance or heat"}, link_laws());
     v("heat", link.heat, {.dimension = Dimension::power(), .depends = on_state_and_inputs, .doc = "the heat flow, given"});
     v("conductance", link.conductance, {.dimension = dimension::heat_conductance(), .depends = on_state_and_inputs,
@@ -151,16 +152,18 @@ inline constexpr KindSpec kind_of<Enclosure>{"enclosure",
     "exchange_factor[NAME, i, j]*stefan_boltzmann*(T_i^4 - T_j^4) to surface j; a node with neither capacity nor temperature re-radiates "
     "what it takes up.",
     "[enclosures.furnace]\nsurfaces     = [\"floor\", \"wall\", \"roof\"]\nareas        = [\"A\", \"A\", \"A\"]\n"
-    "emissivities = [\"eps\", 0.8, 1]\nview_factors = [[0, \"?\", \"?\"], [\"?\", 0, \"?\"], [\"?\", \"?\", 0]]", "", in_all_modes};
+    "emissivities = [\"eps\", 0.8, 1]\nview_factors = [[0, \"?\", \"?\"], [\"?\", 0, \"?\"], [\"?\", \"?\", 0]]",
+    "", {.in_all_modes = true, .naming = Naming::parts}};
 
 template <class Visitor, ElementOf<Enclosure> E>
 void describe(Visitor& v, E& enclosure) {
-    v("surfaces", enclosure.surfaces, {.required = true, .refers = "node, or of a cell of a rod or block",
+    v("surfaces", enclosure.surfaces, {.required = true, .refers = {"node", "rod", "block"},
         .doc = "the nodes or cells of rods and blocks that radiate, up to 32; a flat body of one temperature may stand there twice"});
     v("emissivities", enclosure.emissivities, {.required = true, .dimension = Dimension::none(), .depends = on_plain_states_and_inputs,
-        .words = "emissivity",
+        .sign = from_zero_to_one(), .words = "emissivity",
         .doc = "of each surface, from 0 (reflects everything) to 1 (black); where one depends on states or inputs, up to 3 surfaces"});
-    v("areas", enclosure.areas, {.dimension = dimension::surface(), .depends = on_plain_states_and_inputs, .words = "area",
+    v("areas", enclosure.areas, {.dimension = dimension::surface(), .depends = on_plain_states_and_inputs, .sign = above_zero("m^2"),
+        .words = "area",
         .doc = "of each surface; with view_factors"});
     v("view_factors", enclosure.view_factors,
       {.type = ValueType::matrix,
@@ -177,7 +180,7 @@ void describe(Visitor& v, E& enclosure) {
        .doc = "instead: the corners of the cross section of a prism without ends, in order, convex or not; surface i goes from corner i to "
               "corner i + 1. The view factors follow from crossed strings; which corners the strings touch is decided at the default "
               "parameters, and holds for others while no string takes another course"});
-    v("height", enclosure.height, {.dimension = Dimension::length(), .depends = constant_only,
+    v("height", enclosure.height, {.dimension = Dimension::length(), .depends = constant_only, .sign = above_zero("m"),
         .doc = "with polygon: the length of the prism along its axis"});
     v.either("polygon", "view_factors", "the polygon of its cross section or its view_factors");
     v.item({});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The description of an element: a function describe(visitor, element) that hands each key with its member to a visitor. Reading, help, the
-// places of expressions and the checks of units are visitors, so that a key is one line.
+// places of expressions, references to other elements and the checks of units and signs are visitors, so that a key is one line.
 //
 // A visitor is called with (name, member, key), and has
 //   choice(name, member, key, choices)      a word, which may decide about other keys
@@ -16,6 +16,7 @@
 
 #include <concepts>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -37,9 +38,23 @@ struct KeyRule {
 struct SignRule {
     bool is_above_zero;  ///< else not below
     const char* unit;
+    bool in_range = false;      ///< also in the whole range of a parameter that stands there alone
+    bool up_to_one = false;     ///< a share: from 0 to 1
 };
 inline SignRule above_zero(const char* unit) { return {true, unit}; }
 inline SignRule not_below_zero(const char* unit) { return {false, unit}; }
+inline SignRule above_zero_in_range(const char* unit) { return {true, unit, true}; }
+inline SignRule from_zero_to_one() { return {false, "1", false, true}; }
+
+/// In a sentence about a value that breaks the rule; null where it does not. `sign` is that of the value, `beyond_one` that of what is left
+/// of it beyond one.
+inline const char* broken(const SignRule& rule, int sign, int beyond_one) {
+    if (rule.up_to_one) return sign < 0 || beyond_one > 0 ? "must lie between 0 and 1" : nullptr;
+    if (rule.is_above_zero) return sign <= 0 ? "must be above zero" : nullptr;
+    return sign < 0 ? "must not be below zero" : nullptr;
+}
+/// " kg/m^3"; nothing for a number.
+inline std::string with_space(const char* unit) { return std::string_view(unit) == "1" ? "" : std::string(" ") + unit; }
 
 /// Of a key that brings modes.
 inline KeyRule no_family() { return {"for", "is a family, whose members cannot have modes of their own", Id::not_allowed_here}; }
@@ -48,7 +63,8 @@ inline KeyRule no_family() { return {"for", "is a family, whose members cannot h
 struct Key {
     bool required = false;
     std::optional<ValueType> type = {};         ///< none: as the type of its member says
-    const char* refers = "";                    ///< of a name: the kind of thing that it names, "body"
+    std::vector<const char*> refers = {};       ///< of a name: the kinds of elements that it may name, "body"
+    bool all_members = false;                   ///< of a name: the whole of a family, without an index
     std::optional<Unit> unit = {};              ///< in which a number counts; such values are checked where they are converted
     std::optional<Dimension> dimension = {};    ///< none: any, as long as the expression agrees in itself
     unsigned depends = nothing;                 ///< bits of Dependence
@@ -63,7 +79,7 @@ struct Key {
     const char* noun = "";                      ///< of a table, in sentences: "course" for "the polytropic course"
     std::vector<KeyRule> needs = {};
     std::vector<KeyRule> excludes = {};
-    std::string doc = {};
+    std::string_view doc = {};
 };
 
 /// A word of a choice. Where one of the choices takes a key, the others do not.
@@ -86,16 +102,31 @@ struct ItemKeys {
     bool has_when = true;
 };
 
+/// Among which others the name of an element is the only one.
+enum class Naming {
+    section,          ///< its section, to which TOML sees
+    brought_section,  ///< its section, to which other elements bring some
+    formulas,         ///< all that formulas may name
+    parts,            ///< media, volumes, nodes and what lies between them
+    bringing,         ///< those of what it brings along, which has its name
+    free,             ///< a text
+};
+
+/// Facts of all elements of a kind.
+struct KindFacts {
+    bool in_all_modes = false;  ///< none of them is there in some modes only
+    Naming naming = Naming::section;
+    bool has_cells = false;     ///< an index behind the name is that of one of its cells
+};
+
 /// A section of the model language that holds one kind of element.
 struct KindSpec {
     const char* word;  ///< in sentences: "flow"
     const char* doc;
     const char* example;
     const char* short_form = "";  ///< the key that a bare value stands for
-    bool is_in_all_modes = false; ///< none of its elements is there in some modes only
+    KindFacts facts = {};
 };
-
-inline constexpr bool in_all_modes = true;
 
 /// A specialisation stands beside the description of each kind.
 template <class Element>
@@ -110,6 +141,13 @@ inline std::string words_of(const char* name, const Key& key) {
     std::string words = key.words != nullptr ? key.words : name;
     for (char& c : words)
         if (c == '_') c = ' ';
+    return words;
+}
+
+/// "volume, reservoir or junction"
+inline std::string words_of(const std::vector<const char*>& kinds) {
+    std::string words;
+    for (std::size_t i = 0; i < kinds.size(); ++i) words += (i == 0 ? "" : i + 1 == kinds.size() ? " or " : ", ") + std::string(kinds[i]);
     return words;
 }
 

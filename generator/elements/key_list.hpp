@@ -6,8 +6,9 @@
 
 #include <algorithm>
 
+#include "elements/conduction.hpp"
 #include "elements/key.hpp"
-#include "elements/model.hpp"
+#include "elements/runs.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -108,7 +109,7 @@ private:
     }
 
     void add(const char* name, const Key& key, ValueType type) {
-        rows.push_back({name, type, key.required, key.doc, nullptr, key.refers, {}});
+        rows.push_back({name, type, key.required, std::string(key.doc), nullptr, words_of(key.refers), {}});
         const auto others = [&](const char* before, const std::vector<KeyRule>& named) {
             std::vector<const char*> names;
             for (const KeyRule& rule : named) names.push_back(rule.key);

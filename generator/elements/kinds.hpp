@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one list of kinds of elements, in the order of sections, reading and walks.
+// The one list of kinds of elements, in the order of sections, reading and walks. Who only holds pointers to elements needs no more of
+// them than this file.
 #pragma once
 
 /// KIND(section, member of the model, type)
@@ -51,11 +52,25 @@
 
 namespace dalembert {
 
+#define DALEMBERT_DECLARE(section, member, Type) struct Type;
+DALEMBERT_KINDS(DALEMBERT_DECLARE)
+#undef DALEMBERT_DECLARE
+struct Model;
+
 /// Calls visit(section, items) for each kind of which `holder`, a model or a scene, has items.
 template <class Holder, class Visit>
 void for_each_kind(Holder& holder, const Visit& visit) {
 #define DALEMBERT_KIND(section, member, Type) \
     if constexpr (requires { holder.member; }) visit(section, holder.member);
+    DALEMBERT_KINDS(DALEMBERT_KIND)
+#undef DALEMBERT_KIND
+}
+
+/// Calls visit(items of one, items of the other) for each kind of which both holders have items.
+template <class One, class Other, class Visit>
+void for_each_common_kind(One& one, Other& other, const Visit& visit) {
+#define DALEMBERT_KIND(section, member, Type) \
+    if constexpr (requires { one.member; other.member; }) visit(one.member, other.member);
     DALEMBERT_KINDS(DALEMBERT_KIND)
 #undef DALEMBERT_KIND
 }

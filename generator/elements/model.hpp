@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A model as it was written: plain data, every part with its place. Nothing is chosen, expanded or derived yet.
+// A model as it was written: plain data, every part with its place. Nothing is chosen, expanded or derived yet. Bodies, forces, fluids and
+// what carries heat are only declared here: who works with some of them includes their file, who works with all of them every_kind.hpp.
 #pragma once
 
-#include "elements/bodies.hpp"
-#include "elements/conduction.hpp"
-#include "elements/fluids.hpp"
-#include "elements/forces.hpp"
-#include "elements/heat.hpp"
+#include "elements/gravity.hpp"
+#include "elements/kinds.hpp"
 #include "elements/quantities.hpp"
 #include "elements/runs.hpp"
-#include "elements/statics.hpp"
 #include "elements/switching.hpp"
 
 namespace dalembert {
 
 struct Model {
+    // Defined where all elements are known.
+    Model();
+    ~Model();
+    Model(const Model& other);
+    Model(Model&& other) noexcept;
+    Model& operator=(const Model& other);
+    Model& operator=(Model&& other) noexcept;
+
     SourcePtr source;
     std::string name;
     Span name_span;

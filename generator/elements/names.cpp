@@ -2,6 +2,10 @@
 #include "elements/names.hpp"
 
 #include <algorithm>
+#include <functional>
+
+#include "elements/every_kind.hpp"
+
 
 namespace dalembert {
 
@@ -53,6 +57,23 @@ std::vector<Part::Kind> parts_in(Subscript subscript) {
     }
 }
 
+namespace {
+
+bool is_among(const KindSpec& kind, const std::vector<const char*>& kinds) {
+    return std::any_of(kinds.begin(), kinds.end(), [&](std::string_view word) { return word == kind.word; });
+}
+
+template <class Element>
+const Element* find_of(const Names& names, std::string_view name) {
+    for (const OfKind& element : names.elements(name))
+        if (element.kind == &kind_of<Element>) return static_cast<const Element*>(element.item);
+    return nullptr;
+}
+
+}  // namespace
+
+const Definition& Named::definition() const { return static_cast<const Definition&>(*item); }
+
 Names::Names(const Model& model) {
     const auto add = [&](const auto& items, Named::Kind kind) {
         for (const auto& item : items) table_.emplace(item.name, Named{kind, &item});
@@ -64,14 +85,6 @@ Names::Names(const Model& model) {
     add(model.inputs, Named::Kind::input);
     add(model.states, Named::Kind::state);
     add(model.outputs, Named::Kind::output);
-    for (const Body& body : model.bodies) bodies_.emplace(body.name, &body);
-    for (const Damper& damper : model.dampers) dampers_.emplace(damper.name, &damper);
-    for (const Friction& friction : model.frictions) frictions_.emplace(friction.name, &friction);
-    for (const Constraint& constraint : model.constraints) constraints_.emplace(constraint.name, &constraint);
-    for (const Cut& cut : model.cuts) cuts_.emplace(cut.name, &cut);
-    for (const Solid& solid : model.solids) solids_.emplace(solid.name, &solid);
-    for (const Load& load : model.loads) loads_.emplace(load.name, &load);
-    for (const Sticking& sticking : model.stickings) stickings_.emplace(sticking.name, &sticking);
     for (const ModeGroup& group : model.modes) add(group.modes, Named::Kind::mode);
     const auto add_parts = [&](const auto& items, Part::Kind kind) {
         for (const auto& item : items) parts_.emplace(item.name, Part{kind, &item});
@@ -92,6 +105,11 @@ Names::Names(const Model& model) {
     add_borders(model.rods, {"first", "last"});
     add_borders(model.blocks, {"left", "right", "bottom", "top"});
     add_parts(model.enclosures, Part::Kind::enclosure);
+    for_each_kind(model, [&]<class Items>(const char*, const Items& items) {
+        using Element = typename Items::value_type;
+        if constexpr (std::derived_from<Element, Item>)
+            for (const Element& item : items) elements_[item.name].push_back({&kind_of<Element>, &item});
+    });
 }
 
 const Named* Names::find(std::string_view name) const {
@@ -99,45 +117,34 @@ const Named* Names::find(std::string_view name) const {
     return found == table_.end() ? nullptr : &found->second;
 }
 
-const Body* Names::find_body(std::string_view name) const {
-    const auto found = bodies_.find(name);
-    return found == bodies_.end() ? nullptr : found->second;
+const std::vector<OfKind>& Names::elements(std::string_view name) const {
+    static const std::vector<OfKind> none;
+    const auto found = elements_.find(name);
+    return found == elements_.end() ? none : found->second;
 }
 
-const Damper* Names::find_damper(std::string_view name) const {
-    const auto found = dampers_.find(name);
-    return found == dampers_.end() ? nullptr : found->second;
+OfKind Names::find_element(std::string_view name, const std::vector<const char*>& kinds) const {
+    for (const OfKind& element : elements(name))
+        if (is_among(*element.kind, kinds)) return element;
+    return {nullptr, nullptr};
 }
 
-const Cut* Names::find_cut(std::string_view name) const {
-    const auto found = cuts_.find(name);
-    return found == cuts_.end() ? nullptr : found->second;
+std::vector<std::string> Names::names_of(const std::vector<const char*>& kinds) const {
+    std::vector<std::string> names;
+    for (const auto& [name, elements] : elements_)
+        for (const OfKind& element : elements)
+            if (is_among(*element.kind, kinds)) names.push_back(name);
+    return names;
 }
 
-const Constraint* Names::find_constraint(std::string_view name) const {
-    const auto found = constraints_.find(name);
-    return found == constraints_.end() ? nullptr : found->second;
-}
-
-const Solid* Names::find_solid(std::string_view name) const {
-    const auto found = solids_.find(name);
-    return found == solids_.end() ? nullptr : found->second;
-}
-
-const Load* Names::find_load(std::string_view name) const {
-    const auto found = loads_.find(name);
-    return found == loads_.end() ? nullptr : found->second;
-}
-
-const Sticking* Names::find_sticking(std::string_view name) const {
-    const auto found = stickings_.find(name);
-    return found == stickings_.end() ? nullptr : found->second;
-}
-
-const Friction* Names::find_friction(std::string_view name) const {
-    const auto found = frictions_.find(name);
-    return found == frictions_.end() ? nullptr : found->second;
-}
+const Body* Names::find_body(std::string_view name) const { return find_of<Body>(*this, name); }
+const Damper* Names::find_damper(std::string_view name) const { return find_of<Damper>(*this, name); }
+const Cut* Names::find_cut(std::string_view name) const { return find_of<Cut>(*this, name); }
+const Constraint* Names::find_constraint(std::string_view name) const { return find_of<Constraint>(*this, name); }
+const Solid* Names::find_solid(std::string_view name) const { return find_of<Solid>(*this, name); }
+const Load* Names::find_load(std::string_view name) const { return find_of<Load>(*this, name); }
+const Sticking* Names::find_sticking(std::string_view name) const { return find_of<Sticking>(*this, name); }
+const Friction* Names::find_friction(std::string_view name) const { return find_of<Friction>(*this, name); }
 
 const Part* Names::find_part(std::string_view name) const {
     const auto found = parts_.find(name);
@@ -150,21 +157,6 @@ std::vector<std::string> Names::parts(const std::vector<Part::Kind>& kinds) cons
         if (std::find(kinds.begin(), kinds.end(), part.kind) != kinds.end()) names.push_back(name);
     return names;
 }
-
-namespace {
-
-template <class Map>
-std::vector<std::string> keys_of(const Map& map) {
-    std::vector<std::string> names;
-    for (const auto& [name, item] : map) names.push_back(name);
-    return names;
-}
-
-}  // namespace
-
-std::vector<std::string> Names::solids() const { return keys_of(solids_); }
-std::vector<std::string> Names::loads() const { return keys_of(loads_); }
-std::vector<std::string> Names::stickings() const { return keys_of(stickings_); }
 
 std::vector<std::string> Names::all() const {
     std::vector<std::string> names;

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "elements/model.hpp"
+#include "elements/kinds.hpp"
 #include "elements/sites.hpp"
 #include "language/vocabulary.hpp"
 
@@ -17,7 +17,7 @@ struct Named {
     Kind kind;
     const Item* item;
 
-    const Definition& definition() const { return static_cast<const Definition&>(*item); }
+    const Definition& definition() const;
     const Quantity& quantity() const { return static_cast<const Quantity&>(*item); }
 };
 
@@ -35,12 +35,26 @@ const char* describe(Part::Kind kind);
 /// What may stand in the brackets behind a quantity, but for media with a pressure and a temperature.
 std::vector<Part::Kind> parts_in(Subscript subscript);
 
+struct KindSpec;
+
+/// An element of any kind.
+struct OfKind {
+    const KindSpec* kind;
+    const Item* item;
+};
+
 /// The names of a model. Refers into the model, which must outlive it.
 class Names {
 public:
     explicit Names(const Model& model);
 
     const Named* find(std::string_view name) const;
+    /// The elements of all kinds that have this name.
+    const std::vector<OfKind>& elements(std::string_view name) const;
+    /// The element of one of these kinds, "body"; no item where there is none.
+    OfKind find_element(std::string_view name, const std::vector<const char*>& kinds) const;
+    /// The names of the elements of these kinds.
+    std::vector<std::string> names_of(const std::vector<const char*>& kinds) const;
     const Body* find_body(std::string_view name) const;
     const Damper* find_damper(std::string_view name) const;
     const Constraint* find_constraint(std::string_view name) const;
@@ -53,21 +67,11 @@ public:
     /// The names of the parts of these kinds.
     std::vector<std::string> parts(const std::vector<Part::Kind>& kinds) const;
     std::vector<std::string> all() const;
-    std::vector<std::string> solids() const;
-    std::vector<std::string> loads() const;
-    std::vector<std::string> stickings() const;
     const std::map<std::string, Named, std::less<>>& table() const { return table_; }
 
 private:
     std::map<std::string, Named, std::less<>> table_;
-    std::map<std::string, const Body*, std::less<>> bodies_;
-    std::map<std::string, const Damper*, std::less<>> dampers_;
-    std::map<std::string, const Constraint*, std::less<>> constraints_;
-    std::map<std::string, const Cut*, std::less<>> cuts_;
-    std::map<std::string, const Friction*, std::less<>> frictions_;
-    std::map<std::string, const Solid*, std::less<>> solids_;
-    std::map<std::string, const Load*, std::less<>> loads_;
-    std::map<std::string, const Sticking*, std::less<>> stickings_;
+    std::map<std::string, std::vector<OfKind>, std::less<>> elements_;
     std::map<std::string, Part, std::less<>> parts_;
 };
 

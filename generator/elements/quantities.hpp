@@ -28,7 +28,7 @@ struct Size : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Size>{"size", "Whole numbers that count the members of families; set with --size N=5.",
-    "[sizes]\nN = { value = 3, range = [1, 64], doc = \"number of links\" }", "value"};
+    "[sizes]\nN = { value = 3, range = [1, 64], doc = \"number of links\" }", "value", {.naming = Naming::formulas}};
 
 template <class Visitor, ElementOf<Size> E>
 void describe(Visitor& v, E& size) {
@@ -45,7 +45,7 @@ struct Parameter : Quantity {
 
 template <>
 inline constexpr KindSpec kind_of<Parameter>{"parameter", "Constants of the machine, set in the header's parameter struct.",
-    "[parameters]\nm_W = { value = 1.0, unit = \"kg\", range = [0.1, 10], doc = \"mass of the cart\" }"};
+    "[parameters]\nm_W = { value = 1.0, unit = \"kg\", range = [0.1, 10], doc = \"mass of the cart\" }", "", {.naming = Naming::formulas}};
 
 template <class Visitor, ElementOf<Parameter> E>
 void describe(Visitor& v, E& parameter) {
@@ -63,7 +63,7 @@ struct Definition : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Definition>{"definition", "Names for expressions.", "[definitions]\nm_S = \"rho_S*l_S*b_S*h_S\"",
-                                              "value"};
+                                              "value", {.naming = Naming::formulas}};
 
 template <class Visitor, ElementOf<Definition> E>
 void describe(Visitor& v, E& definition) {
@@ -85,7 +85,8 @@ struct Coordinate : Quantity {
 template <>
 inline constexpr KindSpec kind_of<Coordinate>{"coordinate",
     "Generalised coordinates; their velocities are dot(NAME), their accelerations ddot(NAME).",
-    "[coordinates]\nphi = { unit = \"rad\", start = \"pi/6\", doc = \"rod angle, 0 hanging\" }", "", in_all_modes};
+    "[coordinates]\nphi = { unit = \"rad\", start = \"pi/6\", doc = \"rod angle, 0 hanging\" }",
+    "", {.in_all_modes = true, .naming = Naming::formulas}};
 
 template <class Visitor, ElementOf<Coordinate> E>
 void describe(Visitor& v, E& coordinate) {
@@ -107,7 +108,7 @@ struct Input : Quantity {};
 
 template <>
 inline constexpr KindSpec kind_of<Input>{"input", "What drives the machine from outside.",
-    "[inputs]\nf_e = { unit = \"N\", doc = \"driving force\" }", "", in_all_modes};
+    "[inputs]\nf_e = { unit = \"N\", doc = \"driving force\" }", "", {.in_all_modes = true, .naming = Naming::formulas}};
 
 template <class Visitor, ElementOf<Input> E>
 void describe(Visitor& v, E& input) {
@@ -127,7 +128,7 @@ struct State : Quantity {
 template <>
 inline constexpr KindSpec kind_of<State>{"state",
     "First-order states beside the mechanics: plain ones with their derivative, or those that volumes and pipes determine.",
-    "[states.u_C]\nunit = \"V\"\nderivative = \"i_C/C\"", "", in_all_modes};
+    "[states.u_C]\nunit = \"V\"\nderivative = \"i_C/C\"", "", {.in_all_modes = true, .naming = Naming::formulas}};
 
 template <class Visitor, ElementOf<State> E>
 void describe(Visitor& v, E& state) {
@@ -148,7 +149,7 @@ struct Output : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Output>{"output", "What is measured or reported.", "[outputs]\nheight = \"-l*cos(phi)\"", "value",
-                                          in_all_modes};
+    {.in_all_modes = true, .naming = Naming::formulas}};
 
 template <class Visitor, ElementOf<Output> E>
 void describe(Visitor& v, E& output) {

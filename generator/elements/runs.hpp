@@ -71,7 +71,8 @@ struct PrintedEquation : Item {
 template <>
 inline constexpr KindSpec kind_of<PrintedEquation>{"printed equation",
                                                    "Equations as a text prints them, to be checked against the derivation.",
-                                                   "[printed.\"2.160\"]\nequation = \"m*l^2*ddot(phi) = -m*g*l*sin(phi)\""};
+                                                   "[printed.\"2.160\"]\nequation = \"m*l^2*ddot(phi) = -m*g*l*sin(phi)\"",
+    "", {.naming = Naming::free}};
 
 inline const KeyChoices<std::optional<Verdict>>& expected_verdicts() {
     static const KeyChoices<std::optional<Verdict>> choices = [] {

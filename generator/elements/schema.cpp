@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "elements/every_kind.hpp"
 #include "elements/kinds.hpp"
 #include "elements/key_list.hpp"
 
@@ -33,7 +34,7 @@ const std::vector<SectionSpec>& table() {
 }
 
 std::string key_line(const KeySpec& key, const std::string& indent) {
-    const char* value = key.type == ValueType::part && *key.refers != '\0' ? key.refers : describe(key.type);
+    const std::string value = key.type == ValueType::part && !key.refers.empty() ? key.refers : describe(key.type);
     std::string text = fmt::format("{}{:<{}} {:<23} {} {}\n", indent, key.name, 19 - indent.size(), value,
                                    key.required ? "required." : "optional.", key.doc);
     for (const std::string& line : key.lines) text += fmt::format("{}    {}\n", indent, line);

@@ -56,7 +56,7 @@ struct KeySpec {
     bool required;
     std::string doc;
     std::span<const KeySpec> (*parts)() = nullptr;  ///< the keys of a table that stands for the value
-    const char* refers = "";                        ///< of a name: the kind of thing that it names
+    std::string refers = {};                        ///< of a name: the kinds of elements that it may name
     std::vector<std::string> lines = {};            ///< further ones of the reference
 };
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "elements/every_kind.hpp"
 #include "elements/kinds.hpp"
 #include "elements/walk.hpp"
 

@@ -6,7 +6,8 @@
 #include <functional>
 
 #include "elements/dependence.hpp"
-#include "elements/model.hpp"
+#include "elements/item.hpp"
+#include "elements/kinds.hpp"
 
 namespace dalembert {
 

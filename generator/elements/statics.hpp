@@ -47,20 +47,23 @@ void describe(Visitor& v, E& solid) {
              "instead of `of`. The origin of its axes lies in the middle of a box, cylinder or sphere, and in the middle of the base of a "
              "cone or hemisphere; what is round is so about z, and stands towards +z"},
         solid_shapes());
-    v("size", solid.size, {.dimension = Dimension::length(), .depends = constant_only, .doc = "of a box: its lengths along x, y and z"});
-    v("radius", solid.radius, {.dimension = Dimension::length(), .depends = constant_only,
+    v("size", solid.size, {.dimension = Dimension::length(), .depends = constant_only, .sign = above_zero_in_range("m"),
+        .doc = "of a box: its lengths along x, y and z"});
+    v("radius", solid.radius, {.dimension = Dimension::length(), .depends = constant_only, .sign = above_zero_in_range("m"),
         .doc = "of what is round; of a cone that of its base"});
     v("inner_radius", solid.inner_radius,
-      {.dimension = Dimension::length(), .depends = constant_only, .doc = "of a hollow cylinder or sphere"});
-    v("height", solid.height, {.dimension = Dimension::length(), .depends = constant_only, .doc = "of a cylinder or cone, along z"});
-    v("top_radius", solid.top_radius, {.dimension = Dimension::length(), .depends = constant_only, .words = "radius at the top",
+      {.dimension = Dimension::length(), .depends = constant_only, .sign = not_below_zero("m"), .doc = "of a hollow cylinder or sphere"});
+    v("height", solid.height, {.dimension = Dimension::length(), .depends = constant_only, .sign = above_zero_in_range("m"),
+        .doc = "of a cylinder or cone, along z"});
+    v("top_radius", solid.top_radius, {.dimension = Dimension::length(), .depends = constant_only, .sign = not_below_zero("m"),
+        .words = "radius at the top",
         .doc = "of a frustum of a cone; 0 if left out: the cone ends in a point"});
     v("density", solid.density, {.dimension = dimension::density(), .depends = constant_only,
         .variables = {Dimension::length(), Dimension::length(), Dimension::length()}, .letters = {"x", "y", "z"},
         .doc = "mass by volume; may depend on the place, as a polynomial in x, y and z along its own axes"});
     v("mass", solid.mass, {.dimension = Dimension::mass(), .depends = constant_only, .doc = "instead: its mass, spread evenly"});
-    v("of", solid.of, {.refers = "solid", .doc = "instead of a shape: solids that are put together, placed in its axes"});
-    v("without", solid.without, {.refers = "solid",
+    v("of", solid.of, {.refers = {"solid"}, .doc = "instead of a shape: solids that are put together, placed in its axes"});
+    v("without", solid.without, {.refers = {"solid"},
         .doc = "with of: solids that are taken away, such as bores, with the density of what they are cut out of"});
     v("at", solid.at, {.dimension = Dimension::length(), .depends = constant_only, .words = "place",
         .doc = "where the origin of its axes lies; [0, 0, 0] if left out"});
@@ -77,14 +80,17 @@ struct LoadPart : Item {
     std::optional<VectorExpression> moment;  ///< N m
 };
 
+/// In sentences: "the x component of force 'rope' of load 'cylinder'".
+inline const char* noun_of(const LoadPart& part) { return part.moment ? "moment" : "force"; }
+
 template <class Visitor, ElementOf<LoadPart> E>
 void describe(Visitor& v, E& part) {
     constexpr unsigned anything = on_anything & ~on_outputs;
     v("at", part.at, {.dimension = Dimension::length(), .depends = anything, .words = "point",
         .excludes = {{"moment", "is a moment, which is the same wherever it acts; leave out 'at'", Id::not_allowed_here}},
         .doc = "the point where it acts; [0, 0, 0] if left out"});
-    v("force", part.force, {.dimension = Dimension::force(), .depends = anything, .doc = "the force"});
-    v("moment", part.moment, {.dimension = Dimension::energy(), .depends = anything,
+    v("force", part.force, {.dimension = Dimension::force(), .depends = anything, .words = "", .doc = "the force"});
+    v("moment", part.moment, {.dimension = Dimension::energy(), .depends = anything, .words = "",
         .doc = "instead: a moment, the same about every point"});
     v.either("force", "moment", "a force or a moment");
 }

@@ -22,7 +22,7 @@ inline constexpr KindSpec kind_of<Friction>{"friction",
     "constraint_force[NAME] is its force along the rate. With more than 128 combinations of modes in the file, and none of these named, a "
     "state instead, NAME_direction: 0 where it sticks, 1 and -1 where it slides.",
     "[frictions.floor]\nrate               = \"dot(x)\"\nnormal_force       = \"m*g\"\ncoefficient        = \"mu\"\n"
-    "static_coefficient = \"mu_0\""};
+    "static_coefficient = \"mu_0\"", "", {.naming = Naming::bringing}};
 
 template <class Visitor, ElementOf<Friction> E>
 void describe(Visitor& v, E& friction) {
@@ -47,7 +47,7 @@ template <>
 inline constexpr KindSpec kind_of<Stop>{"stop",
     "End stops that are struck, and hold where the machine leans on them. NAME brings the modes NAME_open and NAME_closed; "
     "constraint_force[NAME] is the force that opens the gap.",
-    "[stops.floor]\ngap         = \"h\"\nrestitution = \"e\""};
+    "[stops.floor]\ngap         = \"h\"\nrestitution = \"e\"", "", {.naming = Naming::bringing}};
 
 template <class Visitor, ElementOf<Stop> E>
 void describe(Visitor& v, E& stop) {
@@ -70,7 +70,7 @@ template <>
 inline constexpr KindSpec kind_of<Contact>{"contact",
     "Springs that act on one side only: ropes, contacts, the flanks of a backlash. NAME brings the modes NAME_slack and NAME_taut, with "
     "damping also NAME_released: stretched, but without force.",
-    "[contacts.rope]\nelongation = \"x - l\"\nstiffness  = \"c\""};
+    "[contacts.rope]\nelongation = \"x - l\"\nstiffness  = \"c\"", "", {.naming = Naming::bringing}};
 
 template <class Visitor, ElementOf<Contact> E>
 void describe(Visitor& v, E& contact) {
@@ -97,7 +97,7 @@ template <>
 inline constexpr KindSpec kind_of<Saturation>{"saturation",
     "Values within limits. NAME is what is left of the value, and brings the modes NAME_within, NAME_below, NAME_above; with more than 64 "
     "combinations of modes in the file, and none of these named, edges instead.",
-    "[saturations.drive]\nvalue = \"k*(x_d - x)\"\nlow   = \"-f_max\"\nhigh  = \"f_max\""};
+    "[saturations.drive]\nvalue = \"k*(x_d - x)\"\nlow   = \"-f_max\"\nhigh  = \"f_max\"", "", {.naming = Naming::bringing}};
 
 template <class Visitor, ElementOf<Saturation> E>
 void describe(Visitor& v, E& saturation) {
@@ -144,7 +144,8 @@ struct Profile : Item {
 template <>
 inline constexpr KindSpec kind_of<Profile>{"profile",
     "Values that go through phases of time. NAME is the value, and each phase is a mode NAME_PHASE.",
-    "[profiles.drive]\nphases = [{ name = \"runs\", value = \"a\", until = \"t_1\" }, { name = \"stands\", value = 0 }]"};
+    "[profiles.drive]\nphases = [{ name = \"runs\", value = \"a\", until = \"t_1\" }, { name = \"stands\", value = 0 }]",
+    "", {.naming = Naming::bringing}};
 
 template <class Visitor, ElementOf<Profile> E>
 void describe(Visitor& v, E& profile) {
@@ -167,7 +168,7 @@ struct ModeGroup : Item {
 template <>
 inline constexpr KindSpec kind_of<ModeGroup>{"mode group",
     "Ways in which a part of the machine can be, one at any time. The first that fits the start values is the start.",
-    "[modes]\npump = [\"pump_on\", \"pump_off\"]", "modes"};
+    "[modes]\npump = [\"pump_on\", \"pump_off\"]", "modes", {.naming = Naming::brought_section}};
 
 template <class Visitor, ElementOf<ModeGroup> E>
 void describe(Visitor& v, E&) {
@@ -191,14 +192,14 @@ template <>
 inline constexpr KindSpec kind_of<Constraint>{"constraint",
     "Rates or positions that are held at zero, in some mode. constraint_force[NAME] is what holds them: the force along the rate, on the "
     "machine.",
-    "[constraints.clutch]\nrate = \"dot(phi_1) - dot(phi_2)\"\nwhen = \"engaged\""};
+    "[constraints.clutch]\nrate = \"dot(phi_1) - dot(phi_2)\"\nwhen = \"engaged\"", "", {.naming = Naming::brought_section}};
 
 template <class Visitor, ElementOf<Constraint> E>
 void describe(Visitor& v, E& constraint) {
     v("rate", constraint.rate, {.depends = on_motion | on_places, .doc = "the rate that is held at zero, linear in the velocities"});
     v("position", constraint.position, {.depends = on_configuration | on_places,
         .doc = "instead: the position that is held at zero, and its rate with it"});
-    v("eliminates", constraint.eliminates, {.type = ValueType::coordinate, .refers = "coordinate",
+    v("eliminates", constraint.eliminates, {.type = ValueType::coordinate, .refers = {"coordinate"},
         .doc = "the coordinate whose velocity follows from the rate; its factor there must not move. If left out: the last one that can, "
                "else the force is an unknown of its own"});
     v("multiplier", constraint.multiplier, {
@@ -226,7 +227,7 @@ struct Event : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Event>{"event", "What happens where a guard goes through zero, in the modes that `when` names.",
-    "[events.full]\nguard = \"h_max - h\"\nwhen  = \"pump_on\"\nnext  = \"pump_off\""};
+    "[events.full]\nguard = \"h_max - h\"\nwhen  = \"pump_on\"\nnext  = \"pump_off\"", "", {.naming = Naming::brought_section}};
 
 inline const KeyChoices<bool>& directions() {
     static const KeyChoices<bool> choices{{.word = "falling", .value = false, .doc = " (default)"}, {.word = "rising", .value = true}};
@@ -242,7 +243,7 @@ void describe(Visitor& v, E& event) {
                                   "resets something"});
     describe_resets(v, "reset", event.reset, {},
         "new values of states, coordinates and velocities, made of those before: { \"dot(h)\" = \"-e*dot(h)\" }");
-    v("meets", event.meets, {.refers = "constraint",
+    v("meets", event.meets, {.refers = {"constraint"},
         .doc = "a constraint whose rate is struck: velocities change by the smallest impulse that reverses it"});
     v("restitution", event.restitution, {.dimension = Dimension::none(), .depends = constant_only,
         .needs = {{"meets", "has a restitution, but meets no constraint"}},

@@ -4,8 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "elements/conduction.hpp"
 #include "elements/key.hpp"
-#include "elements/model.hpp"
+#include "elements/runs.hpp"
 
 namespace dalembert {
 
@@ -20,6 +21,7 @@ struct Written {
     bool is_of_sizes = false;
     const Expression* like = nullptr;         ///< what it is a value of
     const CoordinateEntry* along = nullptr;   ///< the coordinate by whose unit its unit is
+    std::optional<std::size_t> place = {};    ///< in a list of expressions, from 0
 };
 
 /// What holds no expression.
@@ -71,6 +73,9 @@ public:
     void operator()(const char* name, const std::vector<Member>& members, const Key& key) const {
         for (const Member& member : members) (*this)(name, member, key);
     }
+    void operator()(const char* name, const std::vector<ExpressionPtr>& list, const Key& key) const {
+        for (std::size_t i = 0; i < list.size(); ++i) one(list[i], key, what(name, key), i);
+    }
     void operator()(const char* name, const std::array<ExpressionPtr, 2>& point, const Key& key) const {
         for (const ExpressionPtr& e : point) one(e, key, what(name, key));
     }
@@ -119,7 +124,9 @@ public:
     template <class Part>
     void list(const char*, const std::vector<Part>& parts, const Key& key) const {
         for (const Part& part : parts) {
-            const ExpressionWalk inside(take_, fmt::format("{}{}'{}' of {}", key.noun, *key.noun == '\0' ? "" : " ", part.name, owner_));
+            const char* noun = key.noun;
+            if constexpr (requires { noun_of(part); }) noun = noun_of(part);
+            const ExpressionWalk inside(take_, fmt::format("{}{}'{}' of {}", noun, *noun == '\0' ? "" : " ", part.name, owner_));
             describe(inside, part);
         }
     }
@@ -139,12 +146,13 @@ private:
         return words.empty() ? owner_ : fmt::format("the {}{} of {}", prefix_, words, owner_);
     }
 
-    void one(const ExpressionPtr& e, const Key& key, std::string what) const {
+    void one(const ExpressionPtr& e, const Key& key, std::string what, std::optional<std::size_t> place = {}) const {
         if (!e) return;
         Written written{*e, key, key.depends, std::move(what)};
         written.bound.assign(key.letters.begin(), key.letters.end());
         written.may_shadow = !key.letters.empty();
         written.is_of_sizes = key.is_of_sizes;
+        written.place = place;
         take_(written);
     }
 

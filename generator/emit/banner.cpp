@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "elements/model.hpp"
+#include "elements/runs.hpp"
 #include "emit/constants.hpp"
 #include "text/safe_text.hpp"
 #include "elements/verdict.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "elements/model.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {

@@ -10,6 +10,7 @@
 #include "form/linear_system.hpp"
 #include "prove/definiteness.hpp"
 
+#include "elements/model.hpp"
 #include "text/safe_text.hpp"
 
 namespace dalembert {

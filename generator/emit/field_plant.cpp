@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "elements/conduction.hpp"
 #include "emit/constants.hpp"
 #include "emit/cpp_names.hpp"
 #include "emit/field_bodies.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/header.hpp"
 
+#include "elements/runs.hpp"
 #include "emit/cpp_names.hpp"
 #include "emit/field_plant.hpp"
 #include "emit/plant.hpp"

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "elements/bodies.hpp"
 #include "emit/cpp_bodies.hpp"
 #include "emit/header_equations.hpp"
 #include "emit/mode_code.hpp"

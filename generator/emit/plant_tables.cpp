@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "check/units.hpp"
+#include "elements/model.hpp"
 #include "emit/constants.hpp"
 #include "emit/cpp_names.hpp"
 #include "emit/notation.hpp"

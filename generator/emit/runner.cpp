@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "elements/model.hpp"
+#include "elements/runs.hpp"
 #include "emit/cpp_bodies.hpp"
 #include "cpp/helpers.hpp"
 #include "balance/steps.hpp"

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "elements/model.hpp"
 #include "scene/choose_fields.hpp"
 #include "text/diagnostic.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "elements/bodies.hpp"
 #include "form/quantities.hpp"
 #include "mechanics/curvilinear.hpp"
 #include "text/diagnostic.hpp"

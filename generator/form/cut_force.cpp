@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "elements/bodies.hpp"
+#include "elements/forces.hpp"
+#include "elements/gravity.hpp"
 #include "form/quantities.hpp"
 #include "text/diagnostic.hpp"
 

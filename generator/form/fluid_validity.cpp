@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "elements/fluids.hpp"
 #include "form/signs.hpp"
 #include "text/diagnostic.hpp"
 #include "text/nearest.hpp"
@@ -22,21 +23,16 @@ public:
 
     void run() const {
         for (const auto& member : system_.scene.media) check(*member.item);
-        for (const ReservoirState& reservoir : system_.fluids.containers.reservoirs) {
-            const Reservoir& item = *reservoir.member.item;
-            if (!depends_on_input(reservoir.fluid.pressure))
-                positive(reservoir.fluid.pressure, item.pressure->span, fmt::format("the pressure of reservoir '{}'", item.name), "Pa");
-            if (item.temperature && reservoir.fluid.temperature && !depends_on_input(*reservoir.fluid.temperature))
-                positive(*reservoir.fluid.temperature, item.temperature->span, fmt::format("the temperature of reservoir '{}'", item.name),
-                         "K");
-        }
+        for (const ReservoirState& reservoir : system_.fluids.containers.reservoirs) signs(reservoir.member);
         for (const ControlVolume& volume : system_.fluids.containers.volumes) check(volume);
-        for (const FlowState& flow : system_.fluids.flows)
-            check_signs(*flow.member.item, flow.member.name(), Translator::indices_of(flow.member), system_, value_);
+        for (const FlowState& flow : system_.fluids.flows) signs(flow.member);
     }
 
 private:
-    bool depends_on_input(const ex& e) const { return value_.depends_on_input(e); }
+    template <class T>
+    void signs(const Member<T>& member) const {
+        check_signs(*member.item, member.name(), Translator::indices_of(member), system_, value_);
+    }
     void positive(const ex& e, const Span& place, const std::string& what, const char* unit) const {
         value_.positive(e, place, what, unit);
     }
@@ -58,28 +54,16 @@ private:
 
     void check(const ControlVolume& volume) const {
         const Volume& item = *volume.member.item;
-        const std::string name = fmt::format("volume '{}'", volume.member.name());
-        const Indices indices = Translator::indices_of(volume.member);
-        const auto constant = [&](const ExpressionPtr& e, const char* what, const char* unit) {
-            if (e) positive(system_.translate(e, indices), e->span, fmt::format("the {} of {}", what, name), unit);
-        };
-        if (!volume.is_thermal()) constant(item.isothermal, "temperature", "K");
-        if (item.polytropic && volume.exponent) {
-            constant(item.polytropic->exponent, "polytropic exponent", "1");
-            constant(item.polytropic->pressure, "polytropic pressure", "Pa");
-            constant(item.polytropic->temperature, "polytropic temperature", "K");
-        }
-        if (volume.is_thermal())
-            positive(*volume.fluid.temperature, item.temperature->span, fmt::format("the temperature of {}", name), "K");
+        signs(volume.member);
         if (volume.primary == ControlVolume::Primary::filling) return;
-        positive(volume.size, item.volume->span, fmt::format("the size of {}", name), "m^3");
         const ExpressionPtr& state = item.pressure ? item.pressure : item.density ? item.density : item.mass;
-        const char* what = item.pressure ? "pressure" : item.density ? "density" : "mass";
-        positive(system_.translate(state, Translator::indices_of(volume.member)), state->span, fmt::format("the {} of {}", what, name),
-                 item.pressure  ? "Pa"
-                 : item.density ? "kg/m^3"
-                                : "kg");
-        positive(volume.medium_state.pressure, state->span, fmt::format("the pressure that follows from the {} of {}", what, name), "Pa");
+        positive(volume.medium_state.pressure, state->span,
+                 fmt::format("the pressure that follows from the {} of volume '{}'",
+                             item.pressure  ? "pressure"
+                             : item.density ? "density"
+                                            : "mass",
+                             volume.member.name()),
+                 "Pa");
     }
 
     const System& system_;

@@ -5,6 +5,8 @@
 
 #include <set>
 
+#include "elements/conduction.hpp"
+#include "elements/heat.hpp"
 #include "form/signs.hpp"
 #include "text/diagnostic.hpp"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "form/letters_system.hpp"
 
+#include "elements/model.hpp"
+
 namespace dalembert {
 
 std::unique_ptr<System> letters_alone(const Names& names, const Model& model) {

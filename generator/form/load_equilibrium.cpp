@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "elements/statics.hpp"
 #include "form/random_points.hpp"
 #include "symbolic/quotient.hpp"
 #include "text/nearest.hpp"

@@ -14,9 +14,9 @@ using GiNaC::ex;
 
 namespace {
 
-class Naming {
+class BalanceNames {
 public:
-    Naming(const System& system, Symbols& symbols) : system_(system), symbols_(symbols) {
+    BalanceNames(const System& system, Symbols& symbols) : system_(system), symbols_(symbols) {
         fluids_.containers.volumes = system.fluids.containers.volumes;
         fluids_.containers.reservoirs = system.fluids.containers.reservoirs;
         fluids_.containers.junctions = system.fluids.containers.junctions;
@@ -139,7 +139,7 @@ private:
 
 NamedBalances name_balances(const System& system, Symbols& symbols) {
     if (!system.has_balances()) return {{}, {}, {}, {}, system.state_rates, 0, 0};
-    return Naming(system, symbols).run();
+    return BalanceNames(system, symbols).run();
 }
 
 }  // namespace dalembert

@@ -3,6 +3,8 @@
 
 #include "form/linear_system.hpp"
 #include "form/quantities.hpp"
+#include "elements/bodies.hpp"
+#include "elements/forces.hpp"
 #include "language/vocabulary.hpp"
 #include "text/diagnostic.hpp"
 

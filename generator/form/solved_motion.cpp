@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elements/bodies.hpp"
 #include "form/constrained_motion.hpp"
 #include "text/diagnostic.hpp"
 

@@ -11,7 +11,9 @@ using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::numeric;
 
-StartValues::StartValues(const System& system) : system_(system), start_(Values(system.scene, system.translate).substitution()) {
+StartValues::StartValues(const System& system) : StartValues(system, Values(system.scene, system.translate)) {}
+
+StartValues::StartValues(const System& system, const Values& values) : system_(system), start_(values.substitution()) {
     add_steps(start_, system.symbols, 30);
 }
 
@@ -28,18 +30,16 @@ bool StartValues::depends_on_input(const ex& e) const {
 }
 
 void StartValues::positive(const ex& e, const Span& place, const std::string& what, const char* unit) const {
-    const auto number = (*this)(e);
-    if (number && number->is_positive()) return;
-    throw Failure(Diagnostic{Id::value_out_of_range, place,
-                             fmt::format("{} is {} {} at the start, but must be above zero", what,
-                                         number ? fmt::format("{:.6g}", number->to_double()) : "no number", unit)});
+    check(above_zero(unit), e, place, what);
 }
 
-void StartValues::at_least_zero(const ex& e, const Span& place, const std::string& what, const char* unit) const {
+void StartValues::check(const SignRule& rule, const ex& e, const Span& place, const std::string& what) const {
     const auto number = (*this)(e);
-    if (!number || !number->is_negative()) return;
-    throw Failure(Diagnostic{Id::value_out_of_range, place,
-                             fmt::format("{} is {:.6g} {} at the start, but must not be below zero", what, number->to_double(), unit)});
+    if (!number && !rule.is_above_zero) return;
+    const char* must = number ? broken(rule, number->csgn(), (*number - 1).csgn()) : "must be above zero";
+    if (must == nullptr) return;
+    const std::string shown = number ? fmt::format("{:.6g}{}", number->to_double(), with_space(rule.unit)) : "no number";
+    throw Failure(Diagnostic{Id::value_out_of_range, place, fmt::format("{} is {} at the start, but {}", what, shown, must)});
 }
 
 }  // namespace dalembert

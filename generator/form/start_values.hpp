@@ -9,14 +9,15 @@ namespace dalembert {
 class StartValues {
 public:
     explicit StartValues(const System& system);
+    StartValues(const System& system, const Values& values);
 
     /// Nothing where it has none.
     std::optional<GiNaC::numeric> operator()(const GiNaC::ex& e) const;
     bool depends_on_input(const GiNaC::ex& e) const;
-    /// Throws Failure (value-out-of-range): "WHAT is VALUE UNIT at the start, but must be above zero".
+    /// Throws Failure (value-out-of-range): "WHAT is VALUE UNIT at the start, but must be above zero". What has no value breaks no rule but
+    /// this one.
+    void check(const SignRule& rule, const GiNaC::ex& e, const Span& place, const std::string& what) const;
     void positive(const GiNaC::ex& e, const Span& place, const std::string& what, const char* unit) const;
-    /// The same of what may be zero; what has no value passes.
-    void at_least_zero(const GiNaC::ex& e, const Span& place, const std::string& what, const char* unit) const;
 
 private:
     const System& system_;

@@ -14,6 +14,7 @@
 #include <set>
 
 #include "balance/steps.hpp"
+#include "elements/statics.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {

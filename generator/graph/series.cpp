@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "elements/model.hpp"
+
 namespace dalembert {
 
 namespace {

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 
+#include "elements/bodies.hpp"
+#include "elements/forces.hpp"
+#include "elements/gravity.hpp"
+
 namespace dalembert {
 
 using GiNaC::ex;

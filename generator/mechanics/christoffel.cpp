@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "elements/forces.hpp"
 #include "mechanics/dalembert.hpp"
 #include "text/diagnostic.hpp"
 

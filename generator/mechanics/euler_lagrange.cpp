@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mechanics/euler_lagrange.hpp"
 
+#include "elements/forces.hpp"
+
 namespace dalembert {
 
 using GiNaC::ex;

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "elements/bodies.hpp"
+#include "elements/forces.hpp"
+#include "elements/gravity.hpp"
+
 namespace dalembert {
 
 using GiNaC::ex;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "elements/bodies.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {

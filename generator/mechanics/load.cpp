@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mechanics/load.hpp"
 
+#include "elements/statics.hpp"
+
 namespace dalembert {
 
 std::vector<LoadShare> load_shares(const Load& load, const Translator& translate, const Letters& unknowns) {

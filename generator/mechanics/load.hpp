@@ -6,6 +6,8 @@
 
 namespace dalembert {
 
+struct LoadPart;
+
 /// What one part of a load gives: its force, and its moment about the point of reference.
 struct LoadShare {
     const LoadPart* part;

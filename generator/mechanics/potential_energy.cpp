@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "elements/bodies.hpp"
+#include "elements/forces.hpp"
+#include "elements/gravity.hpp"
 #include "mechanics/forces.hpp"
 #include "symbolic/affine_rate.hpp"
 #include "symbolic/integrate.hpp"

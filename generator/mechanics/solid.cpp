@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "elements/statics.hpp"
 #include "mechanics/solid_shape.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/integrate.hpp"

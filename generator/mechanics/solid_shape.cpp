@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mechanics/solid_shape.hpp"
 
+#include "elements/statics.hpp"
+
 namespace dalembert {
 
 using GiNaC::ex;

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "check/checks.hpp"
+#include "check/written_values.hpp"
+#include "elements/runs.hpp"
 #include "printed/latex_conditions.hpp"
 #include "printed/latex_meaning.hpp"
 #include "printed/latex_reader.hpp"
@@ -13,7 +15,6 @@
 #include "printed/latex_words.hpp"
 #include "printed/letter_dependences.hpp"
 #include "read/matrices.hpp"
-#include "check/written_values.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {

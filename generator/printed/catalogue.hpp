@@ -2,7 +2,9 @@
 // A catalogue: the equations that a text prints, each with what it is checked against.
 #pragma once
 
-#include "elements/model.hpp"
+#include "elements/kinds.hpp"
+#include "elements/quantities.hpp"
+#include "elements/runs.hpp"
 #include "language/lexer.hpp"
 #include "printed/latex_reader.hpp"
 

@@ -4,136 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
-#include <set>
 #include <utility>
 
+#include "printed/latex_commands.hpp"
 #include "text/budgets.hpp"
 
 namespace dalembert {
 
 namespace {
-
-using Words = std::set<std::string, std::less<>>;
-
-/// Nothing but their looks.
-const Words without_meaning{
-    "\\displaystyle", "\\textstyle",  "\\scriptstyle", "\\limits",     "\\nolimits",   "\\nonumber",   "\\notag",   "\\hfill",
-    "\\noindent",     "\\hline",      "\\boxed",       "\\fbox",       "\\ensuremath", "\\mathstrut",  "\\strut",   "\\qty",
-    "\\null",         "\\hfil",       "\\par",         "\\medskip",    "\\smallskip",  "\\bigskip",    "\\tiny",    "\\small",
-    "\\footnotesize", "\\scriptsize", "\\normalsize",  "\\large",      "\\Large",      "\\rm",         "\\it",      "\\protect",
-    "\\centering",    "\\[",          "\\]",           "\\(",          "\\)",          "\\/",          "\\mathord", "\\mathop",
-    "\\mathbin",      "\\mathrel",    "\\mathinner",   "\\unboldmath", "\\boldmath",   "\\allowbreak", "\\nobreak", "\\checkmark",
-    "\\newline",      "\\relax"};
-/// With an argument that says nothing either.
-const Words with_idle_argument{"\\label",    "\\tag",      "\\hspace",   "\\vspace",    "\\phantom",  "\\hphantom",
-                               "\\vphantom", "\\color",    "\\footnote", "\\textcolor", "\\stackrel", "\\overset",
-                               "\\underset", "\\mathclap", "\\cite",     "\\ref",       "\\eqref"};
-const Words wraps_second_argument{"\\stackrel", "\\overset", "\\underset"};
-const Words thin_spaces{"\\,", "\\;", "\\:", "\\!", "\\ ", "\\>", "\\thinspace", "\\medspace", "\\thickspace", "\\enspace", "\\space"};
-const Words upright_commands{"\\mathrm", "\\text", "\\textrm", "\\textnormal",   "\\textit", "\\mathit", "\\mathnormal", "\\textsf",
-                             "\\textup", "\\mbox", "\\hbox",   "\\operatorname", "\\mathup", "\\unit",   "\\si"};
-const Words sizes{"\\left",  "\\right", "\\middle", "\\big",  "\\Big",   "\\bigg",  "\\Bigg", "\\bigl", "\\Bigl",
-                  "\\biggl", "\\Biggl", "\\bigr",   "\\Bigr", "\\biggr", "\\Biggr", "\\bigm", "\\Bigm"};
-
-const std::map<std::string, std::string, std::less<>> one_spelling{{"\\dfrac", "\\frac"},
-                                                                   {"\\tfrac", "\\frac"},
-                                                                   {"\\cfrac", "\\frac"},
-                                                                   {"\\nicefrac", "\\frac"},
-                                                                   {"\\sfrac", "\\frac"},
-                                                                   {"\\leq", "\\le"},
-                                                                   {"\\leqslant", "\\le"},
-                                                                   {"\\geq", "\\ge"},
-                                                                   {"\\geqslant", "\\ge"},
-                                                                   {"\\ne", "\\neq"},
-                                                                   {"\\varpropto", "\\propto"},
-                                                                   {"\\approxeq", "\\approx"},
-                                                                   {"\\triangleq", ":="},
-                                                                   {"\\doteq", ":="},
-                                                                   {"\\eqdef", ":="},
-                                                                   {"\\lt", "<"},
-                                                                   {"\\gt", ">"},
-                                                                   {"\\simeq", "\\approx"},
-                                                                   {"\\cong", "\\approx"},
-                                                                   {"\\to", "\\rightarrow"},
-                                                                   {"\\longrightarrow", "\\rightarrow"},
-                                                                   {"\\Longrightarrow", "\\Rightarrow"},
-                                                                   {"\\Leftrightarrow", "\\Rightarrow"},
-                                                                   {"\\Longleftrightarrow", "\\Rightarrow"},
-                                                                   {"\\iff", "\\Rightarrow"},
-                                                                   {"\\therefore", "\\Rightarrow"},
-                                                                   {"\\because", "\\Rightarrow"},
-                                                                   {"\\leadsto", "\\Rightarrow"},
-                                                                   {"\\implies", "\\Rightarrow"},
-                                                                   {"\\ldots", "\\dots"},
-                                                                   {"\\cdots", "\\dots"},
-                                                                   {"\\dotsc", "\\dots"},
-                                                                   {"\\dotsb", "\\dots"},
-                                                                   {"\\dotsm", "\\dots"},
-                                                                   {"\\vdots", "\\dots"},
-                                                                   {"\\ddots", "\\dots"},
-                                                                   {"\\lbrace", "\\{"},
-                                                                   {"\\rbrace", "\\}"},
-                                                                   {"\\lbrack", "["},
-                                                                   {"\\rbrack", "]"},
-                                                                   {"\\vert", "|"},
-                                                                   {"\\lvert", "|"},
-                                                                   {"\\rvert", "|"},
-                                                                   {"\\mid", "|"},
-                                                                   {"\\Vert", "\\|"},
-                                                                   {"\\lVert", "\\|"},
-                                                                   {"\\rVert", "\\|"},
-                                                                   {"\\ast", "*"},
-                                                                   {"\\colon", ":"},
-                                                                   {"\\coloneqq", ":="},
-                                                                   {"\\colonequals", ":="},
-                                                                   {"\\bm", "\\mathbf"},
-                                                                   {"\\boldsymbol", "\\mathbf"},
-                                                                   {"\\textbf", "\\mathbf"},
-                                                                   {"\\pmb", "\\mathbf"},
-                                                                   {"\\mathscr", "\\mathcal"},
-                                                                   {"\\overrightarrow", "\\vec"},
-                                                                   {"\\widetilde", "\\tilde"},
-                                                                   {"\\widehat", "\\hat"},
-                                                                   {"\\varGamma", "\\Gamma"},
-                                                                   {"\\varDelta", "\\Delta"},
-                                                                   {"\\varTheta", "\\Theta"},
-                                                                   {"\\varLambda", "\\Lambda"},
-                                                                   {"\\varXi", "\\Xi"},
-                                                                   {"\\varPi", "\\Pi"},
-                                                                   {"\\varSigma", "\\Sigma"},
-                                                                   {"\\varUpsilon", "\\Upsilon"},
-                                                                   {"\\varPhi", "\\Phi"},
-                                                                   {"\\varPsi", "\\Psi"},
-                                                                   {"\\varOmega", "\\Omega"},
-                                                                   {"\\bcancel", "\\cancel"},
-                                                                   {"\\xcancel", "\\cancel"},
-                                                                   {"\\textbullet", "\\cdot"},
-                                                                   {"\\bullet", "\\cdot"},
-                                                                   {"\\ddag", "\\dagger"},
-                                                                   {"\\lg", "\\log_{10}"},
-                                                                   {"\\dd", "\\differential"},
-                                                                   {"\\diff", "\\differential"},
-                                                                   {"\\oint", "\\int"},
-                                                                   {"\\iint", "\\int"},
-                                                                   {"\\iiint", "\\int"},
-                                                                   {"\\oiint", "\\int"},
-                                                                   {"\\mapsto", "\\rightarrow"},
-                                                                   {"\\infin", "\\infty"},
-                                                                   {"\\dbinom", "\\binom"},
-                                                                   {"\\tbinom", "\\binom"},
-                                                                   {"\\top", "\\intercal"},
-                                                                   {"\\degree", "\\circ"},
-                                                                   {"\\textdegree", "\\circ"},
-                                                                   {"\\centerdot", "\\cdot"}};
-
-const std::map<std::string, std::string, std::less<>> spelt_out{
-    {"·", "\\cdot"},       {"×", "\\times"}, {"−", "-"},       {"°", "°"},       {"≤", "\\le"},     {"≥", "\\ge"},     {"≈", "\\approx"},
-    {"∂", "\\partial"},    {"∞", "\\infty"}, {"≠", "\\neq"},   {"α", "\\alpha"}, {"β", "\\beta"},   {"γ", "\\gamma"},  {"δ", "\\delta"},
-    {"ε", "\\varepsilon"}, {"η", "\\eta"},   {"θ", "\\theta"}, {"κ", "\\kappa"}, {"λ", "\\lambda"}, {"μ", "\\mu"},     {"µ", "\\mu"},
-    {"ν", "\\nu"},         {"π", "\\pi"},    {"ρ", "\\rho"},   {"σ", "\\sigma"}, {"τ", "\\tau"},    {"φ", "\\varphi"}, {"ϕ", "\\phi"},
-    {"χ", "\\chi"},        {"ψ", "\\psi"},   {"ω", "\\omega"}, {"Δ", "\\Delta"}, {"Ω", "\\Omega"},  {"Φ", "\\Phi"},    {"Ψ", "\\Psi"}};
 
 bool is_latex_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_latin(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -270,7 +148,7 @@ private:
 
     /// {\bf M} is \mathbf{M}, {\rm kg} is \mathrm{kg}.
     bool font_switch() {
-        static const std::map<std::string, std::string, std::less<>> switches{{"\\bf", "\\mathbf"},
+        static const latex::Spellings switches{{"\\bf", "\\mathbf"},
                                                                               {"\\bfseries", "\\mathbf"},
                                                                               {"\\boldmath", "\\mathbf"},
                                                                               {"\\cal", "\\mathcal"},
@@ -312,7 +190,7 @@ private:
             while (i_ + length < to_ && (static_cast<unsigned char>(text_[i_ + length]) & 0xC0U) == 0x80U) ++length;
         std::string text(rest.substr(0, length));
         if (text == "...") text = "\\dots";
-        if (const auto known = spelt_out.find(text); known != spelt_out.end()) text = known->second;
+        if (const auto known = latex::spelt_out.find(text); known != latex::spelt_out.end()) text = known->second;
         const Kind kind = text.starts_with('\\') ? Kind::command : Kind::sign;
         add(kind, std::move(text), i_, i_ + length);
         i_ += length;
@@ -336,18 +214,18 @@ private:
         const std::size_t begin = i_;
         std::string name = command_name();
         if (name == "\\") wrong(begin, i_, "a command such as '\\frac' is expected behind the backslash");
-        if (thin_spaces.contains(name)) return spaced(Space::thin);
+        if (latex::thin_spaces.contains(name)) return spaced(Space::thin);
         if (name == "\\quad" || name == "\\qquad") return spaced(Space::quad);
         if (name == "\\\\" || name == "\\cr" || name == "\\tabularnewline") return line_break(begin);
         if (name == "\\qty" && at(i_) == '{') return add(Kind::command, name, begin, i_);
-        if (without_meaning.contains(name)) return;
-        if (with_idle_argument.contains(name)) return idle_argument(name, begin);
+        if (latex::without_meaning.contains(name)) return;
+        if (latex::with_idle_argument.contains(name)) return idle_argument(name, begin);
         if (name == "\\intertext" || name == "\\shortintertext") return words_between(name, begin);
-        if (sizes.contains(name)) return bracket(name, begin);
+        if (latex::bracket_sizes.contains(name)) return bracket(name, begin);
         if (name == "\\begin" || name == "\\end") return environment(name, begin);
-        if (upright_commands.contains(name)) return upright(name, begin);
+        if (latex::upright_commands.contains(name)) return upright(name, begin);
         if (name == "\\%") return add(Kind::sign, "%", begin, i_);
-        if (const auto known = one_spelling.find(name); known != one_spelling.end()) name = known->second;
+        if (const auto known = latex::one_spelling.find(name); known != latex::one_spelling.end()) name = known->second;
         if (name == "\\Pr") return add(Kind::upright, "Pr", begin, i_);
         if (name == "\\log_{10}") return add(Kind::command, "\\lg", begin, i_);
         add(name.starts_with('\\') && name != "\\{" && name != "\\}" && name != "\\|" ? Kind::command : Kind::sign, name, begin, i_);
@@ -379,7 +257,7 @@ private:
         skip_blanks();
         if (at(i_) != '{') wrong(begin, i_, fmt::format("'{{' is expected behind '{}'", name));
         i_ = closing(i_) + 1;
-        if (!wraps_second_argument.contains(name)) return;
+        if (!latex::wraps_second_argument.contains(name)) return;
         skip_blanks();
         if (at(i_) != '{') return;
         if (wraps_.size() == static_cast<std::size_t>(budget::nesting))
@@ -395,13 +273,13 @@ private:
         std::string text;
         if (at(i_) == '\\') {
             text = command_name();
-            if (const auto known = one_spelling.find(text); known != one_spelling.end()) text = known->second;
+            if (const auto known = latex::one_spelling.find(text); known != latex::one_spelling.end()) text = known->second;
         } else {
             text = std::string(1, text_[i_++]);
             if (text == "<" && size == "\\left") text = "\\langle";
             if (text == ">" && size == "\\right") text = "\\rangle";
         }
-        static const Words brackets{"(", ")", "[", "]", "\\{", "\\}", "|", "\\|", ".", "/"};
+        static const latex::Words brackets{"(", ")", "[", "]", "\\{", "\\}", "|", "\\|", ".", "/"};
         if (text == "\\langle" || text == "\\rangle")
             return add(Kind::command, text, begin, i_, text == "\\langle" ? Side::left : Side::right);
         if (!brackets.contains(text)) wrong(begin, i_, fmt::format("a bracket is expected behind '{}'", size));

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "elements/names.hpp"
+#include "elements/runs.hpp"
 
 namespace dalembert {
 

@@ -3,10 +3,11 @@
 
 #include <set>
 
+#include "elements/runs.hpp"
+#include "elements/verdict.hpp"
 #include "printed/catalogue.hpp"
 #include "printed/catalogue_schema.hpp"
 #include "read/entry.hpp"
-#include "elements/verdict.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elements/bodies.hpp"
+#include "elements/forces.hpp"
+#include "elements/model.hpp"
 #include "prove/equivalence.hpp"
 
 namespace dalembert {

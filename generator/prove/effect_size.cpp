@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "scene/fix_parameters.hpp"
+#include "elements/runs.hpp"
 #include "prove/motion_at.hpp"
+#include "scene/fix_parameters.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {

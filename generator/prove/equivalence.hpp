@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "elements/verdict.hpp"
 #include "form/random_points.hpp"
 #include "symbolic/ranges.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "elements/model.hpp"
 #include "form/constrained_motion.hpp"
 #include "text/budgets.hpp"
 #include "text/diagnostic.hpp"

@@ -3,9 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "printed/latex_meaning.hpp"
 #include "check/units.hpp"
+#include "elements/runs.hpp"
 #include "elements/verdict.hpp"
+#include "printed/latex_meaning.hpp"
 #include "prove/printed_pair.hpp"
 #include "prove/right_angles.hpp"
 #include "symbolic/quotient.hpp"

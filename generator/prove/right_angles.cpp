@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "elements/bodies.hpp"
 #include "mechanics/curvilinear.hpp"
 #include "language/sum_terms.hpp"
 #include "elements/verdict.hpp"

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "elements/statics.hpp"
 #include "elements/verdict.hpp"
 
 namespace dalembert {

@@ -3,9 +3,10 @@
 
 #include <set>
 
+#include "elements/runs.hpp"
 #include "language/expression_text.hpp"
-#include "read/matrices.hpp"
 #include "language/vocabulary.hpp"
+#include "read/matrices.hpp"
 #include "text/budgets.hpp"
 
 namespace dalembert {

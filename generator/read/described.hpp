@@ -59,7 +59,7 @@ public:
         rules_.check(name, key);
     }
     void operator()(const char* name, Reference& member, const Key& key) const {
-        if (auto reference = e_.reference(name, key.refers)) member = *reference;
+        if (auto reference = e_.reference(name, words_of(key.refers))) member = *reference;
     }
     void alternatives(const char* name, ExpressionPtr& member, std::optional<VectorExpression>& vector, const Key& key) const {
         if (e_.is_list(name)) vector = e_.vector(name);
@@ -140,11 +140,13 @@ private:
     void read(const char* name, std::optional<VectorExpression>& member, const Key&) const { member = e_.vector(name); }
     void read(const char* name, std::vector<Turn>& member, const Key&) const { member = e_.turns(name); }
     void read(const char* name, std::optional<Reference>& member, const Key& key) const {
-        if (key.type != ValueType::coordinate) member = e_.reference(name, key.refers);
+        if (key.type != ValueType::coordinate) member = e_.reference(name, words_of(key.refers));
         else if (const auto coordinate = e_.coordinate(name))
             member = Reference{coordinate->coordinate, coordinate->index, coordinate->span};
     }
-    void read(const char* name, std::vector<Reference>& member, const Key& key) const { member = e_.references(name, key.refers); }
+    void read(const char* name, std::vector<Reference>& member, const Key& key) const {
+        member = e_.references(name, words_of(key.refers));
+    }
     void read(const char* name, CoordinateEntry& member, const Key&) const { member = e_.coordinate(name).value_or(CoordinateEntry{}); }
     void read(const char* name, std::vector<CoordinateEntry>& member, const Key&) const { member = e_.coordinates(name); }
     void read(const char* name, std::vector<RunEntry>& member, const Key&) const { member = e_.by_name(name); }

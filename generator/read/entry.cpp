@@ -192,17 +192,17 @@ std::optional<Family> Entry::family(std::string_view key) const { return parsed(
 
 std::optional<Condition> Entry::condition(std::string_view key) const { return parsed(key, ValueType::condition, parse_condition); }
 
-std::optional<Reference> Entry::reference(const DocumentNode& node, ValueType type, const char* what) const {
+std::optional<Reference> Entry::reference(const DocumentNode& node, ValueType type, const std::string& what) const {
     const ExpressionPtr name = expression(node, type);
     if (!name) return std::nullopt;
     if (name->kind == Expression::Kind::name && name->children.size() <= 1)
         return Reference{name->name, name->children.empty() ? nullptr : name->children[0], name->span};
-    const char* article = std::string_view("aeiou").find(*what) == std::string_view::npos ? "a" : "an";
+    const char* article = std::string_view("aeiou").find(what.front()) == std::string_view::npos ? "a" : "an";
     error(Id::wrong_type, node.span, fmt::format("'{}' is not the name of {} {}", name->written(), article, what));
     return std::nullopt;
 }
 
-std::optional<Reference> Entry::reference(std::string_view key, const char* what) const {
+std::optional<Reference> Entry::reference(std::string_view key, const std::string& what) const {
     const DocumentNode* node = find(key, ValueType::part);
     return node == nullptr ? std::nullopt : reference(*node, ValueType::part, what);
 }

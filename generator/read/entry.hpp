@@ -47,8 +47,8 @@ public:
     std::vector<Condition> conditions(std::string_view key) const;
     NamesWithPlaces names(std::string_view key) const;
     /// `what` is the kind of thing that is named: "body".
-    std::optional<Reference> reference(std::string_view key, const char* what) const;
-    std::vector<Reference> references(std::string_view key, const char* what) const;
+    std::optional<Reference> reference(std::string_view key, const std::string& what) const;
+    std::vector<Reference> references(std::string_view key, const std::string& what) const;
     std::vector<ExpressionPtr> expressions(std::string_view key) const;
     /// One or a list of two.
     std::vector<ExpressionPtr> one_or_two(std::string_view key) const;
@@ -104,7 +104,7 @@ private:
     const DocumentNode* find(std::string_view key, ValueType type) const;
     void wrong_type(const DocumentNode& node, ValueType expected) const;
     ExpressionPtr expression(const DocumentNode& node, ValueType type) const;
-    std::optional<Reference> reference(const DocumentNode& node, ValueType type, const char* what) const;
+    std::optional<Reference> reference(const DocumentNode& node, ValueType type, const std::string& what) const;
     /// The elements of a list; none, with an error, where it is no list.
     ValueType alternative(std::string_view key, ValueType type) const;
     const DocumentNode* table_of_tables(std::string_view key) const;

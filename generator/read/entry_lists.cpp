@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
-#include "read/entry.hpp"
+#include "elements/runs.hpp"
 #include "language/parser.hpp"
+#include "read/entry.hpp"
 
 namespace dalembert {
 
@@ -119,7 +120,7 @@ std::vector<const DocumentNode*> Entry::list(const DocumentNode* node, ValueType
     return result;
 }
 
-std::vector<Reference> Entry::references(std::string_view key, const char* what) const {
+std::vector<Reference> Entry::references(std::string_view key, const std::string& what) const {
     std::vector<Reference> result;
     for (const DocumentNode* element : list(find(key, ValueType::parts), ValueType::parts))
         if (auto part = reference(*element, ValueType::part, what)) result.push_back(std::move(*part));

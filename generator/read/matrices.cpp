@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <map>
 
+#include "elements/runs.hpp"
+#include "language/vocabulary.hpp"
 #include "read/cases.hpp"
 #include "read/matrix_algebra.hpp"
-#include "language/vocabulary.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {

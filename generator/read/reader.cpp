@@ -5,9 +5,12 @@
 
 #include "check/checks.hpp"
 #include "check/written_values.hpp"
-#include "elements/kinds.hpp"
+#include "elements/bodies.hpp"
+#include "elements/every_kind.hpp"
 #include "elements/expand_statics.hpp"
 #include "elements/expand_switching.hpp"
+#include "elements/kinds.hpp"
+#include "elements/runs.hpp"
 #include "read/described.hpp"
 #include "read/rules.hpp"
 #include "text/files.hpp"
@@ -130,7 +133,6 @@ Model read_model(const SourcePtr& source, Diagnostics& diagnostics) {
     check_names(model, diagnostics);
     diagnostics.stop_on_errors();
     check_references(model, diagnostics);
-    check_statics(model, diagnostics);
     check_balances(model, diagnostics);
     check_expressions(model, diagnostics);
     diagnostics.stop_on_errors();

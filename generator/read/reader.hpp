@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "elements/model.hpp"
+#include "elements/kinds.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {

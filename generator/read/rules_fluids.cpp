@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "elements/fluids.hpp"
 #include "read/rules.hpp"
 
 namespace dalembert {

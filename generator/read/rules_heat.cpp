@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "elements/conduction.hpp"
+#include "elements/heat.hpp"
 #include "read/rules.hpp"
 
 namespace dalembert {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "elements/bodies.hpp"
+#include "elements/forces.hpp"
 #include "read/rules.hpp"
 
 namespace dalembert {

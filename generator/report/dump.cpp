@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "elements/kinds.hpp"
+#include "elements/every_kind.hpp"
 #include "emit/equations.hpp"
 
 namespace dalembert {

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "elements/runs.hpp"
 #include "report/json_fields_of_series.hpp"
 
 namespace dalembert {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "elements/runs.hpp"
 #include "report/json_output.hpp"
 #include "text/safe_text.hpp"
 

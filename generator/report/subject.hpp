@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "elements/model.hpp"
 #include "scene/scene.hpp"
 
 namespace dalembert {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <ostream>
 
+#include "elements/model.hpp"
+#include "elements/runs.hpp"
 #include "report/precision_table.hpp"
 
 namespace dalembert {

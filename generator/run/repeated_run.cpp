@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "elements/model.hpp"
 #include "prove/body_validity.hpp"
 #include "prove/constraint_validity.hpp"
 #include "prove/switching_validity.hpp"

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "elements/model.hpp"
+#include "elements/runs.hpp"
 #include "run/settings.hpp"
 #include "form/input_kinks.hpp"
 #include "graph/separable.hpp"

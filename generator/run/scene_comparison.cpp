@@ -14,6 +14,9 @@
 #include <sstream>
 #include <thread>
 
+#include "elements/model.hpp"
+#include "elements/runs.hpp"
+
 namespace dalembert {
 
 namespace {

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include "check/checks.hpp"
+#include "elements/fluids.hpp"
+#include "elements/heat.hpp"
 #include "language/parser.hpp"
 #include "check/written_values.hpp"
 

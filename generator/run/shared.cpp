@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "elements/model.hpp"
 #include "run/settings.hpp"
 #include "text/nearest.hpp"
 

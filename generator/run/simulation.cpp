@@ -8,6 +8,8 @@
 
 #include <dalembert/plot.hpp>
 
+#include "elements/fluids.hpp"
+#include "elements/runs.hpp"
 #include "run/run_header.hpp"
 #include "run/run_preparation.hpp"
 #include "run/settings.hpp"

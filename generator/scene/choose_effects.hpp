@@ -3,8 +3,11 @@
 #pragma once
 
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "elements/model.hpp"
+#include "elements/kinds.hpp"
 
 namespace dalembert {
 

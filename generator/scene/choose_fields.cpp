@@ -6,6 +6,10 @@
 #include <algorithm>
 #include <charconv>
 
+#include "elements/conduction.hpp"
+#include "elements/heat.hpp"
+#include "elements/model.hpp"
+
 namespace dalembert {
 
 namespace {

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/choose_modes.hpp"
+#include "elements/bodies.hpp"
+#include "elements/fluids.hpp"
+#include "elements/forces.hpp"
+#include "elements/heat.hpp"
+#include "elements/model.hpp"
 #include "text/budgets.hpp"
 
 #include <fmt/format.h>

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "elements/model.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "elements/model.hpp"
 #include "scene/scene.hpp"
 #include "language/sum_terms.hpp"
 #include "text/budgets.hpp"

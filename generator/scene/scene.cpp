@@ -5,6 +5,10 @@
 
 #include <algorithm>
 
+#include "elements/conduction.hpp"
+#include "elements/fluids.hpp"
+#include "elements/heat.hpp"
+#include "elements/model.hpp"
 #include "scene/choose_effects.hpp"
 #include "text/nearest.hpp"
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What one scene of a model contains, families counted out. What the scene does not call for is gone: components, and the
-// parameters, inputs and states that only they used.
+// parameters, inputs and states that only they used. Other elements than quantities and what switches are only declared here, so that a
+// change of one of them compiles what works with it and no more.
 #pragma once
 
 #include <map>
 #include <set>
 
+#include "elements/kinds.hpp"
 #include "elements/names.hpp"
+#include "elements/quantities.hpp"
+#include "elements/switching.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -19,6 +23,12 @@ struct Member {
 
     std::string name() const { return item->family ? item->name + "[" + std::to_string(index) + "]" : item->name; }
 };
+
+/// Whether elements of this kind are in a scene where something uses them; the others by their conditions.
+template <class Element>
+inline constexpr bool is_there_where_used =
+    std::is_same_v<Element, Parameter> || std::is_same_v<Element, Definition> || std::is_same_v<Element, Input> ||
+    std::is_same_v<Element, State> || std::is_same_v<Element, Solid> || std::is_same_v<Element, Medium>;
 
 /// A family of states that is computed in loops: the cells of a rod with many of them. Of its states only those are in the scene that
 /// something else needs, and the first and last.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "elements/conduction.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/switches.hpp"
 #include "symbolic/heat_formulas.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/scene.hpp"
 
+#include "elements/every_kind.hpp"
 #include "generator/machine.hpp"
 
 using namespace dalembert;
