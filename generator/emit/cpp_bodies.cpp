@@ -196,6 +196,27 @@ Statements CppBodies::stored_motion(CppFunction& cpp, const FunctionCode& f) {
     return statements;
 }
 
+FunctionBody CppBodies::body(const HeaderFunction& row) {
+    using Kind = HeaderFunction::Kind;
+    switch (row.kind) {
+        case Kind::motion: return row.by ? rhs_and_jacobian() : rhs();
+        case Kind::together: return together();
+        case Kind::jacobian: return jacobian(row);
+        case Kind::symmetric: return symmetric(row);
+        case Kind::values: return values(row);
+        case Kind::number: return number(row);
+        case Kind::output_jacobian: return output_jacobian(row);
+        case Kind::matrix: return matrix(row);
+        case Kind::event_values: return event_values(row);
+        case Kind::conditions: return conditions();
+        case Kind::correction: return correction(row);
+        case Kind::update:
+        case Kind::start:
+        case Kind::resets: break;
+    }
+    throw std::logic_error("a function with a body of its own");
+}
+
 FunctionBody CppBodies::rhs() {
     const FunctionCode& f = code_[Function::rhs];
     CppFunction cpp(code_, f, cached_values_, arguments_);
@@ -259,8 +280,9 @@ FunctionBody CppBodies::together() {
     const std::size_t outputs = code_.system.outputs.size();
     for (std::size_t i = 0; i < outputs; ++i) append(statements, assigned(cpp, Value::element(Value::name("y"), i), f.results[m_ + i]));
     std::size_t next = m_ + outputs;
-    for (const char* energy : {"kinetic", "potential", "internal"})
-        append(statements, assigned(cpp, Value::member(Value::Object::energies, energy), f.results[next++]));
+    for (const HeaderFunction& row : header_functions())
+        if (row.energy != nullptr)
+            append(statements, assigned(cpp, Value::member(Value::Object::energies, row.energy), f.results[next++]));
     const bool moves = n_ + m_ > 0;
     return finish(cpp, std::move(statements),
                   {result_of("State", "dxdt", moves), result_of("JacobianX", "J", moves), result_of("Output", "y", outputs > 0),
@@ -348,75 +370,75 @@ Statements CppBodies::accelerations_by_rhs(CppFunction& cpp) {
     return {vector_of("State", "dxdt"), Invocation{call_of("rhs", {"dxdt"})}};
 }
 
-FunctionBody CppBodies::jacobian(Function function, By by) {
-    const FunctionCode& f = code_[function];
+FunctionBody CppBodies::jacobian(const HeaderFunction& row) {
+    const FunctionCode& f = code_[row.function];
     CppFunction cpp(code_, f, cached_values_, arguments_);
     Statements statements;
     if (f.uses_accelerations) append(statements, accelerations_by_rhs(cpp));
-    append(statements, filled_jacobian(cpp, f, layout(by), by, false));
-    static constexpr const char* types[]{"JacobianX", "JacobianU", "JacobianP", "JacobianT"};
-    const bool unused = layout(by).size() == 0;
-    return finish(cpp, std::move(statements), {result_of(types[static_cast<std::size_t>(by)], "J", !unused)},
+    append(statements, filled_jacobian(cpp, f, layout(*row.by), *row.by, false));
+    const bool unused = layout(*row.by).size() == 0;
+    return finish(cpp, std::move(statements), {result_of(row.type, row.array, !unused)},
                   {.everything = f.uses_accelerations});
 }
 
-FunctionBody CppBodies::mass_matrix() {
-    const FunctionCode& f = code_[Function::mass_matrix];
+FunctionBody CppBodies::symmetric(const HeaderFunction& row) {
+    const FunctionCode& f = code_[row.function];
     CppFunction cpp(code_, f, cached_values_, arguments_);
     Statements statements = cpp.compute(f.results);
+    const auto entry = [&](std::size_t i) { return Value::element(Value::name(row.array), i); };
     for (std::size_t c = 0; c < n_; ++c)
         for (std::size_t r = 0; r < n_; ++r)
-            if (r >= c) append(statements, assigned(cpp, Value::element(Value::name("M"), c * n_ + r), f.results[lower_index(r, c)]));
-            else
-                statements.push_back(
-                    Assignment{Value::element(Value::name("M"), c * n_ + r), Value::element(Value::name("M"), r * n_ + c)});
-    return finish(cpp, std::move(statements), {result_of("MassMatrix", "M", n_ > 0)}, {.has_input = false});
+            if (r >= c) append(statements, assigned(cpp, entry(c * n_ + r), f.results[lower_index(r, c)]));
+            else statements.push_back(Assignment{entry(c * n_ + r), entry(r * n_ + c)});
+    return finish(cpp, std::move(statements), {result_of(row.type, row.array, n_ > 0)}, {.has_input = row.takes_input});
 }
 
-FunctionBody CppBodies::values(Function function, const char* type, const char* result, bool has_input) {
-    const FunctionCode& f = code_[function];
+FunctionBody CppBodies::values(const HeaderFunction& row) {
+    const FunctionCode& f = code_[row.function];
     CppFunction cpp(code_, f, cached_values_, arguments_);
     Statements statements;
     if (f.uses_accelerations) append(statements, accelerations_by_rhs(cpp));
     name_multipliers(cpp, f.solved_for);
     append(statements, cpp.compute(f.results));
     for (std::size_t i = 0; i < f.results.size(); ++i)
-        append(statements, assigned(cpp, Value::element(Value::name(result), i), f.results[i]));
-    return finish(cpp, std::move(statements), {result_of(type, result, !f.results.empty())},
-                  {.everything = f.uses_accelerations, .has_input = has_input});
+        append(statements, assigned(cpp, Value::element(Value::name(row.array), i), f.results[i]));
+    return finish(cpp, std::move(statements), {result_of(row.type, row.array, !f.results.empty())},
+                  {.everything = f.uses_accelerations, .has_input = row.takes_input});
 }
 
-FunctionBody CppBodies::constraint_jacobian() {
-    const FunctionCode& f = code_[Function::constraint_jacobian];
+FunctionBody CppBodies::matrix(const HeaderFunction& row) {
+    const FunctionCode& f = code_[row.function];
     CppFunction cpp(code_, f, cached_values_, arguments_);
     Statements statements = cpp.compute(f.results);
-    const std::size_t rows = code_.system.constraints.size();
+    const std::size_t rows = row.names(code_.system).size();
     for (std::size_t j = 0; j < n_; ++j)
         for (std::size_t i = 0; i < rows && !f.results.empty(); ++i)
-            append(statements, assigned(cpp, Value::element(Value::name("A"), j * rows + i), f.results[i * n_ + j]));
-    return finish(cpp, std::move(statements), {result_of("ConstraintJacobian", "A", !f.results.empty() && rows > 0)}, {.has_input = false});
+            append(statements, assigned(cpp, Value::element(Value::name(row.array), j * rows + i), f.results[i * n_ + j]));
+    return finish(cpp, std::move(statements), {result_of(row.type, row.array, !f.results.empty() && rows > 0)},
+                  {.has_input = row.takes_input});
 }
 
 /// dh/dx at fixed accelerations, and through the accelerations where outputs contain them.
-FunctionBody CppBodies::output_jacobian(Function function, By by) {
-    const FunctionCode& f = code_[function];
+FunctionBody CppBodies::output_jacobian(const HeaderFunction& row) {
+    const FunctionCode& f = code_[row.function];
+    const By by = *row.by;
     CppFunction cpp(code_, f, cached_values_, arguments_);
     const std::size_t rows = f.by_output.rows;
-    if (!f.whole_output.entries.empty()) return whole_output_jacobian(cpp, f, by);
+    if (!f.whole_output.entries.empty()) return whole_output_jacobian(cpp, f, row);
     const bool through =
         std::any_of(f.by_acceleration.entries.begin(), f.by_acceleration.entries.end(), [&](NodeId id) { return !f.is_zero(id); });
     const bool is_empty = rows == 0 || f.by_output.columns == 0;
     Statements statements;
+    const HeaderFunction& motion = header_function(jacobian_by(by));
     if (through && !is_empty && by == By::state) {
         cpp.bind_accelerations(Value::name("dxdt"), velocities_);
-        statements = {vector_of("State", "dxdt"), vector_of("JacobianX", "J"), Invocation{call_of("rhs_and_jacobian", {"dxdt", "J"})}};
+        statements = {vector_of("State", "dxdt"), vector_of(motion.type, "J"), Invocation{call_of(motion.name, {"dxdt", "J"})}};
     } else if (through && !is_empty) {
-        statements = {vector_of("JacobianU", "J"), Invocation{call_of("jacobian_u", {"J"})}};
+        statements = {vector_of(motion.type, "J"), Invocation{call_of(motion.name, {"J"})}};
     }
     if (f.uses_accelerations && !(through && by == By::state)) append(statements, accelerations_by_rhs(cpp));
     if (!is_empty) append(statements, cpp.compute(f.by_output.entries));
     if (!is_empty) append(statements, cpp.compute(f.by_acceleration.entries));
-    const char* name = by == By::state ? "C" : "D";
     for (std::size_t c = 0; !is_empty && c < f.by_output.columns; ++c)
         for (std::size_t r = 0; r < rows; ++r) {
             Statements before;
@@ -429,21 +451,19 @@ FunctionBody CppBodies::output_jacobian(Function function, By by) {
             }
             append(statements, std::move(before));
             statements.push_back(
-                Assignment{Value::element(Value::name(name), c * rows + r), terms.size() == 1 ? terms[0] : Value::sum(terms)});
+                Assignment{Value::element(Value::name(row.array), c * rows + r), terms.size() == 1 ? terms[0] : Value::sum(terms)});
         }
-    const char* type = by == By::state ? "OutputJacobianX" : "OutputJacobianU";
     const bool needs_all = (through && !is_empty) || f.uses_accelerations;
-    return finish(cpp, std::move(statements), {result_of(type, name, !is_empty)}, {.everything = needs_all});
+    return finish(cpp, std::move(statements), {result_of(row.type, row.array, !is_empty)}, {.everything = needs_all});
 }
 
 /// Where outputs contain multipliers: everything is solved for on the way.
-FunctionBody CppBodies::whole_output_jacobian(CppFunction& cpp, const FunctionCode& f, By by) {
-    const char* name = by == By::state ? "C" : "D";
+FunctionBody CppBodies::whole_output_jacobian(CppFunction& cpp, const FunctionCode& f, const HeaderFunction& row) {
     name_multipliers(cpp, f.solved_for);
     Statements statements = cpp.compute(f.whole_output.entries);
     for (std::size_t i = 0; i < f.whole_output.entries.size(); ++i)
-        append(statements, assigned(cpp, Value::element(Value::name(name), i), f.whole_output.entries[i]));
-    return finish(cpp, std::move(statements), {result_of(by == By::state ? "OutputJacobianX" : "OutputJacobianU", name, true)}, {});
+        append(statements, assigned(cpp, Value::element(Value::name(row.array), i), f.whole_output.entries[i]));
+    return finish(cpp, std::move(statements), {result_of(row.type, row.array, true)}, {});
 }
 
 FunctionBody CppBodies::move_back() {
@@ -463,21 +483,21 @@ FunctionBody CppBodies::move_back() {
     return {{result_of("State", "x", true), {"Generalised", "step"}}, std::move(statements)};
 }
 
-FunctionBody CppBodies::correction() {
-    const FunctionCode& f = code_[Function::correction];
+FunctionBody CppBodies::correction(const HeaderFunction& row) {
+    const FunctionCode& f = code_[row.function];
     CppFunction cpp(code_, f, cached_values_, arguments_);
     Statements statements = cpp.compute(f.results);
     for (std::size_t j = 0; j < f.results.size(); ++j)
-        append(statements, assigned(cpp, Value::element(Value::name("step"), j), f.results[j]));
+        append(statements, assigned(cpp, Value::element(Value::name(row.array), j), f.results[j]));
     const bool is_needed = std::any_of(f.results.begin(), f.results.end(), [&](NodeId id) { return !f.is_zero(id); });
-    if (f.results.empty()) statements = {Filling{"step", "Generalised", Value::constant(0)}};  // nothing has to be held in this mode
+    if (f.results.empty()) statements = {Filling{row.array, row.type, Value::constant(0)}};  // nothing has to be held in this mode
     return finish(cpp, std::move(statements),
-                  {{"Constraints", "residual", Argument::Passing::read, is_needed}, result_of("Generalised", "step", true)},
-                  {.has_input = false});
+                  {{"Constraints", "residual", Argument::Passing::read, is_needed}, result_of(row.type, row.array, true)},
+                  {.has_input = row.takes_input});
 }
 
-FunctionBody CppBodies::scalar(Function function) {
-    const FunctionCode& f = code_[function];
+FunctionBody CppBodies::number(const HeaderFunction& row) {
+    const FunctionCode& f = code_[row.function];
     CppFunction cpp(code_, f, cached_values_, arguments_);
     Statements statements;
     if (f.uses_accelerations) append(statements, accelerations_by_rhs(cpp));
@@ -486,9 +506,7 @@ FunctionBody CppBodies::scalar(Function function) {
     const Value value = cpp.value(f.results[0], before);
     append(statements, std::move(before));
     statements.push_back(Return{value});
-    const bool is_energy =
-        function == Function::kinetic_energy || function == Function::potential_energy || function == Function::internal_energy;
-    return finish(cpp, std::move(statements), {}, {.everything = f.uses_accelerations, .has_input = !is_energy});
+    return finish(cpp, std::move(statements), {}, {.everything = f.uses_accelerations, .has_input = row.takes_input});
 }
 
 }  // namespace dalembert

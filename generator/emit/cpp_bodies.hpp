@@ -25,27 +25,13 @@ public:
     /// `done`: members that other modes have computed, which grows.
     FunctionBody update(std::set<std::string>& done);
     FunctionBody start_state();
-    FunctionBody rhs();
-    FunctionBody rhs_and_jacobian();
+    /// Of all functions but those that have one of their own here.
+    FunctionBody body(const HeaderFunction& function);
     FunctionBody jacobian_x() const;
-    /// Rates, Jacobian, outputs and energies.
-    FunctionBody together();
     /// Taylor series of the motion. Afterwards series_rows() is known.
     FunctionBody series();
     std::size_t series_rows() const { return series_rows_; }
-    FunctionBody jacobian(Function function, By by);
-    FunctionBody mass_matrix();
-    /// A function that fills an array with one value a row.
-    FunctionBody values(Function function, const char* type, const char* result, bool has_input = true);
-    FunctionBody constraint_jacobian();
-    FunctionBody output_jacobian(Function function, By by);
-    FunctionBody scalar(Function function);
-    /// What brings a state back to constraints, from the residuals of their positions or rates.
-    FunctionBody correction();
     FunctionBody move_back();
-    /// Of a machine that switches: guards of events that are watched, or their rates.
-    FunctionBody guards(Function function, const char* type, const char* result);
-    FunctionBody conditions();
     /// What events change, by `resets`: a switch over the event.
     FunctionBody resets(const std::vector<ResetCode>& resets);
     /// Guards that end nothing, each at its place in a list for all modes.
@@ -61,6 +47,22 @@ private:
         bool everything = false;
         bool has_input = true;
     };
+
+    FunctionBody rhs();
+    FunctionBody rhs_and_jacobian();
+    FunctionBody together();
+    FunctionBody jacobian(const HeaderFunction& row);
+    FunctionBody symmetric(const HeaderFunction& row);
+    FunctionBody values(const HeaderFunction& row);
+    FunctionBody number(const HeaderFunction& row);
+    FunctionBody matrix(const HeaderFunction& row);
+    FunctionBody output_jacobian(const HeaderFunction& row);
+    FunctionBody whole_output_jacobian(CppFunction& cpp, const FunctionCode& f, const HeaderFunction& row);
+    /// Guards of events that are watched, or their rates.
+    FunctionBody event_values(const HeaderFunction& row);
+    FunctionBody conditions();
+    /// What brings a state back to constraints, from the residuals of their positions or rates.
+    FunctionBody correction(const HeaderFunction& row);
 
     std::vector<std::size_t> needed_definitions() const;
     Statements motion(CppFunction& cpp, const FunctionCode& f);
@@ -79,7 +81,6 @@ private:
     Statements solved_at_start(CppFunction& cpp, const FunctionCode& f);
     Statements rates_at_start(CppFunction& cpp, const FunctionCode& f);
     static Statements loop_over_orders(const CppSeries& series, Statements step, bool uses_inputs);
-    FunctionBody whole_output_jacobian(CppFunction& cpp, const FunctionCode& f, By by);
     void name_multipliers(CppFunction& cpp, const std::vector<NodeId>& solved_for) const;
     FunctionBody finish(const CppFunction& cpp, Statements statements, std::vector<Argument> results, Uses uses);
     Statements accelerations_by_rhs(CppFunction& cpp);

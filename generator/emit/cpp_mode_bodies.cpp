@@ -27,8 +27,8 @@ Statements CppBodies::jerks(const FunctionCode& f) {
     return statements;
 }
 
-FunctionBody CppBodies::guards(Function function, const char* type, const char* result) {
-    FunctionCode f = code_[function];
+FunctionBody CppBodies::event_values(const HeaderFunction& row) {
+    const FunctionCode& f = code_[row.function];
     std::vector<std::size_t> watched;
     for (std::size_t e = 0; e < code_.system.events.size(); ++e)
         if (code_.system.events[e].is_watched) watched.push_back(e);
@@ -39,9 +39,9 @@ FunctionBody CppBodies::guards(Function function, const char* type, const char* 
     cpp.bind_accelerations(Value::name("dxdt"), velocities_);
     for (const std::size_t e : watched) {
         append(statements, cpp.compute({f.results[e]}));
-        append(statements, assigned(cpp, Value::element(Value::name(result), e), f.results[e]));
+        append(statements, assigned(cpp, Value::element(Value::name(row.array), e), f.results[e]));
     }
-    return finish(cpp, std::move(statements), {{type, result, Argument::Passing::result, !watched.empty()}},
+    return finish(cpp, std::move(statements), {{row.type, row.array, Argument::Passing::result, !watched.empty()}},
                   {.everything = f.uses_accelerations || f.uses_jerks});
 }
 

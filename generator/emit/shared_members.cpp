@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/shared_members.hpp"
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "emit/notation.hpp"
 #include "graph/raise.hpp"
 
@@ -37,10 +40,24 @@ SharedMembers::SharedMembers(std::vector<const Code*> modes) : modes_(std::move(
         }
         cached_[code];
     }
-    layouts_.emplace_back(modes_, Function::rhs_and_jacobian, By::state);
-    layouts_.emplace_back(modes_, Function::jacobian_u, By::input);
-    layouts_.emplace_back(modes_, Function::jacobian_p, By::parameter);
-    layouts_.emplace_back(modes_, Function::jacobian_t, By::time);
+    for (const By by : {By::state, By::input, By::parameter, By::time}) layouts_.emplace_back(modes_, jacobian_by(by), by);
+}
+
+bool SharedMembers::has(const HeaderFunction& function) const {
+    using In = HeaderFunction::In;
+    switch (function.in) {
+        case In::none: return false;
+        case In::all: return true;
+        case In::switching: return has_modes();
+        case In::constrained: return has_projection();
+        case In::wished: return modes_.front()->has_together;
+    }
+    throw std::logic_error("a function that no header has");
+}
+
+bool SharedMembers::has_projection() const {
+    return !modes_.front()->system.symbols.attitudes().empty() ||
+           std::any_of(modes_.begin(), modes_.end(), [](const Code* code) { return code->system.needs_projection(); });
 }
 
 }  // namespace dalembert

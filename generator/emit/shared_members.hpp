@@ -19,6 +19,10 @@ public:
     const std::set<std::size_t>& only_in_update() const { return only_in_update_; }
     /// The number of a cached value of a mode, or nothing where no function uses it. Equal values have one number.
     const std::map<std::uint32_t, std::size_t>& cached(const Code& mode) const { return cached_.at(&mode); }
+    /// Whether the header has a function.
+    bool has(const HeaderFunction& function) const;
+    /// Whether runs are brought back to constraints: nothing has to be where integration keeps exactly what they hold.
+    bool has_projection() const;
     bool has_modes() const { return modes_.size() > 1 || !modes_.front()->system.scene.modes.empty(); }
 
 private:

@@ -7,6 +7,7 @@
 
 #include "form/constrained_motion.hpp"
 #include "graph/chain_code.hpp"
+#include "graph/derived_values.hpp"
 #include "graph/lowered_system.hpp"
 #include "graph/reset_code.hpp"
 #include "graph/roots.hpp"
@@ -33,25 +34,7 @@ public:
         order_definitions();
         choose_solve();
         code_->has_long_chain = lowered_.has_long_chain;
-        motion_function(Function::rhs, std::nullopt);
-        motion_function(Function::rhs_and_jacobian, By::state);
-        jacobian(Function::jacobian_u, By::input, ParameterParts::cached);
-        jacobian(Function::jacobian_t, By::time, ParameterParts::cached);
-        jacobian(Function::jacobian_p, By::parameter, ParameterParts::if_cached);
-        values(Function::mass_matrix, lowered_.mass, ParameterParts::cached);
-        values(Function::bias, lowered_.bias, ParameterParts::cached);
-        values(Function::generalised_force, lowered_.generalised_force, ParameterParts::cached);
-        values(Function::output, lowered_.output, ParameterParts::cached);
-        output_jacobian(Function::output_jacobian_x, By::state);
-        output_jacobian(Function::output_jacobian_u, By::input);
-        constexpr std::array scalars{Function::kinetic_energy,   Function::potential_energy, Function::supplied_power,
-                                     Function::dissipated_power, Function::prescribed_power, Function::internal_energy,
-                                     Function::exchanged_power};
-        values(Function::guards, lowered_.guards, ParameterParts::if_cached);
-        for (std::size_t i = 0; i < scalars.size(); ++i) values(scalars[i], {lowered_.scalars[i]}, ParameterParts::if_cached);
-        values(Function::start_state, lowered_.start, ParameterParts::in_place);
-        switching();
-        projection();
+        for (const HeaderFunction* row : in_order_of_making()) make(*row);
         if (wish.series) series();
         if (wish.together) together();
         update();
@@ -60,6 +43,44 @@ public:
     }
 
 private:
+    using Kind = HeaderFunction::Kind;
+
+    /// Of neighbours of one kind first those that add to the cache.
+    static std::vector<const HeaderFunction*> in_order_of_making() {
+        std::vector<const HeaderFunction*> rows;
+        for (const HeaderFunction& row : header_functions()) rows.push_back(&row);
+        for (auto first = rows.begin(); first != rows.end();) {
+            const auto end = std::find_if(first, rows.end(), [&](const HeaderFunction* row) { return row->kind != (*first)->kind; });
+            std::stable_sort(first, end, [](const HeaderFunction* a, const HeaderFunction* b) { return a->parts < b->parts; });
+            first = end;
+        }
+        return rows;
+    }
+
+    void make(const HeaderFunction& row) {
+        switch (row.kind) {
+            case Kind::motion: return motion_function(row.function, row.by);
+            case Kind::jacobian: return jacobian(row);
+            case Kind::output_jacobian: return output_jacobian(row);
+            case Kind::resets:
+                return make_resets(*code_, lowered_,
+                                   [this](Program& program, const std::vector<NodeId>& mass) { return factors(program, mass); });
+            case Kind::correction: return correction(row);
+            case Kind::conditions:
+                if (lowered_[row.function].empty()) return;
+                for (const ModeCondition& condition : conditions(system_)) code_->condition_places.push_back(condition.place);
+                return values(row);
+            case Kind::start:
+            case Kind::symmetric:
+            case Kind::values:
+            case Kind::number:
+            case Kind::matrix:
+            case Kind::event_values: return values(row);
+            case Kind::together:  // where it is asked for
+            case Kind::update: return;  // last
+        }
+    }
+
     void order_definitions() {
         std::vector<bool> done(lowered_.definitions.size(), false);
         const auto visit = [&](const auto& self, std::size_t i) -> void {
@@ -171,15 +192,16 @@ private:
         Roots roots;
         const MotionRoots motion = add_motion(roots);
         const std::size_t rates = roots.add(lowered_.state_rate);
-        const std::size_t power = roots.add(lowered_.scalars);
+        std::vector<std::pair<bool, std::size_t>> powers;
+        for (const Function power :
+             {Function::supplied_power, Function::dissipated_power, Function::prescribed_power, Function::exchanged_power})
+            powers.emplace_back(power == Function::dissipated_power, roots.add(lowered_[power]));
         builder.prepare(roots.polynomials());
         take_motion(f, builder, motion);
         for (std::size_t i = 0; i < lowered_.state_rate.size(); ++i) f.results.push_back(builder.root(rates + i));
-        constexpr std::size_t supplied = 2, dissipated = 3, prescribed = 4, exchanged = 6;
-        f.results.push_back(f.program.sum({{false, builder.root(power + supplied)},
-                                           {true, builder.root(power + dissipated)},
-                                           {false, builder.root(power + prescribed)},
-                                           {false, builder.root(power + exchanged)}}));
+        std::vector<std::pair<bool, NodeId>> power;
+        for (const auto& [is_lost, root] : powers) power.emplace_back(is_lost, builder.root(root));
+        f.results.push_back(f.program.sum(std::move(power)));
     }
 
     /// Accelerations: solved for, or letters where that is done by loops.
@@ -197,9 +219,9 @@ private:
     /// What a recorder or an observer asks for at one point.
     void together() {
         code_->has_together = true;
-        std::vector<Polynomial> more = lowered_.output;
-        constexpr std::size_t kinetic = 0, potential = 1, internal = 5;
-        for (const std::size_t energy : {kinetic, potential, internal}) more.push_back(lowered_.scalars[energy]);
+        std::vector<Polynomial> more = lowered_[Function::output];
+        for (const HeaderFunction& row : header_functions())
+            if (row.energy != nullptr) more.push_back(lowered_[row.function].front());
         motion_function(Function::together, By::state, more);
     }
 
@@ -288,12 +310,12 @@ private:
     }
 
     /// With multipliers the motion is solved for first, since their values are known nowhere else.
-    void jacobian(Function which, By by, ParameterParts kind) {
-        FunctionCode& f = (*code_)[which];
-        if (code_->has_long_chain) return make_chain_function(*code_, lowered_, f, by, ChainFunction::of_known_motion, kind);
+    void jacobian(const HeaderFunction& row) {
+        FunctionCode& f = (*code_)[row.function];
+        if (code_->has_long_chain) return make_chain_function(*code_, lowered_, f, row.by, ChainFunction::of_known_motion, row.parts);
         const Solve& s = code_->solve;
-        const LoweredSystem::Columns& columns = lowered_.partial(by);
-        ProgramBuilder builder(code_->atoms, code_->cache, kind, f.program, code_->passes);
+        const LoweredSystem::Columns& columns = lowered_.partial(*row.by);
+        ProgramBuilder builder(code_->atoms, code_->cache, row.parts, f.program, code_->passes);
         Roots roots;
         const bool has_multipliers = multipliers_ > 0;
         const MotionRoots motion =
@@ -311,9 +333,10 @@ private:
     }
 
     /// Values that contain multipliers, or their rates, bring the solve for them along.
-    void values(Function which, const std::vector<Polynomial>& polynomials, ParameterParts parts) {
-        FunctionCode& f = (*code_)[which];
-        ProgramBuilder builder(code_->atoms, code_->cache, parts, f.program, code_->passes);
+    void values(const HeaderFunction& row) {
+        FunctionCode& f = (*code_)[row.function];
+        const std::vector<Polynomial>& polynomials = lowered_[row.function];
+        ProgramBuilder builder(code_->atoms, code_->cache, row.parts, f.program, code_->passes);
         Roots roots;
         const std::size_t first = roots.add(polynomials);
         const bool has_multipliers = contain(polynomials, SymbolKind::multiplier),
@@ -352,23 +375,24 @@ private:
                std::any_of(polynomials.begin(), polynomials.end(), [&](const Polynomial& p) { return is_there(is_there, p); });
     }
 
-    void output_jacobian(Function which, By by) {
-        FunctionCode& f = (*code_)[which];
-        ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::cached, f.program, code_->passes);
-        const auto& columns = lowered_.partial(by).output;
-        const std::size_t outputs = lowered_.output.size();
-        const bool has_multipliers = contain(lowered_.output, SymbolKind::multiplier);
+    void output_jacobian(const HeaderFunction& row) {
+        FunctionCode& f = (*code_)[row.function];
+        ProgramBuilder builder(code_->atoms, code_->cache, row.parts, f.program, code_->passes);
+        const LoweredSystem::Columns& by = lowered_.partial(*row.by);
+        const auto& columns = by.output;
+        const std::size_t outputs = lowered_[Function::output].size();
+        const bool has_multipliers = contain(lowered_[Function::output], SymbolKind::multiplier);
         Roots roots;
         const std::size_t first = roots.add(columns);
         const std::size_t second = roots.add(lowered_.output_by_acceleration);
         const MotionRoots motion = has_multipliers ? add_motion(roots) : MotionRoots{};
-        const ColumnRoots parts = has_multipliers ? add_columns(roots, lowered_.partial(by)) : ColumnRoots{};
+        const ColumnRoots parts = has_multipliers ? add_columns(roots, by) : ColumnRoots{};
         builder.prepare(roots.polynomials());
         f.by_output = {outputs, columns.size(), {}};
         f.by_acceleration = {outputs, degrees_ + multipliers_, {}};
         if (has_multipliers) {
             f.solved_for = solve_motion(f, builder, motion);
-            take_columns(f, builder, lowered_.partial(by), parts);
+            take_columns(f, builder, by, parts);
         }
         for (std::size_t i = 0; i < columns.size() * outputs; ++i) f.by_output.entries.push_back(builder.root(first + i));
         for (std::size_t i = 0; i < (degrees_ + multipliers_) * outputs; ++i) f.by_acceleration.entries.push_back(builder.root(second + i));
@@ -389,15 +413,11 @@ private:
     }
 
     /// What brings runs back to constraints.
-    void projection() {
+    void correction(const HeaderFunction& row) {
         const LoweredSystem::Projection& p = lowered_.projection;
-        values(Function::constraint_positions, p.position, ParameterParts::if_cached);
-        values(Function::constraint_rates, p.rate, ParameterParts::if_cached);
-        values(Function::constraint_forces, p.force, ParameterParts::if_cached);
-        values(Function::constraint_jacobian, p.jacobian, ParameterParts::if_cached);
         if (p.bordered.empty()) return;
-        FunctionCode& f = (*code_)[Function::correction];
-        ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::if_cached, f.program, code_->passes);
+        FunctionCode& f = (*code_)[row.function];
+        ProgramBuilder builder(code_->atoms, code_->cache, row.parts, f.program, code_->passes);
         builder.prepare(p.bordered);
         for (std::size_t i = 0; i < p.bordered.size(); ++i) f.mass.push_back(builder.root(i));
         const std::size_t constraints = p.holding.size(), size = degrees_ + constraints;
@@ -406,17 +426,6 @@ private:
         for (const std::size_t i : p.holding) f.force.push_back(f.program.negated(f.program.symbol(letter(SymbolKind::residual, i))));
         f.solved_for = solve(f.program, size, f.factors, f.force);
         f.results.assign(f.solved_for.begin(), f.solved_for.begin() + static_cast<std::ptrdiff_t>(degrees_));
-    }
-
-    /// Guards of events, their rates, what a mode asks for, and what events reset. The rates of guards are for the moments in which a mode
-    /// begins; the values of accelerations and of their rates are taken from other functions.
-    void switching() {
-        values(Function::events, lowered_.events, ParameterParts::if_cached);
-        values(Function::event_rates, lowered_.event_rates, ParameterParts::if_cached);
-        values(Function::conditions, lowered_.conditions, ParameterParts::if_cached);
-        if (!lowered_.conditions.empty())
-            for (const ModeCondition& condition : conditions(system_)) code_->condition_places.push_back(condition.place);
-        make_resets(*code_, lowered_, [this](Program& program, const std::vector<NodeId>& mass) { return factors(program, mass); });
     }
 
     /// Definitions and cached values; last, because the other functions decide what is cached.
@@ -470,41 +479,6 @@ std::vector<NodeId> chosen_of_held(Program& program, const Code& code, const std
                                                     : of_multipliers[static_cast<std::size_t>(place - multipliers.begin())]);
     }
     return result;
-}
-
-const char* name_of(Function function) {
-    static constexpr std::array<const char*, function_count> names{"update",
-                                                                   "rhs",
-                                                                   "rhs_and_jacobian",
-                                                                   "jacobian_u",
-                                                                   "jacobian_p",
-                                                                   "jacobian_t",
-                                                                   "mass_matrix",
-                                                                   "bias",
-                                                                   "generalised_force",
-                                                                   "output",
-                                                                   "output_jacobian_x",
-                                                                   "output_jacobian_u",
-                                                                   "kinetic_energy",
-                                                                   "potential_energy",
-                                                                   "supplied_power",
-                                                                   "dissipated_power",
-                                                                   "prescribed_power",
-                                                                   "internal_energy",
-                                                                   "exchanged_power",
-                                                                   "guards",
-                                                                   "start_state",
-                                                                   "events",
-                                                                   "event_rates",
-                                                                   "conditions",
-                                                                   "resets",
-                                                                   "constraint_positions",
-                                                                   "constraint_rates",
-                                                                   "constraint_forces",
-                                                                   "constraint_jacobian",
-                                                                   "correction",
-                                                                   "together"};
-    return names[static_cast<std::size_t>(function)];
 }
 
 std::vector<NodeId> FunctionCode::roots() const {

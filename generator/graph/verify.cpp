@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "graph/lowered_system.hpp"
+#include "graph/derived_values.hpp"
 #include "graph/raise.hpp"
 #include "graph/verify_chain.hpp"
 #include "graph/verify_solve.hpp"
@@ -20,35 +20,7 @@ public:
     explicit Verification(const Code& code) : code_(code), system_(code.system), prover_(code.system), cached_(cached_meaning(code)) {}
 
     std::vector<AuditEntry> run() {
-        motion(Function::rhs);
-        motion(Function::rhs_and_jacobian);
-        columns(Function::rhs_and_jacobian, By::state);
-        columns(Function::jacobian_u, By::input);
-        columns(Function::jacobian_p, By::parameter);
-        columns(Function::jacobian_t, By::time);
-        values(Function::mass_matrix, lower_triangle(system_.mass));
-        values(Function::bias, system_.bias);
-        values(Function::generalised_force, system_.supplied);
-        std::vector<ex> outputs;
-        for (const OutputEquation& output : system_.outputs) outputs.push_back(system_.with_rates(output.value));
-        values(Function::output, outputs);
-        output_columns(Function::output_jacobian_x, By::state);
-        output_columns(Function::output_jacobian_u, By::input);
-        values(Function::kinetic_energy, {system_.kinetic_energy});
-        values(Function::potential_energy, {system_.potential_energy});
-        values(Function::supplied_power, {system_.supplied_power});
-        values(Function::dissipated_power, {system_.dissipated_power});
-        values(Function::prescribed_power, {system_.prescribed_power});
-        values(Function::internal_energy, {system_.internal_energy});
-        values(Function::exchanged_power, {system_.exchanged_power});
-        std::vector<ex> guards;
-        for (const Guard& guard : system_.guards) guards.push_back(guard.value);
-        values(Function::guards, guards);
-        if (code_.has_together) together(outputs);
-        switching();
-        definitions();
-        values(Function::start_state, start_values(system_));
-        projection();
+        for (const HeaderFunction& row : header_functions()) prove(row);
         if (code_.solve.unrolled && code_.solve.n > 0) {
             solve_is_right("emitted solve: M*x = b", code_.solve.n, code_.solve.multipliers, code_.solve.is_zero);
             if (code_.solve.is_constant) cached_factors();
@@ -60,6 +32,33 @@ public:
     }
 
 private:
+    using Kind = HeaderFunction::Kind;
+
+    void prove(const HeaderFunction& row) {
+        switch (row.kind) {
+            case Kind::update: return definitions();
+            case Kind::motion: motion(row.function); [[fallthrough]];
+            case Kind::jacobian:
+                if (row.by) columns(row.function, *row.by);
+                return;
+            case Kind::output_jacobian: return output_columns(row.function, *row.by);
+            case Kind::together:
+                if (code_.has_together) together();
+                return;
+            case Kind::resets: return resets();
+            case Kind::correction:
+                if (system_.needs_projection()) correction();
+                return;
+            case Kind::start:
+            case Kind::symmetric:
+            case Kind::values:
+            case Kind::number:
+            case Kind::matrix:
+            case Kind::event_values:
+            case Kind::conditions: return values(row.function, row.values(system_));
+        }
+    }
+
     AuditEntry& entry(const std::string& name) {
         for (AuditEntry& known : entries_)
             if (known.name == name) return known;
@@ -79,13 +78,6 @@ private:
         Raiser raise(f.program, code_.atoms, cached_);
         for (std::size_t i = 0; i < code_.definition_order.size(); ++i)
             compare(Function::update, raise(f.results[i]), system_.symbols.definition_values()[code_.definition_order[i]]);
-    }
-
-    static std::vector<ex> lower_triangle(const GiNaC::matrix& matrix) {
-        std::vector<ex> lower;
-        for (unsigned i = 0; i < matrix.rows(); ++i)
-            for (unsigned j = 0; j <= i; ++j) lower.push_back(matrix(i, j));
-        return lower;
     }
 
     const ex& acceleration(std::size_t j) const { return system_.symbols.get(SymbolKind::acceleration, j); }
@@ -204,14 +196,16 @@ private:
     }
 
     /// Rates and Jacobian, and behind them outputs and energies.
-    void together(std::vector<ex> values) {
+    void together() {
         const FunctionCode& f = code_[Function::together];
         motion(Function::together);
         columns(Function::together, By::state);
         MovingRaisers raise = moving_raisers(f);
         GiNaC::exmap held;
         for (const auto& [j, acceleration] : system_.motion.accelerations) held[this->acceleration(j)] = acceleration;
-        values.insert(values.end(), {system_.kinetic_energy, system_.potential_energy, system_.internal_energy});
+        std::vector<ex> values = output_values(system_);
+        for (const HeaderFunction& row : header_functions())
+            if (row.energy != nullptr) values.push_back(row.values(system_).front());
         for (std::size_t i = 0; i < values.size(); ++i)
             compare_moving(Function::together, raise, f.results[system_.state_rates.size() + i],
                            values[i].subs(held, GiNaC::subs_options::no_pattern));
@@ -231,13 +225,8 @@ private:
         }
     }
 
-    /// Positions, rates and forces of constraints, and the correction that brings a run back to them.
-    void projection() {
-        if (!system_.needs_projection()) return;
-        values(Function::constraint_positions, constraint_positions(system_));
-        values(Function::constraint_rates, constraint_rates(system_));
-        values(Function::constraint_forces, constraint_forces(system_));
-        values(Function::constraint_jacobian, constraint_jacobian(system_));
+    /// The correction that brings a run back to constraints.
+    void correction() {
         const FunctionCode& f = code_[Function::correction];
         Raiser raise(f.program, code_.atoms, cached_);
         std::vector<std::size_t> holding;
@@ -266,17 +255,7 @@ private:
         if (!is_that_one) entry("emitted solve of constraints: M*x = b").result = {Verdict::wrong};
     }
 
-    void switching() {
-        std::vector<ex> guards, rates, asked;
-        for (const EventEquation& event : system_.events) {
-            guards.push_back(event.guard);
-            rates.push_back(event.rate);
-        }
-        values(Function::events, guards);
-        values(Function::event_rates, rates);
-        if (!system_.scene.modes.empty())
-            asked = condition_values(system_);
-        values(Function::conditions, asked);
+    void resets() {
         for (std::size_t e = 0; e < system_.events.size(); ++e) {
             reset(code_.resets[e], system_.events[e].reset);
             reset(code_.rests[e], system_.events[e].rest);
