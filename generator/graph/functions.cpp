@@ -66,10 +66,6 @@ std::span<const HeaderFunction> header_functions() {
     using enum ParameterParts;
     // To add a function of one of these kinds: a row, and its name in the list of the header.
     static constexpr std::array rows{
-        HeaderFunction{Function::update, "update", Kind::update, In::none, in_place, ""},
-        HeaderFunction{.function = Function::start_state, .name = "start_state", .kind = Kind::start, .in = In::none, .parts = in_place,
-                       .doc = "", .group = "start", .values = start_values, .names = state_names},
-
         // --- motion
         HeaderFunction{.function = Function::rhs, .name = "rhs", .kind = Kind::motion, .in = In::all, .parts = cached,
                        .doc = "dx/dt = f(x, u, t).", .type = "State", .array = "dxdt", .has_equations = true},
@@ -153,6 +149,11 @@ std::span<const HeaderFunction> header_functions() {
         HeaderFunction{.function = Function::guards, .name = "guards", .kind = Kind::values, .in = In::all, .parts = if_cached,
                        .doc = "Functions whose sign matters, in the order of guard_table().", .group = "guards and events", .type = "Guards",
                        .array = "g", .values = values_of_each<&System::guards, &Guard::value>, .names = names_of_each<&System::guards, &Guard::doc>},
+
+        // --- what members and start values follow from
+        HeaderFunction{Function::update, "update", Kind::update, In::none, in_place, ""},
+        HeaderFunction{.function = Function::start_state, .name = "start_state", .kind = Kind::start, .in = In::none, .parts = in_place,
+                       .doc = "", .group = "start", .values = start_values, .names = state_names},
 
         // --- constraints that runs are brought back to
         HeaderFunction{.function = Function::constraint_positions, .name = "constraint_positions", .kind = Kind::values, .in = In::constrained,
