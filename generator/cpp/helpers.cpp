@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cpp/helpers.hpp"
 
-#include <algorithm>
 #include <vector>
 
 #include "text/template.hpp"
@@ -80,11 +79,6 @@ const std::vector<Helper>& helpers() {
 }
 
 }  // namespace
-
-bool is_helper(std::string_view name) {
-    const auto& table = helpers();
-    return std::any_of(table.begin(), table.end(), [&](const Helper& helper) { return name == helper.name; });
-}
 
 std::string helper_source(std::set<std::string> names) {
     const auto& table = helpers();

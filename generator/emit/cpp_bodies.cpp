@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "cpp/helpers.hpp"
-
 namespace dalembert {
 
 namespace {
@@ -51,11 +49,6 @@ Value CppBodies::call_of(const char* function, std::vector<std::string> results)
     return Value::call(Value::Where::plant, function, std::move(arguments));
 }
 
-void CppBodies::note_helpers(const std::set<std::string>& called) {
-    for (const std::string& name : called)
-        if (is_helper(name)) helpers_.insert(name);
-}
-
 FunctionBody CppBodies::finish(const CppFunction& cpp, Statements statements, std::vector<Argument> results, Uses uses) {
     FunctionBody body;
     body.arguments.push_back({"State", "x", Argument::Passing::read, cpp.uses_state() || uses.state || uses.everything});
@@ -63,8 +56,7 @@ FunctionBody CppBodies::finish(const CppFunction& cpp, Statements statements, st
     body.arguments.push_back({"Scalar", "t", Argument::Passing::value, cpp.uses_time() || uses.everything});
     body.arguments.insert(body.arguments.end(), results.begin(), results.end());
     body.statements = std::move(statements);
-    body.called = cpp.called();
-    note_helpers(body.called);
+    helpers_.insert(cpp.helpers().begin(), cpp.helpers().end());
     return body;
 }
 

@@ -76,7 +76,6 @@ private:
     Value call_of(const char* function, std::vector<std::string> results) const;
     Statements solved(Value right) const;
     Statements assigned(CppFunction& cpp, Value target, NodeId value);
-    void note_helpers(const std::set<std::string>& called);
     Statements integrated_rates(CppSeries& series, const FunctionCode& f) const;
     Statements solved_at_start(CppFunction& cpp, const FunctionCode& f);
     Statements rates_at_start(CppFunction& cpp, const FunctionCode& f);

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "cpp/helpers.hpp"
-
 namespace dalembert {
 
 namespace {
@@ -108,7 +106,7 @@ std::optional<NodeId> CppFunction::exponential_of_minus(NodeId x) const {
 void CppFunction::declare_both(NodeId id, NodeId other, Statements& statements) {
     if (function_.program[id].op == Op::cos) std::swap(id, other);
     const std::string function = code_.trig == Trig::combined ? "combined_sin_and_cos" : "sin_and_cos";
-    called_.insert(function);
+    helpers_.insert(function);
     const Value angle = part(function_.program[id].arguments[0], statements);
     const std::string sine = names_.unique(suggested_name(id));
     const std::string cosine = names_.unique(suggested_name(other));
@@ -169,7 +167,7 @@ Value CppFunction::build(NodeId id, Statements& statements) {
 Value CppFunction::symbol(NodeId id, Statements& statements) {
     const Atom& atom = code_.atoms[function_.program[id].index];
     if (atom.op == Op::pi) {
-        called_.insert("pi");
+        helpers_.insert("pi");
         return Value::pi();
     }
     const Variable& variable = *atom.variable;
@@ -239,11 +237,12 @@ Value CppFunction::call(const Node& node, Statements& statements) {
     for (const NodeId argument : node.arguments) arguments.push_back(part(argument, statements));
     const bool is_combined = is_sine_or_cosine(node) && code_.trig == Trig::combined;
     const std::string name = (is_combined ? "combined_" : "") + (node.op == Op::power ? "pow" : std::string(name_of(node.op)));
-    called_.insert(name);
+    const Value::Where where = is_combined || !scalar_function(node.op).in_library ? Value::Where::helper : Value::Where::library;
+    if (where == Value::Where::helper) helpers_.insert(name);
     if (node.op == Op::compression)
         if (const auto decay = exponential_of_minus(node.arguments[0])) arguments.push_back(part(*decay, statements));
     if (is_array(node.op)) return Value::call(Value::Where::helper, name, {Value::list(std::move(arguments))}, {order_of_network(node)});
-    return Value::call(is_helper(name) ? Value::Where::helper : Value::Where::library, name, std::move(arguments));
+    return Value::call(where, name, std::move(arguments));
 }
 
 }  // namespace dalembert

@@ -6,7 +6,6 @@
 #include <optional>
 #include <set>
 
-#include "cpp/print.hpp"
 #include "emit/constants.hpp"
 #include "emit/cpp_names.hpp"
 #include "graph/code.hpp"
@@ -44,8 +43,8 @@ public:
     /// The value of a node whose parts were computed. May need further statements, which are appended.
     Value value(NodeId id, Statements& statements);
 
-    /// Functions of <cmath> and of the header's own that the code calls.
-    const std::set<std::string>& called() const { return called_; }
+    /// Functions of the runtime that the code calls.
+    const std::set<std::string>& helpers() const { return helpers_; }
     bool uses_state() const { return uses_state_; }
     bool uses_input() const { return uses_input_; }
     bool uses_time() const { return uses_time_; }
@@ -75,7 +74,7 @@ private:
     std::map<NodeId, NodeId> exponentials_;         ///< by what they are of
     std::map<NodeId, Value> known_;
     std::map<NodeId, std::string> wanted_names_;
-    std::set<std::string> called_;
+    std::set<std::string> helpers_;
     Value state_ = Value::name("x");
     Value input_ = Value::name("u");
     Value accelerations_;

@@ -66,7 +66,6 @@ FunctionBody CppBodies::resets(const std::vector<ResetCode>& resets) {
     const FunctionCode& f = code_[Function::resets];
     Statements statements;
     bool uses_input = false, uses_time = false;
-    std::set<std::string> called;
     for (std::size_t e = 0; e < resets.size(); ++e) {
         if (resets[e].places.empty()) continue;
         FunctionCode one = f;
@@ -87,14 +86,12 @@ FunctionBody CppBodies::resets(const std::vector<ResetCode>& resets) {
         statements.push_back(OnEvent{cpp_name(code_.system.events[e].name, 0, false), std::move(body)});
         uses_input = uses_input || cpp.uses_input();
         uses_time = uses_time || cpp.uses_time();
-        called.insert(cpp.called().begin(), cpp.called().end());
+        helpers_.insert(cpp.helpers().begin(), cpp.helpers().end());
     }
-    note_helpers(called);
     using enum Argument::Passing;
     const bool changes = !statements.empty();
     return {{{"State", "x", result, changes}, {"Input", "u", read, uses_input}, {"Scalar", "t", value, uses_time}},
-            std::move(statements),
-            std::move(called)};
+            std::move(statements)};
 }
 
 FunctionBody CppBodies::kinks(const std::vector<Guard>& kinks) {

@@ -136,7 +136,7 @@ FunctionBody CppBodies::series() {
         statements.push_back(FirstInputs{Value::name("x"), Value::name("t"), "u", Value::room_from(Value::name("rows"), first)});
     }
     append(statements, std::move(at_start));
-    note_helpers(cpp.called());
+    helpers_.insert(cpp.helpers().begin(), cpp.helpers().end());
     if (series.rows() > 0) helpers_.insert("series_sums");
     series_rows_ = series.rows();
     using enum Argument::Passing;
@@ -145,8 +145,7 @@ FunctionBody CppBodies::series() {
              {"Index", "order", value},
              {"StateOrMore", "x", room},
              {"Scalar", "rows", room, uses_inputs || series.rows() > 0}},
-            std::move(statements),
-            cpp.called()};
+            std::move(statements)};
 }
 
 namespace {

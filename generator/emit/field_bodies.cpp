@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "cpp/helpers.hpp"
-
 namespace dalembert {
 
 namespace {
@@ -122,8 +120,7 @@ Statements FieldBodies::computed(const FunctionCode& f, const Use& use) {
     Statements statements = cpp.compute(f.results);
     std::vector<Value> results;
     for (const NodeId id : f.results) results.push_back(cpp.value(id, statements));
-    for (const std::string& name : cpp.called())
-        if (is_helper(name)) helpers_.insert(name);
+    helpers_.insert(cpp.helpers().begin(), cpp.helpers().end());
     append(statements, use(results));
     return statements;
 }

@@ -3,6 +3,7 @@
 
 #include "emit/cpp_names.hpp"
 #include "emit/field_plant.hpp"
+#include "emit/header_equations.hpp"
 #include "emit/plant.hpp"
 
 namespace dalembert {
@@ -16,7 +17,8 @@ Header make_header(const std::vector<const Code*>& modes, const FieldCode* field
     const Scene& scene = system.scene;
     const std::optional<PlantFields> rods = fields != nullptr ? std::optional(make_fields(*fields)) : std::nullopt;
     return {header_name(scene, language), language.name_space(scene),
-            language.file(make_plant(modes), rods ? &*rods : nullptr, scene, banner(modes, proofs, effects_out, command))};
+            language.file(make_plant(modes, header_equations(modes)), rods ? &*rods : nullptr, scene,
+                          banner(modes, proofs, effects_out, command))};
 }
 
 }  // namespace dalembert

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "emit/cpp_bodies.hpp"
-#include "emit/header_equations.hpp"
 #include "emit/mode_code.hpp"
 #include "emit/plant_tables.hpp"
 
@@ -34,13 +33,13 @@ class PlantMaker {
     }
 
 public:
-    explicit PlantMaker(const std::vector<const Code*>& modes)
+    PlantMaker(const std::vector<const Code*>& modes, const std::map<Function, std::vector<std::string>>& equations)
         : modes_(modes),
           shared_(modes),
           code_(*modes.front()),
           system_(code_.system),
           switches_(shared_.has_modes()),
-          equations_(header_equations(modes)) {
+          equations_(equations) {
         for (const Code* code : modes_) bodies_.emplace_back(*code, shared_);
     }
 
@@ -205,13 +204,15 @@ private:
     const Code& code_;  ///< of the first mode
     const System& system_;
     bool switches_;
-    std::map<Function, std::vector<std::string>> equations_;
+    const std::map<Function, std::vector<std::string>>& equations_;
     std::vector<CppBodies> bodies_;
     Plant plant_;
 };
 
 }  // namespace
 
-Plant make_plant(const std::vector<const Code*>& modes) { return PlantMaker(modes).run(); }
+Plant make_plant(const std::vector<const Code*>& modes, const std::map<Function, std::vector<std::string>>& equations) {
+    return PlantMaker(modes, equations).run();
+}
 
 }  // namespace dalembert

@@ -10,6 +10,7 @@
 
 #include "emit/cpp_bodies.hpp"
 #include "cpp/helpers.hpp"
+#include "cpp/print.hpp"
 #include "text/safe_text.hpp"
 #include "balance/steps.hpp"
 #include "text/template.hpp"
