@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "emit/notation.hpp"
+#include "graph/notation.hpp"
 #include "form/fluid_validity.hpp"
 #include "form/heat_validity.hpp"
 #include "form/mode_systems.hpp"

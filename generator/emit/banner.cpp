@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "emit/constants.hpp"
+#include "program/constants.hpp"
 #include "text/safe_text.hpp"
 #include "elements/verdict.hpp"
 

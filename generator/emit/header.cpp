@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/header.hpp"
 
-#include "emit/cpp_names.hpp"
-#include "emit/field_plant.hpp"
+#include "program/identifiers.hpp"
+#include "program/field_plant.hpp"
 #include "emit/header_equations.hpp"
-#include "emit/plant.hpp"
+#include "program/make_plant.hpp"
 
 namespace dalembert {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "emit/equations.hpp"
-#include "emit/notation.hpp"
+#include "graph/notation.hpp"
 
 namespace dalembert {
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "emit/cpp_names.hpp"
-#include "emit/shared_members.hpp"
+#include "program/identifiers.hpp"
+#include "program/shared_members.hpp"
 #include "text/template.hpp"
 #include "prove/constraint_validity.hpp"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "emit/cpp_bodies.hpp"
+#include "program/function_bodies.hpp"
 #include "cpp/helpers.hpp"
 #include "cpp/print.hpp"
 #include "text/safe_text.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/jacobian_layout.hpp"
+#include "program/jacobian_layout.hpp"
 
 #include <algorithm>
 

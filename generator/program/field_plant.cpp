@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/field_plant.hpp"
+#include "program/field_plant.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "emit/constants.hpp"
-#include "emit/cpp_names.hpp"
-#include "emit/field_bodies.hpp"
-#include "emit/notation.hpp"
+#include "program/constants.hpp"
+#include "program/identifiers.hpp"
+#include "program/field_bodies.hpp"
+#include "graph/notation.hpp"
 
 namespace dalembert {
 

@@ -2,7 +2,7 @@
 // Names, units, descriptions, ranges and sizes of a plant.
 #pragma once
 
-#include "emit/shared_members.hpp"
+#include "program/shared_members.hpp"
 #include "program/plant.hpp"
 
 namespace dalembert {

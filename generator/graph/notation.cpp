@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/notation.hpp"
+#include "graph/notation.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "emit/angle_sums.hpp"
+#include "graph/angle_sums.hpp"
 #include "symbolic/heat_formulas.hpp"
 
 namespace dalembert {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <memory>
 
-#include "emit/cpp_function.hpp"
+#include "program/statement_maker.hpp"
 #include "graph/series.hpp"
 
 namespace dalembert {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/cpp_series.hpp"
+#include "program/series_statements.hpp"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "emit/cpp_bodies.hpp"
+#include "program/function_bodies.hpp"
 
 namespace dalembert {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/field_bodies.hpp"
+#include "program/field_bodies.hpp"
 
 #include <fmt/format.h>
 

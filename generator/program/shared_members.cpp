@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/shared_members.hpp"
+#include "program/shared_members.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "emit/notation.hpp"
+#include "graph/notation.hpp"
 #include "graph/raise.hpp"
 
 namespace dalembert {

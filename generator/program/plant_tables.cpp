@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/plant_tables.hpp"
+#include "program/plant_tables.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "check/units.hpp"
-#include "emit/constants.hpp"
-#include "emit/cpp_names.hpp"
-#include "emit/notation.hpp"
+#include "program/constants.hpp"
+#include "program/identifiers.hpp"
+#include "graph/notation.hpp"
 #include "graph/raise.hpp"
 #include "graph/separable.hpp"
 #include "prove/constraint_validity.hpp"

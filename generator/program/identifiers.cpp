@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/cpp_names.hpp"
+#include "program/identifiers.hpp"
 
 #include <fmt/format.h>
 

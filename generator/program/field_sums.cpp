@@ -2,7 +2,7 @@
 // Outputs that contain sums over cells.
 #include <fmt/format.h>
 
-#include "emit/field_bodies.hpp"
+#include "program/field_bodies.hpp"
 
 namespace dalembert {
 

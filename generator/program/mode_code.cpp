@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/mode_code.hpp"
+#include "program/mode_code.hpp"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/constants.hpp"
+#include "program/constants.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // Functions of a machine that switches, by mode.
 #pragma once
 
-#include "emit/cpp_bodies.hpp"
+#include "program/function_bodies.hpp"
 
 namespace dalembert {
 

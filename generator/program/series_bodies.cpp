@@ -2,8 +2,8 @@
 // Bodies of functions that compute Taylor series.
 #include <fmt/format.h>
 
-#include "emit/cpp_bodies.hpp"
-#include "emit/cpp_series.hpp"
+#include "program/function_bodies.hpp"
+#include "program/series_statements.hpp"
 #include "graph/lower.hpp"
 
 namespace dalembert {

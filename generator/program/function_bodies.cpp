@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/cpp_bodies.hpp"
+#include "program/function_bodies.hpp"
 
 #include <algorithm>
 

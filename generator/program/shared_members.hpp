@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "emit/jacobian_layout.hpp"
+#include "program/jacobian_layout.hpp"
 
 namespace dalembert {
 

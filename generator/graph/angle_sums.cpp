@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/angle_sums.hpp"
+#include "graph/angle_sums.hpp"
 
 #include <optional>
 

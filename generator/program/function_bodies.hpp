@@ -2,8 +2,8 @@
 // Bodies and argument lists of the header's functions.
 #pragma once
 
-#include "emit/cpp_function.hpp"
-#include "emit/shared_members.hpp"
+#include "program/statement_maker.hpp"
+#include "program/shared_members.hpp"
 
 namespace dalembert {
 

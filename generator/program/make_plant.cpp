@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/plant.hpp"
+#include "program/make_plant.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <sstream>
 
-#include "emit/cpp_bodies.hpp"
-#include "emit/mode_code.hpp"
-#include "emit/plant_tables.hpp"
+#include "program/function_bodies.hpp"
+#include "program/mode_code.hpp"
+#include "program/plant_tables.hpp"
 
 namespace dalembert {
 

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "emit/cpp_function.hpp"
+#include "program/statement_maker.hpp"
 #include "form/state_places.hpp"
 #include "graph/field_code.hpp"
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <set>
 
-#include "emit/constants.hpp"
-#include "emit/cpp_names.hpp"
+#include "program/constants.hpp"
+#include "program/identifiers.hpp"
 #include "graph/code.hpp"
 #include "program/statement.hpp"
 

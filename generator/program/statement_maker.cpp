@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "emit/cpp_function.hpp"
+#include "program/statement_maker.hpp"
 
 #include <fmt/format.h>
 
