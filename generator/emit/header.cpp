@@ -13,7 +13,7 @@ std::string header_name(const Scene& scene, const Language& language) { return s
 Header make_header(const std::vector<const Code*>& modes, const FieldCode* fields, const Proofs& proofs,
                    const std::vector<EffectSize>& effects_out, const std::string& command, const Language& language) {
     const System& system = modes.front()->system;
-    check_cpp_names(system);
+    check_identifiers(system);
     const Scene& scene = system.scene;
     const std::optional<PlantFields> rods = fields != nullptr ? std::optional(make_fields(*fields)) : std::nullopt;
     return {header_name(scene, language), language.name_space(scene),

@@ -66,7 +66,7 @@ std::string input_statements(Code& code, const std::vector<ex>& inputs) {
     builder.prepare(polynomials);
     for (std::size_t i = 0; i < polynomials.size(); ++i) f.results.push_back(builder.root(i));
     const CachedValues none;
-    CppFunction cpp(code, f, none, {"x", "t", "u", "p_"});
+    StatementMaker cpp(code, f, none, {"x", "t", "u", "p_"});
     Statements statements = cpp.compute(f.results);
     for (std::size_t i = 0; i < f.results.size(); ++i) {
         if (f.is_zero(f.results[i])) continue;

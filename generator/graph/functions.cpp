@@ -69,15 +69,13 @@ std::span<const HeaderFunction> header_functions() {
         // --- motion
         HeaderFunction{.function = Function::rhs, .name = "rhs", .kind = Kind::motion, .in = In::all, .parts = cached,
                        .doc = "dx/dt = f(x, u, t).", .type = "State", .array = "dxdt", .has_equations = true},
-        HeaderFunction{
-            .function = Function::rhs_and_jacobian, .name = "rhs_and_jacobian", .kind = Kind::motion, .in = In::all, .parts = cached,
-            .doc = "dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.",
-            .type = "JacobianX", .array = "J", .by = By::state},
-        HeaderFunction{
-            .function = Function::together, .name = "together", .kind = Kind::together, .in = In::wished, .parts = cached,
-            .doc = "What rhs_and_jacobian, output and the functions of the energies compute, at once: what they have in common is computed "
-                   "once.",
-            .by = By::state},
+        HeaderFunction{.function = Function::rhs_and_jacobian, .name = "rhs_and_jacobian", .kind = Kind::motion, .in = In::all,
+                       .parts = cached,
+                       .doc = "dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M "
+                              "qdd + bias - Q.", .type = "JacobianX", .array = "J", .by = By::state},
+        HeaderFunction{.function = Function::together, .name = "together", .kind = Kind::together, .in = In::wished, .parts = cached,
+                       .doc = "What rhs_and_jacobian, output and the functions of the energies compute, at once: what they have in "
+                              "common is computed once.", .by = By::state},
         HeaderFunction{.function = Function::jacobian_u, .name = "jacobian_u", .kind = Kind::jacobian, .in = In::all, .parts = cached,
                        .doc = "J = df/du.", .type = "JacobianU", .array = "J", .by = By::input},
         HeaderFunction{.function = Function::jacobian_p, .name = "jacobian_p", .kind = Kind::jacobian, .in = In::all, .parts = if_cached,
@@ -89,32 +87,36 @@ std::span<const HeaderFunction> header_functions() {
                        .values = lower_triangle_of_mass, .names = coordinate_names, .letter = "M", .has_equations = true},
         HeaderFunction{.function = Function::bias, .name = "bias", .kind = Kind::values, .in = In::all, .parts = cached,
                        .doc = "bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.", .group = "motion",
-                       .type = "Generalised", .array = "b", .values = values_of<&System::bias>, .names = coordinate_names, .letter = "bias",
-                       .has_equations = true},
+                       .type = "Generalised", .array = "b", .values = values_of<&System::bias>, .names = coordinate_names,
+                       .letter = "bias", .has_equations = true},
         HeaderFunction{.function = Function::generalised_force, .name = "generalised_force", .kind = Kind::values, .in = In::all,
-                       .parts = cached, .doc = "Q in M qdd + bias = Q: forces, torques and inputs.", .group = "motion", .type = "Generalised",
-                       .array = "Q", .values = values_of<&System::supplied>, .names = coordinate_names, .letter = "Q", .has_equations = true},
+                       .parts = cached, .doc = "Q in M qdd + bias = Q: forces, torques and inputs.", .group = "motion",
+                       .type = "Generalised", .array = "Q", .values = values_of<&System::supplied>, .names = coordinate_names,
+                       .letter = "Q", .has_equations = true},
 
         // --- outputs
         HeaderFunction{.function = Function::output, .name = "output", .kind = Kind::values, .in = In::all, .parts = cached,
                        .doc = "y = h(x, u, t).", .group = "outputs", .type = "Output", .array = "y", .values = output_values,
                        .names = output_names, .has_equations = true, .shown = shown_outputs},
         HeaderFunction{.function = Function::output_jacobian_x, .name = "output_jacobian_x", .kind = Kind::output_jacobian, .in = In::all,
-                       .parts = cached, .doc = "C = dh/dx.", .type = "OutputJacobianX", .array = "C", .by = By::state, .names = output_names},
+                       .parts = cached, .doc = "C = dh/dx.", .type = "OutputJacobianX", .array = "C", .by = By::state,
+                       .names = output_names},
         HeaderFunction{.function = Function::output_jacobian_u, .name = "output_jacobian_u", .kind = Kind::output_jacobian, .in = In::all,
-                       .parts = cached, .doc = "D = dh/du.", .type = "OutputJacobianU", .array = "D", .by = By::input, .names = output_names},
+                       .parts = cached, .doc = "D = dh/du.", .type = "OutputJacobianU", .array = "D", .by = By::input,
+                       .names = output_names},
 
         // --- energies and powers
-        HeaderFunction{.function = Function::kinetic_energy, .name = "kinetic_energy", .kind = Kind::number, .in = In::all, .parts = if_cached,
-                       .doc = "T in joules.", .group = "energies and powers", .takes_input = false, .values = value_of<&System::kinetic_energy>,
-                       .letter = "T", .has_equations = true, .energy = "kinetic"},
+        HeaderFunction{.function = Function::kinetic_energy, .name = "kinetic_energy", .kind = Kind::number, .in = In::all,
+                       .parts = if_cached, .doc = "T in joules.", .group = "energies and powers", .takes_input = false,
+                       .values = value_of<&System::kinetic_energy>, .letter = "T", .has_equations = true, .energy = "kinetic"},
         HeaderFunction{.function = Function::potential_energy, .name = "potential_energy", .kind = Kind::number, .in = In::all,
                        .parts = if_cached, .doc = "V in joules.", .group = "energies and powers", .takes_input = false,
                        .values = value_of<&System::potential_energy>, .letter = "V", .has_equations = true, .energy = "potential"},
-        HeaderFunction{
-            .function = Function::supplied_power, .name = "supplied_power", .kind = Kind::number, .in = In::all, .parts = if_cached,
-            .doc = "Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + prescribed + exchanged.",
-            .group = "energies and powers", .values = value_of<&System::supplied_power>, .letter = "supplied", .has_equations = true},
+        HeaderFunction{.function = Function::supplied_power, .name = "supplied_power", .kind = Kind::number, .in = In::all,
+                       .parts = if_cached,
+                       .doc = "Power in watts that forces, torques and inputs supply. d(T + V + E)/dt = supplied - dissipated + "
+                              "prescribed + exchanged.", .group = "energies and powers", .values = value_of<&System::supplied_power>,
+                       .letter = "supplied", .has_equations = true},
         HeaderFunction{.function = Function::dissipated_power, .name = "dissipated_power", .kind = Kind::number, .in = In::all,
                        .parts = if_cached, .doc = "Power in watts that dampers dissipate; not negative for laws that resist.",
                        .group = "energies and powers", .values = value_of<&System::dissipated_power>, .letter = "dissipated",
@@ -133,7 +135,8 @@ std::span<const HeaderFunction> header_functions() {
                        .group = "energies and powers", .values = value_of<&System::exchanged_power>},
 
         // --- events and guards
-        HeaderFunction{.function = Function::events, .name = "events", .kind = Kind::event_values, .in = In::switching, .parts = if_cached,
+        HeaderFunction{.function = Function::events, .name = "events", .kind = Kind::event_values, .in = In::switching,
+                       .parts = if_cached,
                        .doc = "Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.",
                        .group = "guards and events", .in_header = "guards", .type = "Events", .array = "g",
                        .values = values_of_each<&System::events, &EventEquation::guard>, .names = event_names},
@@ -147,8 +150,9 @@ std::span<const HeaderFunction> header_functions() {
         HeaderFunction{.function = Function::resets, .name = "resets", .kind = Kind::resets, .in = In::switching, .parts = if_cached,
                        .doc = "What the event changes where it happens.", .in_header = "reset", .names = state_names},
         HeaderFunction{.function = Function::guards, .name = "guards", .kind = Kind::values, .in = In::all, .parts = if_cached,
-                       .doc = "Functions whose sign matters, in the order of guard_table().", .group = "guards and events", .type = "Guards",
-                       .array = "g", .values = values_of_each<&System::guards, &Guard::value>, .names = names_of_each<&System::guards, &Guard::doc>},
+                       .doc = "Functions whose sign matters, in the order of guard_table().", .group = "guards and events",
+                       .type = "Guards", .array = "g", .values = values_of_each<&System::guards, &Guard::value>,
+                       .names = names_of_each<&System::guards, &Guard::doc>},
 
         // --- what members and start values follow from
         HeaderFunction{Function::update, "update", Kind::update, In::none, in_place, ""},
@@ -156,27 +160,28 @@ std::span<const HeaderFunction> header_functions() {
                        .doc = "", .group = "start", .values = start_values, .names = state_names},
 
         // --- constraints that runs are brought back to
-        HeaderFunction{.function = Function::constraint_positions, .name = "constraint_positions", .kind = Kind::values, .in = In::constrained,
-                       .parts = if_cached,
+        HeaderFunction{.function = Function::constraint_positions, .name = "constraint_positions", .kind = Kind::values,
+                       .in = In::constrained, .parts = if_cached,
                        .doc = "Positions that constraints hold at zero, in the order of constraint_table(); zero where there is none.",
                        .group = "constraints", .type = "Constraints", .array = "f", .takes_input = false, .values = constraint_positions,
                        .names = constraint_names},
         HeaderFunction{.function = Function::constraint_rates, .name = "constraint_rates", .kind = Kind::values, .in = In::constrained,
                        .parts = if_cached, .doc = "Rates that constraints hold at zero.", .group = "constraints", .type = "Constraints",
                        .array = "w", .takes_input = false, .values = constraint_rates, .names = constraint_names},
-        HeaderFunction{.function = Function::constraint_jacobian, .name = "constraint_jacobian", .kind = Kind::matrix, .in = In::constrained,
-                       .parts = if_cached, .doc = "d(rate)/d(velocity)", .group = "constraints", .type = "ConstraintJacobian", .array = "A",
-                       .takes_input = false, .values = constraint_jacobian, .names = constraint_names, .letter = "A"},
+        HeaderFunction{.function = Function::constraint_jacobian, .name = "constraint_jacobian", .kind = Kind::matrix,
+                       .in = In::constrained, .parts = if_cached, .doc = "d(rate)/d(velocity)", .group = "constraints",
+                       .type = "ConstraintJacobian", .array = "A", .takes_input = false, .values = constraint_jacobian,
+                       .names = constraint_names, .letter = "A"},
         HeaderFunction{.function = Function::constraint_forces, .name = "constraint_forces", .kind = Kind::values, .in = In::constrained,
                        .parts = if_cached,
-                       .doc = "Forces of the constraints along their rates, on the machine; of one that follows from those before it, zero.",
-                       .group = "constraints", .type = "Constraints", .array = "force", .values = constraint_forces,
+                       .doc = "Forces of the constraints along their rates, on the machine; of one that follows from those before it, "
+                              "zero.", .group = "constraints", .type = "Constraints", .array = "force", .values = constraint_forces,
                        .names = constraint_names},
-        HeaderFunction{
-            .function = Function::correction, .name = "correction", .kind = Kind::correction, .in = In::constrained, .parts = if_cached,
-            .doc = "The least step, measured with M, that takes residuals of positions (move back by it) or rates (subtract it from the "
-                   "velocities) away:\nM^-1 A' (A M^-1 A')^-1 residual.",
-            .type = "Generalised", .array = "step", .takes_input = false, .names = coordinate_names},
+        HeaderFunction{.function = Function::correction, .name = "correction", .kind = Kind::correction, .in = In::constrained,
+                       .parts = if_cached,
+                       .doc = "The least step, measured with M, that takes residuals of positions (move back by it) or rates (subtract "
+                              "it from the velocities) away:\nM^-1 A' (A M^-1 A')^-1 residual.", .type = "Generalised", .array = "step",
+                       .takes_input = false, .names = coordinate_names},
     };
     static_assert([] {
         std::array<bool, function_count> has_row{};

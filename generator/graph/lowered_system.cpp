@@ -158,7 +158,8 @@ private:
                 if (row.group == group) list(l[row.function]);
         };
         of_group("motion");
-        for (auto* part : {&l.force, &l.solve_mass, &l.motion_rate, &l.held_jerks, &l.held, &l.held_by_free, &l.held_drift, &l.held_factors})
+        for (auto* part :
+             {&l.force, &l.solve_mass, &l.motion_rate, &l.held_jerks, &l.held, &l.held_by_free, &l.held_drift, &l.held_factors})
             list(*part);
         where = "rates of states";
         list(l.state_rate);

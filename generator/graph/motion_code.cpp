@@ -12,9 +12,7 @@ MotionCode::MotionCode(Code& code, const LoweredSystem& lowered)
       multipliers_(system_.motion.multipliers.size()),
       places_(system_.unknown_places()) {}
 
-Letter MotionCode::letter(SymbolKind kind, std::size_t position) const {
-    return code_.atoms.symbol(system_.symbols.all(kind)[position]);
-}
+Letter MotionCode::letter(SymbolKind kind, std::size_t position) const { return code_.atoms.symbol(system_.symbols.all(kind)[position]); }
 
 std::vector<NodeId> MotionCode::factors(Program& program, const std::vector<NodeId>& mass) {
     const Solve& s = code_.solve;

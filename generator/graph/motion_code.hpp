@@ -45,7 +45,7 @@ private:
     Code& code_;
     const System& system_;
     const LoweredSystem& lowered_;
-    std::size_t n_;                    ///< accelerations and multipliers that are solved for
+    std::size_t n_;  ///< accelerations and multipliers that are solved for
     std::size_t degrees_, multipliers_;
     std::vector<std::size_t> places_;  ///< of what is solved for among all accelerations and multipliers
 };

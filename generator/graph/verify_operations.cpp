@@ -47,8 +47,8 @@ private:
         const auto reciprocal = [&](NodeId pivot) {
             const NodeId emitted = f.factors[lower_index(row, row)];
             ++row;
-            are_reciprocals = are_reciprocals &&
-                              (program.reciprocal(pivot) == emitted || prover_.proven_equal(raise(emitted) * raise(pivot), 1));
+            are_reciprocals =
+                are_reciprocals && (program.reciprocal(pivot) == emitted || prover_.proven_equal(raise(emitted) * raise(pivot), 1));
             return emitted;
         };
         return factorise(program, solve_.n, solve_.multipliers, f.mass, reciprocal, chosen(program, solve_)) == f.factors &&
@@ -80,7 +80,8 @@ private:
             const std::vector<NodeId> right = column(f.right);
             const std::vector<NodeId> emitted =
                 is_everything ? column(f.solved) : of_unknowns([&](std::size_t j) { return f.solved.at(j, c); });
-            if (solve(program, solve_.n, f.factors, right) != emitted && !is_multiple_of_a_unit_solution(program, f.factors, right, emitted))
+            if (solve(program, solve_.n, f.factors, right) != emitted &&
+                !is_multiple_of_a_unit_solution(program, f.factors, right, emitted))
                 return false;
         }
         return true;

@@ -116,11 +116,11 @@ Statements FieldBodies::computed(const FunctionCode& f, const Use& use) {
     std::set<std::string> names = names_in_loops;
     if (!code_.sums.empty()) names.insert(names_in_sums.begin(), names_in_sums.end());
     for (std::size_t i = 0; i < code_.sums.size(); ++i) names.insert(sum_name(i));
-    CppFunction cpp(code_.code, f, cached_, names);
-    Statements statements = cpp.compute(f.results);
+    StatementMaker maker(code_.code, f, cached_, names);
+    Statements statements = maker.compute(f.results);
     std::vector<Value> results;
-    for (const NodeId id : f.results) results.push_back(cpp.value(id, statements));
-    helpers_.insert(cpp.helpers().begin(), cpp.helpers().end());
+    for (const NodeId id : f.results) results.push_back(maker.value(id, statements));
+    helpers_.insert(maker.helpers().begin(), maker.helpers().end());
     append(statements, use(results));
     return statements;
 }

@@ -60,7 +60,7 @@ private:
             const auto r = std::find_if(code_.fields.begin(), code_.fields.end(), [&](const FieldFunctions& f) {
                 return variable->kind == SymbolKind::state && f.field->states->name == variable->base;
             });
-            if (r == code_.fields.end()) add(cpp_name(*variable), at);
+            if (r == code_.fields.end()) add(identifier(*variable), at);
             else add(variable->base, places_.firsts[static_cast<std::size_t>(r - code_.fields.begin())]);
         }
     }

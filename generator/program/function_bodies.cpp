@@ -19,7 +19,7 @@ const std::set<std::string> names_of_modes{"mode", "event", "event_number", "g",
 
 }  // namespace
 
-CppBodies::CppBodies(const Code& code, const SharedMembers& shared)
+FunctionBodies::FunctionBodies(const Code& code, const SharedMembers& shared)
     : code_(code),
       shared_(shared),
       n_(code.system.symbols.degrees()),
@@ -34,34 +34,34 @@ CppBodies::CppBodies(const Code& code, const SharedMembers& shared)
     if (shared.has_modes()) arguments_.insert(names_of_modes.begin(), names_of_modes.end());
 }
 
-Statements CppBodies::assigned(CppFunction& cpp, Value target, NodeId value) {
+Statements FunctionBodies::assigned(StatementMaker& maker, Value target, NodeId value) {
     Statements statements;
-    Value assigned = cpp.value(value, statements);
+    Value assigned = maker.value(value, statements);
     statements.push_back(Assignment{std::move(target), std::move(assigned)});
     return statements;
 }
 
 /// A call of another function of the plant, for the same motion.
-Value CppBodies::call_of(const char* function, std::vector<std::string> results) const {
+Value FunctionBodies::call_of(const char* function, std::vector<std::string> results) const {
     std::vector<Value> arguments = mode_;
     for (const char* name : {"x", "u", "t"}) arguments.push_back(Value::name(name));
     for (std::string& name : results) arguments.push_back(Value::name(std::move(name)));
     return Value::call(Value::Where::plant, function, std::move(arguments));
 }
 
-FunctionBody CppBodies::finish(const CppFunction& cpp, Statements statements, std::vector<Argument> results, Uses uses) {
+FunctionBody FunctionBodies::finish(const StatementMaker& maker, Statements statements, std::vector<Argument> results, Uses uses) {
     FunctionBody body;
-    body.arguments.push_back({"State", "x", Argument::Passing::read, cpp.uses_state() || uses.state || uses.everything});
-    if (uses.has_input) body.arguments.push_back({"Input", "u", Argument::Passing::read, cpp.uses_input() || uses.everything});
-    body.arguments.push_back({"Scalar", "t", Argument::Passing::value, cpp.uses_time() || uses.everything});
+    body.arguments.push_back({"State", "x", Argument::Passing::read, maker.uses_state() || uses.state || uses.everything});
+    if (uses.has_input) body.arguments.push_back({"Input", "u", Argument::Passing::read, maker.uses_input() || uses.everything});
+    body.arguments.push_back({"Scalar", "t", Argument::Passing::value, maker.uses_time() || uses.everything});
     body.arguments.insert(body.arguments.end(), results.begin(), results.end());
     body.statements = std::move(statements);
-    helpers_.insert(cpp.helpers().begin(), cpp.helpers().end());
+    helpers_.insert(maker.helpers().begin(), maker.helpers().end());
     return body;
 }
 
 /// The definitions that are computed, in order: members, and the steps on the way to them and to what is cached.
-std::vector<std::size_t> CppBodies::needed_definitions() const {
+std::vector<std::size_t> FunctionBodies::needed_definitions() const {
     const FunctionCode& f = code_[Function::update];
     const std::vector<std::size_t>& order = code_.definition_order;
     std::set<std::size_t> needed;
@@ -85,7 +85,7 @@ std::vector<std::size_t> CppBodies::needed_definitions() const {
     return result;
 }
 
-FunctionBody CppBodies::update(std::set<std::string>& done) {
+FunctionBody FunctionBodies::update(std::set<std::string>& done) {
     const FunctionCode& all = code_[Function::update];
     // Only what some function uses is computed.
     FunctionCode f = all;
@@ -99,83 +99,83 @@ FunctionBody CppBodies::update(std::set<std::string>& done) {
     };
     for (const std::size_t i : needed_definitions()) {
         const std::size_t definition = code_.definition_order[i];
-        const std::string name = cpp_name(definitions[definition]);
+        const std::string name = identifier(definitions[definition]);
         want(is_kept(definition) ? Value::member(Value::Object::cached, name) : Value::name(name), all.results[i]);
     }
     for (const auto& [index, number] : cached_) want(cached_values_.at(index), all.results[code_.definition_order.size() + index]);
-    CppFunction cpp(code_, f, cached_values_, arguments_);
-    cpp.bind_locals(shared_.only_in_update());
+    StatementMaker maker(code_, f, cached_values_, arguments_);
+    maker.bind_locals(shared_.only_in_update());
     Statements statements;
     for (std::size_t i = 0; i < f.results.size(); ++i) {
-        append(statements, cpp.compute({f.results[i]}));
-        const Value value = cpp.value(f.results[i], statements);
+        append(statements, maker.compute({f.results[i]}));
+        const Value value = maker.value(f.results[i], statements);
         if (targets[i].kind() == Value::Kind::member) statements.push_back(Assignment{targets[i], value});
         else statements.push_back(Declaration{{}, {targets[i].text()}, value});
     }
     if (f.by_loops && code_.solve.is_constant) {
         helpers_.insert("ldlt");
-        append(statements, cpp.compute(f.mass));
+        append(statements, maker.compute(f.mass));
         for (std::size_t i = 0; i < f.mass.size(); ++i)
-            append(statements, assigned(cpp, Value::element(Value::member(Value::Object::cached, "mass_factors"), i), f.mass[i]));
+            append(statements, assigned(maker, Value::element(Value::member(Value::Object::cached, "mass_factors"), i), f.mass[i]));
         statements.push_back(Invocation{Value::call(Value::Where::helper, "ldlt_factor", {mass()}, {n_})});
     }
-    return finish(cpp, std::move(statements), {}, {});
+    return finish(maker, std::move(statements), {}, {});
 }
 
-FunctionBody CppBodies::start_state() {
+FunctionBody FunctionBodies::start_state() {
     const FunctionCode& f = code_[Function::start_state];
-    CppFunction cpp(code_, f, cached_values_, arguments_);
-    Statements statements = cpp.compute(f.results);
+    StatementMaker maker(code_, f, cached_values_, arguments_);
+    Statements statements = maker.compute(f.results);
     for (std::size_t i = 0; i < f.results.size(); ++i)
-        if (!f.is_zero(f.results[i])) append(statements, assigned(cpp, Value::element(Value::name("x"), i), f.results[i]));
-    return finish(cpp, std::move(statements), {}, {});
+        if (!f.is_zero(f.results[i])) append(statements, assigned(maker, Value::element(Value::name("x"), i), f.results[i]));
+    return finish(maker, std::move(statements), {}, {});
 }
 
-Value CppBodies::mass() const {
+Value FunctionBodies::mass() const {
     return code_.solve.is_constant ? Value::member(Value::Object::cached, "mass_factors") : Value::name("mass");
 }
 
 /// By loops: right sides become solutions, where they stand.
-Statements CppBodies::solved(Value right) const {
+Statements FunctionBodies::solved(Value right) const {
     return {Invocation{Value::call(Value::Where::helper, "ldlt_solve", {mass(), std::move(right)}, {n_})}};
 }
 
 /// By loops: M of this motion, factored. A constant one was factored in update().
-Statements CppBodies::factored_mass(CppFunction& cpp, const FunctionCode& f) {
+Statements FunctionBodies::factored_mass(StatementMaker& maker, const FunctionCode& f) {
     if (code_.solve.is_constant) return {};
     helpers_.insert("ldlt");
-    Statements statements = cpp.compute(f.mass);
+    Statements statements = maker.compute(f.mass);
     statements.push_back(Declaration{{Storage::Kind::array, {f.mass.size()}}, {"mass"}});
-    for (std::size_t i = 0; i < f.mass.size(); ++i) append(statements, assigned(cpp, Value::element(Value::name("mass"), i), f.mass[i]));
+    for (std::size_t i = 0; i < f.mass.size(); ++i) append(statements, assigned(maker, Value::element(Value::name("mass"), i), f.mass[i]));
     statements.push_back(Invocation{Value::call(Value::Where::helper, "ldlt_factor", {mass()}, {n_})});
     return statements;
 }
 
 /// dxdt, in the names of the function's program.
-Statements CppBodies::motion(CppFunction& cpp, const FunctionCode& f) {
-    cpp.bind_accelerations(Value::name("dxdt"), velocities_);
+Statements FunctionBodies::motion(StatementMaker& maker, const FunctionCode& f) {
+    maker.bind_accelerations(Value::name("dxdt"), velocities_);
     Statements statements;
     if (f.by_loops) {
         std::vector<NodeId> first = code_.solve.is_constant ? std::vector<NodeId>() : f.mass;
         first.insert(first.end(), f.force.begin(), f.force.end());
-        append(statements, cpp.compute(first));
-        append(statements, factored_mass(cpp, f));
+        append(statements, maker.compute(first));
+        append(statements, factored_mass(maker, f));
         for (std::size_t j = 0; j < n_; ++j)
-            append(statements, assigned(cpp, Value::element(Value::name("dxdt"), velocities_ + j), f.force[j]));
+            append(statements, assigned(maker, Value::element(Value::name("dxdt"), velocities_ + j), f.force[j]));
         helpers_.insert("ldlt");
         append(statements, solved(Value::part_from(Value::name("dxdt"), velocities_)));
     } else {
         for (std::size_t j = 0; j < n_; ++j)
-            cpp.name_node(f.accelerations[j], cpp_name(code_.system.symbols.all(SymbolKind::acceleration)[j]));
-        name_multipliers(cpp, f.accelerations);
-        append(statements, cpp.compute(f.accelerations));
+            maker.name_node(f.accelerations[j], identifier(code_.system.symbols.all(SymbolKind::acceleration)[j]));
+        name_multipliers(maker, f.accelerations);
+        append(statements, maker.compute(f.accelerations));
     }
-    append(statements, cpp.compute(f.results));
+    append(statements, maker.compute(f.results));
     return statements;
 }
 
 /// What motion() computed, put into dxdt.
-Statements CppBodies::stored_motion(CppFunction& cpp, const FunctionCode& f) {
+Statements FunctionBodies::stored_motion(StatementMaker& maker, const FunctionCode& f) {
     Statements statements;
     const Symbols& symbols = code_.system.symbols;
     for (std::size_t j = 0; j < n_; ++j)
@@ -183,12 +183,13 @@ Statements CppBodies::stored_motion(CppFunction& cpp, const FunctionCode& f) {
             statements.push_back(Assignment{Value::element(Value::name("dxdt"), symbols.place(SymbolKind::coordinate, j)),
                                             Value::element(Value::name("x"), velocities_ + j)});
     for (std::size_t j = 0; !f.by_loops && j < n_; ++j)
-        append(statements, assigned(cpp, Value::element(Value::name("dxdt"), velocities_ + j), f.accelerations[j]));
-    for (std::size_t i = 0; i < m_; ++i) append(statements, assigned(cpp, Value::element(Value::name("dxdt"), states_ + i), f.results[i]));
+        append(statements, assigned(maker, Value::element(Value::name("dxdt"), velocities_ + j), f.accelerations[j]));
+    for (std::size_t i = 0; i < m_; ++i)
+        append(statements, assigned(maker, Value::element(Value::name("dxdt"), states_ + i), f.results[i]));
     return statements;
 }
 
-FunctionBody CppBodies::body(const HeaderFunction& row) {
+FunctionBody FunctionBodies::body(const HeaderFunction& row) {
     using Kind = HeaderFunction::Kind;
     switch (row.kind) {
         case Kind::motion: return row.by ? rhs_and_jacobian() : rhs();
@@ -209,17 +210,17 @@ FunctionBody CppBodies::body(const HeaderFunction& row) {
     throw std::logic_error("a function with a body of its own");
 }
 
-FunctionBody CppBodies::rhs() {
+FunctionBody FunctionBodies::rhs() {
     const FunctionCode& f = code_[Function::rhs];
-    CppFunction cpp(code_, f, cached_values_, arguments_);
-    Statements statements = motion(cpp, f);
-    append(statements, stored_motion(cpp, f));
-    return finish(cpp, std::move(statements), {result_of("State", "dxdt", n_ + m_ > 0)}, {.state = n_ > 0});
+    StatementMaker maker(code_, f, cached_values_, arguments_);
+    Statements statements = motion(maker, f);
+    append(statements, stored_motion(maker, f));
+    return finish(maker, std::move(statements), {result_of("State", "dxdt", n_ + m_ > 0)}, {.state = n_ > 0});
 }
 
 /// What is computed for J and for the rates of plain states, if that fits into registers: nothing is stored before all is computed then.
 /// For all that a compiler knows, what is stored may change a member, which it then loads anew.
-Statements CppBodies::entries_if_few(CppFunction& cpp, const FunctionCode& f) {
+Statements FunctionBodies::entries_if_few(StatementMaker& maker, const FunctionCode& f) {
     const JacobianLayout places = layout(By::state);
     std::vector<NodeId> entries;
     const auto add = [&](NodeId id) {
@@ -236,27 +237,27 @@ Statements CppBodies::entries_if_few(CppFunction& cpp, const FunctionCode& f) {
         for (std::size_t i = 0; i < m_; ++i) take(states_ + i, c, f.below.at(i, c));
     }
     if (entries.size() > most_held) return {};
-    for (const NodeId id : entries) cpp.keep(id);
-    return cpp.compute(entries);
+    for (const NodeId id : entries) maker.keep(id);
+    return maker.compute(entries);
 }
 
-Statements CppBodies::motion_and_jacobian(CppFunction& cpp, const FunctionCode& f) {
-    Statements statements = motion(cpp, f);
-    if (!f.by_loops && !f.loop) append(statements, entries_if_few(cpp, f));
-    append(statements, stored_motion(cpp, f));
-    append(statements, filled_jacobian(cpp, f, layout(By::state), By::state, true));
+Statements FunctionBodies::motion_and_jacobian(StatementMaker& maker, const FunctionCode& f) {
+    Statements statements = motion(maker, f);
+    if (!f.by_loops && !f.loop) append(statements, entries_if_few(maker, f));
+    append(statements, stored_motion(maker, f));
+    append(statements, filled_jacobian(maker, f, layout(By::state), By::state, true));
     return statements;
 }
 
-FunctionBody CppBodies::rhs_and_jacobian() {
+FunctionBody FunctionBodies::rhs_and_jacobian() {
     const FunctionCode& f = code_[Function::rhs_and_jacobian];
-    CppFunction cpp(code_, f, cached_values_, arguments_);
-    Statements statements = motion_and_jacobian(cpp, f);
-    return finish(cpp, std::move(statements), {result_of("State", "dxdt", n_ + m_ > 0), result_of("JacobianX", "J", n_ + m_ > 0)},
+    StatementMaker maker(code_, f, cached_values_, arguments_);
+    Statements statements = motion_and_jacobian(maker, f);
+    return finish(maker, std::move(statements), {result_of("State", "dxdt", n_ + m_ > 0), result_of("JacobianX", "J", n_ + m_ > 0)},
                   {.state = n_ > 0});
 }
 
-FunctionBody CppBodies::jacobian_x() const {
+FunctionBody FunctionBodies::jacobian_x() const {
     FunctionBody body;
     if (!mode_.empty()) body.arguments.push_back({"Mode", "mode", Argument::Passing::value});
     body.arguments.insert(body.arguments.end(),
@@ -265,18 +266,18 @@ FunctionBody CppBodies::jacobian_x() const {
     return body;
 }
 
-FunctionBody CppBodies::together() {
+FunctionBody FunctionBodies::together() {
     const FunctionCode& f = code_[Function::together];
-    CppFunction cpp(code_, f, cached_values_, arguments_);
-    Statements statements = motion_and_jacobian(cpp, f);
+    StatementMaker maker(code_, f, cached_values_, arguments_);
+    Statements statements = motion_and_jacobian(maker, f);
     const std::size_t outputs = code_.system.outputs.size();
-    for (std::size_t i = 0; i < outputs; ++i) append(statements, assigned(cpp, Value::element(Value::name("y"), i), f.results[m_ + i]));
+    for (std::size_t i = 0; i < outputs; ++i) append(statements, assigned(maker, Value::element(Value::name("y"), i), f.results[m_ + i]));
     std::size_t next = m_ + outputs;
     for (const HeaderFunction& row : header_functions())
         if (row.energy != nullptr)
-            append(statements, assigned(cpp, Value::member(Value::Object::energies, row.energy), f.results[next++]));
+            append(statements, assigned(maker, Value::member(Value::Object::energies, row.energy), f.results[next++]));
     const bool moves = n_ + m_ > 0;
-    return finish(cpp, std::move(statements),
+    return finish(maker, std::move(statements),
                   {result_of("State", "dxdt", moves), result_of("JacobianX", "J", moves), result_of("Output", "y", outputs > 0),
                    result_of("Energies", "energies", true)},
                   {.state = n_ > 0});
@@ -284,20 +285,20 @@ FunctionBody CppBodies::together() {
 
 /// d(qdd)/d(column), all columns by the same statements: side by side where the machine can do that. What does not depend on the column
 /// comes before.
-Statements CppBodies::column_loop(CppFunction& cpp, const FunctionCode& f, const JacobianLayout& layout) {
+Statements FunctionBodies::column_loop(StatementMaker& maker, const FunctionCode& f, const JacobianLayout& layout) {
     if (f.loop->columns.empty()) return {};
     const std::vector<bool> varies = f.varying();
     std::vector<NodeId> same;
     for (const NodeId id : f.program.in_order(f.loop->results))
         for (const NodeId argument : f.program[id].arguments)
             if (varies[id] && !varies[argument] && f.program[id].op != Op::in_column) same.push_back(argument);
-    for (const NodeId id : same) cpp.keep(id);
-    Statements statements = cpp.compute(same);
+    for (const NodeId id : same) maker.keep(id);
+    Statements statements = maker.compute(same);
     const std::vector<std::size_t>& columns = f.loop->columns;
-    cpp.bind_columns(columns);
-    Statements body = cpp.compute(f.loop->results);
+    maker.bind_columns(columns);
+    Statements body = maker.compute(f.loop->results);
     const auto solution = [](std::size_t j) { return Value::element(Value::element(Value::name("solved"), j), Value::name("c")); };
-    for (std::size_t j = 0; j < n_; ++j) append(body, assigned(cpp, solution(j), f.loop->results[j]));
+    for (std::size_t j = 0; j < n_; ++j) append(body, assigned(maker, solution(j), f.loop->results[j]));
     std::vector<std::size_t> starts;
     for (const std::size_t c : columns) starts.push_back(*layout.place(velocities_, c));
     // Loaded and not compared: a compiler makes many ways through the statements out of a condition in them. One in its middle.
@@ -314,13 +315,14 @@ Statements CppBodies::column_loop(CppFunction& cpp, const FunctionCode& f, const
 }
 
 /// Everything in J. With loops the right sides are put where the solutions belong and solved there.
-Statements CppBodies::filled_jacobian(CppFunction& cpp, const FunctionCode& f, const JacobianLayout& layout, By by, bool has_mass) {
+Statements FunctionBodies::filled_jacobian(StatementMaker& maker, const FunctionCode& f, const JacobianLayout& layout, By by,
+                                           bool has_mass) {
     Statements statements;
     const CodeMatrix& accelerations = f.by_loops ? f.right : f.solved;
-    if (f.loop) append(statements, column_loop(cpp, f, layout));
-    append(statements, cpp.compute(accelerations.entries));
-    append(statements, cpp.compute(f.below.entries));
-    if (f.by_loops && !has_mass && layout.any_accelerations()) append(statements, factored_mass(cpp, f));
+    if (f.loop) append(statements, column_loop(maker, f, layout));
+    append(statements, maker.compute(accelerations.entries));
+    append(statements, maker.compute(f.below.entries));
+    if (f.by_loops && !has_mass && layout.any_accelerations()) append(statements, factored_mass(maker, f));
     std::vector<std::size_t> starts;
     for (std::size_t c = 0; c < layout.columns(); ++c) {
         const auto set = [&](std::size_t row, const Value& value) {
@@ -328,7 +330,7 @@ Statements CppBodies::filled_jacobian(CppFunction& cpp, const FunctionCode& f, c
         };
         const auto set_node = [&](std::size_t row, NodeId id) {
             Statements before;
-            const Value value = cpp.value(id, before);
+            const Value value = maker.value(id, before);
             if (!layout.place(row, c)) return;
             append(statements, std::move(before));
             set(row, value);
@@ -350,95 +352,95 @@ Statements CppBodies::filled_jacobian(CppFunction& cpp, const FunctionCode& f, c
     return statements;
 }
 
-void CppBodies::name_multipliers(CppFunction& cpp, const std::vector<NodeId>& solved_for) const {
+void FunctionBodies::name_multipliers(StatementMaker& maker, const std::vector<NodeId>& solved_for) const {
     const std::vector<std::size_t>& multipliers = code_.system.motion.multipliers;
     for (std::size_t i = 0; !solved_for.empty() && i < multipliers.size(); ++i)
-        cpp.name_node(solved_for[n_ + i], cpp_name(code_.system.symbols.all(SymbolKind::multiplier)[multipliers[i]]));
+        maker.name_node(solved_for[n_ + i], identifier(code_.system.symbols.all(SymbolKind::multiplier)[multipliers[i]]));
 }
 
 /// Accelerations for functions that need them but do not solve for them.
-Statements CppBodies::accelerations_by_rhs(CppFunction& cpp) {
-    cpp.bind_accelerations(Value::name("dxdt"), velocities_);
+Statements FunctionBodies::accelerations_by_rhs(StatementMaker& maker) {
+    maker.bind_accelerations(Value::name("dxdt"), velocities_);
     return {vector_of("State", "dxdt"), Invocation{call_of("rhs", {"dxdt"})}};
 }
 
-FunctionBody CppBodies::jacobian(const HeaderFunction& row) {
+FunctionBody FunctionBodies::jacobian(const HeaderFunction& row) {
     const FunctionCode& f = code_[row.function];
-    CppFunction cpp(code_, f, cached_values_, arguments_);
+    StatementMaker maker(code_, f, cached_values_, arguments_);
     Statements statements;
-    if (f.uses_accelerations) append(statements, accelerations_by_rhs(cpp));
-    append(statements, filled_jacobian(cpp, f, layout(*row.by), *row.by, false));
+    if (f.uses_accelerations) append(statements, accelerations_by_rhs(maker));
+    append(statements, filled_jacobian(maker, f, layout(*row.by), *row.by, false));
     const bool unused = layout(*row.by).size() == 0;
-    return finish(cpp, std::move(statements), {result_of(row.type, row.array, !unused)},
+    return finish(maker, std::move(statements), {result_of(row.type, row.array, !unused)},
                   {.everything = f.uses_accelerations});
 }
 
-FunctionBody CppBodies::symmetric(const HeaderFunction& row) {
+FunctionBody FunctionBodies::symmetric(const HeaderFunction& row) {
     const FunctionCode& f = code_[row.function];
-    CppFunction cpp(code_, f, cached_values_, arguments_);
-    Statements statements = cpp.compute(f.results);
+    StatementMaker maker(code_, f, cached_values_, arguments_);
+    Statements statements = maker.compute(f.results);
     const auto entry = [&](std::size_t i) { return Value::element(Value::name(row.array), i); };
     for (std::size_t c = 0; c < n_; ++c)
         for (std::size_t r = 0; r < n_; ++r)
-            if (r >= c) append(statements, assigned(cpp, entry(c * n_ + r), f.results[lower_index(r, c)]));
+            if (r >= c) append(statements, assigned(maker, entry(c * n_ + r), f.results[lower_index(r, c)]));
             else statements.push_back(Assignment{entry(c * n_ + r), entry(r * n_ + c)});
-    return finish(cpp, std::move(statements), {result_of(row.type, row.array, n_ > 0)}, {.has_input = row.takes_input});
+    return finish(maker, std::move(statements), {result_of(row.type, row.array, n_ > 0)}, {.has_input = row.takes_input});
 }
 
-FunctionBody CppBodies::values(const HeaderFunction& row) {
+FunctionBody FunctionBodies::values(const HeaderFunction& row) {
     const FunctionCode& f = code_[row.function];
-    CppFunction cpp(code_, f, cached_values_, arguments_);
+    StatementMaker maker(code_, f, cached_values_, arguments_);
     Statements statements;
-    if (f.uses_accelerations) append(statements, accelerations_by_rhs(cpp));
-    name_multipliers(cpp, f.solved_for);
-    append(statements, cpp.compute(f.results));
+    if (f.uses_accelerations) append(statements, accelerations_by_rhs(maker));
+    name_multipliers(maker, f.solved_for);
+    append(statements, maker.compute(f.results));
     for (std::size_t i = 0; i < f.results.size(); ++i)
-        append(statements, assigned(cpp, Value::element(Value::name(row.array), i), f.results[i]));
-    return finish(cpp, std::move(statements), {result_of(row.type, row.array, !f.results.empty())},
+        append(statements, assigned(maker, Value::element(Value::name(row.array), i), f.results[i]));
+    return finish(maker, std::move(statements), {result_of(row.type, row.array, !f.results.empty())},
                   {.everything = f.uses_accelerations, .has_input = row.takes_input});
 }
 
-FunctionBody CppBodies::matrix(const HeaderFunction& row) {
+FunctionBody FunctionBodies::matrix(const HeaderFunction& row) {
     const FunctionCode& f = code_[row.function];
-    CppFunction cpp(code_, f, cached_values_, arguments_);
-    Statements statements = cpp.compute(f.results);
+    StatementMaker maker(code_, f, cached_values_, arguments_);
+    Statements statements = maker.compute(f.results);
     const std::size_t rows = row.names(code_.system).size();
     for (std::size_t j = 0; j < n_; ++j)
         for (std::size_t i = 0; i < rows && !f.results.empty(); ++i)
-            append(statements, assigned(cpp, Value::element(Value::name(row.array), j * rows + i), f.results[i * n_ + j]));
-    return finish(cpp, std::move(statements), {result_of(row.type, row.array, !f.results.empty() && rows > 0)},
+            append(statements, assigned(maker, Value::element(Value::name(row.array), j * rows + i), f.results[i * n_ + j]));
+    return finish(maker, std::move(statements), {result_of(row.type, row.array, !f.results.empty() && rows > 0)},
                   {.has_input = row.takes_input});
 }
 
 /// dh/dx at fixed accelerations, and through the accelerations where outputs contain them.
-FunctionBody CppBodies::output_jacobian(const HeaderFunction& row) {
+FunctionBody FunctionBodies::output_jacobian(const HeaderFunction& row) {
     const FunctionCode& f = code_[row.function];
     const By by = *row.by;
-    CppFunction cpp(code_, f, cached_values_, arguments_);
+    StatementMaker maker(code_, f, cached_values_, arguments_);
     const std::size_t rows = f.by_output.rows;
-    if (!f.whole_output.entries.empty()) return whole_output_jacobian(cpp, f, row);
+    if (!f.whole_output.entries.empty()) return whole_output_jacobian(maker, f, row);
     const bool through =
         std::any_of(f.by_acceleration.entries.begin(), f.by_acceleration.entries.end(), [&](NodeId id) { return !f.is_zero(id); });
     const bool is_empty = rows == 0 || f.by_output.columns == 0;
     Statements statements;
     const HeaderFunction& motion = header_function(jacobian_by(by));
     if (through && !is_empty && by == By::state) {
-        cpp.bind_accelerations(Value::name("dxdt"), velocities_);
+        maker.bind_accelerations(Value::name("dxdt"), velocities_);
         statements = {vector_of("State", "dxdt"), vector_of(motion.type, "J"), Invocation{call_of(motion.name, {"dxdt", "J"})}};
     } else if (through && !is_empty) {
         statements = {vector_of(motion.type, "J"), Invocation{call_of(motion.name, {"J"})}};
     }
-    if (f.uses_accelerations && !(through && by == By::state)) append(statements, accelerations_by_rhs(cpp));
-    if (!is_empty) append(statements, cpp.compute(f.by_output.entries));
-    if (!is_empty) append(statements, cpp.compute(f.by_acceleration.entries));
+    if (f.uses_accelerations && !(through && by == By::state)) append(statements, accelerations_by_rhs(maker));
+    if (!is_empty) append(statements, maker.compute(f.by_output.entries));
+    if (!is_empty) append(statements, maker.compute(f.by_acceleration.entries));
     for (std::size_t c = 0; !is_empty && c < f.by_output.columns; ++c)
         for (std::size_t r = 0; r < rows; ++r) {
             Statements before;
-            std::vector<Value> terms{cpp.value(f.by_output.at(r, c), before)};
+            std::vector<Value> terms{maker.value(f.by_output.at(r, c), before)};
             for (std::size_t k = 0; k < n_; ++k) {
                 const auto place = layout(by).place(velocities_ + k, c);
                 if (f.is_zero(f.by_acceleration.at(r, k)) || !place) continue;
-                const Value factor = cpp.value(f.by_acceleration.at(r, k), before);
+                const Value factor = maker.value(f.by_acceleration.at(r, k), before);
                 terms.push_back(Value::product({Value::parenthesised(factor), Value::element(Value::name("J"), *place)}));
             }
             append(statements, std::move(before));
@@ -446,19 +448,19 @@ FunctionBody CppBodies::output_jacobian(const HeaderFunction& row) {
                 Assignment{Value::element(Value::name(row.array), c * rows + r), terms.size() == 1 ? terms[0] : Value::sum(terms)});
         }
     const bool needs_all = (through && !is_empty) || f.uses_accelerations;
-    return finish(cpp, std::move(statements), {result_of(row.type, row.array, !is_empty)}, {.everything = needs_all});
+    return finish(maker, std::move(statements), {result_of(row.type, row.array, !is_empty)}, {.everything = needs_all});
 }
 
 /// Where outputs contain multipliers: everything is solved for on the way.
-FunctionBody CppBodies::whole_output_jacobian(CppFunction& cpp, const FunctionCode& f, const HeaderFunction& row) {
-    name_multipliers(cpp, f.solved_for);
-    Statements statements = cpp.compute(f.whole_output.entries);
+FunctionBody FunctionBodies::whole_output_jacobian(StatementMaker& maker, const FunctionCode& f, const HeaderFunction& row) {
+    name_multipliers(maker, f.solved_for);
+    Statements statements = maker.compute(f.whole_output.entries);
     for (std::size_t i = 0; i < f.whole_output.entries.size(); ++i)
-        append(statements, assigned(cpp, Value::element(Value::name(row.array), i), f.whole_output.entries[i]));
-    return finish(cpp, std::move(statements), {result_of(row.type, row.array, true)}, {});
+        append(statements, assigned(maker, Value::element(Value::name(row.array), i), f.whole_output.entries[i]));
+    return finish(maker, std::move(statements), {result_of(row.type, row.array, true)}, {});
 }
 
-FunctionBody CppBodies::move_back() {
+FunctionBody FunctionBodies::move_back() {
     const Symbols& symbols = code_.system.symbols;
     Statements statements;
     for (std::size_t j = 0; j < n_; ++j)
@@ -475,30 +477,30 @@ FunctionBody CppBodies::move_back() {
     return {{result_of("State", "x", true), {"Generalised", "step"}}, std::move(statements)};
 }
 
-FunctionBody CppBodies::correction(const HeaderFunction& row) {
+FunctionBody FunctionBodies::correction(const HeaderFunction& row) {
     const FunctionCode& f = code_[row.function];
-    CppFunction cpp(code_, f, cached_values_, arguments_);
-    Statements statements = cpp.compute(f.results);
+    StatementMaker maker(code_, f, cached_values_, arguments_);
+    Statements statements = maker.compute(f.results);
     for (std::size_t j = 0; j < f.results.size(); ++j)
-        append(statements, assigned(cpp, Value::element(Value::name(row.array), j), f.results[j]));
+        append(statements, assigned(maker, Value::element(Value::name(row.array), j), f.results[j]));
     const bool is_needed = std::any_of(f.results.begin(), f.results.end(), [&](NodeId id) { return !f.is_zero(id); });
     if (f.results.empty()) statements = {Filling{row.array, row.type, Value::constant(0)}};  // nothing has to be held in this mode
-    return finish(cpp, std::move(statements),
+    return finish(maker, std::move(statements),
                   {{"Constraints", "residual", Argument::Passing::read, is_needed}, result_of(row.type, row.array, true)},
                   {.has_input = row.takes_input});
 }
 
-FunctionBody CppBodies::number(const HeaderFunction& row) {
+FunctionBody FunctionBodies::number(const HeaderFunction& row) {
     const FunctionCode& f = code_[row.function];
-    CppFunction cpp(code_, f, cached_values_, arguments_);
+    StatementMaker maker(code_, f, cached_values_, arguments_);
     Statements statements;
-    if (f.uses_accelerations) append(statements, accelerations_by_rhs(cpp));
-    append(statements, cpp.compute(f.results));
+    if (f.uses_accelerations) append(statements, accelerations_by_rhs(maker));
+    append(statements, maker.compute(f.results));
     Statements before;
-    const Value value = cpp.value(f.results[0], before);
+    const Value value = maker.value(f.results[0], before);
     append(statements, std::move(before));
     statements.push_back(Return{value});
-    return finish(cpp, std::move(statements), {}, {.everything = f.uses_accelerations, .has_input = row.takes_input});
+    return finish(maker, std::move(statements), {}, {.everything = f.uses_accelerations, .has_input = row.takes_input});
 }
 
 }  // namespace dalembert

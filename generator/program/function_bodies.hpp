@@ -7,7 +7,7 @@
 
 namespace dalembert {
 
-class CppSeries;
+class SeriesStatements;
 
 /// Inputs as series: what computes their first coefficients, and those of order k.
 struct InputSeries {
@@ -18,9 +18,9 @@ struct InputSeries {
 InputSeries input_series(Code& code, const std::vector<GiNaC::ex>& inputs);
 bool have_series(Code& code, const std::vector<GiNaC::ex>& inputs);
 
-class CppBodies {
+class FunctionBodies {
 public:
-    CppBodies(const Code& code, const SharedMembers& shared);
+    FunctionBodies(const Code& code, const SharedMembers& shared);
 
     /// `done`: members that other modes have computed, which grows.
     FunctionBody update(std::set<std::string>& done);
@@ -57,7 +57,7 @@ private:
     FunctionBody number(const HeaderFunction& row);
     FunctionBody matrix(const HeaderFunction& row);
     FunctionBody output_jacobian(const HeaderFunction& row);
-    FunctionBody whole_output_jacobian(CppFunction& cpp, const FunctionCode& f, const HeaderFunction& row);
+    FunctionBody whole_output_jacobian(StatementMaker& maker, const FunctionCode& f, const HeaderFunction& row);
     /// Guards of events that are watched, or their rates.
     FunctionBody event_values(const HeaderFunction& row);
     FunctionBody conditions();
@@ -65,24 +65,24 @@ private:
     FunctionBody correction(const HeaderFunction& row);
 
     std::vector<std::size_t> needed_definitions() const;
-    Statements motion(CppFunction& cpp, const FunctionCode& f);
-    Statements stored_motion(CppFunction& cpp, const FunctionCode& f);
-    Statements motion_and_jacobian(CppFunction& cpp, const FunctionCode& f);
-    Statements entries_if_few(CppFunction& cpp, const FunctionCode& f);
-    Statements filled_jacobian(CppFunction& cpp, const FunctionCode& f, const JacobianLayout& layout, By by, bool has_mass);
-    Statements column_loop(CppFunction& cpp, const FunctionCode& f, const JacobianLayout& layout);
-    Statements factored_mass(CppFunction& cpp, const FunctionCode& f);
+    Statements motion(StatementMaker& maker, const FunctionCode& f);
+    Statements stored_motion(StatementMaker& maker, const FunctionCode& f);
+    Statements motion_and_jacobian(StatementMaker& maker, const FunctionCode& f);
+    Statements entries_if_few(StatementMaker& maker, const FunctionCode& f);
+    Statements filled_jacobian(StatementMaker& maker, const FunctionCode& f, const JacobianLayout& layout, By by, bool has_mass);
+    Statements column_loop(StatementMaker& maker, const FunctionCode& f, const JacobianLayout& layout);
+    Statements factored_mass(StatementMaker& maker, const FunctionCode& f);
     Value mass() const;
     Value call_of(const char* function, std::vector<std::string> results) const;
     Statements solved(Value right) const;
-    Statements assigned(CppFunction& cpp, Value target, NodeId value);
-    Statements integrated_rates(CppSeries& series, const FunctionCode& f) const;
-    Statements solved_at_start(CppFunction& cpp, const FunctionCode& f);
-    Statements rates_at_start(CppFunction& cpp, const FunctionCode& f);
-    static Statements loop_over_orders(const CppSeries& series, Statements step, bool uses_inputs);
-    void name_multipliers(CppFunction& cpp, const std::vector<NodeId>& solved_for) const;
-    FunctionBody finish(const CppFunction& cpp, Statements statements, std::vector<Argument> results, Uses uses);
-    Statements accelerations_by_rhs(CppFunction& cpp);
+    Statements assigned(StatementMaker& maker, Value target, NodeId value);
+    Statements integrated_rates(SeriesStatements& series, const FunctionCode& f) const;
+    Statements solved_at_start(StatementMaker& maker, const FunctionCode& f);
+    Statements rates_at_start(StatementMaker& maker, const FunctionCode& f);
+    static Statements loop_over_orders(const SeriesStatements& series, Statements step, bool uses_inputs);
+    void name_multipliers(StatementMaker& maker, const std::vector<NodeId>& solved_for) const;
+    FunctionBody finish(const StatementMaker& maker, Statements statements, std::vector<Argument> results, Uses uses);
+    Statements accelerations_by_rhs(StatementMaker& maker);
 
     bool is_kept(std::size_t definition) const { return shared_.is_kept(definition); }
     const JacobianLayout& layout(By by) const { return shared_.layout(by); }

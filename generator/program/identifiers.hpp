@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names in generated C++: the model's own where there are any, and never two things with one name.
+// Names in programs: the model's own where there are any, and never two things with one name.
 #pragma once
 
 #include <set>
@@ -10,8 +10,8 @@
 namespace dalembert {
 
 /// "phi", "phi_dot", "m_2" for m[2]: a variable as an identifier.
-std::string cpp_name(const Variable& variable);
-std::string cpp_name(const std::string& base, int index, bool is_member);
+std::string identifier(const Variable& variable);
+std::string identifier(const std::string& base, int index, bool is_member);
 
 /// The member that caches value `number`: k0, k1, ..., unless a definition has such a name.
 std::string cached_name(const Symbols& symbols, std::size_t number);
@@ -28,7 +28,7 @@ private:
     std::set<std::string> taken_;
 };
 
-/// Throws Failure (doubly-defined) when two members of families get the same name in C++, as phi_1 and phi[1].
-void check_cpp_names(const System& system);
+/// Throws Failure (doubly-defined) when two members of families get the same name in a program, as phi_1 and phi[1].
+void check_identifiers(const System& system);
 
 }  // namespace dalembert

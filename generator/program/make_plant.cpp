@@ -28,7 +28,7 @@ class PlantMaker {
     template <class Make>
     auto each(const Make& make) {
         std::vector<decltype(make(bodies_.front()))> result;
-        for (CppBodies& bodies : bodies_) result.push_back(make(bodies));
+        for (FunctionBodies& bodies : bodies_) result.push_back(make(bodies));
         return result;
     }
 
@@ -53,7 +53,7 @@ public:
             if (shared_.has(row)) add(row);
         for (auto* functions : {&plant_.functions, &plant_.constraint_functions})
             for (PlantFunction& f : *functions) f.is_large = f.is_large || length_of(f.equations) > longest_equations;
-        for (const CppBodies& bodies : bodies_) plant_.helpers.insert(bodies.helpers().begin(), bodies.helpers().end());
+        for (const FunctionBodies& bodies : bodies_) plant_.helpers.insert(bodies.helpers().begin(), bodies.helpers().end());
         return std::move(plant_);
     }
 
@@ -94,7 +94,7 @@ private:
             back.doc = {"Moves the positions back by a step along the velocities. Quaternions get the norm one."};
             back.body = bodies_.front().move_back();
         }
-        add(row, row.header_name(), whole_doc(row), each([&](CppBodies& b) { return b.body(row); }));
+        add(row, row.header_name(), whole_doc(row), each([&](FunctionBodies& b) { return b.body(row); }));
         if (row.kind != Kind::motion) return;
         if (!row.by) return series();
         PlantFunction& alone = list_of(row).emplace_back();
@@ -105,7 +105,7 @@ private:
 
     void parameters() {
         std::set<std::string> done;
-        const std::vector<FunctionBody> updates = each([&](CppBodies& b) { return b.update(done); });
+        const std::vector<FunctionBody> updates = each([&](FunctionBodies& b) { return b.update(done); });
         if (updates.size() == 1) plant_.update = updates.front();
         for (const FunctionBody& one : updates)
             if (updates.size() > 1 && !one.statements.empty()) plant_.update.statements.push_back(Braces{one.statements});
@@ -117,7 +117,8 @@ private:
     std::string whole_doc(const HeaderFunction& row) const {
         if (row.kind == Kind::motion && row.by) return fmt::format("{}\n{}", row.doc, layout(row));
         if (row.kind == Kind::jacobian && row.by != By::time) return fmt::format("{} {}", row.doc, layout(row));
-        if (row.kind == Kind::matrix) return fmt::format("{}, entry (i, j) at {}[{}*j + i].", row.doc, row.array, row.names(system_).size());
+        if (row.kind == Kind::matrix)
+            return fmt::format("{}, entry (i, j) at {}[{}*j + i].", row.doc, row.array, row.names(system_).size());
         return row.doc;
     }
 
@@ -133,9 +134,9 @@ private:
     /// Nothing where no series were asked for.
     void series() {
         if (!code_.series_of) return;
-        FunctionBody body = merged(each([](CppBodies& b) { return b.series(); }));
+        FunctionBody body = merged(each([](FunctionBodies& b) { return b.series(); }));
         std::size_t rows = 0;
-        for (const CppBodies& bodies : bodies_) rows = std::max(rows, bodies.series_rows());
+        for (const FunctionBodies& bodies : bodies_) rows = std::max(rows, bodies.series_rows());
         plant_.series = PlantSeries{rows, std::move(body)};
     }
 
@@ -153,7 +154,7 @@ private:
     void kinks(const HeaderFunction& row) {
         add(row, "kinks",
             "Functions where the right-hand side of a mode has a kink or jump that changes no mode, in the order of guard_table().",
-            each([&](CppBodies& b) { return b.kinks(kinks()); }));
+            each([&](FunctionBodies& b) { return b.kinks(kinks()); }));
     }
 
     /// Two functions: of events, and of events that have happened infinitely often.
@@ -164,7 +165,7 @@ private:
 
     void resets(const HeaderFunction& row, const char* name, const char* doc, const std::vector<ResetCode> Code::*which) {
         std::size_t mode = 0;
-        PlantFunction& f = add(row, name, doc, each([&](CppBodies& b) { return b.resets(modes_[mode++]->*which); }));
+        PlantFunction& f = add(row, name, doc, each([&](FunctionBodies& b) { return b.resets(modes_[mode++]->*which); }));
         f.operations.reset();
         if (f.body.statements.empty()) f.body.statements.push_back(Unused{"event_number"});
         f.body.arguments.insert(f.body.arguments.begin(), Argument{"EventNumber", "event_number", Argument::Passing::value});
@@ -205,7 +206,7 @@ private:
     const System& system_;
     bool switches_;
     const std::map<Function, std::vector<std::string>>& equations_;
-    std::vector<CppBodies> bodies_;
+    std::vector<FunctionBodies> bodies_;
     Plant plant_;
 };
 

@@ -36,7 +36,8 @@ public:
         for (const Variable& variable : symbols_.all(SymbolKind::input)) plant_.inputs.push_back(quantity(variable));
         for (const Variable& variable : symbols_.all(SymbolKind::parameter)) plant_.parameters.push_back(quantity(variable));
         for (const OutputEquation& output : system_.outputs)
-            plant_.outputs.push_back({cpp_name(output.base, output.index, output.is_member), output.name, output.unit, output.doc, {}, {}});
+            plant_.outputs.push_back(
+                {identifier(output.base, output.index, output.is_member), output.name, output.unit, output.doc, {}, {}});
         for (const Guard& guard : guards) plant_.guards.push_back({guard.name, guard.doc, guard.ends});
         Values defaults(scene, system_.translate);
         meet_constraints(system_, defaults);
@@ -50,7 +51,7 @@ public:
 
 private:
     PlantQuantity quantity(const Variable& variable) const {
-        PlantQuantity result{cpp_name(variable), variable.name, variable.unit, variable.doc, {}, {}};
+        PlantQuantity result{identifier(variable), variable.name, variable.unit, variable.doc, {}, {}};
         if (variable.declared == nullptr || !variable.declared->range || variable.kind == SymbolKind::velocity) return result;
         const auto bound = [&](const ExpressionPtr& e) -> std::optional<double> {
             if (!e) return {};
@@ -96,7 +97,7 @@ private:
         }
         for (std::size_t i = 0; i < definitions.size(); ++i)
             if (shared_.is_kept(i))
-                plant_.cached.push_back({cpp_name(definitions[i]), shortened(write_first(symbols_.definition_values()[i]))});
+                plant_.cached.push_back({identifier(definitions[i]), shortened(write_first(symbols_.definition_values()[i]))});
         for (auto& [number, member] : members) plant_.cached.push_back(std::move(member));
         const Solve& solve = modes_.front()->solve;
         if (solve.is_constant && !solve.unrolled) plant_.cached.push_back({"mass_factors", "factors of M", solve.is_zero.size()});
@@ -157,7 +158,7 @@ PlantConstraints constraint_tables(const Code& code, const SharedMembers& shared
     for (const ConstraintEquation& c : system.constraints) {
         const Constraint& item = *c.item;
         const std::string unit = units.of(item.position ? *item.position : *item.rate, {}).dimension.in_base_units();
-        result.list.push_back({cpp_name(item.name, c.index, item.family.has_value()), c.name, unit, item.doc, item.position != nullptr});
+        result.list.push_back({identifier(item.name, c.index, item.family.has_value()), c.name, unit, item.doc, item.position != nullptr});
         at_start.push_back(c.holds && !c.is_redundant);
     }
     result.starts_to_find = starts_to_find(system);

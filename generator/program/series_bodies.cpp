@@ -35,7 +35,7 @@ Value integrated(const Value& rate) {
 Value inverse_of(const Value& index) { return Value::product({Value::literal(1)}, {Value::real(index)}); }
 
 /// What stands before the statements of order k.
-Statements begin_of_order(const CppSeries& series) {
+Statements begin_of_order(const SeriesStatements& series) {
     Statements statements;
     if (series.uses_number()) statements.push_back(Declaration{{}, {"number"}, Value::real(order_k)});
     const std::size_t rows = series.rows();
@@ -52,7 +52,7 @@ Statements begin_of_order(const CppSeries& series) {
 }  // namespace
 
 /// Coefficients of order k + 1 of all states, from those of order k of their rates.
-Statements CppBodies::integrated_rates(CppSeries& series, const FunctionCode& f) const {
+Statements FunctionBodies::integrated_rates(SeriesStatements& series, const FunctionCode& f) const {
     const Symbols& symbols = code_.system.symbols;
     Statements statements;
     const auto set = [&](std::size_t place, const Value& rate) {
@@ -67,35 +67,35 @@ Statements CppBodies::integrated_rates(CppSeries& series, const FunctionCode& f)
 }
 
 /// Accelerations by loops, where they stand in the first coefficients.
-Statements CppBodies::solved_at_start(CppFunction& cpp, const FunctionCode& f) {
-    if (!f.by_loops) return cpp.compute(f.accelerations);
+Statements FunctionBodies::solved_at_start(StatementMaker& maker, const FunctionCode& f) {
+    if (!f.by_loops) return maker.compute(f.accelerations);
     std::vector<NodeId> first = f.mass;
     first.insert(first.end(), f.force.begin(), f.force.end());
-    Statements statements = cpp.compute(first);
-    append(statements, factored_mass(cpp, f));
-    for (std::size_t j = 0; j < n_; ++j) append(statements, assigned(cpp, coefficient(1, velocities_ + j), f.force[j]));
+    Statements statements = maker.compute(first);
+    append(statements, factored_mass(maker, f));
+    for (std::size_t j = 0; j < n_; ++j) append(statements, assigned(maker, coefficient(1, velocities_ + j), f.force[j]));
     helpers_.insert("ldlt");
     append(statements, solved(Value::part_from(Value::element(Value::name("x"), 1), velocities_)));
     return statements;
 }
 
 /// First coefficients of what was computed.
-Statements CppBodies::rates_at_start(CppFunction& cpp, const FunctionCode& f) {
+Statements FunctionBodies::rates_at_start(StatementMaker& maker, const FunctionCode& f) {
     const Symbols& symbols = code_.system.symbols;
     Statements statements;
     for (std::size_t j = 0; j < n_; ++j)
         if (symbols.has_value(j))
             statements.push_back(Assignment{coefficient(1, symbols.place(SymbolKind::coordinate, j)), coefficient(0, velocities_ + j)});
     for (std::size_t j = 0; !f.by_loops && j < n_; ++j)
-        append(statements, assigned(cpp, coefficient(1, velocities_ + j), f.accelerations[j]));
-    for (std::size_t i = 0; i < m_; ++i) append(statements, assigned(cpp, coefficient(1, states_ + i), f.results[i]));
-    Value power = cpp.value(f.results[m_], statements);
+        append(statements, assigned(maker, coefficient(1, velocities_ + j), f.accelerations[j]));
+    for (std::size_t i = 0; i < m_; ++i) append(statements, assigned(maker, coefficient(1, states_ + i), f.results[i]));
+    Value power = maker.value(f.results[m_], statements);
     statements.push_back(work_coefficient(Value::whole(1), std::move(power)));
     return statements;
 }
 
 /// Order by order: `step` is what one of them computes.
-Statements CppBodies::loop_over_orders(const CppSeries& series, Statements step, bool uses_inputs) {
+Statements FunctionBodies::loop_over_orders(const SeriesStatements& series, Statements step, bool uses_inputs) {
     const bool by_k = mentions(step, "by_k");
     Statements statements, body;
     if (by_k) statements.push_back(Declaration{.type = {}, .names = {"by_k"}, .value = Value::literal(1), .changes = true});
@@ -108,26 +108,26 @@ Statements CppBodies::loop_over_orders(const CppSeries& series, Statements step,
     return statements;
 }
 
-FunctionBody CppBodies::series() {
+FunctionBody FunctionBodies::series() {
     SeriesCode made = make_series(code_.atoms, *code_.series_of, code_.system.unknown_places());
     std::set<std::string> arguments = arguments_;
     arguments.insert(names_in_series.begin(), names_in_series.end());
     const FunctionCode f = made.function;
-    CppSeries::Use use;
-    use.bind = [&](CppFunction& cpp) {
-        cpp.bind_state(Value::element(Value::name("x"), 0));
-        cpp.bind_accelerations(Value::element(Value::name("x"), 1), velocities_);
+    SeriesStatements::Use use;
+    use.bind = [&](StatementMaker& maker) {
+        maker.bind_state(Value::element(Value::name("x"), 0));
+        maker.bind_accelerations(Value::element(Value::name("x"), 1), velocities_);
         if (f.by_loops) return;
         for (std::size_t j = 0; j < n_; ++j)
-            cpp.name_node(f.accelerations[j], cpp_name(code_.system.symbols.all(SymbolKind::acceleration)[j]));
-        name_multipliers(cpp, f.accelerations);
+            maker.name_node(f.accelerations[j], identifier(code_.system.symbols.all(SymbolKind::acceleration)[j]));
+        name_multipliers(maker, f.accelerations);
     };
-    use.assign = [&](CppSeries& series) { return integrated_rates(series, f); };
-    CppSeries series(code_, std::move(made), cached_values_, arguments, use);
-    Statements at_start = series.start([&](CppFunction& cpp) { return solved_at_start(cpp, f); });
-    CppFunction& cpp = series.code_at_start();
-    append(at_start, rates_at_start(cpp, f));
-    const bool uses_inputs = cpp.uses_input();
+    use.assign = [&](SeriesStatements& series) { return integrated_rates(series, f); };
+    SeriesStatements series(code_, std::move(made), cached_values_, arguments, use);
+    Statements at_start = series.start([&](StatementMaker& maker) { return solved_at_start(maker, f); });
+    StatementMaker& maker = series.code_at_start();
+    append(at_start, rates_at_start(maker, f));
+    const bool uses_inputs = maker.uses_input();
     append(at_start, loop_over_orders(series, series.step(), uses_inputs));
     Statements statements;
     if (uses_inputs) {
@@ -136,12 +136,12 @@ FunctionBody CppBodies::series() {
         statements.push_back(FirstInputs{Value::name("x"), Value::name("t"), "u", Value::room_from(Value::name("rows"), first)});
     }
     append(statements, std::move(at_start));
-    helpers_.insert(cpp.helpers().begin(), cpp.helpers().end());
+    helpers_.insert(maker.helpers().begin(), maker.helpers().end());
     if (series.rows() > 0) helpers_.insert("series_sums");
     series_rows_ = series.rows();
     using enum Argument::Passing;
     return {{{"Inputs", "inputs", read, uses_inputs},
-             {"Scalar", "t", value, uses_inputs || cpp.uses_time()},
+             {"Scalar", "t", value, uses_inputs || maker.uses_time()},
              {"Index", "order", value},
              {"StateOrMore", "x", room},
              {"Scalar", "rows", room, uses_inputs || series.rows() > 0}},
@@ -173,9 +173,9 @@ InputSeries input_series(Code& code, const std::vector<GiNaC::ex>& inputs) {
                        fmt::format("the input '{}' contains '{}', of which no Taylor series is known; another method does without",
                                    code.system.symbols.all(SymbolKind::input)[made.missing->index].name, name_of(made.missing->op))});
     const FunctionCode results = made.function;
-    CppSeries::Use use;
-    use.bind = [](CppFunction& cpp) { cpp.bind_state(Value::element(Value::name("x"), 0)); };
-    use.assign = [&](CppSeries& series) {
+    SeriesStatements::Use use;
+    use.bind = [](StatementMaker& maker) { maker.bind_state(Value::element(Value::name("x"), 0)); };
+    use.assign = [&](SeriesStatements& series) {
         Statements statements;
         for (std::size_t i = 0; i < results.results.size(); ++i) {
             const Value now = series.now(results.results[i]);
@@ -184,12 +184,12 @@ InputSeries input_series(Code& code, const std::vector<GiNaC::ex>& inputs) {
         return statements;
     };
     const CachedValues none;
-    CppSeries series(code, std::move(made), none, names_in_series, use);
-    Statements start = series.start([](CppFunction&) { return Statements(); });
-    CppFunction& cpp = series.code_at_start();
+    SeriesStatements series(code, std::move(made), none, names_in_series, use);
+    Statements start = series.start([](StatementMaker&) { return Statements(); });
+    StatementMaker& maker = series.code_at_start();
     for (std::size_t i = 0; i < results.results.size(); ++i) {
         if (results.is_zero(results.results[i])) continue;
-        const Value value = cpp.value(results.results[i], start);
+        const Value value = maker.value(results.results[i], start);
         start.push_back(Assignment{Value::element(Value::name("u"), i), value});
     }
     Statements step = series.step(), order;

@@ -22,34 +22,35 @@ Value scaled(Value by, const Value& value) {
 
 }  // namespace
 
-void CppSeries::Sum::add(bool is_negative, Value term) {
+void SeriesStatements::Sum::add(bool is_negative, Value term) {
     terms.push_back(std::move(term));
     negative.push_back(is_negative);
 }
 
-Value CppSeries::Sum::whole() const {
+Value SeriesStatements::Sum::whole() const {
     if (is_empty()) return Value::constant(0);
     return terms.size() == 1 && !negative[0] ? terms[0] : Value::sum(terms, negative);
 }
 
-CppSeries::CppSeries(const Code& code, SeriesCode series, const CachedValues& cached, std::set<std::string> arguments, Use use)
+SeriesStatements::SeriesStatements(const Code& code, SeriesCode series, const CachedValues& cached, std::set<std::string> arguments,
+                                   Use use)
     : code_(code), series_(std::move(series)), cached_(cached), arguments_(std::move(arguments)), use_(std::move(use)) {
     step();  // what it asks for is known then
 }
 
-Statements CppSeries::start(const std::function<Statements(CppFunction&)>& solve) {
+Statements SeriesStatements::start(const std::function<Statements(StatementMaker&)>& solve) {
     at_start_ = series_.function;
     at_start_.results.insert(at_start_.results.end(), kept_.begin(), kept_.end());
-    cpp_ = std::make_unique<CppFunction>(code_, at_start_, cached_, arguments_);
-    for (const NodeId id : kept_) cpp_->keep(id);
-    use_.bind(*cpp_);
-    Statements statements = solve(*cpp_);
-    append(statements, cpp_->compute(at_start_.results));
-    for (const NodeId id : kept_) first_[id] = cpp_->value(id, statements);
+    maker_ = std::make_unique<StatementMaker>(code_, at_start_, cached_, arguments_);
+    for (const NodeId id : kept_) maker_->keep(id);
+    use_.bind(*maker_);
+    Statements statements = solve(*maker_);
+    append(statements, maker_->compute(at_start_.results));
+    for (const NodeId id : kept_) first_[id] = maker_->value(id, statements);
     return statements;
 }
 
-Statements CppSeries::step() {
+Statements SeriesStatements::step() {
     now_.clear();
     Statements statements;
     for (const NodeId id : series_.before) compute(id, statements);
@@ -60,27 +61,27 @@ Statements CppSeries::step() {
     return statements;
 }
 
-Value CppSeries::first(NodeId id) {
+Value SeriesStatements::first(NodeId id) {
     const auto known = first_.find(id);
     if (known != first_.end()) return known->second;
-    if (cpp_) throw std::logic_error("a first coefficient that was not asked for before");
+    if (maker_) throw std::logic_error("a first coefficient that was not asked for before");
     if (std::find(kept_.begin(), kept_.end(), id) == kept_.end()) kept_.push_back(id);
     return Value::name("first");
 }
 
-Value CppSeries::now(NodeId id) {
+Value SeriesStatements::now(NodeId id) {
     if (!moves(id)) return {};
-    if (!cpp_) ++uses_[id];
+    if (!maker_) ++uses_[id];
     return now_.at(id);
 }
 
 /// A node that was made after the series: it has a first coefficient only.
-NodeId CppSeries::made(NodeId id) {
+NodeId SeriesStatements::made(NodeId id) {
     while (series_.moves.size() < series_.function.program.size()) series_.moves.push_back(true);
     return id;
 }
 
-Value CppSeries::sums_of(NodeId left, bool weighted, NodeId right) {
+Value SeriesStatements::sums_of(NodeId left, bool weighted, NodeId right) {
     const Row row{left, weighted, right};
     auto found = std::find(rows_.begin(), rows_.end(), row);
     if (found == rows_.end()) found = rows_.insert(rows_.end(), row);
@@ -88,7 +89,7 @@ Value CppSeries::sums_of(NodeId left, bool weighted, NodeId right) {
     return entry_of("s", static_cast<std::size_t>(found - rows_.begin()));
 }
 
-void CppSeries::compute(NodeId id, Statements& statements) {
+void SeriesStatements::compute(NodeId id, Statements& statements) {
     if (now_.contains(id)) return;
     const Node node = series_.function.program[id];
     Value value;
@@ -106,26 +107,26 @@ void CppSeries::compute(NodeId id, Statements& statements) {
         default: value = ruled(id, series_.rules.at(id)); break;
     }
     constexpr std::size_t longest_in_place = 70;
-    if (is_linear && uses_[id] < 2 && cpp_ && width(value) < longest_in_place) now_[id] = value;
+    if (is_linear && uses_[id] < 2 && maker_ && width(value) < longest_in_place) now_[id] = value;
     else now_[id] = declared(name_of_order(id, "z_k"), std::move(value), statements);
 }
 
-Value CppSeries::declared(const std::string& wanted, Value value, Statements& statements) {
-    const std::string name = cpp_ ? cpp_->new_name(wanted) : wanted;
+Value SeriesStatements::declared(const std::string& wanted, Value value, Statements& statements) {
+    const std::string name = maker_ ? maker_->new_name(wanted) : wanted;
     statements.push_back(Declaration{{}, {name}, std::move(value)});
     return Value::name(name);
 }
 
 /// "phi_k" where the first coefficient, or the symbol, is called phi.
-std::string CppSeries::name_of_order(NodeId id, const std::string& otherwise) const {
+std::string SeriesStatements::name_of_order(NodeId id, const std::string& otherwise) const {
     const auto known = first_.find(id);
     if (known != first_.end() && known->second.kind() == Value::Kind::name) return known->second.text() + "_k";
     const Node& node = series_.function.program[id];
     const Variable* variable = node.kind == Node::Kind::symbol ? code_.atoms[node.index].variable : nullptr;
-    return variable != nullptr ? cpp_name(*variable) + "_k" : otherwise;
+    return variable != nullptr ? identifier(*variable) + "_k" : otherwise;
 }
 
-Value CppSeries::symbol(const Node& node) {
+Value SeriesStatements::symbol(const Node& node) {
     const Variable& variable = *code_.atoms[node.index].variable;
     const Value k = Value::name("k");
     switch (variable.kind) {
@@ -142,14 +143,14 @@ Value CppSeries::symbol(const Node& node) {
     }
 }
 
-Value CppSeries::sum(const Node& node) {
+Value SeriesStatements::sum(const Node& node) {
     Sum result;
     for (std::size_t i = 0; i < node.arguments.size(); ++i)
         if (moves(node.arguments[i])) result.add(node.negative[i], now(node.arguments[i]));
     return result.whole();
 }
 
-Value CppSeries::product(NodeId id, const Node& node) {
+Value SeriesStatements::product(NodeId id, const Node& node) {
     const NodeId a = node.arguments[0], b = node.arguments[1];
     if (series_.is_scaled(node)) return times({first(a), now(b)});
     if (series_.is_quotient(node)) {
@@ -162,7 +163,7 @@ Value CppSeries::product(NodeId id, const Node& node) {
     return Value::sum({between, times({first(a), now(b)}), times({now(a), first(b)})});
 }
 
-Value CppSeries::ruled(NodeId id, const SeriesRule& rule) {
+Value SeriesStatements::ruled(NodeId id, const SeriesRule& rule) {
     Program& program = series_.function.program;
     // z*z' = factor*a', a root: 2*z_0*z_k = 2*factor*a_k - sum of z_j*z_(k-j).
     const bool is_root = rule.w == id && rule.terms.size() == 1 && !rule.terms[0].v;
@@ -198,14 +199,14 @@ Value CppSeries::ruled(NodeId id, const SeriesRule& rule) {
 }
 
 /// M_0*x_k = b_k - sum of M_j*x_(k-j), j = 1..k.
-void CppSeries::solve(Statements& statements) {
+void SeriesStatements::solve(Statements& statements) {
     if (series_.unknowns.empty()) return;
     if (series_.function.by_loops) solve_by_loops(statements);
     else solve_one_by_one(statements);
 }
 
 /// Of row i, what is known at order k.
-CppSeries::Sum CppSeries::right_side(std::size_t i) {
+SeriesStatements::Sum SeriesStatements::right_side(std::size_t i) {
     const FunctionCode& f = series_.function;
     Sum right;
     if (moves(f.force[i])) right.add(false, now(f.force[i]));
@@ -218,7 +219,7 @@ CppSeries::Sum CppSeries::right_side(std::size_t i) {
     return right;
 }
 
-void CppSeries::solve_by_loops(Statements& statements) {
+void SeriesStatements::solve_by_loops(Statements& statements) {
     const std::size_t n = series_.unknowns.size();
     statements.push_back(Declaration{{Storage::Kind::array, {n}}, {"solved"}});
     for (std::size_t i = 0; i < n; ++i) statements.push_back(Assignment{entry_of("solved", i), right_side(i).whole()});
@@ -228,7 +229,7 @@ void CppSeries::solve_by_loops(Statements& statements) {
 }
 
 /// By the factors of M_0, forwards and back.
-void CppSeries::solve_one_by_one(Statements& statements) {
+void SeriesStatements::solve_one_by_one(Statements& statements) {
     const FunctionCode& f = series_.function;
     const std::size_t n = series_.unknowns.size();
     const auto is_zero = [&](std::size_t i, std::size_t j) { return f.program.is_constant(f.factors[lower_index(i, j)], 0); };
@@ -250,7 +251,7 @@ void CppSeries::solve_one_by_one(Statements& statements) {
     }
 }
 
-void CppSeries::store_rows(Statements& statements) {
+void SeriesStatements::store_rows(Statements& statements) {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const Value left = now(rows_[i].left);
         statements.push_back(Assignment{entry_of("row", i), rows_[i].weighted ? times({Value::name("number"), left}) : left});

@@ -11,17 +11,17 @@
 
 namespace dalembert {
 
-class CppSeries {
+class SeriesStatements {
 public:
     /// `arguments` are names that are in scope already. `bind` tells arrays and names; `assign` makes the last statements of an order.
     struct Use {
-        std::function<void(CppFunction&)> bind = [](CppFunction&) {};
-        std::function<Statements(CppSeries&)> assign;
+        std::function<void(StatementMaker&)> bind = [](StatementMaker&) {};
+        std::function<Statements(SeriesStatements&)> assign;
     };
-    CppSeries(const Code& code, SeriesCode series, const CachedValues& cached, std::set<std::string> arguments, Use use);
+    SeriesStatements(const Code& code, SeriesCode series, const CachedValues& cached, std::set<std::string> arguments, Use use);
 
     /// Statements of the first coefficients; `solve` makes those that find accelerations by loops, once M and the right side are there.
-    Statements start(const std::function<Statements(CppFunction&)>& solve);
+    Statements start(const std::function<Statements(StatementMaker&)>& solve);
     /// Statements of order k, up to those that store rows. After start.
     Statements step();
 
@@ -32,7 +32,7 @@ public:
     const SeriesCode& series() const { return series_; }
     std::size_t rows() const { return rows_.size(); }
     bool uses_number() const { return uses_number_; }  ///< k as a real number
-    CppFunction& code_at_start() { return *cpp_; }
+    StatementMaker& code_at_start() { return *maker_; }
 
 private:
     /// Two series that are multiplied; of the left one j times its coefficients where that is wanted.
@@ -72,7 +72,7 @@ private:
     std::set<std::string> arguments_;
     Use use_;
     FunctionCode at_start_;
-    std::unique_ptr<CppFunction> cpp_;
+    std::unique_ptr<StatementMaker> maker_;
     std::vector<NodeId> kept_;              ///< whose first coefficients are used later
     std::map<NodeId, Value> first_;
     std::map<NodeId, Value> now_;

@@ -19,12 +19,12 @@ void append(Statements& statements, Statements more) {
     statements.insert(statements.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-CppFunction::CppFunction(const Code& code, const FunctionCode& function, const CachedValues& cached, std::set<std::string> arguments)
+StatementMaker::StatementMaker(const Code& code, const FunctionCode& function, const CachedValues& cached, std::set<std::string> arguments)
     : code_(code), function_(function), cached_(cached), arguments_(arguments), names_({}), uses_(function.program.size(), 0) {
     const Symbols& symbols = code.system.symbols;
     for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::definition, SymbolKind::input, SymbolKind::coordinate,
                                   SymbolKind::velocity, SymbolKind::state})
-        for (const Variable& variable : symbols.all(kind)) arguments.insert(cpp_name(variable));
+        for (const Variable& variable : symbols.all(kind)) arguments.insert(identifier(variable));
     names_ = NameScope(std::move(arguments));
     const std::vector<NodeId> roots = function.roots();
     for (const NodeId root : roots) ++uses_[root];
@@ -39,7 +39,7 @@ CppFunction::CppFunction(const Code& code, const FunctionCode& function, const C
         if (function.program[id].kind == Node::Kind::reciprocal) uses_[function.program[id].arguments[0]] += uses_[id] - 1;
 }
 
-bool CppFunction::wants_name(NodeId id) const {
+bool StatementMaker::wants_name(NodeId id) const {
     const Node& node = function_.program[id];
     switch (node.kind) {
         case Node::Kind::constant:
@@ -51,7 +51,7 @@ bool CppFunction::wants_name(NodeId id) const {
     }
 }
 
-Statements CppFunction::compute(const std::vector<NodeId>& roots) {
+Statements StatementMaker::compute(const std::vector<NodeId>& roots) {
     Statements statements;
     for (const NodeId id : function_.program.in_order(roots)) {
         if (known_.contains(id)) continue;
@@ -65,12 +65,12 @@ Statements CppFunction::compute(const std::vector<NodeId>& roots) {
     return statements;
 }
 
-Value CppFunction::value(NodeId id, Statements& statements) {
+Value StatementMaker::value(NodeId id, Statements& statements) {
     const auto known = known_.find(id);
     return known != known_.end() ? known->second : build(id, statements);
 }
 
-void CppFunction::declare(NodeId id, Value value, Statements& statements) {
+void StatementMaker::declare(NodeId id, Value value, Statements& statements) {
     const std::string unique = names_.unique(suggested_name(id));
     const Node& node = function_.program[id];
     const bool is_an_array = node.kind == Node::Kind::function && is_array(node.op);
@@ -81,7 +81,7 @@ void CppFunction::declare(NodeId id, Value value, Statements& statements) {
 }
 
 /// The cosine that belongs to a sine, or the other way round, where both are still to be computed.
-std::optional<NodeId> CppFunction::other_of_angle(NodeId id) const {
+std::optional<NodeId> StatementMaker::other_of_angle(NodeId id) const {
     const Node& node = function_.program[id];
     if (!is_sine_or_cosine(node)) return {};
     const auto both = angles_.find(node.arguments[0]);
@@ -92,7 +92,7 @@ std::optional<NodeId> CppFunction::other_of_angle(NodeId id) const {
 }
 
 /// exp(-x), where the function needs it, too.
-std::optional<NodeId> CppFunction::exponential_of_minus(NodeId x) const {
+std::optional<NodeId> StatementMaker::exponential_of_minus(NodeId x) const {
     const auto negated = [this](NodeId id) -> std::optional<NodeId> {
         const Node& node = function_.program[id];
         return node.kind == Node::Kind::sum && node.arguments.size() == 1 && node.negative[0] ? std::optional(node.arguments[0])
@@ -103,7 +103,7 @@ std::optional<NodeId> CppFunction::exponential_of_minus(NodeId x) const {
     return {};
 }
 
-void CppFunction::declare_both(NodeId id, NodeId other, Statements& statements) {
+void StatementMaker::declare_both(NodeId id, NodeId other, Statements& statements) {
     if (function_.program[id].op == Op::cos) std::swap(id, other);
     const std::string function = code_.trig == Trig::combined ? "combined_sin_and_cos" : "sin_and_cos";
     helpers_.insert(function);
@@ -116,7 +116,7 @@ void CppFunction::declare_both(NodeId id, NodeId other, Statements& statements) 
     statements.push_back(Invocation{Value::call(Value::Where::helper, function, {angle, known_[id], known_[other]})});
 }
 
-std::string CppFunction::suggested_name(NodeId id) {
+std::string StatementMaker::suggested_name(NodeId id) {
     if (const auto wanted = wanted_names_.find(id); wanted != wanted_names_.end()) return wanted->second;
     const Node& node = function_.program[id];
     if (node.kind == Node::Kind::function && node.op == Op::in_column)
@@ -124,7 +124,7 @@ std::string CppFunction::suggested_name(NodeId id) {
     if (node.kind == Node::Kind::function) {
         const Node& argument = function_.program[node.arguments[0]];
         const Variable* variable = argument.kind == Node::Kind::symbol ? code_.atoms[argument.index].variable : nullptr;
-        return variable != nullptr ? fmt::format("{}_{}", name_of(node.op), cpp_name(*variable))
+        return variable != nullptr ? fmt::format("{}_{}", name_of(node.op), identifier(*variable))
                                    : fmt::format("{}_{}", name_of(node.op), ++temporaries_);
     }
     // A square or product of two variables is called after them; the rest is numbered.
@@ -137,7 +137,7 @@ std::string CppFunction::suggested_name(NodeId id) {
 }
 
 /// A node as a part of another one: what is wanted more than once or long has a name.
-Value CppFunction::part(NodeId id, Statements& statements) {
+Value StatementMaker::part(NodeId id, Statements& statements) {
     if (const auto known = known_.find(id); known != known_.end()) return known->second;
     const Node& node = function_.program[id];
     if (node.kind == Node::Kind::symbol) return known_[id] = symbol(id, statements);
@@ -150,7 +150,7 @@ Value CppFunction::part(NodeId id, Statements& statements) {
     return value;
 }
 
-Value CppFunction::build(NodeId id, Statements& statements) {
+Value StatementMaker::build(NodeId id, Statements& statements) {
     const Node& node = function_.program[id];
     switch (node.kind) {
         case Node::Kind::constant: return Value::constant(node.value);
@@ -164,7 +164,7 @@ Value CppFunction::build(NodeId id, Statements& statements) {
     return symbol(id, statements);
 }
 
-Value CppFunction::symbol(NodeId id, Statements& statements) {
+Value StatementMaker::symbol(NodeId id, Statements& statements) {
     const Atom& atom = code_.atoms[function_.program[id].index];
     if (atom.op == Op::pi) {
         helpers_.insert("pi");
@@ -172,7 +172,7 @@ Value CppFunction::symbol(NodeId id, Statements& statements) {
     }
     const Variable& variable = *atom.variable;
     const auto local = [&](const Value& array, std::size_t index) {
-        const std::string name = cpp_name(variable);
+        const std::string name = identifier(variable);
         // A model may call something x or u; an argument of that name is in the way then.
         const std::string unique = arguments_.contains(name) ? names_.unique(name + "_value") : name;
         statements.push_back(Declaration{{}, {unique}, Value::element(array, index)});
@@ -185,35 +185,35 @@ Value CppFunction::symbol(NodeId id, Statements& statements) {
     switch (variable.kind) {
         case SymbolKind::parameter: return parameter();
         case SymbolKind::definition:
-            return local_definitions_.contains(variable.position) ? Value::name(cpp_name(variable))
-                                                                  : Value::member(Value::Object::cached, cpp_name(variable));
+            return local_definitions_.contains(variable.position) ? Value::name(identifier(variable))
+                                                                  : Value::member(Value::Object::cached, identifier(variable));
         case SymbolKind::time: uses_time_ = true; return Value::name("t");
         case SymbolKind::input: uses_input_ = true; return local(input_, variable.position);
         case SymbolKind::coordinate:
         case SymbolKind::velocity:
         case SymbolKind::state: uses_state_ = true; return local(state_, code_.system.symbols.place(variable.kind, variable.position));
         case SymbolKind::acceleration: return Value::element(accelerations_, first_acceleration_ + variable.position);
-        case SymbolKind::jerk: return Value::name(cpp_name(variable));  // computed before
+        case SymbolKind::jerk: return Value::name(identifier(variable));  // computed before
         case SymbolKind::residual: return Value::element(Value::name("residual"), variable.position);
         case SymbolKind::grid:
-        case SymbolKind::letter: return Value::name(cpp_name(variable));
+        case SymbolKind::letter: return Value::name(identifier(variable));
         default: throw std::logic_error("a symbol that has no place in the header: " + variable.name);
     }
 }
 
-int CppFunction::family_start(const Variable& variable) const {
+int StatementMaker::family_start(const Variable& variable) const {
     for (const Variable& first : code_.system.symbols.all(variable.kind))
         if (first.base == variable.base) return first.index;
     return 0;
 }
 
-Value CppFunction::sum(const Node& node, Statements& statements) {
+Value StatementMaker::sum(const Node& node, Statements& statements) {
     std::vector<Value> terms;
     for (const NodeId argument : node.arguments) terms.push_back(part(argument, statements));
     return Value::sum(std::move(terms), node.negative);
 }
 
-Value CppFunction::product(const Node& node, Statements& statements) {
+Value StatementMaker::product(const Node& node, Statements& statements) {
     std::vector<Value> factors, divisors;
     for (const NodeId argument : node.arguments) {
         const Node& factor = function_.program[argument];
@@ -224,7 +224,7 @@ Value CppFunction::product(const Node& node, Statements& statements) {
     return Value::product(std::move(factors), std::move(divisors));
 }
 
-Value CppFunction::call(const Node& node, Statements& statements) {
+Value StatementMaker::call(const Node& node, Statements& statements) {
     const auto whole = [&](std::size_t i) {
         return static_cast<std::size_t>(cln::cl_I_to_ulong(cln::numerator(function_.program[node.arguments[i]].value)));
     };

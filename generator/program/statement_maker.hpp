@@ -16,10 +16,10 @@ namespace dalembert {
 /// How cached values are read: a member, or of a family of cells an element of one.
 using CachedValues = std::map<std::uint32_t, Value>;
 
-class CppFunction {
+class StatementMaker {
 public:
     /// `arguments` are names that are in scope already.
-    CppFunction(const Code& code, const FunctionCode& function, const CachedValues& cached, std::set<std::string> arguments);
+    StatementMaker(const Code& code, const FunctionCode& function, const CachedValues& cached, std::set<std::string> arguments);
 
     /// How symbols of a kind are read: "x", first index in it; members of the parameter struct have none.
     void bind_state(Value array) { state_ = std::move(array); }
