@@ -64,6 +64,8 @@ private:
     /// What brings a state back to constraints, from the residuals of their positions or rates.
     FunctionBody correction(const HeaderFunction& row);
 
+    static Argument result_of(const char* type, const char* name, bool is_used);
+    static Statement vector_of(const char* type, const char* name);
     std::vector<std::size_t> needed_definitions() const;
     Statements motion(StatementMaker& maker, const FunctionCode& f);
     Statements stored_motion(StatementMaker& maker, const FunctionCode& f);

@@ -10,9 +10,8 @@ namespace dalembert {
 
 /// Rates of the accelerations that occur, by the chain rule along the motion, with inputs held.
 Statements FunctionBodies::jerks(const FunctionCode& f) {
-    const auto vector = [](const char* type, const char* name) { return Declaration{{Storage::Kind::vector, {}, type}, {name}}; };
-    Statements statements{vector("State", "dxdt"), vector("JacobianX", "J"), Invocation{call_of("rhs_and_jacobian", {"dxdt", "J"})},
-                          vector("JacobianT", "by_time"), Invocation{call_of("jacobian_t", {"by_time"})}};
+    Statements statements{vector_of("State", "dxdt"), vector_of("JacobianX", "J"), Invocation{call_of("rhs_and_jacobian", {"dxdt", "J"})},
+                          vector_of("JacobianT", "by_time"), Invocation{call_of("jacobian_t", {"by_time"})}};
     for (const NodeId id : f.program.in_order(f.roots())) {
         const Node& node = f.program[id];
         const Variable* variable = node.kind == Node::Kind::symbol ? code_.atoms[node.index].variable : nullptr;
