@@ -7,6 +7,7 @@ namespace dalembert {
 
 namespace {
 
+/// What stands in functions already: their arguments, and what printers call types, parameters and cached values.
 const std::set<std::string> argument_names{"x",      "u",     "t",  "J",  "M",    "y",      "dxdt",   "b",     "Q", "p",      "energies",
                                            "starts", "start", "p_", "c_", "mass", "detail", "Scalar", "State", "c", "solved", "unit"};
 const std::set<std::string> names_of_modes{"mode", "event", "event_number", "g", "rates", "by_time", "k"};
