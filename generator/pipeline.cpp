@@ -8,7 +8,7 @@
 
 #include "elements/bodies.hpp"
 #include "elements/model.hpp"
-#include "emit/notation.hpp"
+#include "graph/notation.hpp"
 #include "form/fluid_validity.hpp"
 #include "form/heat_validity.hpp"
 #include "form/mode_systems.hpp"

@@ -39,10 +39,10 @@ ex Steps::add(const char* what, const std::vector<std::size_t>& indices, Step st
     if (is_short(step.value)) return step.value;
     if (!with_letters_) return whole(step.value);
     step.name = enclosure_;
-    step.cpp_name = fmt::format("{}_{}", enclosure_, what);
+    step.identifier = fmt::format("{}_{}", enclosure_, what);
     for (const std::size_t i : indices) {
         step.name += fmt::format(", {}", i + 1);
-        step.cpp_name += fmt::format("_{}", i + 1);
+        step.identifier += fmt::format("_{}", i + 1);
     }
     step.name = fmt::format("{}[{}]", what, step.name);
     return symbols_.add_step(std::move(step));

@@ -2,7 +2,7 @@
 // By what the sides of a printed equation differ, as people read it.
 #pragma once
 
-#include "emit/notation.hpp"
+#include "graph/notation.hpp"
 #include "form/system.hpp"
 
 namespace dalembert {

@@ -6,17 +6,15 @@
 #include <stdexcept>
 #include <vector>
 
+#include "text/marked_sections.hpp"
 #include "text/template.hpp"
 
 namespace dalembert {
 
 namespace {
 
-/// What stands between "// begin NAME: needs" and "// end NAME".
 struct Section {
-    std::string name;
-    std::vector<std::string> needs;
-    std::string text;
+    MarkedSection marked;
     bool has_size;
 };
 
@@ -25,7 +23,7 @@ public:
     Library() {
         for (const char* file : {"math_functions", "scalar_functions", "angle_functions", "fluid_functions", "heat_functions",
                                  "heat_networks", "junctions", "series_functions", "ldlt"})
-            read(std::string(embedded_file(std::string(file) + ".h.in")));
+            read(embedded_file(std::string(file) + ".h.in"));
     }
 
     const Section& of_function(const std::string& function) const {
@@ -36,19 +34,14 @@ public:
     const Section& section(const std::string& name) const { return sections_.at(name); }
 
 private:
-    void read(const std::string& text) {
-        static const std::regex begin("// begin (\\w+):([ \\w,]*)\n"), word("\\w+"),
-            function("static inline \\w+\\*? NAME_(\\w+?)(?:_SIZE)?\\(");
-        for (std::sregex_iterator at(text.begin(), text.end(), begin), end; at != end; ++at) {
-            Section section{(*at)[1], {}, {}, false};
-            const std::string needs = (*at)[2];
-            for (std::sregex_iterator need(needs.begin(), needs.end(), word); need != end; ++need) section.needs.push_back(need->str());
-            const auto from = static_cast<std::size_t>(at->position() + at->length());
-            section.text = text.substr(from, text.find("// end " + section.name + "\n", from) - from);
-            section.has_size = section.text.find("_SIZE(") != std::string::npos;
-            for (std::sregex_iterator one(section.text.begin(), section.text.end(), function); one != end; ++one)
-                by_function_[(*one)[1]] = section.name;
-            sections_[section.name] = std::move(section);
+    void read(std::string_view file) {
+        static const std::regex function("static inline \\w+\\*? NAME_(\\w+?)(?:_SIZE)?\\(");
+        for (MarkedSection& marked : marked_sections(file)) {
+            for (std::sregex_iterator one(marked.text.begin(), marked.text.end(), function), end; one != end; ++one)
+                by_function_[(*one)[1]] = marked.name;
+            const bool has_size = marked.text.find("_SIZE(") != std::string::npos;
+            const std::string name = marked.name;
+            sections_[name] = {std::move(marked), has_size};
         }
     }
 
@@ -67,9 +60,9 @@ public:
 
     void add(const Section& section, std::size_t size) {
         const std::size_t own = section.has_size ? size : 0;
-        if (!done_.insert({section.name, own}).second) return;
-        for (const std::string& need : section.needs) add(library_.section(need), own);
-        text_ += replaced(replaced(section.text, "SIZE", std::to_string(own)), "NAME", name_) + "\n";
+        if (!done_.insert({section.marked.name, own}).second) return;
+        for (const std::string& need : section.marked.needs) add(library_.section(need), own);
+        text_ += replaced(replaced(section.marked.text, "SIZE", std::to_string(own)), "NAME", name_) + "\n";
     }
     std::string text() && { return std::move(text_); }
 

@@ -8,7 +8,7 @@
 
 #include "elements/model.hpp"
 #include "elements/runs.hpp"
-#include "emit/constants.hpp"
+#include "program/constants.hpp"
 #include "text/safe_text.hpp"
 #include "elements/verdict.hpp"
 

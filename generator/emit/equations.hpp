@@ -4,7 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "emit/notation.hpp"
+#include "graph/notation.hpp"
 #include "form/system.hpp"
 
 namespace dalembert {

@@ -2,9 +2,10 @@
 #include "emit/header.hpp"
 
 #include "elements/runs.hpp"
-#include "emit/cpp_names.hpp"
-#include "emit/field_plant.hpp"
-#include "emit/plant.hpp"
+#include "program/identifiers.hpp"
+#include "program/field_plant.hpp"
+#include "emit/header_equations.hpp"
+#include "program/make_plant.hpp"
 
 namespace dalembert {
 
@@ -13,11 +14,12 @@ std::string header_name(const Scene& scene, const Language& language) { return s
 Header make_header(const std::vector<const Code*>& modes, const FieldCode* fields, const Proofs& proofs,
                    const std::vector<EffectSize>& effects_out, const std::string& command, const Language& language) {
     const System& system = modes.front()->system;
-    check_cpp_names(system);
+    check_identifiers(system);
     const Scene& scene = system.scene;
     const std::optional<PlantFields> rods = fields != nullptr ? std::optional(make_fields(*fields)) : std::nullopt;
     return {header_name(scene, language), language.name_space(scene),
-            language.file(make_plant(modes), rods ? &*rods : nullptr, scene, banner(modes, proofs, effects_out, command))};
+            language.file(make_plant(modes, header_equations(modes)), rods ? &*rods : nullptr, scene,
+                          banner(modes, proofs, effects_out, command))};
 }
 
 }  // namespace dalembert

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "emit/equations.hpp"
-#include "emit/notation.hpp"
+#include "graph/notation.hpp"
 
 namespace dalembert {
 
@@ -36,52 +36,21 @@ std::vector<std::string> written_motion(const System& s, const Notation& write) 
     return motion;
 }
 
-}  // namespace
-
-std::map<Function, std::vector<std::string>> header_equations(const std::vector<const Code*>& modes) {
-    std::map<Function, std::vector<std::string>> result;
-    const std::size_t n = modes.front()->system.symbols.degrees();
-    const bool is_large = n > 8;
-    const auto of_coordinates = [&](Function function, const auto& row) {
-        if (is_large) return;
-        result[function] = in_modes(modes, [&](const System& s, const Notation& write) {
-            std::vector<std::string> rows;
-            for (std::size_t j = 0; j < n; ++j) row(s, write, j, rows);
-            return rows;
-        });
-    };
-    if (!is_large) result[Function::rhs] = in_modes(modes, written_motion);
-    of_coordinates(Function::mass_matrix, [](const System& s, const Notation& write, std::size_t j, auto& rows) {
-        const auto& q = s.symbols.all(SymbolKind::coordinate);
-        for (std::size_t l = 0; l <= j; ++l)
-            rows.push_back(
-                fmt::format("M[{}, {}] = {}", q[l].name, q[j].name, write(s.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)))));
-    });
-    of_coordinates(Function::bias, [](const System& s, const Notation& write, std::size_t j, auto& rows) {
-        rows.push_back(fmt::format("bias[{}] = {}", s.symbols.all(SymbolKind::coordinate)[j].name, write(s.bias[j])));
-    });
-    of_coordinates(Function::generalised_force, [](const System& s, const Notation& write, std::size_t j, auto& rows) {
-        rows.push_back(fmt::format("Q[{}] = {}", s.symbols.all(SymbolKind::coordinate)[j].name, write(s.supplied[j])));
-    });
-    result[Function::output] = in_modes(modes, [](const System& s, const Notation& write) {
-        std::vector<std::string> rows;
-        for (const OutputEquation& o : s.outputs) rows.push_back(fmt::format("{} = {}", o.name, write(o.shown())));
-        return rows;
-    });
-    const auto scalar = [&](Function function, const char* letter, const auto& value) {
-        if (is_large) return;
-        result[function] = in_modes(modes, [&](const System& s, const Notation& write) {
-            return std::vector<std::string>{fmt::format("{} = {}", letter, write(value(s)))};
-        });
-    };
-    scalar(Function::kinetic_energy, "T", [](const System& s) { return s.kinetic_energy; });
-    scalar(Function::potential_energy, "V", [](const System& s) { return s.potential_energy; });
-    scalar(Function::internal_energy, "E", [](const System& s) { return s.named.internal_energy; });
-    scalar(Function::supplied_power, "supplied", [](const System& s) { return s.supplied_power; });
-    scalar(Function::dissipated_power, "dissipated", [](const System& s) { return s.dissipated_power; });
+/// What stands on the left, by value.
+std::vector<std::string> left_sides(const HeaderFunction& row, const System& s) {
+    if (row.kind == HeaderFunction::Kind::number) return {row.letter};
+    const std::vector<std::string> names = row.names(s);
+    std::vector<std::string> result;
+    const bool is_triangle = row.kind == HeaderFunction::Kind::symmetric;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        for (std::size_t j = is_triangle ? 0 : i; j <= i; ++j)
+            result.push_back(is_triangle          ? fmt::format("{}[{}, {}]", row.letter, names[j], names[i])
+                             : *row.letter != 0 ? fmt::format("{}[{}]", row.letter, names[i])
+                                                  : names[i]);
     return result;
 }
 
+/// The guard of each event, in the first mode that watches it.
 std::vector<std::string> event_equations(const std::vector<const Code*>& machine) {
     std::vector<std::string> result;
     for (std::size_t e = 0; e < machine.front()->system.events.size(); ++e)
@@ -92,6 +61,36 @@ std::vector<std::string> event_equations(const std::vector<const Code*>& machine
                                          code->system.scene.modes[*code->system.scene.mode].name));
             break;
         }
+    return result;
+}
+
+/// What the constraints hold at zero, as all modes write it.
+void add_constraints(std::map<Function, std::vector<std::string>>& result, const System& s) {
+    const Notation write(s.symbols, Style::text);
+    for (const ConstraintEquation& c : s.constraints) {
+        if (c.position) result[Function::constraint_positions].push_back(fmt::format("{}: {} = 0", c.name, write(*c.position)));
+        result[Function::constraint_rates].push_back(fmt::format("{}: {} = 0", c.name, write(c.whole_rate)));
+    }
+}
+
+}  // namespace
+
+std::map<Function, std::vector<std::string>> header_equations(const std::vector<const Code*>& modes) {
+    std::map<Function, std::vector<std::string>> result;
+    const bool is_large = modes.front()->system.symbols.degrees() > 8;
+    for (const HeaderFunction& row : header_functions()) {
+        if (!row.has_equations || (is_large && row.function != Function::output)) continue;
+        result[row.function] = in_modes(modes, [&](const System& s, const Notation& write) {
+            if (row.kind == HeaderFunction::Kind::motion) return written_motion(s, write);
+            const std::vector<std::string> left = left_sides(row, s);
+            const std::vector<GiNaC::ex> right = row.shown_values(s);
+            std::vector<std::string> rows;
+            for (std::size_t i = 0; i < right.size(); ++i) rows.push_back(fmt::format("{} = {}", left[i], write(right[i])));
+            return rows;
+        });
+    }
+    result[Function::events] = event_equations(modes);
+    add_constraints(result, modes.front()->system);
     return result;
 }
 

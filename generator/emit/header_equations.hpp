@@ -13,7 +13,4 @@ namespace dalembert {
 /// By function; where modes differ, mode by mode. Of more than eight coordinates none but those of outputs: they would drown the code.
 std::map<Function, std::vector<std::string>> header_equations(const std::vector<const Code*>& modes);
 
-/// The guard of each event, in the first mode that watches it.
-std::vector<std::string> event_equations(const std::vector<const Code*>& modes);
-
 }  // namespace dalembert

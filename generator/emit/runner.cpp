@@ -8,8 +8,9 @@
 
 #include "elements/model.hpp"
 #include "elements/runs.hpp"
-#include "emit/cpp_bodies.hpp"
+#include "program/function_bodies.hpp"
 #include "cpp/helpers.hpp"
+#include "cpp/print.hpp"
 #include "balance/steps.hpp"
 #include "text/template.hpp"
 #include "form/state_places.hpp"
@@ -62,7 +63,7 @@ std::string input_statements(Code& code, const std::vector<ex>& inputs) {
     builder.prepare(polynomials);
     for (std::size_t i = 0; i < polynomials.size(); ++i) f.results.push_back(builder.root(i));
     const CachedValues none;
-    CppFunction cpp(code, f, none, {"x", "t", "u", "p_"});
+    StatementMaker cpp(code, f, none, {"x", "t", "u", "p_"});
     Statements statements = cpp.compute(f.results);
     for (std::size_t i = 0; i < f.results.size(); ++i) {
         if (f.is_zero(f.results[i])) continue;

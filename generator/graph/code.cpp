@@ -7,9 +7,9 @@
 
 #include "form/constrained_motion.hpp"
 #include "graph/chain_code.hpp"
-#include "graph/lowered_system.hpp"
+#include "graph/derived_values.hpp"
+#include "graph/motion_code.hpp"
 #include "graph/reset_code.hpp"
-#include "graph/roots.hpp"
 
 namespace dalembert {
 
@@ -23,8 +23,8 @@ public:
           lowered_(lower_system(system, code_->atoms, wish.passes.rewriting, wish.passes.chain ? wish.chain : ChainUse::never)),
           n_(system.motion.unknowns()),
           degrees_(system.symbols.degrees()),
-          places_(system.unknown_places()),
-          multipliers_(system.motion.multipliers.size()) {
+          multipliers_(system.motion.multipliers.size()),
+          motion_(*code_, lowered_) {
         code_->passes = wish.passes;
         code_->trig = wish.trig;
     }
@@ -33,25 +33,7 @@ public:
         order_definitions();
         choose_solve();
         code_->has_long_chain = lowered_.has_long_chain;
-        motion_function(Function::rhs, std::nullopt);
-        motion_function(Function::rhs_and_jacobian, By::state);
-        jacobian(Function::jacobian_u, By::input, ParameterParts::cached);
-        jacobian(Function::jacobian_t, By::time, ParameterParts::cached);
-        jacobian(Function::jacobian_p, By::parameter, ParameterParts::if_cached);
-        values(Function::mass_matrix, lowered_.mass, ParameterParts::cached);
-        values(Function::bias, lowered_.bias, ParameterParts::cached);
-        values(Function::generalised_force, lowered_.generalised_force, ParameterParts::cached);
-        values(Function::output, lowered_.output, ParameterParts::cached);
-        output_jacobian(Function::output_jacobian_x, By::state);
-        output_jacobian(Function::output_jacobian_u, By::input);
-        constexpr std::array scalars{Function::kinetic_energy,   Function::potential_energy, Function::supplied_power,
-                                     Function::dissipated_power, Function::prescribed_power, Function::internal_energy,
-                                     Function::exchanged_power};
-        values(Function::guards, lowered_.guards, ParameterParts::if_cached);
-        for (std::size_t i = 0; i < scalars.size(); ++i) values(scalars[i], {lowered_.scalars[i]}, ParameterParts::if_cached);
-        values(Function::start_state, lowered_.start, ParameterParts::in_place);
-        switching();
-        projection();
+        for (const HeaderFunction* row : in_order_of_making()) make(*row);
         if (wish.series) series();
         if (wish.together) together();
         update();
@@ -60,6 +42,46 @@ public:
     }
 
 private:
+    using Kind = HeaderFunction::Kind;
+    using MotionRoots = MotionCode::MotionRoots;
+    using ColumnRoots = MotionCode::ColumnRoots;
+
+    /// Of neighbours of one kind first those that add to the cache.
+    static std::vector<const HeaderFunction*> in_order_of_making() {
+        std::vector<const HeaderFunction*> rows;
+        for (const HeaderFunction& row : header_functions()) rows.push_back(&row);
+        for (auto first = rows.begin(); first != rows.end();) {
+            const auto end = std::find_if(first, rows.end(), [&](const HeaderFunction* row) { return row->kind != (*first)->kind; });
+            std::stable_sort(first, end, [](const HeaderFunction* a, const HeaderFunction* b) { return a->parts < b->parts; });
+            first = end;
+        }
+        return rows;
+    }
+
+    void make(const HeaderFunction& row) {
+        switch (row.kind) {
+            case Kind::motion: return motion_function(row.function, row.by);
+            case Kind::jacobian: return jacobian(row);
+            case Kind::output_jacobian: return output_jacobian(row);
+            case Kind::resets:
+                return make_resets(*code_, lowered_,
+                                   [this](Program& program, const std::vector<NodeId>& mass) { return motion_.factors(program, mass); });
+            case Kind::correction: return correction(row);
+            case Kind::conditions:
+                if (lowered_[row.function].empty()) return;
+                for (const ModeCondition& condition : conditions(system_)) code_->condition_places.push_back(condition.place);
+                return values(row);
+            case Kind::start:
+            case Kind::symmetric:
+            case Kind::values:
+            case Kind::number:
+            case Kind::matrix:
+            case Kind::event_values: return values(row);
+            case Kind::together:  // where it is asked for
+            case Kind::update: return;  // last
+        }
+    }
+
     void order_definitions() {
         std::vector<bool> done(lowered_.definitions.size(), false);
         const auto visit = [&](const auto& self, std::size_t i) -> void {
@@ -102,104 +124,32 @@ private:
         if (s.unrolled && s.is_constant) s.first_cached = code_->cache.reserve(lowered_.solve_mass.size());
     }
 
-    /// Factors of M in a function: computed there, or taken from the cache.
-    std::vector<NodeId> factors(Program& program, const std::vector<NodeId>& mass) {
-        const Solve& s = code_->solve;
-        if (!s.is_constant)
-            return factorise(
-                program, n_, multipliers_, mass, [&](NodeId pivot) { return reciprocal(program, pivot); }, chosen(program, s));
-        // What the factors are is decided in update(); zero factors are known from the pattern there as here.
-        std::vector<NodeId> result;
-        Program pattern;
-        std::vector<NodeId> symbolic;
-        for (std::size_t i = 0; i < s.is_zero.size(); ++i)
-            symbolic.push_back(s.is_zero[i] ? pattern.constant(0) : pattern.cached(static_cast<std::uint32_t>(i)));
-        const std::vector<NodeId> computed = factorise(pattern, n_, multipliers_, symbolic);
-        for (std::size_t i = 0; i < computed.size(); ++i)
-            result.push_back(pattern.is_constant(computed[i], 0) ? program.constant(0)
-                                                                 : program.cached(s.first_cached + static_cast<std::uint32_t>(i)));
-        return result;
-    }
-
-    NodeId reciprocal(Program& program, NodeId x) { return dalembert::reciprocal(code_->atoms, code_->cache, program, x, code_->passes); }
-
-    Letter letter(SymbolKind kind, std::size_t position) const { return code_->atoms.symbol(system_.symbols.all(kind)[position]); }
-    Letter acceleration_letter(std::size_t j) const { return letter(SymbolKind::acceleration, j); }
-    /// The letter of what is solved for, or of its rate.
-    Letter unknown(std::size_t i, bool is_rate = false) const {
-        const Motion& motion = system_.motion;
-        if (i < motion.free.size()) return letter(is_rate ? SymbolKind::jerk : SymbolKind::acceleration, motion.free[i]);
-        return letter(is_rate ? SymbolKind::multiplier_rate : SymbolKind::multiplier, motion.multipliers[i - motion.free.size()]);
-    }
-
-    /// Where the parts of the equations of motion begin among the roots.
-    struct MotionRoots {
-        std::size_t mass = 0, force = 0, held = 0;
-    };
-
-    MotionRoots add_motion(Roots& roots) const {
-        MotionRoots parts;
-        if (!code_->solve.is_constant) parts.mass = roots.add(lowered_.solve_mass);
-        parts.force = roots.add(lowered_.force);
-        parts.held = roots.add(lowered_.held);
-        return parts;
-    }
-
-    /// Solves for accelerations and multipliers, whose letters have values from then on. All of them, each at its place.
-    std::vector<NodeId> solve_motion(FunctionCode& f, ProgramBuilder& builder, const MotionRoots& parts) {
-        const bool needs_mass = !code_->solve.is_constant;
-        for (std::size_t i = 0; needs_mass && i < lowered_.solve_mass.size(); ++i) f.mass.push_back(builder.root(parts.mass + i));
-        for (std::size_t j = 0; j < n_; ++j) f.force.push_back(builder.root(parts.force + j));
-        f.factors = factors(f.program, f.mass);
-        const std::vector<NodeId> solved = solve(f.program, n_, f.factors, f.force);
-        std::vector<NodeId> all(degrees_ + multipliers_);
-        for (std::size_t i = 0; i < n_; ++i) all[places_[i]] = solved[i];
-        for (std::size_t i = 0; i < n_; ++i) builder.define(unknown(i), solved[i]);
-        for (std::size_t i = 0; i < lowered_.held.size(); ++i) {
-            const std::size_t j = system_.motion.accelerations[i].first;
-            all[j] = builder.root(parts.held + i);
-            builder.define(acceleration_letter(j), all[j]);
-        }
-        return all;
-    }
-
     /// What Taylor series are made of: dx/dt, and the power behind it.
     void series() {
         FunctionCode& f = code_->series_of.emplace();
         f.by_loops = !code_->solve.unrolled;
         ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::cached, f.program, code_->passes);
         Roots roots;
-        const MotionRoots motion = add_motion(roots);
+        const MotionRoots motion = motion_.add_motion(roots);
         const std::size_t rates = roots.add(lowered_.state_rate);
-        const std::size_t power = roots.add(lowered_.scalars);
+        std::vector<std::pair<bool, std::size_t>> powers;
+        for (const Function power :
+             {Function::supplied_power, Function::dissipated_power, Function::prescribed_power, Function::exchanged_power})
+            powers.emplace_back(power == Function::dissipated_power, roots.add(lowered_[power]));
         builder.prepare(roots.polynomials());
-        take_motion(f, builder, motion);
+        motion_.take_motion(f, builder, motion);
         for (std::size_t i = 0; i < lowered_.state_rate.size(); ++i) f.results.push_back(builder.root(rates + i));
-        constexpr std::size_t supplied = 2, dissipated = 3, prescribed = 4, exchanged = 6;
-        f.results.push_back(f.program.sum({{false, builder.root(power + supplied)},
-                                           {true, builder.root(power + dissipated)},
-                                           {false, builder.root(power + prescribed)},
-                                           {false, builder.root(power + exchanged)}}));
-    }
-
-    /// Accelerations: solved for, or letters where that is done by loops.
-    void take_motion(FunctionCode& f, ProgramBuilder& builder, const MotionRoots& motion) {
-        if (code_->solve.unrolled) {
-            f.accelerations = solve_motion(f, builder, motion);
-            return;
-        }
-        for (std::size_t i = 0; !code_->solve.is_constant && i < lowered_.solve_mass.size(); ++i)
-            f.mass.push_back(builder.root(motion.mass + i));
-        for (std::size_t j = 0; j < n_; ++j) f.force.push_back(builder.root(motion.force + j));
-        for (std::size_t j = 0; j < degrees_; ++j) f.accelerations.push_back(f.program.symbol(acceleration_letter(j)));
+        std::vector<std::pair<bool, NodeId>> power;
+        for (const auto& [is_lost, root] : powers) power.emplace_back(is_lost, builder.root(root));
+        f.results.push_back(f.program.sum(std::move(power)));
     }
 
     /// What a recorder or an observer asks for at one point.
     void together() {
         code_->has_together = true;
-        std::vector<Polynomial> more = lowered_.output;
-        constexpr std::size_t kinetic = 0, potential = 1, internal = 5;
-        for (const std::size_t energy : {kinetic, potential, internal}) more.push_back(lowered_.scalars[energy]);
+        std::vector<Polynomial> more = lowered_[Function::output];
+        for (const HeaderFunction& row : header_functions())
+            if (row.energy != nullptr) more.push_back(lowered_[row.function].front());
         motion_function(Function::together, By::state, more);
     }
 
@@ -230,107 +180,65 @@ private:
         f.by_loops = !code_->solve.unrolled;
         ProgramBuilder builder(code_->atoms, code_->cache, kind, f.program, code_->passes);
         Roots roots;
-        const MotionRoots motion = add_motion(roots);
+        const MotionRoots motion = motion_.add_motion(roots);
         const std::size_t rates = roots.add(lowered_.state_rate);
         const std::size_t values = roots.add(more);
-        const ColumnRoots parts = columns != nullptr ? add_columns(roots, *columns) : ColumnRoots{};
+        const ColumnRoots parts = columns != nullptr ? motion_.add_columns(roots, *columns) : ColumnRoots{};
         builder.prepare(roots.polynomials());
 
-        take_motion(f, builder, motion);
+        motion_.take_motion(f, builder, motion);
         for (std::size_t i = 0; i < lowered_.state_rate.size(); ++i) f.results.push_back(builder.root(rates + i));
         for (std::size_t i = 0; i < more.size(); ++i) f.results.push_back(builder.root(values + i));
-        if (columns != nullptr) take_columns(f, builder, *columns, parts);
+        if (columns != nullptr) motion_.take_columns(f, builder, *columns, parts);
         return f;
     }
 
-    /// Where the parts of a Jacobian begin among the roots.
-    struct ColumnRoots {
-        std::size_t residual = 0, below = 0, held = 0, held_by_free = 0;
-    };
-
-    ColumnRoots add_columns(Roots& roots, const LoweredSystem::Columns& columns) const {
-        ColumnRoots parts;
-        parts.residual = roots.add(columns.residual, -1);
-        parts.below = roots.add(columns.state_rate);
-        parts.held = roots.add(columns.held);
-        parts.held_by_free = roots.add(lowered_.held_by_free);
-        return parts;
-    }
-
-    /// d(qdd)/d(column) = M^-1 (-dR/d(column)) and d(zd)/d(column). What constraints determine follows by the chain rule.
-    void take_columns(FunctionCode& f, ProgramBuilder& builder, const LoweredSystem::Columns& columns, const ColumnRoots& parts) {
-        const std::size_t m = lowered_.state_rate.size();
-        const std::size_t held = lowered_.held.size();
-        f.by_loops = !code_->solve.unrolled;
-        f.right = {n_, columns.residual.size(), {}};
-        f.solved = {degrees_ + multipliers_, f.by_loops ? 0 : columns.residual.size(), {}};
-        f.below = {m, columns.residual.size(), {}};
-        std::vector<std::vector<NodeId>> rights(columns.residual.size()), solved;
-        for (std::size_t c = 0; c < rights.size(); ++c)
-            for (std::size_t j = 0; j < n_; ++j) rights[c].push_back(builder.root(parts.residual + c * n_ + j));
-        for (const std::vector<NodeId>& right : rights) f.right.entries.insert(f.right.entries.end(), right.begin(), right.end());
-        if (!f.by_loops) solved = solve_columns(f.program, n_, f.factors, rights);
-        for (std::size_t c = 0; c < rights.size(); ++c) {
-            if (!f.by_loops) {
-                std::vector<NodeId> column(degrees_ + multipliers_);
-                const std::size_t free = system_.motion.free.size();
-                for (std::size_t i = 0; i < n_; ++i) column[places_[i]] = solved[c][i];
-                for (std::size_t i = 0; i < held; ++i) {
-                    std::vector<std::pair<bool, NodeId>> terms{{false, builder.root(parts.held + c * held + i)}};
-                    for (std::size_t k = 0; k < free; ++k)
-                        terms.emplace_back(false, f.program.product({builder.root(parts.held_by_free + i * free + k), solved[c][k]}));
-                    column[system_.motion.accelerations[i].first] = f.program.sum(std::move(terms));
-                }
-                f.solved.entries.insert(f.solved.entries.end(), column.begin(), column.end());
-            }
-            for (std::size_t i = 0; i < m; ++i) f.below.entries.push_back(builder.root(parts.below + c * m + i));
-        }
-    }
-
     /// With multipliers the motion is solved for first, since their values are known nowhere else.
-    void jacobian(Function which, By by, ParameterParts kind) {
-        FunctionCode& f = (*code_)[which];
-        if (code_->has_long_chain) return make_chain_function(*code_, lowered_, f, by, ChainFunction::of_known_motion, kind);
+    void jacobian(const HeaderFunction& row) {
+        FunctionCode& f = (*code_)[row.function];
+        if (code_->has_long_chain) return make_chain_function(*code_, lowered_, f, row.by, ChainFunction::of_known_motion, row.parts);
         const Solve& s = code_->solve;
-        const LoweredSystem::Columns& columns = lowered_.partial(by);
-        ProgramBuilder builder(code_->atoms, code_->cache, kind, f.program, code_->passes);
+        const LoweredSystem::Columns& columns = lowered_.partial(*row.by);
+        ProgramBuilder builder(code_->atoms, code_->cache, row.parts, f.program, code_->passes);
         Roots roots;
         const bool has_multipliers = multipliers_ > 0;
-        const MotionRoots motion =
-            has_multipliers ? add_motion(roots) : MotionRoots{s.is_constant ? 0 : roots.add(lowered_.solve_mass), 0, 0};
-        const ColumnRoots parts = add_columns(roots, columns);
+        MotionRoots motion;
+        if (has_multipliers) motion = motion_.add_motion(roots);
+        else if (!s.is_constant) motion.mass = roots.add(lowered_.solve_mass);
+        const ColumnRoots parts = motion_.add_columns(roots, columns);
         builder.prepare(roots.polynomials());
         if (has_multipliers) {
-            f.solved_for = solve_motion(f, builder, motion);
+            f.solved_for = motion_.solve_motion(f, builder, motion);
         } else {
             for (std::size_t i = 0; !s.is_constant && i < lowered_.solve_mass.size(); ++i) f.mass.push_back(builder.root(motion.mass + i));
-            if (s.unrolled) f.factors = factors(f.program, f.mass);
+            if (s.unrolled) f.factors = motion_.factors(f.program, f.mass);
         }
-        take_columns(f, builder, columns, parts);
+        motion_.take_columns(f, builder, columns, parts);
         f.note_letters(code_->atoms);
     }
 
     /// Values that contain multipliers, or their rates, bring the solve for them along.
-    void values(Function which, const std::vector<Polynomial>& polynomials, ParameterParts parts) {
-        FunctionCode& f = (*code_)[which];
-        ProgramBuilder builder(code_->atoms, code_->cache, parts, f.program, code_->passes);
+    void values(const HeaderFunction& row) {
+        FunctionCode& f = (*code_)[row.function];
+        const std::vector<Polynomial>& polynomials = lowered_[row.function];
+        ProgramBuilder builder(code_->atoms, code_->cache, row.parts, f.program, code_->passes);
         Roots roots;
         const std::size_t first = roots.add(polynomials);
         const bool has_multipliers = contain(polynomials, SymbolKind::multiplier),
                    has_rates = contain(polynomials, SymbolKind::multiplier_rate);
         const bool has_motion = has_multipliers || has_rates;
-        const MotionRoots motion = has_motion ? add_motion(roots) : MotionRoots{};
+        const MotionRoots motion = has_motion ? motion_.add_motion(roots) : MotionRoots{};
         const std::size_t rates = has_rates ? roots.add(lowered_.motion_rate) : 0;
         const std::size_t jerks = has_rates ? roots.add(lowered_.held_jerks) : 0;
         builder.prepare(roots.polynomials());
-        if (has_motion) f.solved_for = solve_motion(f, builder, motion);
+        if (has_motion) f.solved_for = motion_.solve_motion(f, builder, motion);
         if (has_rates) {
             f.right = {n_, 1, {}};
             for (std::size_t i = 0; i < n_; ++i) f.right.entries.push_back(builder.root(rates + i));
             f.rates_solved_for = solve(f.program, n_, f.factors, f.right.entries);
-            for (std::size_t i = 0; i < n_; ++i) builder.define(unknown(i, true), f.rates_solved_for[i]);
+            for (std::size_t i = 0; i < n_; ++i) builder.define(motion_.unknown(i, true), f.rates_solved_for[i]);
             for (std::size_t i = 0; i < lowered_.held_jerks.size(); ++i)
-                builder.define(letter(SymbolKind::jerk, system_.motion.accelerations[i].first), builder.root(jerks + i));
+                builder.define(motion_.letter(SymbolKind::jerk, system_.motion.accelerations[i].first), builder.root(jerks + i));
         }
         for (std::size_t i = 0; i < polynomials.size(); ++i) f.results.push_back(builder.root(first + i));
         f.note_letters(code_->atoms);
@@ -352,23 +260,24 @@ private:
                std::any_of(polynomials.begin(), polynomials.end(), [&](const Polynomial& p) { return is_there(is_there, p); });
     }
 
-    void output_jacobian(Function which, By by) {
-        FunctionCode& f = (*code_)[which];
-        ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::cached, f.program, code_->passes);
-        const auto& columns = lowered_.partial(by).output;
-        const std::size_t outputs = lowered_.output.size();
-        const bool has_multipliers = contain(lowered_.output, SymbolKind::multiplier);
+    void output_jacobian(const HeaderFunction& row) {
+        FunctionCode& f = (*code_)[row.function];
+        ProgramBuilder builder(code_->atoms, code_->cache, row.parts, f.program, code_->passes);
+        const LoweredSystem::Columns& by = lowered_.partial(*row.by);
+        const auto& columns = by.output;
+        const std::size_t outputs = lowered_[Function::output].size();
+        const bool has_multipliers = contain(lowered_[Function::output], SymbolKind::multiplier);
         Roots roots;
         const std::size_t first = roots.add(columns);
         const std::size_t second = roots.add(lowered_.output_by_acceleration);
-        const MotionRoots motion = has_multipliers ? add_motion(roots) : MotionRoots{};
-        const ColumnRoots parts = has_multipliers ? add_columns(roots, lowered_.partial(by)) : ColumnRoots{};
+        const MotionRoots motion = has_multipliers ? motion_.add_motion(roots) : MotionRoots{};
+        const ColumnRoots parts = has_multipliers ? motion_.add_columns(roots, by) : ColumnRoots{};
         builder.prepare(roots.polynomials());
         f.by_output = {outputs, columns.size(), {}};
         f.by_acceleration = {outputs, degrees_ + multipliers_, {}};
         if (has_multipliers) {
-            f.solved_for = solve_motion(f, builder, motion);
-            take_columns(f, builder, lowered_.partial(by), parts);
+            f.solved_for = motion_.solve_motion(f, builder, motion);
+            motion_.take_columns(f, builder, by, parts);
         }
         for (std::size_t i = 0; i < columns.size() * outputs; ++i) f.by_output.entries.push_back(builder.root(first + i));
         for (std::size_t i = 0; i < (degrees_ + multipliers_) * outputs; ++i) f.by_acceleration.entries.push_back(builder.root(second + i));
@@ -389,34 +298,20 @@ private:
     }
 
     /// What brings runs back to constraints.
-    void projection() {
+    void correction(const HeaderFunction& row) {
         const LoweredSystem::Projection& p = lowered_.projection;
-        values(Function::constraint_positions, p.position, ParameterParts::if_cached);
-        values(Function::constraint_rates, p.rate, ParameterParts::if_cached);
-        values(Function::constraint_forces, p.force, ParameterParts::if_cached);
-        values(Function::constraint_jacobian, p.jacobian, ParameterParts::if_cached);
         if (p.bordered.empty()) return;
-        FunctionCode& f = (*code_)[Function::correction];
-        ProgramBuilder builder(code_->atoms, code_->cache, ParameterParts::if_cached, f.program, code_->passes);
+        FunctionCode& f = (*code_)[row.function];
+        ProgramBuilder builder(code_->atoms, code_->cache, row.parts, f.program, code_->passes);
         builder.prepare(p.bordered);
         for (std::size_t i = 0; i < p.bordered.size(); ++i) f.mass.push_back(builder.root(i));
         const std::size_t constraints = p.holding.size(), size = degrees_ + constraints;
         f.factors = factorise(f.program, size, constraints, f.mass, nullptr, chosen_of_held(f.program, *code_, p.holding));
         f.force.assign(degrees_, f.program.constant(0));
-        for (const std::size_t i : p.holding) f.force.push_back(f.program.negated(f.program.symbol(letter(SymbolKind::residual, i))));
+        for (const std::size_t i : p.holding)
+            f.force.push_back(f.program.negated(f.program.symbol(motion_.letter(SymbolKind::residual, i))));
         f.solved_for = solve(f.program, size, f.factors, f.force);
         f.results.assign(f.solved_for.begin(), f.solved_for.begin() + static_cast<std::ptrdiff_t>(degrees_));
-    }
-
-    /// Guards of events, their rates, what a mode asks for, and what events reset. The rates of guards are for the moments in which a mode
-    /// begins; the values of accelerations and of their rates are taken from other functions.
-    void switching() {
-        values(Function::events, lowered_.events, ParameterParts::if_cached);
-        values(Function::event_rates, lowered_.event_rates, ParameterParts::if_cached);
-        values(Function::conditions, lowered_.conditions, ParameterParts::if_cached);
-        if (!lowered_.conditions.empty())
-            for (const ModeCondition& condition : conditions(system_)) code_->condition_places.push_back(condition.place);
-        make_resets(*code_, lowered_, [this](Program& program, const std::vector<NodeId>& mass) { return factors(program, mass); });
     }
 
     /// Definitions and cached values; last, because the other functions decide what is cached.
@@ -444,10 +339,10 @@ private:
     std::unique_ptr<Code> code_;
     const System& system_;
     LoweredSystem lowered_;
-    std::size_t n_;                    ///< accelerations and multipliers that are solved for
+    std::size_t n_;  ///< accelerations and multipliers that are solved for
     std::size_t degrees_;
-    std::vector<std::size_t> places_;  ///< of what is solved for among all accelerations and multipliers
     std::size_t multipliers_;
+    MotionCode motion_;
 };
 
 }  // namespace
@@ -470,86 +365,6 @@ std::vector<NodeId> chosen_of_held(Program& program, const Code& code, const std
                                                     : of_multipliers[static_cast<std::size_t>(place - multipliers.begin())]);
     }
     return result;
-}
-
-const char* name_of(Function function) {
-    static constexpr std::array<const char*, function_count> names{"update",
-                                                                   "rhs",
-                                                                   "rhs_and_jacobian",
-                                                                   "jacobian_u",
-                                                                   "jacobian_p",
-                                                                   "jacobian_t",
-                                                                   "mass_matrix",
-                                                                   "bias",
-                                                                   "generalised_force",
-                                                                   "output",
-                                                                   "output_jacobian_x",
-                                                                   "output_jacobian_u",
-                                                                   "kinetic_energy",
-                                                                   "potential_energy",
-                                                                   "supplied_power",
-                                                                   "dissipated_power",
-                                                                   "prescribed_power",
-                                                                   "internal_energy",
-                                                                   "exchanged_power",
-                                                                   "guards",
-                                                                   "start_state",
-                                                                   "events",
-                                                                   "event_rates",
-                                                                   "conditions",
-                                                                   "resets",
-                                                                   "constraint_positions",
-                                                                   "constraint_rates",
-                                                                   "constraint_forces",
-                                                                   "constraint_jacobian",
-                                                                   "correction",
-                                                                   "together"};
-    return names[static_cast<std::size_t>(function)];
-}
-
-std::vector<NodeId> FunctionCode::roots() const {
-    std::vector<NodeId> all;
-    const auto take = [&](const std::vector<NodeId>& part) { all.insert(all.end(), part.begin(), part.end()); };
-    if (by_loops) {
-        take(mass);
-        take(force);
-        take(right.entries);
-    } else if (whole_output.entries.empty()) {
-        take(accelerations);
-        take(solved.entries);
-    }
-    take(results);
-    if (loop) take(loop->results);
-    take(whole_output.entries);
-    if (!whole_output.entries.empty()) return all;
-    take(below.entries);
-    take(by_output.entries);
-    take(by_acceleration.entries);
-    return all;
-}
-
-void FunctionCode::note_letters(const Atoms& atoms) {
-    for (const NodeId id : program.in_order(roots())) {
-        const Variable* variable = program[id].kind == Node::Kind::symbol ? atoms[program[id].index].variable : nullptr;
-        uses_accelerations = uses_accelerations || (variable != nullptr && variable->kind == SymbolKind::acceleration);
-        uses_jerks = uses_jerks || (variable != nullptr && variable->kind == SymbolKind::jerk);
-    }
-}
-
-std::vector<bool> FunctionCode::varying() const {
-    std::vector<bool> result(program.size(), false);
-    if (!loop) return result;
-    for (const NodeId id : program.in_order(loop->results)) {
-        const Node& node = program[id];
-        result[id] = node.kind == Node::Kind::function && node.op == Op::in_column;
-        for (const NodeId argument : node.arguments) result[id] = result[id] || result[argument];
-    }
-    return result;
-}
-
-OperationCount Code::count(Function f) const {
-    const FunctionCode& code = (*this)[f];
-    return passes.reciprocals ? code.program.count(code.roots()) : code.program.count_divided(code.roots());
 }
 
 std::unique_ptr<Code> make_code(const System& system, const CodeWish& wish) { return CodeMaker(system, wish).run(wish); }

@@ -8,6 +8,7 @@
 #include "graph/articulated.hpp"
 #include "graph/build.hpp"
 #include "graph/chain_use.hpp"
+#include "graph/functions.hpp"
 #include "graph/rewrite.hpp"
 
 namespace dalembert {
@@ -53,42 +54,6 @@ struct FunctionCode {
     /// What the emitted code has to compute.
     std::vector<NodeId> roots() const;
 };
-
-enum class Function {
-    update,
-    rhs,
-    rhs_and_jacobian,
-    jacobian_u,
-    jacobian_p,
-    jacobian_t,
-    mass_matrix,
-    bias,
-    generalised_force,
-    output,
-    output_jacobian_x,
-    output_jacobian_u,
-    kinetic_energy,
-    potential_energy,
-    supplied_power,
-    dissipated_power,
-    prescribed_power,
-    internal_energy,
-    exchanged_power,
-    guards,
-    start_state,
-    events,
-    event_rates,
-    conditions,
-    resets,
-    constraint_positions,
-    constraint_rates,
-    constraint_forces,
-    constraint_jacobian,
-    correction,
-    together,
-};
-inline constexpr std::size_t function_count = static_cast<std::size_t>(Function::together) + 1;
-const char* name_of(Function function);
 
 /// What an event sets: these places in x, to results of Function::resets from `first` on.
 struct ResetCode {

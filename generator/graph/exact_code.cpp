@@ -387,8 +387,7 @@ MaybeExact ExactCode::output_slope(Function function, std::size_t row, std::size
     for (std::size_t k = 0; k < code_.system.symbols.degrees(); ++k) {
         const NodeId factor = f.by_acceleration.at(row, k);
         if (f.is_zero(factor)) continue;
-        const MaybeExact by_column =
-            slope(function == Function::output_jacobian_x ? Function::rhs_and_jacobian : Function::jacobian_u, velocities + k, column);
+        const MaybeExact by_column = slope(jacobian_by(*header_function(function).by), velocities + k, column);
         const MaybeExact term = ExactArithmetic::product({&at(function, factor), &by_column});
         sum = ExactArithmetic::sum({&sum, &term}, {});
     }

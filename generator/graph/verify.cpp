@@ -3,9 +3,11 @@
 
 #include <algorithm>
 
-#include "graph/lowered_system.hpp"
+#include "graph/derived_values.hpp"
 #include "graph/raise.hpp"
 #include "graph/verify_chain.hpp"
+#include "graph/verify_operations.hpp"
+#include "graph/verify_resets.hpp"
 #include "graph/verify_solve.hpp"
 #include "elements/verdict.hpp"
 
@@ -20,46 +22,43 @@ public:
     explicit Verification(const Code& code) : code_(code), system_(code.system), prover_(code.system), cached_(cached_meaning(code)) {}
 
     std::vector<AuditEntry> run() {
-        motion(Function::rhs);
-        motion(Function::rhs_and_jacobian);
-        columns(Function::rhs_and_jacobian, By::state);
-        columns(Function::jacobian_u, By::input);
-        columns(Function::jacobian_p, By::parameter);
-        columns(Function::jacobian_t, By::time);
-        values(Function::mass_matrix, lower_triangle(system_.mass));
-        values(Function::bias, system_.bias);
-        values(Function::generalised_force, system_.supplied);
-        std::vector<ex> outputs;
-        for (const OutputEquation& output : system_.outputs) outputs.push_back(system_.with_rates(output.value));
-        values(Function::output, outputs);
-        output_columns(Function::output_jacobian_x, By::state);
-        output_columns(Function::output_jacobian_u, By::input);
-        values(Function::kinetic_energy, {system_.kinetic_energy});
-        values(Function::potential_energy, {system_.potential_energy});
-        values(Function::supplied_power, {system_.supplied_power});
-        values(Function::dissipated_power, {system_.dissipated_power});
-        values(Function::prescribed_power, {system_.prescribed_power});
-        values(Function::internal_energy, {system_.internal_energy});
-        values(Function::exchanged_power, {system_.exchanged_power});
-        std::vector<ex> guards;
-        for (const Guard& guard : system_.guards) guards.push_back(guard.value);
-        values(Function::guards, guards);
-        if (code_.has_together) together(outputs);
-        switching();
-        definitions();
-        values(Function::start_state, start_values(system_));
-        projection();
+        for (const HeaderFunction& row : header_functions()) prove(row);
         if (code_.solve.unrolled && code_.solve.n > 0) {
             solve_is_right("emitted solve: M*x = b", code_.solve.n, code_.solve.multipliers, code_.solve.is_zero);
-            if (code_.solve.is_constant) cached_factors();
-            for (std::size_t f = 0; f < function_count; ++f)
-                if (static_cast<Function>(f) != Function::correction) solve_is_that_one(static_cast<Function>(f));
+            if (!operations_are_proven(code_, prover_, cached_)) entry("emitted solve: M*x = b").result = {Verdict::wrong};
         }
         for (std::size_t f = 0; f < function_count; ++f) chain_is_solved(static_cast<Function>(f));
         return std::move(entries_);
     }
 
 private:
+    using Kind = HeaderFunction::Kind;
+
+    void prove(const HeaderFunction& row) {
+        switch (row.kind) {
+            case Kind::update: return definitions();
+            case Kind::motion: motion(row.function); [[fallthrough]];
+            case Kind::jacobian:
+                if (row.by) columns(row.function, *row.by);
+                return;
+            case Kind::output_jacobian: return output_columns(row.function, *row.by);
+            case Kind::together:
+                if (code_.has_together) together();
+                return;
+            case Kind::resets: return resets();
+            case Kind::correction:
+                if (system_.needs_projection()) correction();
+                return;
+            case Kind::start:
+            case Kind::symmetric:
+            case Kind::values:
+            case Kind::number:
+            case Kind::matrix:
+            case Kind::event_values:
+            case Kind::conditions: return values(row.function, row.values(system_));
+        }
+    }
+
     AuditEntry& entry(const std::string& name) {
         for (AuditEntry& known : entries_)
             if (known.name == name) return known;
@@ -81,17 +80,7 @@ private:
             compare(Function::update, raise(f.results[i]), system_.symbols.definition_values()[code_.definition_order[i]]);
     }
 
-    static std::vector<ex> lower_triangle(const GiNaC::matrix& matrix) {
-        std::vector<ex> lower;
-        for (unsigned i = 0; i < matrix.rows(); ++i)
-            for (unsigned j = 0; j <= i; ++j) lower.push_back(matrix(i, j));
-        return lower;
-    }
-
     const ex& acceleration(std::size_t j) const { return system_.symbols.get(SymbolKind::acceleration, j); }
-
-    /// What a function has solved for, all accelerations with the multipliers behind them; nothing, if it has not.
-    static const std::vector<NodeId>& solved_for(const FunctionCode& f) { return f.solved_for.empty() ? f.accelerations : f.solved_for; }
 
     GiNaC::exmap solutions(const FunctionCode& f, Raiser& raise) const {
         GiNaC::exmap map;
@@ -204,14 +193,16 @@ private:
     }
 
     /// Rates and Jacobian, and behind them outputs and energies.
-    void together(std::vector<ex> values) {
+    void together() {
         const FunctionCode& f = code_[Function::together];
         motion(Function::together);
         columns(Function::together, By::state);
         MovingRaisers raise = moving_raisers(f);
         GiNaC::exmap held;
         for (const auto& [j, acceleration] : system_.motion.accelerations) held[this->acceleration(j)] = acceleration;
-        values.insert(values.end(), {system_.kinetic_energy, system_.potential_energy, system_.internal_energy});
+        std::vector<ex> values = output_values(system_);
+        for (const HeaderFunction& row : header_functions())
+            if (row.energy != nullptr) values.push_back(row.values(system_).front());
         for (std::size_t i = 0; i < values.size(); ++i)
             compare_moving(Function::together, raise, f.results[system_.state_rates.size() + i],
                            values[i].subs(held, GiNaC::subs_options::no_pattern));
@@ -231,13 +222,8 @@ private:
         }
     }
 
-    /// Positions, rates and forces of constraints, and the correction that brings a run back to them.
-    void projection() {
-        if (!system_.needs_projection()) return;
-        values(Function::constraint_positions, constraint_positions(system_));
-        values(Function::constraint_rates, constraint_rates(system_));
-        values(Function::constraint_forces, constraint_forces(system_));
-        values(Function::constraint_jacobian, constraint_jacobian(system_));
+    /// The correction that brings a run back to constraints.
+    void correction() {
         const FunctionCode& f = code_[Function::correction];
         Raiser raise(f.program, code_.atoms, cached_);
         std::vector<std::size_t> holding;
@@ -266,55 +252,11 @@ private:
         if (!is_that_one) entry("emitted solve of constraints: M*x = b").result = {Verdict::wrong};
     }
 
-    void switching() {
-        std::vector<ex> guards, rates, asked;
-        for (const EventEquation& event : system_.events) {
-            guards.push_back(event.guard);
-            rates.push_back(event.rate);
-        }
-        values(Function::events, guards);
-        values(Function::event_rates, rates);
-        if (!system_.scene.modes.empty())
-            asked = condition_values(system_);
-        values(Function::conditions, asked);
+    void resets() {
+        const auto compare_one = [this](const ex& emitted, const ex& derived) { compare(Function::resets, emitted, derived); };
         for (std::size_t e = 0; e < system_.events.size(); ++e) {
-            reset(code_.resets[e], system_.events[e].reset);
-            reset(code_.rests[e], system_.events[e].rest);
-        }
-    }
-
-    /// Of an impact the rate afterwards is compared with what it should be, and that the velocities change along M^-1*direction.
-    void reset(const ResetCode& code, const Reset& derived) {
-        const FunctionCode& f = code_[Function::resets];
-        const Motion& motion = system_.motion;
-        Raiser raise(f.program, code_.atoms, cached_);
-        for (std::size_t i = 0; i < derived.values.size(); ++i)
-            compare(Function::resets, raise(f.results[code.first + i]), derived.values[i].second);
-        if (!derived.impact) return;
-        std::vector<ex> slope;
-        for (std::size_t i = 0; i < motion.free.size(); ++i) {
-            // What is a number is no letter: it stands for that number elsewhere, too.
-            const NodeId node = f.solved.at(i, *code.impact);
-            if (f.program[node].kind != Node::Kind::constant) raise.define(node, GiNaC::realsymbol("s" + std::to_string(i)));
-            slope.push_back(raise(node));
-        }
-        const auto velocity = [&](std::size_t i) { return system_.symbols.get(SymbolKind::velocity, motion.free[i]); };
-        ex before = derived.impact->drift, after = derived.impact->drift, along = 0;
-        std::vector<ex> changed;
-        const std::size_t first = code.first + derived.values.size();
-        for (std::size_t i = 0; i < motion.free.size(); ++i) {
-            changed.push_back(raise(f.results[first + i]));
-            before += derived.impact->direction[i] * velocity(i);
-            after += derived.impact->direction[i] * changed[i];
-            along += derived.impact->direction[i] * slope[i];
-        }
-        compare(Function::resets, after, -derived.impact->restitution * before);
-        for (std::size_t i = 0; i < motion.free.size(); ++i)
-            compare(Function::resets, (changed[i] - velocity(i)) * along, -slope[i] * (1 + derived.impact->restitution) * before);
-        for (std::size_t h = 0; h < motion.velocities.size(); ++h) {
-            ex held = motion.velocities[h].second.drift;
-            for (std::size_t i = 0; i < motion.free.size(); ++i) held += motion.velocities[h].second.jacobian[i] * changed[i];
-            compare(Function::resets, raise(f.results[first + motion.free.size() + h]), held);
+            compare_reset(code_, cached_, code_.resets[e], system_.events[e].reset, compare_one);
+            compare_reset(code_, cached_, code_.rests[e], system_.events[e].rest, compare_one);
         }
     }
 
@@ -419,83 +361,6 @@ private:
         if (code_.solve.left_out > 0 && !leaves_out_any(n, multipliers, is_zero)) result = {Verdict::wrong};
         AuditEntry& e = entry(name);
         if (is_worse(result.verdict, e.result.verdict)) e.result = std::move(result);
-    }
-
-    void require(bool holds) {
-        if (!holds) entry("emitted solve: M*x = b").result = {Verdict::wrong};
-    }
-
-    /// The factors of a constant M that update() computes are those of the solve that was proven. Equal operations are one node.
-    void cached_factors() {
-        const FunctionCode& update = code_[Function::update];
-        Program program = update.program;
-        const std::vector<NodeId> expected = factorise(program, code_.solve.n, code_.solve.multipliers, update.mass);
-        for (std::size_t i = 0; i < expected.size(); ++i)
-            require(update.results[code_.definition_order.size() + code_.solve.first_cached + i] == expected[i]);
-    }
-
-    /// The operations of a function on its M and its right sides are those of the solve that was proven.
-    void solve_is_that_one(Function function) {
-        const Solve& s = code_.solve;
-        const FunctionCode& f = code_[function];
-        if (f.factors.empty()) return;  // without an impact nothing is solved
-        Program program = f.program;
-        if (s.is_constant) {
-            const FunctionCode& update = code_[Function::update];
-            for (std::size_t i = 0; i < f.factors.size(); ++i) {
-                const Node& node = program[f.factors[i]];
-                const NodeId computed = update.results[code_.definition_order.size() + s.first_cached + i];
-                const bool is_cached = node.kind == Node::Kind::cached && node.index == s.first_cached + i;
-                require(is_cached || (f.is_zero(f.factors[i]) && update.is_zero(computed)));
-            }
-        } else {
-            std::size_t row = 0;
-            Raiser raise(f.program, code_.atoms, cached_);
-            const auto reciprocal = [&](NodeId pivot) {
-                const NodeId emitted = f.factors[lower_index(row, row)];
-                ++row;
-                const bool is_reciprocal = program.reciprocal(pivot) == emitted;
-                require(is_reciprocal || prover_.proven_equal(raise(emitted) * raise(pivot), 1));
-                return emitted;
-            };
-            require(factorise(program, s.n, s.multipliers, f.mass, reciprocal, chosen(program, s)) == f.factors);
-        }
-        const std::vector<std::size_t> places = system_.unknown_places();
-        const auto solved = [&](const auto& of) {
-            std::vector<NodeId> entries;
-            for (const std::size_t j : places) entries.push_back(of(j));
-            return entries;
-        };
-        if (!solved_for(f).empty())
-            require(solve(program, s.n, f.factors, f.force) == solved([&](std::size_t j) { return solved_for(f)[j]; }));
-        if (!f.rates_solved_for.empty()) require(solve(program, s.n, f.factors, f.right.entries) == f.rates_solved_for);
-        const bool is_everything = f.solved.rows == s.n && function == Function::resets;
-        std::vector<std::vector<NodeId>> rights, emitted;
-        for (std::size_t c = 0; c < f.solved.columns; ++c) {
-            const auto column = [&](const CodeMatrix& matrix) {
-                std::vector<NodeId> entries;
-                for (std::size_t j = 0; j < matrix.rows; ++j) entries.push_back(matrix.at(j, c));
-                return entries;
-            };
-            rights.push_back(column(f.right));
-            emitted.push_back(is_everything ? column(f.solved) : solved([&](std::size_t j) { return f.solved.at(j, c); }));
-        }
-        for (std::size_t c = 0; c < rights.size(); ++c)
-            require(solve(program, s.n, f.factors, rights[c]) == emitted[c] ||
-                    is_multiple_of_a_unit_solution(program, f.factors, rights[c], emitted[c]));
-    }
-
-    /// Whether x is M^-1 of a unit vector, times the one entry that b has.
-    bool is_multiple_of_a_unit_solution(Program& program, const std::vector<NodeId>& factors, const std::vector<NodeId>& b,
-                                        const std::vector<NodeId>& x) const {
-        const auto is_entry = [&](NodeId id) { return !program.is_constant(id, 0); };
-        const auto entry = std::find_if(b.begin(), b.end(), is_entry);
-        if (std::count_if(b.begin(), b.end(), is_entry) != 1) return false;
-        std::vector<NodeId> unit(b.size(), program.constant(0));
-        unit[static_cast<std::size_t>(entry - b.begin())] = program.constant(1);
-        std::vector<NodeId> product;
-        for (const NodeId one : solve(program, b.size(), factors, std::move(unit))) product.push_back(program.product({one, *entry}));
-        return product == x;
     }
 
     const Code& code_;

@@ -277,7 +277,6 @@ struct Argument {
 struct FunctionBody {
     std::vector<Argument> arguments;
     Statements statements;
-    std::set<std::string> called = {};  ///< functions of the library, and helpers
 };
 
 /// Whether some statement returns a value.

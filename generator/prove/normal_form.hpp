@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "symbolic/polynomial.hpp"
+#include "symbolic/scalar_functions.hpp"
 
 namespace dalembert {
 
@@ -58,6 +59,11 @@ private:
     static Rational rational(const GiNaC::numeric& value);
     Polynomial convert(const GiNaC::ex& e);
     Polynomial function(const GiNaC::ex& e);
+    Polynomial other_function(const std::string& name, const GiNaC::ex& e);
+    Polynomial hyperbolic(Op op, const Polynomial& x);
+    Polynomial arc(Op op, const Polynomial& x);
+    Polynomial with_sign(Op op, const Polynomial& x, const GiNaC::ex& e);
+    Polynomial extreme(bool is_smaller, const Polynomial& a, const Polynomial& b);
     Polynomial power(const GiNaC::ex& base, const GiNaC::ex& exponent);
     Polynomial root(const Polynomial& base, int degree);
     Polynomial root_of_square(Polynomial& inside);

@@ -14,7 +14,7 @@
 #include "run/run_preparation.hpp"
 #include "run/settings.hpp"
 #include "run/shared.hpp"
-#include "emit/cpp_bodies.hpp"
+#include "program/function_bodies.hpp"
 #include "form/state_places.hpp"
 #include "prove/body_validity.hpp"
 #include "prove/constraint_validity.hpp"

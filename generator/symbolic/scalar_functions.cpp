@@ -43,6 +43,7 @@ constexpr std::array scalar_functions{
         .slope = [](const ex&, const ex& u) -> ex { return GiNaC::cos(u); },
         .symmetry = Symmetry::odd,
         .cost = Cost::trigonometric,
+        .in_library = true,
         .latex = "\\sin\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.rule({{p.one(), p.function(Op::cos, of), of[0]}});
@@ -53,6 +54,7 @@ constexpr std::array scalar_functions{
         .slope = [](const ex&, const ex& u) -> ex { return -GiNaC::sin(u); },
         .symmetry = Symmetry::even,
         .cost = Cost::trigonometric,
+        .in_library = true,
         .latex = "\\cos\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.rule({{p.minus(), p.function(Op::sin, of), of[0]}});
@@ -63,6 +65,7 @@ constexpr std::array scalar_functions{
         .slope = [](const ex& f, const ex&) -> ex { return 1 + pow(f, 2); },
         .symmetry = Symmetry::odd,
         .cost = Cost::trigonometric,
+        .in_library = true,
         .latex = "\\tan\\left({}\\right)",
         .series = [](auto& p, auto z, auto& of) -> Rule {
             return p.rule({{p.one(), p.one_plus(p.square(z)), of[0]}});
@@ -72,6 +75,7 @@ constexpr std::array scalar_functions{
         .serial = serial_of<GiNaC::asin_SERIAL>,
         .slope = [](const ex&, const ex& u) -> ex { return pow(1 - pow(u, 2), numeric(-1, 2)); },
         .symmetry = Symmetry::odd,
+        .in_library = true,
         .latex = "\\arcsin\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.divided({{p.one(), {}, of[0]}}, p.function(Op::sqrt, {p.one_minus(p.square(of[0]))}));
@@ -80,6 +84,7 @@ constexpr std::array scalar_functions{
         .name = "acos",
         .serial = serial_of<GiNaC::acos_SERIAL>,
         .slope = [](const ex&, const ex& u) -> ex { return -pow(1 - pow(u, 2), numeric(-1, 2)); },
+        .in_library = true,
         .latex = "\\arccos\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.divided({{p.minus(), {}, of[0]}}, p.function(Op::sqrt, {p.one_minus(p.square(of[0]))}));
@@ -89,6 +94,7 @@ constexpr std::array scalar_functions{
         .serial = serial_of<GiNaC::atan_SERIAL>,
         .slope = [](const ex&, const ex& u) -> ex { return pow(1 + pow(u, 2), -1); },
         .symmetry = Symmetry::odd,
+        .in_library = true,
         .latex = "\\arctan\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.divided({{p.one(), {}, of[0]}}, p.one_plus(p.square(of[0])));
@@ -100,6 +106,7 @@ constexpr std::array scalar_functions{
             [](const ex&, const ex& a, const ex& b) {
                 return Both{b / (pow(a, 2) + pow(b, 2)), -a / (pow(a, 2) + pow(b, 2))};
             },
+        .in_library = true,
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.divided({{p.one(), of[1], of[0]}, {p.minus(), of[0], of[1]}},
                              p.sum({{false, p.square(of[0])}, {false, p.square(of[1])}}));
@@ -109,6 +116,7 @@ constexpr std::array scalar_functions{
         .serial = serial_of<GiNaC::sinh_SERIAL>,
         .slope = [](const ex&, const ex& u) -> ex { return GiNaC::cosh(u); },
         .symmetry = Symmetry::odd,
+        .in_library = true,
         .latex = "\\sinh\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.rule({{p.one(), p.function(Op::cosh, of), of[0]}});
@@ -118,6 +126,7 @@ constexpr std::array scalar_functions{
         .serial = serial_of<GiNaC::cosh_SERIAL>,
         .slope = [](const ex&, const ex& u) -> ex { return GiNaC::sinh(u); },
         .symmetry = Symmetry::even,
+        .in_library = true,
         .latex = "\\cosh\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.rule({{p.one(), p.function(Op::sinh, of), of[0]}});
@@ -127,6 +136,7 @@ constexpr std::array scalar_functions{
         .serial = serial_of<GiNaC::tanh_SERIAL>,
         .slope = [](const ex& f, const ex&) -> ex { return 1 - pow(f, 2); },
         .symmetry = Symmetry::odd,
+        .in_library = true,
         .latex = "\\tanh\\left({}\\right)",
         .series = [](auto& p, auto z, auto& of) -> Rule {
             return p.rule({{p.one(), p.one_minus(p.square(z)), of[0]}});
@@ -135,6 +145,7 @@ constexpr std::array scalar_functions{
         .name = "exp",
         .serial = serial_of<GiNaC::exp_SERIAL>,
         .slope = [](const ex& f, const ex&) { return f; },
+        .in_library = true,
         .latex = "\\exp\\left({}\\right)",
         .series = [](auto& p, auto z, auto& of) -> Rule {
             return p.rule({{p.one(), z, of[0]}});
@@ -143,6 +154,7 @@ constexpr std::array scalar_functions{
         .name = "log",
         .serial = serial_of<GiNaC::log_SERIAL>,
         .slope = [](const ex&, const ex& u) -> ex { return pow(u, -1); },
+        .in_library = true,
         .latex = "\\ln\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.divided({{p.one(), {}, of[0]}}, of[0]);
@@ -152,6 +164,7 @@ constexpr std::array scalar_functions{
         .serial = serial_of<norm_SERIAL>,
         .applied = [](const GiNaC::exvector& a) -> ex { return GiNaC::sqrt(a[0]); },
         .slope = [](const ex&, const ex& u) -> ex { return inverse_norm(u) / 2; },
+        .in_library = true,
         .latex = "\\sqrt{{{}}}",
         .series = [](auto& p, auto z, auto& of) -> Rule {
             return p.divided({{p.half(), {}, of[0]}}, z);
@@ -170,6 +183,7 @@ constexpr std::array scalar_functions{
         .serial = serial_of<magnitude_SERIAL>,
         .slope = [](const ex&, const ex& u) -> ex { return sign_of(u); },
         .symmetry = Symmetry::even,
+        .in_library = true,
         .latex = "\\left|{}\\right|",
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.rule({{p.fixed_function(Op::sign, of), {}, of[0]}});
@@ -202,6 +216,7 @@ constexpr std::array scalar_functions{
         .serial = serial_of<exp_minus_one_SERIAL>,
         .slope = [](const ex&, const ex& u) -> ex { return GiNaC::exp(u); },
         .meaning = [](const ex& x) -> ex { return GiNaC::exp(x) - 1; },
+        .in_library = true,
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.rule({{p.one(), {}, p.function(Op::exp, of)}});
         }},
@@ -210,6 +225,7 @@ constexpr std::array scalar_functions{
         .serial = serial_of<log_one_plus_SERIAL>,
         .slope = [](const ex&, const ex& u) -> ex { return pow(1 + u, -1); },
         .meaning = [](const ex& x) -> ex { return GiNaC::log(1 + x); },
+        .in_library = true,
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.divided({{p.one(), {}, of[0]}}, p.one_plus(of[0]));
         }},
@@ -340,6 +356,7 @@ constexpr std::array scalar_functions{
     Row{.op = Op::power,
         .name = "power",
         .applied = [](const GiNaC::exvector& a) -> ex { return pow(a[0], a[1]); },
+        .in_library = true,
         .series = [](auto& p, auto z, auto& of) -> Rule {
             return p.divided({{of[1], z, of[0]}}, of[0]);
         }},
@@ -437,6 +454,7 @@ constexpr std::array scalar_functions{
         .serial = serial_of<floor_of_SERIAL>,
         .slope = no_slope,
         .jumps = true,
+        .in_library = true,
         .latex = "\\left\\lfloor {} \\right\\rfloor"},
 };
 

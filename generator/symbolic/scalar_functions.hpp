@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The one table of scalar functions that the graph computes: a row says what derivation, proof, code, Taylor series, operation counts and
 // LaTeX need to know of one. To add a function: a row here, its values in functions.cpp (or a file of its domain), its formula in the
-// runtime with a row in cpp/helpers.cpp and, where models may call it, a row of language/vocabulary.cpp under the same name.
+// runtimes where languages have none and, where models may call it, a row of language/vocabulary.cpp under the same name.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -50,6 +50,7 @@ struct ScalarFunction {
     bool jumps = false;                      ///< does not move with its first argument, but jumps
     bool is_array = false;                   ///< what is computed is an array, of which an atom is one element
     Cost cost = Cost::other;
+    bool in_library = false;                 ///< languages bring it along; of others headers bring the text of the runtime
     const char* latex = nullptr;             ///< with {} for the arguments; none: \operatorname{name}
     RuleOfSeries series = nullptr;           ///< its Taylor series; none: none is known
 };

@@ -237,7 +237,7 @@ ex Symbols::add_step(Step step) {
     halfway_sizes_.push_back(!step.stays              ? size_of(step.value, halfway_sizes_)
                              : step.instead.is_zero() ? 1
                                                       : size_of(step.instead, halfway_sizes_));
-    add(SymbolKind::definition, step.name, step.value.info(GiNaC::info_flags::positive), {step.cpp_name, 0, false, "", step.doc});
+    add(SymbolKind::definition, step.name, step.value.info(GiNaC::info_flags::positive), {step.identifier, 0, false, "", step.doc});
     definition_values_.push_back(step.value);
     steps_.push_back(std::move(step));
     return all(SymbolKind::definition).back().symbol;

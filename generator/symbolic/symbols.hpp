@@ -60,7 +60,7 @@ class Symbols;
 /// out wherever it is needed.
 struct Step {
     std::string name;      ///< as people read it: "exchange_factor[furnace, 1, 2]"
-    std::string cpp_name;  ///< "furnace_exchange_1_2"
+    std::string identifier;  ///< "furnace_exchange_1_2"
     std::string doc;
     GiNaC::ex value;       ///< of parameters, definitions and earlier steps
     /// Its derivative by a parameter, where that has a closed form; else it follows from the value.

@@ -6,15 +6,6 @@
 
 namespace dalembert {
 
-std::string marked_section(std::string_view text, const std::string& name) {
-    const std::string begin = "// begin " + name + "\n";
-    const std::string end = "// end " + name + "\n";
-    const std::size_t from = text.find(begin);
-    const std::size_t to = text.find(end);
-    if (from == std::string_view::npos || to == std::string_view::npos) throw std::logic_error("no section '" + name + "'");
-    return std::string(text.substr(from + begin.size(), to - from - begin.size()));
-}
-
 std::string fill_template(std::string_view text, const std::map<std::string, std::string>& values) {
     std::string result;
     std::set<std::string> used;

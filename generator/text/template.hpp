@@ -11,9 +11,6 @@ namespace dalembert {
 /// The text of a file in templates/ ("system.hpp.in"), or of the runtime files from which headers take helpers.
 std::string_view embedded_file(std::string_view name);
 
-/// What stands between "// begin NAME" and "// end NAME".
-std::string marked_section(std::string_view text, const std::string& name);
-
 std::string fill_template(std::string_view text, const std::map<std::string, std::string>& values);
 
 }  // namespace dalembert

@@ -11,7 +11,7 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-// begin far_angle
+// begin far_angle:
 /// What is left of an angle of 512 rad or more beyond the nearest multiple of pi/2, and which it is, modulo 4. The angle is an integer times
 /// a power of 2^8, and of 2/pi only those 96 bits count whose product with it is neither a multiple of 4 nor below 2^-62.
 inline float far_angle(float angle, unsigned& quadrant) noexcept {
@@ -43,7 +43,7 @@ inline float far_angle(float angle, unsigned& quadrant) noexcept {
 }
 // end far_angle
 
-// begin combined_sin_and_cos
+// begin combined_sin_and_cos: sin_and_cos, far_angle
 template <class Scalar>
 void combined_sin_and_cos(const Scalar& angle, Scalar& s, Scalar& c) noexcept {
     sin_and_cos(angle, s, c);
@@ -79,7 +79,7 @@ inline void combined_sin_and_cos<float>(const float& angle, float& s, float& c) 
 }
 // end combined_sin_and_cos
 
-// begin combined_sin
+// begin combined_sin: combined_sin_and_cos
 template <class Scalar>
 Scalar combined_sin(const Scalar& angle) noexcept {
     Scalar s, c;
@@ -88,7 +88,7 @@ Scalar combined_sin(const Scalar& angle) noexcept {
 }
 // end combined_sin
 
-// begin combined_cos
+// begin combined_cos: combined_sin_and_cos
 template <class Scalar>
 Scalar combined_cos(const Scalar& angle) noexcept {
     Scalar s, c;

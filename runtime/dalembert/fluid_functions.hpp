@@ -13,7 +13,7 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-// begin exponential_remainder
+// begin exponential_remainder:
 /// 1 + x^step/(n ... (n + step - 1)) (1 + x^step/((n + step) ...) (1 + ... /last)), of `power` = x^step, the reciprocals as constants: divisions
 /// would take most of the time.
 template <int n, int last, int step, class Scalar>
@@ -39,7 +39,7 @@ Scalar exponential_remainder(const Scalar& x) noexcept {
 }
 // end exponential_remainder
 
-// begin compression
+// begin compression: select, exponential_remainder
 /// 1 - (1 + x) exp(-x), the kernel of the internal energy of a liquid (3.79); its derivative is x exp(-x). Around 0, where it
 /// goes like x^2/2 and the definition cancels, it is exp(-x) (exp(x) - 1 - x). `decay` is exp(-x), where that is known. Needs select,
 /// exponential_remainder.
@@ -60,7 +60,7 @@ Scalar compression(const Scalar& x) noexcept {
 }
 // end compression
 
-// begin signed_root
+// begin signed_root: select
 /// sign(x) sqrt(|x|); its derivative is inverse_root(x)/2. Needs select.
 template <class Scalar>
 Scalar signed_root(const Scalar& x) noexcept {
@@ -71,7 +71,7 @@ Scalar signed_root(const Scalar& x) noexcept {
 }
 // end signed_root
 
-// begin inverse_root
+// begin inverse_root:
 /// 1/sqrt(|x|), infinite at 0.
 template <class Scalar>
 Scalar inverse_root(const Scalar& x) noexcept {
@@ -81,7 +81,7 @@ Scalar inverse_root(const Scalar& x) noexcept {
 }
 // end inverse_root
 
-// begin forward_root
+// begin forward_root: select
 /// sqrt(x) above zero, else 0; its derivative is step(x) inverse_root(x)/2. Needs select.
 template <class Scalar>
 Scalar forward_root(const Scalar& x) noexcept {
@@ -90,7 +90,7 @@ Scalar forward_root(const Scalar& x) noexcept {
 }
 // end forward_root
 
-// begin outflow_logarithm
+// begin outflow_logarithm: select
 /// The logarithm of the pressure ratio in a nozzle, log(1 - d), while it is above the critical one. Any clamp between the critical
 /// d and 1 keeps the logarithm finite; this one is above it for k up to 5. Needs select.
 template <class Scalar>
@@ -101,7 +101,7 @@ Scalar outflow_logarithm(const Scalar& d) noexcept {
 }
 // end outflow_logarithm
 
-// begin critical_logarithm
+// begin critical_logarithm: select
 /// The logarithm of the critical pressure ratio (2/(k+1))^(k/(k-1)) (printed after (3.157) with the exponent 1/(k-1), a misprint);
 /// -1/2 at k = 1. Needs select.
 template <class Scalar>
@@ -114,7 +114,7 @@ Scalar critical_logarithm(const Scalar& k) noexcept {
 }
 // end critical_logarithm
 
-// begin outflow_factor
+// begin outflow_factor: outflow_logarithm, critical_logarithm
 /// The outflow function (3.157) over the square root of d = 1 - Pi, the pressure drop by the pressure before the nozzle:
 ///     Psi(Pi) = sqrt(k/(k-1) (Pi^(2/k) - Pi^((k+1)/k))), and its largest value below the critical ratio,
 ///     phi(d, k) = Psi(1 - d)/sqrt(d)
@@ -140,7 +140,7 @@ Scalar outflow_factor(const Scalar& d, const Scalar& k) noexcept {
 }
 // end outflow_factor
 
-// begin outflow_factor_slope
+// begin outflow_factor_slope: exponential_remainder, outflow_factor
 /// d(phi)/dd, from -3/(4k) at d = 0. While the flow is not choked, with R(x) = (exp(x) - 1 - x)/x^2, E = (exp(z) - 1)/z = 1 + z R(z),
 ///     phi'/phi = -1/2 ((k+1)/k 1/(1-d) - (-L)/d ((k-1)/k R(z) + R(-L))/E),
 /// the terms of order 1/d being gone; once it is choked, phi'/phi = -1/(2d). What is left to cancel costs little: within 8 units of
@@ -164,7 +164,7 @@ Scalar outflow_factor_slope(const Scalar& d, const Scalar& k) noexcept {
 }
 // end outflow_factor_slope
 
-// begin outflow_factor_by_exponent
+// begin outflow_factor_by_exponent: exponential_remainder, outflow_factor
 /// d(phi)/dk. The critical ratio depends on k as well, but there Psi does not depend on the ratio, so that one form serves both
 /// sides: with R and z as in the slope,
 ///     (dphi/dk)/phi = (-L)/(2 k^2) (1 + R(z)/(1 + z R(z))).

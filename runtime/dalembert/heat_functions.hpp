@@ -15,7 +15,7 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-// begin decay_mean
+// begin decay_mean: select
 /// (1 - exp(-z))/z, the mean of exp(-z s) over s from 0 to 1, which is 1 at z = 0: the kernel of heat exchangers (4.84), z = 0 where
 /// a counter flow is balanced. Needs select.
 template <class Scalar>
@@ -27,7 +27,7 @@ Scalar decay_mean(const Scalar& z) noexcept {
 }
 // end decay_mean
 
-// begin decay_mean_slope
+// begin decay_mean_slope: select, exponential_remainder, compression
 /// The derivative of decay_mean, ((1 + z) exp(-z) - 1)/z^2, which is -1/2 at z = 0; around 0 it is -exp(-z) (exp(z) - 1 - z)/z^2.
 /// Needs select, exponential_remainder, compression.
 template <class Scalar>
@@ -43,7 +43,7 @@ Scalar decay_mean_slope(const Scalar& z) noexcept {
 }
 // end decay_mean_slope
 
-// begin logc_slope
+// begin logc_slope: select, logc, decay_mean_slope
 /// The derivative of log(1 + x)/x, (x/(1 + x) - log(1 + x))/x^2, which is -1/2 at x = 0: with L = log(1 + x) that is the slope of
 /// L/(exp(L) - 1) by L, over 1 + x; far from zero, where exp(L) would make much of the rounding of L, the definition. Needs select, logc,
 /// decay_mean_slope.
@@ -60,7 +60,7 @@ Scalar logc_slope(const Scalar& x) noexcept {
 }
 // end logc_slope
 
-// begin log_ratio
+// begin log_ratio: select
 /// log(a/b) for positive a and b, as close as the layers of a thin pipe (4.68). The argument of log1p is positive, so that it is as
 /// accurate as the difference. Needs select.
 template <class Scalar>
@@ -74,7 +74,7 @@ Scalar log_ratio(const Scalar& a, const Scalar& b) noexcept {
 }
 // end log_ratio
 
-// begin log_mean
+// begin log_mean: select, log_ratio
 /// The logarithmic mean (a - b)/log(a/b) of (4.86a), which is a at a = b. Needs select, log_ratio.
 template <class Scalar>
 Scalar log_mean(const Scalar& a, const Scalar& b) noexcept {
@@ -84,7 +84,7 @@ Scalar log_mean(const Scalar& a, const Scalar& b) noexcept {
 }
 // end log_mean
 
-// begin log_mean_slope
+// begin log_mean_slope: select, exponential_remainder, log_ratio
 /// The derivative of log_mean(a, b) by a, which with l = log(a/b) is (l - (a - b)/a)/l^2, and (exp(-l) - 1 + l)/l^2 where a and b
 /// are close, 1/2 at a = b; that by b is log_mean_slope(b, a). Needs select, exponential_remainder, log_ratio.
 template <class Scalar>
@@ -99,7 +99,7 @@ Scalar log_mean_slope(const Scalar& a, const Scalar& b) noexcept {
 }
 // end log_mean_slope
 
-// begin root_excess
+// begin root_excess: select
 /// sqrt(c^2 + s) - c for s >= 0, by which the root is longer than c; where c is positive it is s/(sqrt(c^2 + s) + c). The root is
 /// taken of a number between 1 and 2, so that no square overflows. Needs select.
 template <class Scalar>
@@ -117,7 +117,7 @@ Scalar root_excess(const Scalar& c, const Scalar& s) noexcept {
 }
 // end root_excess
 
-// begin sum_of_three
+// begin sum_of_three:
 /// a + b + c with what is lost when a and b are added (Knuth's exact sum of two), so that the place of an edge between others far
 /// away is known as well as they are.
 template <class Scalar>
@@ -129,7 +129,7 @@ Scalar sum_of_three(const Scalar& a, const Scalar& b, const Scalar& c) noexcept 
 }
 // end sum_of_three
 
-// begin radiant_temperature
+// begin radiant_temperature: select
 /// The T >= 0 with a T^4 + T = b for a, b >= 0: what a surface takes that loses heat by convection and radiation. Newton's steps
 /// from min(b, (b/a)^(1/4)), which is above the root, fall to it monotonically. The first one leaves an error below 0.11, and the
 /// error of each is below the square of the one before. Needs select.

@@ -14,7 +14,7 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-// begin network
+// begin network:
 /// Eliminates the nodes of a network in place. `flow` holds in row i what flows to i for each unit at j, nothing negative, and on the
 /// diagonal what leaves j for good. Only sums, products and quotients of what is not negative occur (Grassmann, Taksar and Heyman,
 /// 1985), so that no digits are lost, however weak the link to outside is.
@@ -49,7 +49,7 @@ void network_solve(const std::array<Scalar, n * n>& flow, Scalar* b) noexcept {
 }
 // end network
 
-// begin network_inverse
+// begin network_inverse: network
 /// What stands at node i for each unit that flows into node j, row by row: the inverse of A with A_ij = -flow[i, j] and A_jj all that
 /// leaves j. Needs network.
 template <class Scalar, std::size_t n>
@@ -66,7 +66,20 @@ std::array<Scalar, n * n> network_inverse(std::array<Scalar, n * n> flow) noexce
 }
 // end network_inverse
 
-// begin balanced_temperature
+// begin is_certain:
+/// Whether a comparison holds; of several numbers at once, whether it holds for all of them. Types that cannot tell are never certain.
+inline bool is_certain(bool condition, int) noexcept { return condition; }
+template <class Condition>
+auto is_certain(const Condition& condition, int) noexcept -> decltype(static_cast<bool>(all(condition))) {
+    return static_cast<bool>(all(condition));
+}
+template <class Condition>
+bool is_certain(const Condition&, ...) noexcept {
+    return false;
+}
+// end is_certain
+
+// begin balanced_temperature: select, network, is_certain
 /// The T >= 0 with g T + r T^4 = y, to a hundredth part, where Newton's steps begin: two of them from the least of what either loss alone
 /// would ask for, which is above T; radiant_temperature has their errors. Needs select.
 template <class Scalar>

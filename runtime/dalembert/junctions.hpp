@@ -9,12 +9,13 @@
 #include <limits>
 
 #include "dalembert/fluid_functions.hpp"
+#include "dalembert/heat_networks.hpp"  // is_certain
 
 namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-// begin junction_root
+// begin junction_root: select, signed_root, is_certain
 /// b - G*p + sum of r_k*signed_root(P_k - p), what flows into a junction whose pressure p is reference + difference.
 template <class Scalar, std::size_t n>
 Scalar junction_surplus(const std::array<Scalar, 2 * n + 2>& data, const Scalar& reference, const Scalar& difference) noexcept {

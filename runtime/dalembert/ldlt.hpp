@@ -12,7 +12,7 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-// begin ldlt
+// begin ldlt: unroll
 /// Factors M = L D L' in place. `given` is the lower triangle row by row; afterwards it holds L below the diagonal and 1/D on it.
 /// M must be positive definite; otherwise the result is not finite or useless, and no error is reported. Needs unroll.
 template <class Scalar, std::size_t n>

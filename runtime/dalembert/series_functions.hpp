@@ -8,7 +8,7 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-// begin series_sums
+// begin series_sums:
 /// Of n pairs of series the sums of left_j*right_(k-j), j = 1..k-1, one beside the other. Order j of all pairs stands at rows + 2*n*j, first what
 /// is left. Up to eight sums at a time stay in registers.
 template <class Scalar, std::size_t n, std::size_t from = 0>

@@ -9,7 +9,7 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-// begin unroll
+// begin unroll:
 /// A number that is known when code is compiled.
 template <std::size_t k>
 struct Known {

@@ -2,7 +2,7 @@
 // Balances of mass and energy: what is derived, and that no wrong sign passes the proofs.
 #include <algorithm>
 
-#include "emit/notation.hpp"
+#include "graph/notation.hpp"
 #include "generator/audits.hpp"
 #include "generator/machine.hpp"
 #include "check/checks.hpp"

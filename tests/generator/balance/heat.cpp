@@ -2,7 +2,7 @@
 // Networks of heat: what is derived, what is proven of them, and that no wrong sign passes the proofs.
 #include <algorithm>
 
-#include "emit/notation.hpp"
+#include "graph/notation.hpp"
 #include "generator/audits.hpp"
 #include "generator/machine.hpp"
 #include "graph/field_code.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Derivations against equations written down by hand.
-#include "emit/notation.hpp"
+#include "graph/notation.hpp"
 #include "generator/machine.hpp"
 
 using namespace dalembert;

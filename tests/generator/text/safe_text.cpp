@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Text from a model cannot break out of a comment, a string, a file name or a plot script.
 #include "cpp/print.hpp"
-#include "emit/cpp_function.hpp"
-#include "emit/notation.hpp"
+#include "program/statement_maker.hpp"
+#include "graph/notation.hpp"
 #include "text/safe_text.hpp"
 #include "text/template.hpp"
 #include "generator/machine.hpp"
