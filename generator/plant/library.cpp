@@ -28,7 +28,8 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Half the optimisation, for a third less time: calls of a plant are short beside what an integrator does around them.
-const std::vector<std::string> flags{"-O1", "-fPIC", "-shared", "-ffp-contract=off", "-fno-exceptions", "-fno-rtti", "-fno-asynchronous-unwind-tables"};
+/// Hidden: of two libraries with the same names each keeps its own tables.
+const std::vector<std::string> flags{"-O1", "-fPIC", "-shared", "-fvisibility=hidden", "-ffp-contract=off", "-fno-exceptions", "-fno-rtti", "-fno-asynchronous-unwind-tables"};
 
 [[noreturn]] void fail(Id id, std::string message, ExitCode code) { throw Failure(Diagnostic{id, {}, std::move(message)}, code); }
 

@@ -149,7 +149,10 @@ typedef struct dalembert_plant {
     void (*series)(const void* self, unsigned mode, double t, size_t order, double* x, double* rows);
 } dalembert_plant;
 
-/* What a plant exports. */
+/* What a plant exports. All else in it may be hidden (-fvisibility=hidden): then two plants of one name do not share what they define. */
+#if defined(__GNUC__)
+__attribute__((visibility("default")))
+#endif
 const dalembert_plant* dalembert_plant_table(void);
 typedef const dalembert_plant* (*dalembert_plant_function)(void);
 #define DALEMBERT_PLANT_FUNCTION "dalembert_plant_table"

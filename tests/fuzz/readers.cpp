@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdlib>
 
+#include "elements/model.hpp"
 #include "fuzz/targets.hpp"
 #include "printed/catalogue.hpp"
 #include "language/condition.hpp"

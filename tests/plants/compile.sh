@@ -36,3 +36,8 @@ rm -rf cache
 timeout -s KILL 0.15 "$PROGRAM" simulate "$pendulum" --until 2 --no-plot -o killed >/dev/null 2>&1
 dalembert 0 simulate "$pendulum" --until 2 --samples 50 --no-plot -o after
 cmp after/pendulum_full.csv model/pendulum_full.csv || fail "after one that was killed the run differs"
+# The program of runtime/README.md.
+sed -n '/^```c$/,/^```$/p' "$SOURCE/runtime/README.md" | sed '1d;$d' >load.c
+${CC:-cc} -std=gnu99 -Wall -Wextra -Werror load.c -o load -ldl || fail "the program of runtime/README.md does not compile"
+./load ./pendulum_full.so >printed || fail "the program of runtime/README.md fails"
+prints '^d/dt dot\(phi\) = '

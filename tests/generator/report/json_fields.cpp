@@ -88,6 +88,7 @@ TEST_CASE("the JSON fields are the documented ones") {
     const std::map<std::string, std::vector<std::vector<std::string>>> calls{
         {"derive", {{systems + "spring_mass_damper.toml"}, {systems + "cart_pendulum.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/tests/golden/capacitor.toml"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}, {SOURCE_DIR "/systems/heat/fin.toml", "--size", "N=50"}, {sliding}}},
         {"generate", {{SOURCE_DIR "/systems/heat/fin.toml", "--size", "N=50", "-o", folder}, {systems + "cart_pendulum.toml", "-o", folder}, {systems + "n_pendulum.toml", "--size", "N=2", "-o", folder}}},
+        {"compile", {{systems + "n_pendulum.toml", "--size", "N=2", "-o", folder}}},
         {"effects", {{systems + "projectile.toml", "-o", folder, "--no-plot"}, {braked, "-o", folder, "--no-plot"}}},
         {"check", {{systems + "coupled_springs.toml"}, {systems + "cart_pendulum.toml"}, {book}, {book, systems + "pulley.toml"}}},
         {"evaluate", {{systems + "cart_pendulum.toml"}, {systems + "friction_limits.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}, {sliding, "--mode", "floor_sticks"}}},
