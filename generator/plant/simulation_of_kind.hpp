@@ -34,18 +34,14 @@ class Runner {
     static constexpr bool switches = dalembert::detail::is_switching<System>;
 
 public:
-    Runner(const dalembert_plant& plant, const PlantRun& run) : plant_(plant), run_(run), system_(run.parameters), inputs_(system_, held_inputs(run)) {}
+    explicit Runner(const PlantRun& run) : run_(run), system_(run.parameters), inputs_(system_, held_inputs(run)) {}
 
     PlantRunResult operator()() {
         State x = system_.start_state();
         for (std::size_t i = 0; i < run_.start.size(); ++i) x[run_.places[i]] = run_.start[i];
         result_.recording = empty_recording();
         typename Running::Options options;
-        options.method = *method_named(run_.method);
-        if (options.method == Method::taylor && plant_.series == nullptr) {
-            result_.outcome.status = Status::no_series;
-            return result_;
-        }
+        options.method = method_named(run_.method);
         dalembert::detail::set_run(options, system_, inputs_, x, run_.tolerance, run_.step, run_.intervals, run_.until, energy(x));
         if (run_.steps_freely) options.max_step = 0;
         options.kinks = run_.kinks;
@@ -73,12 +69,12 @@ private:
         return u;
     }
 
-    static const Method* method_named(const std::string& name) {
+    static Method method_named(const std::string& name) {
         static const std::map<std::string, Method> methods{
             {"automatic", Method::automatic}, {"euler", Method::euler}, {"rk4", Method::rk4}, {"dopri5", Method::dopri5}, {"dopri5_controlled", Method::dopri5_controlled},
             {"dop853", Method::dop853}, {"fehlberg78", Method::fehlberg78}, {"bulirsch_stoer", Method::bulirsch_stoer}, {"symplectic", Method::symplectic}, {"rodas5p", Method::rodas5p},
             {"taylor", Method::taylor}};
-        return &methods.at(name);
+        return methods.at(name);
     }
 
     double energy(const State& x) const {
@@ -125,7 +121,6 @@ private:
         if (ended.outcome.status == Status::event) result_.events.push_back({ended.outcome.t, ended.outcome.last.event, static_cast<std::size_t>(ended.outcome.last.mode), std::nullopt});
     }
 
-    const dalembert_plant& plant_;
     const PlantRun& run_;
     System system_;
     InputsOfPlant inputs_;
@@ -137,7 +132,7 @@ private:
 template <PlantKind kind>
 PlantRunResult simulate_kind(const dalembert_plant& plant, const PlantRun& run) {
     const UsePlant use(plant);
-    return plant_run::Runner<PlantSystem<kind>>(plant, run)();
+    return plant_run::Runner<PlantSystem<kind>>(run)();
 }
 
 }  // namespace dalembert

@@ -179,6 +179,7 @@ public:
     static constexpr int api = supported_api;
     static constexpr OfPlant<of_plant::degrees> degrees{};
     static constexpr OfPlant<of_plant::series_rows> series_rows{};
+    static bool has_series_in_run() noexcept { return now().series != nullptr; }
     static auto state_table() { return TableOfPlant<dalembert_quantity>{now().state_table, now().states}; }
     static auto input_table() { return TableOfPlant<dalembert_quantity>{now().input_table, now().inputs}; }
     static auto output_table() { return TableOfPlant<dalembert_quantity>{now().output_table, now().outputs}; }

@@ -43,12 +43,24 @@ inline constexpr bool has_series = false;
 template <class System>
 inline constexpr bool has_series<System, std::void_t<decltype(System::series_rows)>> = true;
 
+/// Of a system that is loaded it turns out in the run whether it has series.
+template <class System, class = void>
+inline constexpr bool tells_of_series = false;
+template <class System>
+inline constexpr bool tells_of_series<System, std::void_t<decltype(System::has_series_in_run())>> = true;
+template <class System>
+bool has_series_in_run() noexcept {
+    if constexpr (tells_of_series<System>) return System::has_series_in_run();
+    else return has_series<System>;
+}
+
 /// The number of rows of a system that has series, for one that is made of it.
 template <class System, bool>
 struct SeriesRows {};
 template <class System>
 struct SeriesRows<System, true> {
     static constexpr auto series_rows = System::series_rows;
+    static bool has_series_in_run() noexcept { return detail::has_series_in_run<System>(); }
 };
 
 /// Inputs that are not there.

@@ -134,7 +134,7 @@ SimulationResult simulate(const System& given, const Inputs& inputs, typename Sy
     std::copy_n(x.begin(), n, extended.begin());
     extended[n] = Scalar(0);
     if constexpr (detail::can_make_series<System, Inputs>()) {
-        if (options.method == Method::taylor) {
+        if (options.method == Method::taylor && detail::has_series_in_run<System>()) {
             const detail::SystemSeries<System, Inputs> series(system, inputs);
             detail::Integration<Extended, decltype(rhs), decltype(watch), decltype(guards), Guards> run(rhs, extended, from, to, options, watch, guards, ends);
             result.outcome = detail::run_taylor(run, series);

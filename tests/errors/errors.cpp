@@ -50,7 +50,7 @@ TEST_CASE("bad input gets its message") {
             if (result.err.find(std::string("error[") + kind.name + "]") != std::string::npos) seen.insert(kind.name);
     }
     // Every id that a model can provoke is provoked by one of the files; the rest has tests of its own.
-    const std::set<std::string> elsewhere{"unreadable-file", "file-too-large", "not-text", "not-equal", "tool-failed", "unused", "can-vanish", "wrong-closed-form", "size-mismatch"};
+    const std::set<std::string> elsewhere{"unreadable-file", "file-too-large", "not-text", "not-equal", "tool-failed", "bad-plant", "unused", "can-vanish", "wrong-closed-form", "size-mismatch"};
     for (const auto& kind : dalembert::diagnostic_kinds()) {
         CAPTURE(kind.name);
         CHECK((seen.contains(kind.name) || elsewhere.contains(kind.name)));

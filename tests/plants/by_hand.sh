@@ -5,9 +5,9 @@ name=pendulum.so library
 # From 1 rad it is back after 4 K(sin 1/2) sqrt(l/g), K by the arithmetic-geometric mean.
 period=$(awk 'BEGIN { a = 1; b = cos(0.5); for (i = 0; i < 8; ++i) { c = (a + b)/2; b = sqrt(a*b); a = c } printf "%.17g", 2*3.14159265358979323846/a*sqrt(0.5/9.81) }')
 dalembert 0 simulate pendulum.so --until "$period" --tolerance 1e-12 --no-plot
-near "$(last pendulum_by_hand.csv phi)" 1 1e-10
-near "$(last pendulum_by_hand.csv 'dot(phi)')" 0 1e-9
-near "$(last pendulum_by_hand.csv height)" "$(awk 'BEGIN { print 0.5*(1 - cos(1)) }')" 1e-6
+near "the angle" "$(last pendulum_by_hand.csv phi)" 1 1e-10
+near "its rate" "$(last pendulum_by_hand.csv 'dot(phi)')" 0 1e-9
+near "the height" "$(last pendulum_by_hand.csv height)" "$(awk 'BEGIN { print 0.5*(1 - cos(1)) }')" 1e-6
 dalembert 0 simulate pendulum.so --until 3 --parameter d=0.5,l=2 --state phi=0.3 --input a=0.2 --method rodas5p --no-plot
 prints 'energy error'
 dalembert 2 simulate pendulum.so --no-plot

@@ -7,9 +7,10 @@ prints 'exports dalembert_plant_table'
 echo '#include "dalembert_plant.h"' >user.c
 ${CC:-cc} -std=c99 -Wall -Wextra -Wpedantic -Werror -c user.c -o user.o || fail "the header does not compile"
 [ ! -e cache ] || fail "compile uses the cache"
+same="--until 2 --samples 50 --method rk4 --step 0.01 --no-plot"
 mkdir model plant
-dalembert 0 simulate "$pendulum" --until 2 --samples 50 --no-plot -o model
-dalembert 0 simulate pendulum_full.so --until 2 --samples 50 --no-plot -o plant
+dalembert 0 simulate "$pendulum" $same -o model
+dalembert 0 simulate pendulum_full.so $same -o plant
 cut -d, -f1-3 model/pendulum_full.csv >a; cut -d, -f1-3 plant/pendulum_full.csv >b
 cmp a b || fail "model and plant differ"
 
@@ -22,19 +23,19 @@ CXX=/nowhere/c++ dalembert 3 simulate "$pendulum" --until 2 --no-plot -o other
 prints "the compiler '/nowhere/c\+\+' cannot be started; set CXX"
 # What is broken is made anew.
 for f in cache/dalembert/plants/*.so; do echo broken >"$f"; done
-dalembert 0 simulate "$pendulum" --until 2 --samples 50 --no-plot -o broken
+dalembert 0 simulate "$pendulum" $same -o broken
 cmp broken/pendulum_full.csv model/pendulum_full.csv || fail "after a broken cache the run differs"
 # A folder that nobody may write to, or none: no cache, no error.
 XDG_CACHE_HOME=/proc/nowhere dalembert 0 simulate "$pendulum" --until 2 --no-plot -o other
 dalembert 0 simulate "$pendulum" --until 2 --no-plot --no-cache -o other
 # Several at once, and one that is killed.
 rm -rf cache
-for i in 1 2 3 4; do "$PROGRAM" simulate "$pendulum" --until 2 --samples 50 --no-plot -o "at_once$i" >/dev/null 2>&1 & done
+for i in 1 2 3 4; do "$PROGRAM" simulate "$pendulum" $same -o "at_once$i" >/dev/null 2>&1 & done
 wait
 for i in 1 2 3 4; do cmp "at_once$i/pendulum_full.csv" model/pendulum_full.csv || fail "one of several at once differs"; done
 rm -rf cache
 timeout -s KILL 0.15 "$PROGRAM" simulate "$pendulum" --until 2 --no-plot -o killed >/dev/null 2>&1
-dalembert 0 simulate "$pendulum" --until 2 --samples 50 --no-plot -o after
+dalembert 0 simulate "$pendulum" $same -o after
 cmp after/pendulum_full.csv model/pendulum_full.csv || fail "after one that was killed the run differs"
 # The program of runtime/README.md.
 sed -n '/^```c$/,/^```$/p' "$SOURCE/runtime/README.md" | sed '1d;$d' >load.c

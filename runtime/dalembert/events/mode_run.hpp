@@ -100,7 +100,7 @@ protected:
     template <class Run>
     Outcome integrate_by_method(Run& run) {
         if constexpr (can_make_series<Here, Inputs>())
-            if (options_.method == Method::taylor) return run_taylor(run, SystemSeries<Here, Inputs>(here_, inputs_));
+            if (options_.method == Method::taylor && has_series_in_run<Here>()) return run_taylor(run, SystemSeries<Here, Inputs>(here_, inputs_));
         return run_by_method(run, derivatives_, options_, choice_);
     }
 
