@@ -66,8 +66,9 @@ private:
 
     void tables() {
         std::map<std::string, std::string> all = c_tables(whole_, name_, fields_.indices);
-        for (const char* key : {"API_VERSION", "DEGREES", "PLAIN_STATES", "STATES", "INPUTS", "OUTPUTS", "PARAMETERS", "GUARD_COUNT", "SIZE_X",
-                                "SIZE_U", "SIZE_P", "INDICES", "STATE_TABLE"}) texts_[key] = all.at(key);
+        for (const char* key : {"API_VERSION", "DEGREES", "PLAIN_STATES", "STATES", "INPUTS", "OUTPUTS", "PARAMETERS", "GUARD_COUNT",
+                                "SIZE_X", "SIZE_U", "SIZE_P", "INDICES", "STATE_TABLE"})
+            texts_[key] = all.at(key);
         texts_["PATTERN"] = all.at("PATTERN_X");
         texts_["POSITIONS"] = fields_.positions.empty() ? "0" : fmt::format("{}", fmt::join(fields_.positions, ", "));
         for (const std::string& line : fields_.equations) texts_["FIELD_EQUATIONS"] += cpp_comment(line, 0);

@@ -188,7 +188,8 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     hold_positions(system, start, values, free_states, !options.moving.empty());
 
     const PlantLibrary library(source_of_plant(*chosen.code, header), options.no_cache ? PlantCache::unused : PlantCache::used);
-    EquilibriumSearchOfPlant search{parameter_numbers(system, values), numbers_of(start), numbers_of(values.inputs()), free_states, free_inputs, moving};
+    EquilibriumSearchOfPlant search{
+        parameter_numbers(system, values), numbers_of(start), numbers_of(values.inputs()), free_states, free_inputs, moving};
     search.mode = static_cast<unsigned>(system.scene.mode.value_or(0));
     search.takes_rows_of_plant = projects_to_constraints(system);
     if (!search.takes_rows_of_plant) search.rows = held_rows(system, values, false);

@@ -14,7 +14,8 @@ namespace dalembert {
 namespace {
 
 /// Writes what came of it. `warning` says what to think of a run that does not keep its energy.
-ExitCode finish(const SimulateResult& result, bool draws, const std::function<std::string()>& warning, const Options& options, Streams streams) {
+ExitCode finish(const SimulateResult& result, bool draws, const std::function<std::string()>& warning, const Options& options,
+                Streams streams) {
     write_files(result.run.files);
     write_result(result, options, streams);
     if (!result.run.is_good()) {
@@ -35,10 +36,13 @@ ExitCode finish(const SimulateResult& result, bool draws, const std::function<st
 
 ExitCode simulate_library(const Options& options, Streams streams) {
     const LibraryRun run = run_library(options);
-    const SimulateResult result{{run.name, run.name, run.scene, "", {}}, run.report, options.tolerance > 0 ? options.tolerance : 1e-9, true, ""};
+    const SimulateResult result{
+        {run.name, run.name, run.scene, "", {}}, run.report, options.tolerance > 0 ? options.tolerance : 1e-9, true, ""};
     const auto warning = [&] {
-        return fmt::format("the energy error of {:.2g} is above the limit of {:g}: the tolerance is too coarse, or energies and powers of the plant do not fit its rates",
-                           run.report.energy_error, run.report.energy_limit);
+        return fmt::format(
+            "the energy error of {:.2g} is above the limit of {:g}: the tolerance is too coarse, or energies and powers of the plant do "
+            "not fit its rates",
+            run.report.energy_error, run.report.energy_limit);
     };
     return finish(result, !options.no_plot, warning, options, streams);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// note [cache]: A plant lies under a number that is made of all that decides its bytes: the text, the runtime headers that it includes, the compiler
-// and its options. Beside it lies that text itself, and a plant counts only where it is the same. Files get their names when they are complete, the text
-// last: a program that is killed leaves nothing that counts, and two that compile the same plant do each other no harm.
+// note [cache]: A plant lies under a number that is made of all that decides its bytes: the text, the runtime headers that it includes, the
+// compiler and its options. Beside it lies that text itself, and a plant counts only where it is the same. Files get their names when they
+// are complete, the text last: a program that is killed leaves nothing that counts, and two that compile the same plant do each other no
+// harm.
 #include "plant/library.hpp"
 
 #include <dlfcn.h>
@@ -29,7 +30,14 @@ namespace {
 
 /// Half the optimisation, for a third less time: calls of a plant are short beside what an integrator does around them.
 /// Hidden: of two libraries with the same names each keeps its own tables.
-const std::vector<std::string> flags{"-O1", "-fPIC", "-shared", "-fvisibility=hidden", "-ffp-contract=off", "-fno-exceptions", "-fno-rtti", "-fno-asynchronous-unwind-tables"};
+const std::vector<std::string> flags{"-O1",
+                                     "-fPIC",
+                                     "-shared",
+                                     "-fvisibility=hidden",
+                                     "-ffp-contract=off",
+                                     "-fno-exceptions",
+                                     "-fno-rtti",
+                                     "-fno-asynchronous-unwind-tables"};
 
 [[noreturn]] void fail(Id id, std::string message, ExitCode code) { throw Failure(Diagnostic{id, {}, std::move(message)}, code); }
 
@@ -43,7 +51,8 @@ std::string identity(const std::string& program) {
     const auto described = [](const fs::path& file) -> std::string {
         struct stat status;
         if (::stat(file.c_str(), &status) != 0) return "";
-        return fmt::format("{} {} {}.{}", fs::weakly_canonical(file).string(), status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec);
+        return fmt::format("{} {} {}.{}", fs::weakly_canonical(file).string(), status.st_size, status.st_mtim.tv_sec,
+                           status.st_mtim.tv_nsec);
     };
     if (program.find('/') != std::string::npos) return described(program);
     const char* path = std::getenv("PATH");
@@ -120,7 +129,8 @@ bool put(const fs::path& from, const fs::path& to) {
 void PlantLibrary::Close::operator()(void* handle) const { ::dlclose(handle); }
 
 fs::path plant_cache_folder() {
-    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache == '/') return fs::path(cache) / "dalembert" / "plants";
+    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache == '/')
+        return fs::path(cache) / "dalembert" / "plants";
     if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') return fs::path(home) / ".cache" / "dalembert" / "plants";
     return {};
 }
@@ -168,7 +178,9 @@ PlantLibrary::PlantLibrary(const fs::path& file) {
 }
 
 void PlantLibrary::load(const fs::path& file) {
-    const auto refuse = [&](const std::string& why) { fail(Id::bad_plant, fmt::format("'{}' is no plant: {}", file.string(), why), ExitCode::bad_input); };
+    const auto refuse = [&](const std::string& why) {
+        fail(Id::bad_plant, fmt::format("'{}' is no plant: {}", file.string(), why), ExitCode::bad_input);
+    };
     handle_.reset(::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL));
     if (handle_ == nullptr) refuse(::dlerror());
     const auto function = reinterpret_cast<dalembert_plant_function>(::dlsym(handle_.get(), DALEMBERT_PLANT_FUNCTION));
@@ -176,27 +188,29 @@ void PlantLibrary::load(const fs::path& file) {
     table_ = function();
     if (table_ == nullptr) refuse("its table is null");
     if (table_->version != DALEMBERT_PLANT_VERSION || table_->size != sizeof(dalembert_plant))
-        refuse(fmt::format("its table has version {} and {} bytes, and this program reads version {} with {} bytes", table_->version, table_->size,
-                           DALEMBERT_PLANT_VERSION, sizeof(dalembert_plant)));
+        refuse(fmt::format("its table has version {} and {} bytes, and this program reads version {} with {} bytes", table_->version,
+                           table_->size, DALEMBERT_PLANT_VERSION, sizeof(dalembert_plant)));
     const auto need = [&](bool is_there, const char* what) {
         if (!is_there) refuse(fmt::format("its table has no {}", what));
     };
     const dalembert_plant& p = *table_;
     need(p.name != nullptr && p.scene != nullptr && p.title != nullptr, "name, scene or title");
-    need(p.create != nullptr && p.destroy != nullptr && p.set_parameters != nullptr && p.start_state != nullptr, "create, destroy, set_parameters or start_state");
+    need(p.create != nullptr && p.destroy != nullptr && p.set_parameters != nullptr && p.start_state != nullptr,
+         "create, destroy, set_parameters or start_state");
     need(p.rhs != nullptr && p.rhs_and_jacobian != nullptr, "rhs or rhs_and_jacobian");
     need(p.states == 0 || (p.state_table != nullptr && p.start_values != nullptr), "state_table or start_values");
     need(p.inputs == 0 || (p.input_table != nullptr && p.jacobian_u != nullptr), "input_table or jacobian_u");
     need(p.outputs == 0 || (p.output_table != nullptr && p.output != nullptr), "output_table or output");
     need(p.parameters == 0 || (p.parameter_table != nullptr && p.parameter_defaults != nullptr), "parameter_table or parameter_defaults");
     need(p.guards == 0 || (p.guard_table != nullptr && p.guard_values != nullptr), "guard_table or guard_values");
-    need(p.modes == 0 || (p.mode_names != nullptr && p.event_names != nullptr && p.events > 0 && p.guard_values != nullptr && p.guard_rates != nullptr &&
-                          p.is_watched != nullptr && p.reset != nullptr && p.settle != nullptr && p.transitions != nullptr),
+    need(p.modes == 0 ||
+             (p.mode_names != nullptr && p.event_names != nullptr && p.events > 0 && p.guard_values != nullptr &&
+              p.guard_rates != nullptr && p.is_watched != nullptr && p.reset != nullptr && p.settle != nullptr && p.transitions != nullptr),
          "functions of events");
     need(p.kinks == 0 || p.kink_values != nullptr, "kink_values");
     need(p.is_projected == 0 || p.move_back != nullptr, "move_back");
-    need(p.constraints == 0 || (p.constraint_table != nullptr && p.constraint_positions != nullptr && p.constraint_rates != nullptr && p.constraint_jacobian != nullptr &&
-                                p.correction != nullptr && p.mass_matrix != nullptr),
+    need(p.constraints == 0 || (p.constraint_table != nullptr && p.constraint_positions != nullptr && p.constraint_rates != nullptr &&
+                                p.constraint_jacobian != nullptr && p.correction != nullptr && p.mass_matrix != nullptr),
          "functions of constraints");
     need(p.constraint_rank == 0 || p.solve_for != nullptr, "solve_for");
 }

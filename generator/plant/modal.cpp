@@ -23,8 +23,10 @@ PlantModalForm modes_of(const ModalPointOfPlant& point) {
     result.rates.assign(rate.begin(), rate.end());
     LinearSystem linear;
     if (point.is_held) {
-        const auto reduced = reduced_motions(system, x, u, 0.0, point.takes_rows_of_plant ? constraint_rows(system, x, 0.0) : constraint_rows_of(point.rows));
-        result.reduction = PlantModalReduction{reduced.is_closed, reduced.coordinates, reduced.apart, reduced.motions.states, rows_of(reduced.motions.N), reduced.of_apart};
+        const auto reduced = reduced_motions(system, x, u, 0.0,
+                                             point.takes_rows_of_plant ? constraint_rows(system, x, 0.0) : constraint_rows_of(point.rows));
+        result.reduction = PlantModalReduction{reduced.is_closed,      reduced.coordinates,        reduced.apart,
+                                               reduced.motions.states, rows_of(reduced.motions.N), reduced.of_apart};
         linear = reduced.system;
     } else {
         linear = linear_system(system, x, u, 0.0);
@@ -44,7 +46,8 @@ PlantModalForm modes_of(const ModalPointOfPlant& point) {
     result.vectors = rows_of(found.vectors);
     result.matrix = rows_of(found.matrix);
     result.input = rows_of(found.input);
-    for (const auto& block : found.blocks) result.blocks.push_back({static_cast<std::size_t>(block.first), static_cast<std::size_t>(block.size), block.is_real});
+    for (const auto& block : found.blocks)
+        result.blocks.push_back({static_cast<std::size_t>(block.first), static_cast<std::size_t>(block.size), block.is_real});
     return result;
 }
 

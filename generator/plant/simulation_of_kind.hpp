@@ -50,9 +50,11 @@ public:
         const auto observe = [this](const auto& sample) { record(sample); };
         if constexpr (switches) {
             using Mode = typename System::Mode;
-            const auto ended = Running::run(system_, inputs_, x, run_.until, options, observe, [this](double t, std::size_t event, Mode from, Mode to, const State&, const State&) {
-                result_.events.push_back({t, event, static_cast<std::size_t>(from), static_cast<std::size_t>(to)});
-            });
+            const auto ended =
+                Running::run(system_, inputs_, x, run_.until, options, observe,
+                             [this](double t, std::size_t event, Mode from, Mode to, const State&, const State&) {
+                                 result_.events.push_back({t, event, static_cast<std::size_t>(from), static_cast<std::size_t>(to)});
+                             });
             finish(ended);
         } else {
             const auto ended = Running::run(system_, inputs_, x, run_.until, options, observe);
@@ -70,16 +72,24 @@ private:
     }
 
     static Method method_named(const std::string& name) {
-        static const std::map<std::string, Method> methods{
-            {"automatic", Method::automatic}, {"euler", Method::euler}, {"rk4", Method::rk4}, {"dopri5", Method::dopri5}, {"dopri5_controlled", Method::dopri5_controlled},
-            {"dop853", Method::dop853}, {"fehlberg78", Method::fehlberg78}, {"bulirsch_stoer", Method::bulirsch_stoer}, {"symplectic", Method::symplectic}, {"rodas5p", Method::rodas5p},
-            {"taylor", Method::taylor}};
+        static const std::map<std::string, Method> methods{{"automatic", Method::automatic},
+                                                           {"euler", Method::euler},
+                                                           {"rk4", Method::rk4},
+                                                           {"dopri5", Method::dopri5},
+                                                           {"dopri5_controlled", Method::dopri5_controlled},
+                                                           {"dop853", Method::dop853},
+                                                           {"fehlberg78", Method::fehlberg78},
+                                                           {"bulirsch_stoer", Method::bulirsch_stoer},
+                                                           {"symplectic", Method::symplectic},
+                                                           {"rodas5p", Method::rodas5p},
+                                                           {"taylor", Method::taylor}};
         return methods.at(name);
     }
 
     double energy(const State& x) const {
         const auto of = [&](auto... mode) {
-            return system_.kinetic_energy(mode..., x, 0.0) + std::fabs(system_.potential_energy(mode..., x, 0.0)) + std::fabs(system_.internal_energy(mode..., x, 0.0));
+            return system_.kinetic_energy(mode..., x, 0.0) + std::fabs(system_.potential_energy(mode..., x, 0.0)) +
+                   std::fabs(system_.internal_energy(mode..., x, 0.0));
         };
         if constexpr (switches) return of(typename System::Mode{});
         else return of();
@@ -100,7 +110,8 @@ private:
     template <class Sample>
     void record(const Sample& sample) {
         std::vector<double> row{sample.t};
-        for (const RecordedState& state : run_.states) row.push_back(state.is_root ? sample.x[state.place] * sample.x[state.place] : sample.x[state.place]);
+        for (const RecordedState& state : run_.states)
+            row.push_back(state.is_root ? sample.x[state.place] * sample.x[state.place] : sample.x[state.place]);
         row.insert(row.end(), sample.y.begin(), sample.y.end());
         row.insert(row.end(), sample.u.begin(), sample.u.end());
         row.insert(row.end(), {sample.kinetic_energy, sample.potential_energy, sample.internal_energy, sample.work});
@@ -118,7 +129,9 @@ private:
         result_.mode = static_cast<std::size_t>(ended.outcome.mode);
         result_.message = message(system_, ended.outcome, System::state_table());
         // The event that ends a run leads to no mode.
-        if (ended.outcome.status == Status::event) result_.events.push_back({ended.outcome.t, ended.outcome.last.event, static_cast<std::size_t>(ended.outcome.last.mode), std::nullopt});
+        if (ended.outcome.status == Status::event)
+            result_.events.push_back(
+                {ended.outcome.t, ended.outcome.last.event, static_cast<std::size_t>(ended.outcome.last.mode), std::nullopt});
     }
 
     const PlantRun& run_;

@@ -9,8 +9,8 @@
 namespace dalembert {
 
 std::string as_text(const CompileResult& result) {
-    return fmt::format("{}\n{}: {} bytes, exports {} (version {})\n{}\n", result.subject.title(), result.plant.string(), result.bytes, DALEMBERT_PLANT_FUNCTION,
-                       DALEMBERT_PLANT_VERSION, result.header.string());
+    return fmt::format("{}\n{}: {} bytes, exports {} (version {})\n{}\n", result.subject.title(), result.plant.string(), result.bytes,
+                       DALEMBERT_PLANT_FUNCTION, DALEMBERT_PLANT_VERSION, result.header.string());
 }
 
 nlohmann::ordered_json as_json(const CompileResult& result) {

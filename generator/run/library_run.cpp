@@ -29,8 +29,8 @@ namespace {
 [[noreturn]] void refuse(Id id, std::string message) { throw Failure(Diagnostic{id, {}, std::move(message)}); }
 
 /// NAME=NUMBER, several with commas between them.
-void set_numbers(const std::vector<std::string>& texts, const dalembert_quantity* table, std::size_t count, std::vector<double>& numbers, const char* option,
-                 const dalembert_plant& plant) {
+void set_numbers(const std::vector<std::string>& texts, const dalembert_quantity* table, std::size_t count, std::vector<double>& numbers,
+                 const char* option, const dalembert_plant& plant) {
     for (const std::string& text : texts) {
         for (std::size_t at = 0; at < text.size();) {
             const std::size_t end = std::min(text.find(',', at), text.size());
@@ -46,7 +46,8 @@ void set_numbers(const std::vector<std::string>& texts, const dalembert_quantity
             for (std::size_t i = 0; i < count; ++i) known.emplace_back(table[i].name);
             const auto found = std::find(known.begin(), known.end(), name);
             if (found == known.end())
-                refuse(Id::unknown_name, fmt::format("--{}: plant '{}' has no '{}'{}; there are {}", option, plant.name, name, did_you_mean(name, known), quoted_list(known)));
+                refuse(Id::unknown_name, fmt::format("--{}: plant '{}' has no '{}'{}; there are {}", option, plant.name, name,
+                                                     did_you_mean(name, known), quoted_list(known)));
             numbers[static_cast<std::size_t>(found - known.begin())] = value;
         }
     }
@@ -70,11 +71,13 @@ PlantRun asked_for(const Options& options, const dalembert_plant& plant) {
         run.states.push_back({plant.state_table[i].name, plant.state_table[i].unit, i, false});
     }
     run.until = options.until.empty() ? 0 : std::strtod(options.until.c_str(), nullptr);
-    if (!(run.until > 0) || !std::isfinite(run.until)) refuse(Id::bad_option, "a plant has no runs: --until says, in seconds, how long this one is");
+    if (!(run.until > 0) || !std::isfinite(run.until))
+        refuse(Id::bad_option, "a plant has no runs: --until says, in seconds, how long this one is");
     run.method = options.method.empty() ? "automatic" : options.method;
     run.tolerance = options.tolerance > 0 ? options.tolerance : 1e-9;
     run.step = options.step;
-    if (needs_step(run.method) && !(run.step > 0)) refuse(Id::bad_option, fmt::format("method '{}' has a fixed step: --step says how long it is", run.method));
+    if (needs_step(run.method) && !(run.step > 0))
+        refuse(Id::bad_option, fmt::format("method '{}' has a fixed step: --step says how long it is", run.method));
     if (options.samples > 0) run.intervals = static_cast<std::size_t>(options.samples);
     return run;
 }
@@ -86,15 +89,18 @@ SimulationReport report_of(const Options& options, const dalembert_plant& plant,
     settings.tolerance = run.tolerance;
     settings.step = run.step;
     settings.draw = !options.no_plot;
-    for (const RecordedState& state : run.states) settings.plots.push_back({state.name, "", {state.name}});
+    for (const RecordedState& state : run.states) settings.plots.push_back({state.name, "", {state.name}, {}});
     SimulationReport report = report_of_run(result, plant, settings);
     if (result.outcome.guard < plant.guards) report.guard = plant.guard_table[result.outcome.guard].doc;
-    if ((result.outcome.status == Status::constraint_broken || result.outcome.status == Status::singular_position) && result.outcome.constraint < plant.constraints)
+    if ((result.outcome.status == Status::constraint_broken || result.outcome.status == Status::singular_position) &&
+        result.outcome.constraint < plant.constraints)
         report.constraint = plant.constraint_table[result.outcome.constraint].name;
-    if ((result.outcome.status == Status::not_finite || result.outcome.status == Status::step_too_small) && result.outcome.state < plant.states)
+    if ((result.outcome.status == Status::not_finite || result.outcome.status == Status::step_too_small) &&
+        result.outcome.state < plant.states)
         report.culprit = plant.state_table[result.outcome.state].name;
     report.message = result.message;
-    add_results(report, result, plant, settings, {}, fmt::format("{} ({})", plant.title, plant.scene), fs::path(options.output), fmt::format("{}_{}", plant.name, plant.scene));
+    add_results(report, result, plant, settings, {}, fmt::format("{} ({})", plant.title, plant.scene), fs::path(options.output),
+                fmt::format("{}_{}", plant.name, plant.scene));
     return report;
 }
 
@@ -122,7 +128,8 @@ LibraryRun run_library(const Options& options) {
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {}
     if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
-        refuse(Id::bad_plant, signal == SIGXCPU ? fmt::format("the plant '{}' did not come back within {:g} s of processor time", file.string(), stage_limits().seconds)
+        refuse(Id::bad_plant, signal == SIGXCPU ? fmt::format("the plant '{}' did not come back within {:g} s of processor time",
+                                                              file.string(), stage_limits().seconds)
                                                 : fmt::format("the plant '{}' crashed in a call: {}", file.string(), ::strsignal(signal)));
     }
     const PlantLibrary library(file);

@@ -15,8 +15,9 @@ struct LibraryRun {
     SimulationReport report;
 };
 
-/// What options say of a library: --until, --tolerance, --method, --step, --samples; --parameter, --state and --input as NAME=NUMBER in SI. Plots show every
-/// state. Runs in a process of its own: a plant that crashes, or does not come back, is told by name. Throws Failure (bad-plant, bad-option, unknown-name).
+/// What options say of a library: --until, --tolerance, --method, --step, --samples; --parameter, --state and --input as NAME=NUMBER in SI.
+/// Plots show every state. Runs in a process of its own: a plant that crashes, or does not come back, is told by name. Throws Failure
+/// (bad-plant, bad-option, unknown-name).
 LibraryRun run_library(const Options& options);
 
 }  // namespace dalembert

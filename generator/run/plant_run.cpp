@@ -111,7 +111,8 @@ std::vector<ShownUnit> shown_units(const System& system) {
     for (const std::string& name : names) {
         const auto unit = declared_unit(*parse_expression(excerpt_of(std::make_shared<const Source>("recording", name))), system.names);
         if (!unit || unit->is_coherent()) continue;
-        units.push_back({name, unit->written, cln::double_approx(unit->factor) * std::pow(std::numbers::pi, unit->pi_power), cln::double_approx(unit->offset)});
+        units.push_back({name, unit->written, cln::double_approx(unit->factor) * std::pow(std::numbers::pi, unit->pi_power),
+                         cln::double_approx(unit->offset)});
     }
     return units;
 }

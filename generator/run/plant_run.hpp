@@ -21,8 +21,8 @@ std::vector<double> parameter_numbers(const System& system, const Values& values
 
 /// Whether constraints hold that the plant projects to itself.
 bool projects_to_constraints(const System& system);
-/// Else, where integration keeps constraints exactly: G dx = 0 with numbers at `values`. Where these would change with the state, and may not, there are
-/// none.
+/// Else, where integration keeps constraints exactly: G dx = 0 with numbers at `values`. Where these would change with the state, and may
+/// not, there are none.
 HeldRows held_rows(const System& system, const Values& values, bool may_change);
 
 /// What is recorded in a declared unit that is not SI.

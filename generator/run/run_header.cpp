@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 void compile_with_header(const ScratchFolder& folder, const Header& header, const std::string& source, const char* optimisation) {
     const fs::path at = folder.path();
     write_files({{at / header.file_name, for_the_compiler(header.text)}, {at / "main.cpp", source}});
-    compile({optimisation, "-I", folder.path(), "-isystem", "/usr/include/eigen3", (at / "main.cpp").string(), "-o", (at / "program").string()});
+    compile({optimisation, "-I", folder.path(), "-isystem", "/usr/include/eigen3", (at / "main.cpp").string(), "-o",
+             (at / "program").string()});
 }
 
 std::map<std::string, std::string> run_compiled(const ScratchFolder& folder, const std::vector<std::string>& arguments) {
@@ -31,8 +32,10 @@ std::map<std::string, std::string> run_compiled(const ScratchFolder& folder, con
         if (const std::size_t equals = line.find('='); equals != std::string::npos)
             values[line.substr(0, equals)] = line.substr(equals + 1);
     if (!values.contains("status"))
-        throw Failure(Diagnostic{Id::tool_failed, {}, fmt::format("the generated program ended with code {}: {}", ran.exit_code, complaint(ran.errors))},
-                      ExitCode::tool_missing);
+        throw Failure(
+            Diagnostic{
+                Id::tool_failed, {}, fmt::format("the generated program ended with code {}: {}", ran.exit_code, complaint(ran.errors))},
+            ExitCode::tool_missing);
     return values;
 }
 

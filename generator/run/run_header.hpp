@@ -11,8 +11,8 @@ namespace dalembert {
 
 /// Writes header and source into the folder and compiles them. Throws Failure (tool-failed) with exit code 3.
 void compile_with_header(const ScratchFolder& folder, const Header& header, const std::string& source, const char* optimisation);
-/// Runs what was compiled with the arguments given. Returns what it printed as key=value, and its exit code under "exit". Throws Failure (tool-failed)
-/// with exit code 3.
+/// Runs what was compiled with the arguments given. Returns what it printed as key=value, and its exit code under "exit". Throws Failure
+/// (tool-failed) with exit code 3.
 std::map<std::string, std::string> run_compiled(const ScratchFolder& folder, const std::vector<std::string>& arguments);
 
 }  // namespace dalembert

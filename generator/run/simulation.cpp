@@ -172,7 +172,8 @@ double rounded(double value, int digits) { return std::stod(fmt::format("{:.{}g}
 std::string events_csv(const PlantRunResult& run, const dalembert_plant& plant) {
     std::string text = "t [s],event,from,to\n";
     for (const EventOfRun& e : run.events)
-        text += fmt::format("{},{},{},{}\n", detail::number_text(e.t), plant.event_names[e.event], plant.mode_names[e.from], e.to ? plant.mode_names[*e.to] : "");
+        text += fmt::format("{},{},{},{}\n", detail::number_text(e.t), plant.event_names[e.event], plant.mode_names[e.from],
+                            e.to ? plant.mode_names[*e.to] : "");
     return text;
 }
 
@@ -196,7 +197,8 @@ void name_end(SimulationReport& report, const PlantRunResult& run, const System&
     }
     if (outcome.status == Status::constraint_broken || outcome.status == Status::singular_position)
         report.constraint = system.constraints[outcome.constraint].item->name;
-    if (outcome.status == Status::not_finite || outcome.status == Status::step_too_small) report.culprit = name_of_state(system, outcome.state);
+    if (outcome.status == Status::not_finite || outcome.status == Status::step_too_small)
+        report.culprit = name_of_state(system, outcome.state);
 }
 
 }  // namespace
@@ -222,8 +224,9 @@ SimulationReport report_of_run(const PlantRunResult& run, const dalembert_plant&
     return report;
 }
 
-void add_results(SimulationReport& report, const PlantRunResult& run, const dalembert_plant& plant, const SimulationSettings& settings, const std::vector<ShownUnit>& units,
-                 const std::string& title, const std::filesystem::path& folder, const std::string& name) {
+void add_results(SimulationReport& report, const PlantRunResult& run, const dalembert_plant& plant, const SimulationSettings& settings,
+                 const std::vector<ShownUnit>& units, const std::string& title, const std::filesystem::path& folder,
+                 const std::string& name) {
     const ScratchFolder scratch;
     const std::string base = (std::filesystem::path(scratch.path()) / name).string();
     const Recording shown = in_units(run.recording, units);

@@ -101,8 +101,9 @@ std::string energy_warning(const PreparedSimulation& prepared, const SimulationR
 /// How a run of a plant went, but for what it calls by the names of a model, and without files.
 SimulationReport report_of_run(const PlantRunResult& run, const dalembert_plant& plant, const SimulationSettings& settings);
 /// Adds its files, NAME.csv and what belongs to it, and draws.
-void add_results(SimulationReport& report, const PlantRunResult& run, const dalembert_plant& plant, const SimulationSettings& settings, const std::vector<ShownUnit>& units,
-                 const std::string& title, const std::filesystem::path& folder, const std::string& name);
+void add_results(SimulationReport& report, const PlantRunResult& run, const dalembert_plant& plant, const SimulationSettings& settings,
+                 const std::vector<ShownUnit>& units, const std::string& title, const std::filesystem::path& folder,
+                 const std::string& name);
 /// Compiles and runs it. Throws Failure.
 SimulationReport run_simulation(const PreparedSimulation& prepared, const std::filesystem::path& folder);
 
