@@ -56,8 +56,9 @@ std::string joined(const std::vector<Number>& values) {
 
 /// u[i] = ... for every input that is not zero.
 std::string input_statements(Code& code, const std::vector<ex>& inputs) {
-    std::vector<Polynomial> polynomials;
-    for (const ex& input : inputs) polynomials.push_back(lower(code.system.symbols.without_definitions(input), code.atoms));
+    std::vector<ex> written;
+    for (const ex& input : inputs) written.push_back(code.system.symbols.without_definitions(input));
+    const std::vector<Polynomial> polynomials = lower_in_order(written, code.atoms);
     FunctionCode f;
     ProgramBuilder builder(code.atoms, code.cache, ParameterParts::in_place, f.program, code.passes);
     builder.prepare(polynomials);

@@ -113,14 +113,29 @@ Letter Atoms::letter(Op op, std::vector<Polynomial> arguments) {
     return add({op, std::move(arguments), std::move(whole), level + 1, dynamic});
 }
 
-void Atoms::canonicalise(const std::vector<Polynomial*>& polynomials) {
-    std::vector<Letter> order(atoms_.size());
-    std::iota(order.begin(), order.end(), 0U);
+std::vector<Letter> Atoms::in_order(std::size_t first) const {
+    std::vector<Letter> order(atoms_.size() - first);
+    std::iota(order.begin(), order.end(), static_cast<Letter>(first));
     std::stable_sort(order.begin(), order.end(), [&](Letter a, Letter b) {
         const Atom &x = atoms_[a], &y = atoms_[b];
         if (x.level != y.level) return x.level < y.level;
         return x.level > 0 && x.key < y.key;  // symbols keep their order
     });
+    return order;
+}
+
+void Atoms::add_in_order(const Atoms& grown) {
+    std::vector<Letter> letter_here(grown.size());
+    std::iota(letter_here.begin(), letter_here.end(), 0U);
+    for (const Letter there : grown.in_order(size())) {
+        std::vector<Polynomial> arguments;
+        for (const Polynomial& argument : grown[there].arguments) arguments.push_back(renumbered(argument, letter_here));
+        letter_here[there] = letter(grown[there].op, std::move(arguments));
+    }
+}
+
+void Atoms::canonicalise(const std::vector<Polynomial*>& polynomials) {
+    const std::vector<Letter> order = in_order(0);
     std::vector<Letter> new_letter(atoms_.size());
     std::vector<Atom> sorted;
     for (std::size_t i = 0; i < order.size(); ++i) {

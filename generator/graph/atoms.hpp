@@ -49,9 +49,14 @@ public:
     /// Numbers all letters by (level, key) and rewrites the polynomials given, which are all that is still wanted.
     void canonicalise(const std::vector<Polynomial*>& polynomials);
 
+    /// Adds the letters that `grown` has besides, a copy of these atoms to which some were added: by (level, key), whatever order they came in there.
+    void add_in_order(const Atoms& grown);
+
 private:
     std::string key(const Monomial& m) const;
     Letter add(Atom atom);
+    /// The letters from number `first` on by (level, key).
+    std::vector<Letter> in_order(std::size_t first) const;
 
     const Symbols& symbols_;
     std::vector<Atom> atoms_;

@@ -34,8 +34,8 @@ std::vector<GiNaC::ex> constraint_rates(const System& system);
 std::vector<GiNaC::ex> constraint_forces(const System& system);
 std::vector<GiNaC::ex> constraint_jacobian(const System& system);
 
-/// Right sides for the rates of what is solved for: matrix*d(unknowns)/dt = motion_rates; and rates of the accelerations that constraints
-/// determine, which may contain those of the free ones.
+/// Right-hand sides for the rates of the unknowns: matrix*d(unknowns)/dt = motion_rates; and the rates of the accelerations that
+/// constraints determine, which may contain those of the free ones.
 std::vector<GiNaC::ex> motion_rates(const System& system);
 std::vector<GiNaC::ex> held_jerks(const System& system);
 

@@ -252,4 +252,13 @@ Polynomial with_extrema_joined(Polynomial p, const Atoms& atoms) {
 
 Polynomial lower(const ex& e, Atoms& atoms) { return folded(with_extrema_joined(Lowering(atoms)(e), atoms), atoms); }
 
+std::vector<Polynomial> lower_in_order(const std::vector<ex>& expressions, Atoms& atoms) {
+    Atoms grown = atoms;
+    for (const ex& e : expressions) lower(e, grown);
+    atoms.add_in_order(grown);
+    std::vector<Polynomial> polynomials;
+    for (const ex& e : expressions) polynomials.push_back(lower(e, atoms));
+    return polynomials;
+}
+
 }  // namespace dalembert

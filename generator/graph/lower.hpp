@@ -12,6 +12,9 @@ namespace dalembert {
 /// that needs an assumption.
 Polynomial lower(const GiNaC::ex& e, Atoms& atoms);
 
+/// Several that come after the atoms of a system were put in order: which new letters they bring, in which order, does not depend on GiNaC's.
+std::vector<Polynomial> lower_in_order(const std::vector<GiNaC::ex>& expressions, Atoms& atoms);
+
 /// A sum kept whole, to a power, with its sign, content and common factors taken out.
 Polynomial kept_whole(const Polynomial& p, int exponent, Atoms& atoms);
 

@@ -151,8 +151,9 @@ FunctionBody FunctionBodies::series() {
 namespace {
 
 SeriesCode series_of(Code& code, const std::vector<GiNaC::ex>& inputs) {
-    std::vector<Polynomial> polynomials;
-    for (const GiNaC::ex& input : inputs) polynomials.push_back(lower(code.system.symbols.without_definitions(input), code.atoms));
+    std::vector<GiNaC::ex> written;
+    for (const GiNaC::ex& input : inputs) written.push_back(code.system.symbols.without_definitions(input));
+    const std::vector<Polynomial> polynomials = lower_in_order(written, code.atoms);
     FunctionCode f;
     ProgramBuilder builder(code.atoms, code.cache, ParameterParts::in_place, f.program, code.passes);
     builder.prepare(polynomials);
