@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    /// The names of one kind of elements, and of what has a name inside of them.
+    /// The names of the elements of one kind, and of the parts inside them that have names.
     template <class Items>
     void of_kind(const Items& items) {
         using Element = typename Items::value_type;

@@ -50,7 +50,7 @@ private:
     bool derived_allowed(const Expression& e);
 
     unsigned quantity(const Expression& e);
-    /// A quantity of a solid, a load or of what may stick.
+    /// A quantity of a solid, of a load, or of a body that may stick.
     unsigned statics_quantity(const Expression& e, const QuantitySpec& spec);
     unsigned surface_quantity(const Expression& e, const QuantitySpec& spec);
     /// A quantity of a volume, reservoir, medium or flow.

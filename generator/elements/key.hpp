@@ -46,8 +46,8 @@ inline SignRule not_below_zero(const char* unit) { return {false, unit}; }
 inline SignRule above_zero_in_range(const char* unit) { return {true, unit, true}; }
 inline SignRule from_zero_to_one() { return {false, "1", false, true}; }
 
-/// In a sentence about a value that breaks the rule; null where it does not. `sign` is that of the value, `beyond_one` that of what is left
-/// of it beyond one.
+/// What a sentence says of a value that breaks the rule; null where the value keeps it. `sign` is that of the value, `beyond_one` that of
+/// what is left of it beyond one.
 inline const char* broken(const SignRule& rule, int sign, int beyond_one) {
     if (rule.up_to_one) return sign < 0 || beyond_one > 0 ? "must lie between 0 and 1" : nullptr;
     if (rule.is_above_zero) return sign <= 0 ? "must be above zero" : nullptr;
@@ -108,7 +108,7 @@ enum class Naming {
     brought_section,  ///< its section, to which other elements bring some
     formulas,         ///< all that formulas may name
     parts,            ///< media, volumes, nodes and what lies between them
-    bringing,         ///< those of what it brings along, which has its name
+    bringing,         ///< the names of the elements that it adds to the model, which are its own name
     free,             ///< a text
 };
 

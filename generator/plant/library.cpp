@@ -66,23 +66,33 @@ std::string identity(const std::string& program) {
     return "";
 }
 
-/// All that decides the bytes of a plant.
-std::string key_of(const PlantSource& source) {
-    std::string key;
-    for (const std::string& word : compiler_command()) key += word + "\n";
-    key += identity(compiler_command().front()) + "\n";
-    for (const std::string& flag : flags) key += flag + " ";
-    const fs::path runtime = fs::path(runtime_folder()) / "dalembert";
-    for (const char* file : {"plant.h", "plant_export.hpp", "series.hpp", "series_functions.hpp", "sizes.hpp", "scalar_functions.hpp"})
-        key += fmt::format("\n==== {}\n{}", file, content(runtime / file));
-    return key + "\n==== " + source.header_name + "\n" + source.header + "\n====\n" + source.source;
-}
-
 /// FNV-1a, 64 bits.
 std::uint64_t hash(const std::string& text) {
     std::uint64_t value = 14695981039346656037U;
     for (const char c : text) value = (value ^ static_cast<unsigned char>(c)) * 1099511628211U;
     return value;
+}
+
+/// The headers of the runtime, one after the other: a plant includes some of them.
+std::string runtime_text() {
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(fs::path(runtime_folder()) / "dalembert", error))
+        if (entry.is_regular_file(error)) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::string text;
+    for (const fs::path& file : files) text += file.filename().string() + "\n" + content(file);
+    return text;
+}
+
+/// All that decides the bytes of a plant.
+std::string key_of(const PlantSource& source) {
+    std::string key;
+    // The first word may only start the compiler, as in "ccache g++".
+    for (const std::string& word : compiler_command()) key += word + " " + identity(word) + "\n";
+    for (const std::string& flag : flags) key += flag + " ";
+    key += fmt::format("\nruntime {:016x}", hash(runtime_text()));
+    return key + "\n==== " + source.header_name + "\n" + source.header + "\n====\n" + source.source;
 }
 
 /// The oldest plants go, as long as there are too many bytes.
@@ -108,6 +118,19 @@ void bound(const fs::path& folder) {
         if (bytes <= most_bytes / 2) return;
         fs::remove(one.file, error);
         bytes -= one.size;
+    }
+}
+
+/// Entries outside a matrix would be written over something else.
+template <class Refuse>
+void check_pattern(const dalembert_pattern& pattern, std::size_t columns, std::size_t rows, const char* matrix, const Refuse& refuse) {
+    if (pattern.column_starts == nullptr) return;
+    for (std::size_t c = 0; c < columns; ++c) {
+        const std::size_t begin = pattern.column_starts[c], end = pattern.column_starts[c + 1];
+        if (begin > end || (c == 0 && begin != 0)) refuse(fmt::format("the pattern of {} does not rise at column {}", matrix, c));
+        for (std::size_t k = begin; k < end; ++k)
+            if (pattern.row_indices == nullptr || pattern.row_indices[k] >= rows)
+                refuse(fmt::format("the pattern of {} has an entry outside of its {} rows in column {}", matrix, rows, c));
     }
 }
 
@@ -213,6 +236,12 @@ void PlantLibrary::load(const fs::path& file) {
                                 p.constraint_jacobian != nullptr && p.correction != nullptr && p.mass_matrix != nullptr),
          "functions of constraints");
     need(p.constraint_rank == 0 || p.solve_for != nullptr, "solve_for");
+    if (p.velocity_place + p.degrees > p.states)
+        refuse(fmt::format("it has {} velocities from place {} on, but only {} states", p.degrees, p.velocity_place, p.states));
+    if (p.is_separable != 0 && 2 * p.degrees != p.states)
+        refuse(fmt::format("it is said to be separable, but has {} states for {} coordinates", p.states, p.degrees));
+    check_pattern(p.pattern_x, p.states, p.states, "df/dx", refuse);
+    check_pattern(p.pattern_u, p.inputs, p.states, "df/du", refuse);
 }
 
 }  // namespace dalembert

@@ -13,6 +13,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <optional>
+#include <string_view>
 
 #include "elements/methods.hpp"
 #include "plant/library.hpp"
@@ -28,6 +30,26 @@ namespace {
 
 [[noreturn]] void refuse(Id id, std::string message) { throw Failure(Diagnostic{id, {}, std::move(message)}); }
 
+/// The whole text as a number; nothing where it is none, or infinite.
+std::optional<double> number_in(const std::string& text) {
+    char* rest = nullptr;
+    const double value = std::strtod(text.c_str(), &rest);
+    return text.empty() || *rest != '\0' || !std::isfinite(value) ? std::nullopt : std::optional(value);
+}
+
+/// A library is one scene of one size, without runs and declared units: what asks for another is not passed over.
+void refuse_options_of_models(const Options& options) {
+    const auto only_of_models = [](bool is_given, const char* option) {
+        if (is_given)
+            refuse(Id::bad_option, fmt::format("'{}' is for models; a plant is one scene of one size, without runs, in SI", option));
+    };
+    only_of_models(!options.choice.scene.empty(), "--scene");
+    only_of_models(!options.choice.sizes.empty(), "--size");
+    only_of_models(!options.run.empty(), "--run");
+    only_of_models(options.periods > 0, "--periods");
+    only_of_models(options.units == "declared", "--units declared");
+}
+
 /// NAME=NUMBER, several with commas between them.
 void set_numbers(const std::vector<std::string>& texts, const dalembert_quantity* table, std::size_t count, std::vector<double>& numbers,
                  const char* option, const dalembert_plant& plant) {
@@ -38,9 +60,8 @@ void set_numbers(const std::vector<std::string>& texts, const dalembert_quantity
             at = end + 1;
             const std::size_t equals = one.find('=');
             const std::string name = one.substr(0, equals), number = equals == std::string::npos ? "" : one.substr(equals + 1);
-            char* rest = nullptr;
-            const double value = std::strtod(number.c_str(), &rest);
-            if (number.empty() || *rest != '\0' || !std::isfinite(value))
+            const auto value = number_in(number);
+            if (!value)
                 refuse(Id::bad_option, fmt::format("'--{} {}' is not of the form NAME=NUMBER; of a plant numbers are in SI", option, one));
             std::vector<std::string> known;
             for (std::size_t i = 0; i < count; ++i) known.emplace_back(table[i].name);
@@ -48,12 +69,18 @@ void set_numbers(const std::vector<std::string>& texts, const dalembert_quantity
             if (found == known.end())
                 refuse(Id::unknown_name, fmt::format("--{}: plant '{}' has no '{}'{}; there are {}", option, plant.name, name,
                                                      did_you_mean(name, known), quoted_list(known)));
-            numbers[static_cast<std::size_t>(found - known.begin())] = value;
+            numbers[static_cast<std::size_t>(found - known.begin())] = *value;
         }
     }
 }
 
 PlantRun asked_for(const Options& options, const dalembert_plant& plant) {
+    refuse_options_of_models(options);
+    for (const char* name : {plant.name, plant.scene})
+        if (*name == '\0' || std::string_view(name).find_first_of("/\\") != std::string_view::npos)
+            refuse(Id::bad_plant, fmt::format("'{}' as the name or scene of a plant is no part of a file name", name));
+    if (!options.inputs.empty() && plant.inputs_of_run != nullptr)
+        refuse(Id::bad_option, fmt::format("plant '{}' was compiled with inputs of its own, so that --input has no effect", plant.name));
     PlantRun run;
     run.parameters.assign(plant.parameter_defaults, plant.parameter_defaults + plant.parameters);
     run.held_inputs.assign(plant.inputs, 0.0);
@@ -70,9 +97,10 @@ PlantRun asked_for(const Options& options, const dalembert_plant& plant) {
         run.places.push_back(i);
         run.states.push_back({plant.state_table[i].name, plant.state_table[i].unit, i, false});
     }
-    run.until = options.until.empty() ? 0 : std::strtod(options.until.c_str(), nullptr);
-    if (!(run.until > 0) || !std::isfinite(run.until))
-        refuse(Id::bad_option, "a plant has no runs: --until says, in seconds, how long this one is");
+    run.until = number_in(options.until).value_or(0);
+    if (!(run.until > 0))
+        refuse(Id::bad_option, fmt::format("a plant has no runs: --until says how long this one is, as a number of seconds{}",
+                                           options.until.empty() ? "" : ", not '" + options.until + "'"));
     run.method = options.method.empty() ? "automatic" : options.method;
     run.tolerance = options.tolerance > 0 ? options.tolerance : 1e-9;
     run.step = options.step;
@@ -111,9 +139,11 @@ bool is_library(const fs::path& file) { return file.extension() == ".so"; }
 LibraryRun run_library(const Options& options) {
     const fs::path file = options.choice.model;
     // Another process runs it first: what ends that one does not end the program. A run that came to its end there is made again here.
+    auto not_ending = Leftovers::all().hold();
     const pid_t child = ::fork();
     if (child < 0) refuse(Id::tool_failed, "no process can be made for the plant");
     if (child == 0) {
+        ::setpgid(0, 0);
         for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU}) std::signal(signal, SIG_DFL);
         const rlimit limit{static_cast<rlim_t>(stage_limits().seconds), RLIM_INFINITY};
         ::setrlimit(RLIMIT_CPU, &limit);
@@ -124,8 +154,12 @@ LibraryRun run_library(const Options& options) {
         }
         ::_exit(0);
     }
+    ::setpgid(child, child);
+    Leftovers::all().add_child(child);
+    not_ending.unlock();
     int status = 0;
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {}
+    Leftovers::all().remove_child(child);
     if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
         refuse(Id::bad_plant, signal == SIGXCPU ? fmt::format("the plant '{}' did not come back within {:g} s of processor time",

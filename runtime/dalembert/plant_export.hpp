@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A generated system as a plant: what a shared library exports; see plant.h. Includes little, so that it compiles in a fraction of a second.
+// A generated system as a plant: what a shared library exports; see plant.h. Includes little, so that it compiles in a fraction of a
+// second.
 #pragma once
 
 #include <array>
@@ -68,8 +69,8 @@ inline constexpr bool says_nonzero<P, std::void_t<decltype(P::nonzero)>> = true;
 
 }  // namespace plant_export
 
-/// `Run` is what the library is compiled for: name, scene and title of the system, set_parameters(parameters, numbers), and inputs(system), a function
-/// of (x, t) with or without series.
+/// `Run` is what the library is compiled for: name, scene and title of the system, set_parameters(parameters, numbers), and inputs(system),
+/// a function of (x, t) with or without series.
 template <class System, class Run>
 class PlantTable {
     using State = typename System::State;
@@ -77,7 +78,8 @@ class PlantTable {
     using Mode = typename plant_export::ModeOf<System>::type;
     using Constraints = typename plant_export::ConstraintsOf<System>::type;
     using Inputs = decltype(Run::inputs(std::declval<const System&>()));
-    static constexpr bool switches = plant_export::ModeOf<System>::switches, is_projected = plant_export::ConstraintsOf<System>::is_projected;
+    static constexpr bool switches = plant_export::ModeOf<System>::switches,
+                          is_projected = plant_export::ConstraintsOf<System>::is_projected;
     static constexpr std::size_t n = std::tuple_size<State>::value, constraint_count = std::tuple_size<Constraints>::value;
 
     static const System& of(const void* self) { return *static_cast<const System*>(self); }
@@ -148,7 +150,9 @@ class PlantTable {
                 for (std::size_t row = 0; row < n; ++row)
                     if ((System::PatternX::nonzero[column] >> row & 1U) != 0) *J++ = all[column * n + row];
         } else {
-            in_mode(mode, [&](auto... m) { of(self).rhs_and_jacobian(m..., as<State>(x), as<Input>(u), t, as<State>(dxdt), as<typename System::JacobianX>(J)); });
+            in_mode(mode, [&](auto... m) {
+                of(self).rhs_and_jacobian(m..., as<State>(x), as<Input>(u), t, as<State>(dxdt), as<typename System::JacobianX>(J));
+            });
         }
     }
     static void jacobian_u(const void* self, unsigned mode, const double* x, const double* u, double t, double* J) {
@@ -164,10 +168,14 @@ class PlantTable {
         in_mode(mode, [&](auto... m) { of(self).output(m..., as<State>(x), as<Input>(u), t, as<typename System::Output>(y)); });
     }
     static void output_jacobian_x(const void* self, unsigned mode, const double* x, const double* u, double t, double* C) {
-        in_mode(mode, [&](auto... m) { of(self).output_jacobian_x(m..., as<State>(x), as<Input>(u), t, as<typename System::OutputJacobianX>(C)); });
+        in_mode(mode, [&](auto... m) {
+            of(self).output_jacobian_x(m..., as<State>(x), as<Input>(u), t, as<typename System::OutputJacobianX>(C));
+        });
     }
     static void output_jacobian_u(const void* self, unsigned mode, const double* x, const double* u, double t, double* D) {
-        in_mode(mode, [&](auto... m) { of(self).output_jacobian_u(m..., as<State>(x), as<Input>(u), t, as<typename System::OutputJacobianU>(D)); });
+        in_mode(mode, [&](auto... m) {
+            of(self).output_jacobian_u(m..., as<State>(x), as<Input>(u), t, as<typename System::OutputJacobianU>(D));
+        });
     }
     static void mass_matrix(const void* self, unsigned mode, const double* x, double t, double* M) {
         in_mode(mode, [&](auto... m) { of(self).mass_matrix(m..., as<State>(x), t, as<typename System::MassMatrix>(M)); });
@@ -215,17 +223,25 @@ class PlantTable {
             of(self).kinks(static_cast<Mode>(mode), as<State>(x), as<Input>(u), t, as<typename System::Kinks>(k));
         };
         if constexpr (plant_export::has_conditions<System>)
-            table.holds = [](const void* self, unsigned mode, const double* x, const double* u, double t) -> int { return of(self).holds(static_cast<Mode>(mode), as<State>(x), as<Input>(u), t); };
+            table.holds = [](const void* self, unsigned mode, const double* x, const double* u, double t) -> int {
+                return of(self).holds(static_cast<Mode>(mode), as<State>(x), as<Input>(u), t);
+            };
         table.is_watched = [](unsigned mode, std::size_t event) -> int { return System::is_watched(static_cast<Mode>(mode), event); };
         if constexpr (plant_export::has_events_at_once<System>) {
             table.happens_at_once = [](std::size_t event) -> int { return System::happens_at_once(event); };
             table.happens_at_start = [](std::size_t event) -> int { return System::happens_at_start(event); };
         }
-        table.reset = [](const void* self, std::size_t event, unsigned mode, double* x, const double* u, double t) { of(self).reset(event, static_cast<Mode>(mode), as<State>(x), as<Input>(u), t); };
-        table.settle = [](const void* self, std::size_t event, unsigned mode, double* x, const double* u, double t) { of(self).settle(event, static_cast<Mode>(mode), as<State>(x), as<Input>(u), t); };
+        table.reset = [](const void* self, std::size_t event, unsigned mode, double* x, const double* u, double t) {
+            of(self).reset(event, static_cast<Mode>(mode), as<State>(x), as<Input>(u), t);
+        };
+        table.settle = [](const void* self, std::size_t event, unsigned mode, double* x, const double* u, double t) {
+            of(self).settle(event, static_cast<Mode>(mode), as<State>(x), as<Input>(u), t);
+        };
         table.transitions = [](std::size_t event, unsigned mode, dalembert_transition kind, unsigned* modes) -> std::size_t {
             const Mode from = static_cast<Mode>(mode);
-            const auto& to = kind == dalembert_next ? System::next_modes(event, from) : kind == dalembert_beside ? System::modes_beside(event, from) : System::after_accumulation(event, from);
+            const auto& to = kind == dalembert_next     ? System::next_modes(event, from)
+                             : kind == dalembert_beside ? System::modes_beside(event, from)
+                                                        : System::after_accumulation(event, from);
             for (const Mode each : to) *modes++ = static_cast<unsigned>(each);
             return to.count;
         };
@@ -234,7 +250,9 @@ class PlantTable {
     static void fill_constraints(dalembert_plant& table) {
         table.is_projected = 1;
         table.velocity_place = System::velocity_place;
-        table.move_back = [](const void* self, double* x, const double* step) { of(self).move_back(as<State>(x), as<typename System::Generalised>(step)); };
+        table.move_back = [](const void* self, double* x, const double* step) {
+            of(self).move_back(as<State>(x), as<typename System::Generalised>(step));
+        };
         if constexpr (constraint_count > 0) {
             static std::array<dalembert_constraint, constraint_count> list;
             for (std::size_t i = 0; i < constraint_count; ++i) {
@@ -254,10 +272,14 @@ class PlantTable {
                 in_mode(mode, [&](auto... m) { of(self).constraint_rates(m..., as<State>(x), t, as<Constraints>(w)); });
             };
             table.constraint_jacobian = [](const void* self, unsigned mode, const double* x, double t, double* A) {
-                in_mode(mode, [&](auto... m) { of(self).constraint_jacobian(m..., as<State>(x), t, as<typename System::ConstraintJacobian>(A)); });
+                in_mode(mode, [&](auto... m) {
+                    of(self).constraint_jacobian(m..., as<State>(x), t, as<typename System::ConstraintJacobian>(A));
+                });
             };
             table.correction = [](const void* self, unsigned mode, const double* x, double t, const double* residual, double* step) {
-                in_mode(mode, [&](auto... m) { of(self).correction(m..., as<State>(x), t, as<Constraints>(residual), as<typename System::Generalised>(step)); });
+                in_mode(mode, [&](auto... m) {
+                    of(self).correction(m..., as<State>(x), t, as<Constraints>(residual), as<typename System::Generalised>(step));
+                });
             };
         }
         if constexpr (plant_export::chooses<System>) {
@@ -272,7 +294,9 @@ class PlantTable {
 
     static void fill_run(dalembert_plant& table) {
         if constexpr (Run::has_inputs)
-            table.inputs_of_run = [](const void* self, const double* x, double t, double* u) { as<Input>(u) = Run::inputs(of(self))(as<State>(x), t); };
+            table.inputs_of_run = [](const void* self, const double* x, double t, double* u) {
+                as<Input>(u) = Run::inputs(of(self))(as<State>(x), t);
+            };
         if constexpr (plant_export::has_series<System> && (std::tuple_size<Input>::value == 0 || plant_export::has_series<Inputs>)) {
             table.series_rows = System::series_rows + plant_export::series_rows<Inputs>;
             table.series = [](const void* self, unsigned mode, double t, std::size_t order, double* x, double* rows) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSL-1.0
-// A plant (plant.h) as a system that what integrates, searches for equilibria and linearises takes: the same code as for generated headers, with sizes
-// that are known when the plant is loaded.
+// A plant (plant.h) as a system that what integrates, searches for equilibria and linearises takes: the same code as for generated headers,
+// with sizes that are known when the plant is loaded.
 //
-// note [in use]: Arrays of a run have the sizes of the plant that the thread uses at the moment: whoever works with a plant holds a UsePlant for as
-// long as there are arrays, systems or results of it.
+// note [in use]: Arrays of a run have the sizes of the plant that the thread uses at the moment: whoever works with a plant holds a
+// UsePlant for as long as there are arrays, systems or results of it.
 #pragma once
 
 #include <cstddef>
@@ -151,7 +151,8 @@ struct ConstraintTypesOfPlant<PlantKind::choosing> : ConstraintTypesOfPlant<Plan
 
 /// The series of a plant. What integrates has its states one by one, the plant all in one row.
 template <class StateAndWork>
-void series_of_plant(const dalembert_plant& plant, const void* self, unsigned mode, double t, std::size_t order, StateAndWork* x, double* rows) {
+void series_of_plant(const dalembert_plant& plant, const void* self, unsigned mode, double t, std::size_t order, StateAndWork* x,
+                     double* rows) {
     const std::size_t length = plant.states + 1;
     std::vector<double> all((order + 1) * length);
     std::copy(x[0].begin(), x[0].end(), all.begin());
@@ -179,7 +180,8 @@ public:
     static constexpr int api = supported_api;
     static constexpr OfPlant<of_plant::degrees> degrees{};
     static constexpr OfPlant<of_plant::series_rows> series_rows{};
-    static bool has_series_in_run() noexcept { return now().series != nullptr; }
+    /// The series of a plant are those with the inputs that it was compiled for: of others it has none.
+    static bool has_series_in_run() noexcept { return now().series != nullptr && (now().inputs == 0 || now().inputs_of_run != nullptr); }
     static auto state_table() { return TableOfPlant<dalembert_quantity>{now().state_table, now().states}; }
     static auto input_table() { return TableOfPlant<dalembert_quantity>{now().input_table, now().inputs}; }
     static auto output_table() { return TableOfPlant<dalembert_quantity>{now().output_table, now().outputs}; }
@@ -250,9 +252,15 @@ public:
         if (now().output_jacobian_u != nullptr) now().output_jacobian_u(self(), mode_, x.data(), u.data(), t, D.data());
     }
     void mass_matrix(const State& x, double t, MassMatrix& M) const { now().mass_matrix(self(), mode_, x.data(), t, M.data()); }
-    double kinetic_energy(const State& x, double t) const { return now().kinetic_energy != nullptr ? now().kinetic_energy(self(), mode_, x.data(), t) : 0; }
-    double potential_energy(const State& x, double t) const { return now().potential_energy != nullptr ? now().potential_energy(self(), mode_, x.data(), t) : 0; }
-    double internal_energy(const State& x, double t) const { return now().internal_energy != nullptr ? now().internal_energy(self(), mode_, x.data(), t) : 0; }
+    double kinetic_energy(const State& x, double t) const {
+        return now().kinetic_energy != nullptr ? now().kinetic_energy(self(), mode_, x.data(), t) : 0;
+    }
+    double potential_energy(const State& x, double t) const {
+        return now().potential_energy != nullptr ? now().potential_energy(self(), mode_, x.data(), t) : 0;
+    }
+    double internal_energy(const State& x, double t) const {
+        return now().internal_energy != nullptr ? now().internal_energy(self(), mode_, x.data(), t) : 0;
+    }
     double supplied_power(const State& x, const Input& u, double t) const { return power(now().supplied_power, x, u, t); }
     double dissipated_power(const State& x, const Input& u, double t) const { return power(now().dissipated_power, x, u, t); }
     double prescribed_power(const State& x, const Input& u, double t) const { return power(now().prescribed_power, x, u, t); }
@@ -290,7 +298,9 @@ public:
 
 private:
     using Power = double (*)(const void*, unsigned, const double*, const double*, double);
-    double power(Power of, const State& x, const Input& u, double t) const { return of != nullptr ? of(self(), mode_, x.data(), u.data(), t) : 0; }
+    double power(Power of, const State& x, const Input& u, double t) const {
+        return of != nullptr ? of(self(), mode_, x.data(), u.data(), t) : 0;
+    }
     unsigned mode_;
 };
 
@@ -312,7 +322,9 @@ public:
     static Modes modes_beside(std::size_t event, Mode mode) { return transitions(event, mode, dalembert_beside); }
     static Modes after_accumulation(std::size_t event, Mode mode) { return transitions(event, mode, dalembert_after_accumulation); }
 
-    void rhs(Mode mode, const State& x, const Input& u, double t, State& dxdt) const { now().rhs(self(), number(mode), x.data(), u.data(), t, dxdt.data()); }
+    void rhs(Mode mode, const State& x, const Input& u, double t, State& dxdt) const {
+        now().rhs(self(), number(mode), x.data(), u.data(), t, dxdt.data());
+    }
     void jacobian_x(Mode mode, const State& x, const Input& u, double t, JacobianX& J) const {
         State dxdt;
         now().rhs_and_jacobian(self(), number(mode), x.data(), u.data(), t, dxdt.data(), J.data());
@@ -327,21 +339,43 @@ public:
     void output(Mode mode, const State& x, const Input& u, double t, Output& y) const {
         if (now().output != nullptr) now().output(self(), number(mode), x.data(), u.data(), t, y.data());
     }
-    double kinetic_energy(Mode mode, const State& x, double t) const { return now().kinetic_energy != nullptr ? now().kinetic_energy(self(), number(mode), x.data(), t) : 0; }
-    double potential_energy(Mode mode, const State& x, double t) const { return now().potential_energy != nullptr ? now().potential_energy(self(), number(mode), x.data(), t) : 0; }
-    double internal_energy(Mode mode, const State& x, double t) const { return now().internal_energy != nullptr ? now().internal_energy(self(), number(mode), x.data(), t) : 0; }
+    double kinetic_energy(Mode mode, const State& x, double t) const {
+        return now().kinetic_energy != nullptr ? now().kinetic_energy(self(), number(mode), x.data(), t) : 0;
+    }
+    double potential_energy(Mode mode, const State& x, double t) const {
+        return now().potential_energy != nullptr ? now().potential_energy(self(), number(mode), x.data(), t) : 0;
+    }
+    double internal_energy(Mode mode, const State& x, double t) const {
+        return now().internal_energy != nullptr ? now().internal_energy(self(), number(mode), x.data(), t) : 0;
+    }
     double supplied_power(Mode mode, const State& x, const Input& u, double t) const { return power(now().supplied_power, mode, x, u, t); }
-    double dissipated_power(Mode mode, const State& x, const Input& u, double t) const { return power(now().dissipated_power, mode, x, u, t); }
-    double prescribed_power(Mode mode, const State& x, const Input& u, double t) const { return power(now().prescribed_power, mode, x, u, t); }
-    double exchanged_power(Mode mode, const State& x, const Input& u, double t) const { return power(now().exchanged_power, mode, x, u, t); }
-    void guards(Mode mode, const State& x, const Input& u, double t, Events& g) const { now().guard_values(self(), number(mode), x.data(), u.data(), t, g.data()); }
-    void guard_rates(Mode mode, const State& x, const Input& u, double t, Events& rates) const { now().guard_rates(self(), number(mode), x.data(), u.data(), t, rates.data()); }
+    double dissipated_power(Mode mode, const State& x, const Input& u, double t) const {
+        return power(now().dissipated_power, mode, x, u, t);
+    }
+    double prescribed_power(Mode mode, const State& x, const Input& u, double t) const {
+        return power(now().prescribed_power, mode, x, u, t);
+    }
+    double exchanged_power(Mode mode, const State& x, const Input& u, double t) const {
+        return power(now().exchanged_power, mode, x, u, t);
+    }
+    void guards(Mode mode, const State& x, const Input& u, double t, Events& g) const {
+        now().guard_values(self(), number(mode), x.data(), u.data(), t, g.data());
+    }
+    void guard_rates(Mode mode, const State& x, const Input& u, double t, Events& rates) const {
+        now().guard_rates(self(), number(mode), x.data(), u.data(), t, rates.data());
+    }
     void kinks(Mode mode, const State& x, const Input& u, double t, Kinks& k) const {
         if (now().kink_values != nullptr) now().kink_values(self(), number(mode), x.data(), u.data(), t, k.data());
     }
-    bool holds(Mode mode, const State& x, const Input& u, double t) const { return now().holds == nullptr || now().holds(self(), number(mode), x.data(), u.data(), t) != 0; }
-    void reset(std::size_t event, Mode mode, State& x, const Input& u, double t) const { now().reset(self(), event, number(mode), x.data(), u.data(), t); }
-    void settle(std::size_t event, Mode mode, State& x, const Input& u, double t) const { now().settle(self(), event, number(mode), x.data(), u.data(), t); }
+    bool holds(Mode mode, const State& x, const Input& u, double t) const {
+        return now().holds == nullptr || now().holds(self(), number(mode), x.data(), u.data(), t) != 0;
+    }
+    void reset(std::size_t event, Mode mode, State& x, const Input& u, double t) const {
+        now().reset(self(), event, number(mode), x.data(), u.data(), t);
+    }
+    void settle(std::size_t event, Mode mode, State& x, const Input& u, double t) const {
+        now().settle(self(), event, number(mode), x.data(), u.data(), t);
+    }
     template <class Inputs, class StateAndWork>
     void series(Mode mode, const Inputs&, double t, std::size_t order, StateAndWork* x, double* rows) const {
         detail::series_of_plant(now(), self(), number(mode), t, order, x, rows);
@@ -357,7 +391,9 @@ private:
         return modes;
     }
     using Power = double (*)(const void*, unsigned, const double*, const double*, double);
-    double power(Power of, Mode mode, const State& x, const Input& u, double t) const { return of != nullptr ? of(self(), number(mode), x.data(), u.data(), t) : 0; }
+    double power(Power of, Mode mode, const State& x, const Input& u, double t) const {
+        return of != nullptr ? of(self(), number(mode), x.data(), u.data(), t) : 0;
+    }
 };
 
 /// The inputs that a plant was compiled for; where it was compiled for none, numbers that stay.

@@ -11,7 +11,11 @@ near "the height" "$(last pendulum_by_hand.csv height)" "$(awk 'BEGIN { print 0.
 dalembert 0 simulate pendulum.so --until 3 --parameter d=0.5,l=2 --state phi=0.3 --input a=0.2 --method rodas5p --no-plot
 prints 'energy error'
 dalembert 2 simulate pendulum.so --no-plot
-prints 'until'
+prints '--until says how long'
+dalembert 2 simulate pendulum.so --until 500ms --no-plot
+prints "as a number of seconds, not '500ms'"
+dalembert 2 simulate pendulum.so --until 1 --scene lab --no-plot
+prints "'--scene' is for models"
 dalembert 2 simulate pendulum.so --until 1 --parameter mass=2 --no-plot
 prints "plant 'pendulum' has no 'mass'"
 dalembert 2 simulate pendulum.so --until 1 --parameter l=long --no-plot

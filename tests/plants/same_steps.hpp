@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A generated system run by templates, with sizes known to the compiler, and as a plant, with sizes known when it is loaded: the same steps, events and
-// numbers, bit by bit.
+// A generated system run by templates, with sizes known to the compiler, and as a plant, with sizes known when it is loaded: the same
+// steps, events and numbers, bit by bit.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -41,9 +41,12 @@ Shown run(const System& system, const Inputs& inputs, double until, dalembert::M
     };
     if constexpr (dalembert::detail::is_switching<System>) {
         using Mode = typename System::Mode;
-        shown.outcome = Running::run(system, inputs, x, until, options, observe, [&](double t, std::size_t event, Mode from, Mode to, const auto&, const auto&) {
-            shown.changes.insert(shown.changes.end(), {t, double(event), double(static_cast<unsigned>(from)), double(static_cast<unsigned>(to))});
-        }).outcome;
+        shown.outcome = Running::run(system, inputs, x, until, options, observe,
+                                     [&](double t, std::size_t event, Mode from, Mode to, const auto&, const auto&) {
+                                         shown.changes.insert(shown.changes.end(), {t, double(event), double(static_cast<unsigned>(from)),
+                                                                                    double(static_cast<unsigned>(to))});
+                                     })
+                            .outcome;
     } else {
         shown.outcome = Running::run(system, inputs, x, until, options, observe).outcome;
     }
@@ -54,7 +57,8 @@ Shown run(const System& system, const Inputs& inputs, double until, dalembert::M
 inline std::size_t differences(const std::vector<double>& a, const std::vector<double>& b) {
     if (a.size() != b.size()) return std::max(a.size(), b.size());
     std::size_t count = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) count += std::memcmp(&a[i], &b[i], sizeof(double)) != 0 && !(a[i] != a[i] && b[i] != b[i]) ? 1 : 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        count += std::memcmp(&a[i], &b[i], sizeof(double)) != 0 && !(a[i] != a[i] && b[i] != b[i]) ? 1 : 0;
     return count;
 }
 
@@ -81,7 +85,8 @@ void check_kind(const dalembert_plant& plant, double until, const std::vector<da
     const AsPlant as_plant(std::vector<double>(plant.parameter_defaults, plant.parameter_defaults + plant.parameters));
     for (const dalembert::Method method : methods) {
         CAPTURE(static_cast<int>(method));
-        check_same(run(system, dalembert::ZeroInputs<System>{}, until, method), run(as_plant, dalembert::InputsOfPlant(as_plant, {}), until, method));
+        check_same(run(system, dalembert::ZeroInputs<System>{}, until, method),
+                   run(as_plant, dalembert::InputsOfPlant(as_plant, {}), until, method));
     }
 }
 
@@ -91,7 +96,8 @@ void check_plant(double until, const std::vector<dalembert::Method>& methods) {
     using dalembert::PlantKind;
     constexpr bool switches = dalembert::detail::is_switching<System>;
     if constexpr (switches) return check_kind<PlantKind::switching, System>(plant, until, methods);
-    else if constexpr (dalembert::detail::chooses_constraints<System>) return check_kind<PlantKind::choosing, System>(plant, until, methods);
+    else if constexpr (dalembert::detail::chooses_constraints<System>)
+        return check_kind<PlantKind::choosing, System>(plant, until, methods);
     else if constexpr (dalembert::detail::can_be_singular<System>) return check_kind<PlantKind::constrained, System>(plant, until, methods);
     else if constexpr (dalembert::detail::needs_projection<System>) return check_kind<PlantKind::normed, System>(plant, until, methods);
     else check_kind<PlantKind::free, System>(plant, until, methods);
