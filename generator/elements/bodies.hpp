@@ -32,7 +32,7 @@ inline constexpr KindSpec kind_of<Body>{"body", "Point masses, planar rigid bodi
 
 template <class Visitor, ElementOf<Body> E>
 void describe(Visitor& v, E& body) {
-    v("mass", body.mass, {.dimension = Dimension::mass(), .depends = on_parameters | on_states,
+    v("mass", body.mass, {.dimension = Dimension::mass(), .depends = on_parameters | on_states, .sign = not_below_zero("kg"),
         .excludes = {{"solid", "has a solid and a mass; the solid brings its mass"}}, .doc = "its mass; needs a position"});
     v("position", body.position, {.dimension = Dimension::length(), .depends = on_configuration,
         .doc = "position of its centre of mass"});

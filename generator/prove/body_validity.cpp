@@ -9,6 +9,7 @@
 #include "elements/bodies.hpp"
 #include "elements/forces.hpp"
 #include "elements/model.hpp"
+#include "form/signs.hpp"
 #include "prove/equivalence.hpp"
 
 namespace dalembert {
@@ -90,6 +91,8 @@ std::optional<UnbalancedMass> unbalanced_mass(const System& system) {
 
 void check_body_values(const System& system, const Values& values) {
     const GiNaC::exmap at = values.substitution();
+    const StartValues value(system, values);
+    for (const auto& member : system.scene.bodies) check_signs(*member.item, member.name(), Translator::indices_of(member), system, value);
     for (const BodyMotion& body : system.bodies)
         if (body.has_tensor()) check_tensor(body, system, at);
     std::vector<Member<Cut>> cuts;
