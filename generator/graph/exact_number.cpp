@@ -23,8 +23,33 @@ std::optional<cln::cl_R> number_of(const ex& e) {
     return cln::realpart(GiNaC::ex_to<numeric>(value).to_cl_N());
 }
 
+GiNaC::exvector numbers_of(const std::vector<cln::cl_R>& values) {
+    GiNaC::exvector numbers;
+    for (const cln::cl_R& x : values) numbers.emplace_back(numeric(x));
+    return numbers;
+}
+
 bool all_there(const std::vector<const MaybeExact*>& parts) {
     return std::all_of(parts.begin(), parts.end(), [](const MaybeExact* part) { return part->has_value(); });
+}
+
+/// Slopes are doubles, for which these digits are enough: meanwhile GiNaC computes with them.
+class SlopeDigits {
+public:
+    explicit SlopeDigits(int digits) : digits_(digits) { GiNaC::Digits = few(digits) + guard_digits; }
+    ~SlopeDigits() { GiNaC::Digits = digits_ + guard_digits; }
+    SlopeDigits(const SlopeDigits&) = delete;
+    SlopeDigits& operator=(const SlopeDigits&) = delete;
+    static int few(int digits) { return std::min(digits, 40); }
+
+private:
+    int digits_;
+};
+
+std::vector<cln::cl_R> with_digits(std::vector<cln::cl_R> values, int digits) {
+    const cln::float_format_t format = cln::float_format(static_cast<unsigned long>(digits + guard_digits));
+    for (cln::cl_R& x : values) x = cln::cl_float(x, format);
+    return values;
 }
 
 double approximate(const cln::cl_R& x) { return cln::double_approx(x); }
@@ -92,12 +117,10 @@ std::optional<cln::cl_R> ExactArithmetic::value(Op op, const Values& a) const {
         }
         default: break;
     }
-    std::vector<ex> arguments;
-    for (const cln::cl_R& x : a) arguments.emplace_back(numeric(x));
-    return number_of(applied(scalar_function(op), arguments));
+    return number_of(applied(scalar_function(op), numbers_of(a)));
 }
 
-MaybeExact ExactArithmetic::by_differences(const At& at, const std::vector<const MaybeExact*>& arguments) const {
+MaybeExact ExactArithmetic::by_differences(const At& at, const std::vector<const MaybeExact*>& arguments, bool is_smooth) const {
     Values values;
     for (const MaybeExact* argument : arguments) values.push_back((*argument)->value);
     const auto guarded = [&]() -> std::optional<cln::cl_R> {
@@ -110,21 +133,59 @@ MaybeExact ExactArithmetic::by_differences(const At& at, const std::vector<const
     const auto here = guarded();
     if (!here) return std::nullopt;
     ExactNumber result{*here, {}};
-    for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::all_of(arguments.begin(), arguments.end(), [](const MaybeExact* argument) { return (*argument)->slopes.empty(); }))
+        return result;
+    const SlopeDigits meanwhile(digits_);
+    const int digits = SlopeDigits::few(digits_);
+    values = with_digits(std::move(values), digits);
+    const auto middle = guarded();
+    for (std::size_t i = 0; middle && i < values.size(); ++i) {
         if ((*arguments[i])->slopes.empty()) continue;
         const cln::cl_R x = values[i];
-        const cln::cl_R step = cln::zerop(x) ? cln::cl_R(cln::cl_float(cln::expt(cln::cl_RA(10), -2 * digits_ / 3), format_))
-                                             : cln::cl_R(cln::abs(x) * cln::expt(cln::cl_RA(10), -digits_ / 3));
-        double slope = 0;
+        const cln::cl_R step = cln::zerop(x) ? cln::cl_R(cln::expt(cln::cl_RA(10), -2 * digits / 3))
+                                             : cln::cl_R(cln::abs(x) * cln::expt(cln::cl_RA(10), -digits / 3));
+        std::optional<double> slope;
         for (const int side : {1, -1}) {
             values[i] = x + side * step;
             const auto there = guarded();
             if (!there) continue;
-            const double one = approximate((*there - *here) / (side * step));
-            if (std::fabs(one) > std::fabs(slope)) slope = one;
+            const double one = approximate((*there - *middle) / (side * step));
+            if (!slope || std::fabs(one) > std::fabs(*slope)) slope = one;
+            if (is_smooth) break;
         }
         values[i] = x;
-        result.add_slopes(**arguments[i], slope);
+        result.add_slopes(**arguments[i], slope.value_or(0));
+    }
+    return result;
+}
+
+/// By the slopes that the table of functions knows; nothing where it knows none, or they have no value.
+MaybeExact ExactArithmetic::by_known_slopes(Op op, const std::vector<const MaybeExact*>& arguments) const {
+    const ScalarFunction& row = scalar_function(op);
+    if (row.slope == nullptr && row.slopes == nullptr) return std::nullopt;
+    Values values;
+    for (const MaybeExact* argument : arguments) {
+        values.push_back((*argument)->value);
+        if (cln::zerop(values.back())) return std::nullopt;  // there are kinks
+    }
+    const auto here = value(op, values);
+    if (!here) return std::nullopt;
+    ExactNumber result{*here, {}};
+    const SlopeDigits meanwhile(digits_);
+    values.push_back(*here);
+    const auto parts = numbers_of(with_digits(std::move(values), SlopeDigits::few(digits_)));
+    const ex& f = parts.back();
+    std::vector<ex> slopes;
+    if (row.slope != nullptr) slopes = {row.slope(f, parts[0])};
+    else {
+        const auto [by_first, by_second] = row.slopes(f, parts[0], parts[1]);
+        slopes = {by_first, by_second};
+    }
+    for (std::size_t i = 0; i < slopes.size(); ++i) {
+        if ((*arguments[i])->slopes.empty()) continue;
+        const auto slope = number_of(slopes[i]);
+        if (!slope) return std::nullopt;
+        result.add_slopes(**arguments[i], approximate(*slope));
     }
     return result;
 }
@@ -173,7 +234,9 @@ MaybeExact ExactArithmetic::function(Op op, const std::vector<const MaybeExact*>
                 if (!exponent.slopes.empty()) number.add_slopes(exponent, approximate(cln::realpart(cln::log(x.value)) * *result));
                 return number;
             }
-            default: return by_differences([&](const Values& values) { return value(op, values); }, arguments);
+            default:
+                if (const MaybeExact result = by_known_slopes(op, arguments)) return result;
+                return by_differences([&](const Values& values) { return value(op, values); }, arguments);
         }
     } catch (const std::exception&) {  // a pole
         return std::nullopt;
@@ -184,15 +247,14 @@ MaybeExact ExactArithmetic::element(Op array, const std::vector<const MaybeExact
     if (!all_there(arguments)) return std::nullopt;
     GiNaC::Digits = digits_ + guard_digits;
     const auto at = [&](const Values& values) {
-        GiNaC::exvector list;
-        for (const cln::cl_R& x : values) list.emplace_back(numeric(x));
+        const GiNaC::exvector list = numbers_of(values);
         const ex whole = GiNaC::exprseq(list.begin(), list.end());
         if (array == Op::balanced_temperature) return number_of(balanced_temperature(static_cast<unsigned long>(k), whole));
         if (array == Op::junction_root) return number_of(junction_root(static_cast<unsigned long>(k), whole));
         const unsigned long n = network_order(whole);
         return number_of(network_inverse(k / n, k % n, whole));
     };
-    return by_differences(at, arguments);
+    return by_differences(at, arguments, true);
 }
 
 }  // namespace dalembert

@@ -38,8 +38,8 @@ public:
     static MaybeExact sum(const std::vector<const MaybeExact*>& terms, const std::vector<bool>& negative);
     static MaybeExact product(const std::vector<const MaybeExact*>& factors);
     static MaybeExact reciprocal(const MaybeExact& x);
-    /// Slopes of functions that have no simple one are differences, at a distance of a third of the digits. Where a function jumps its
-    /// slope is that of its pieces.
+    /// Slopes that the table of functions does not know are differences, at a distance of a third of their digits. Where a function
+    /// jumps its slope is that of its pieces.
     MaybeExact function(Op op, const std::vector<const MaybeExact*>& arguments) const;
     /// Element k of an array that is made of these.
     MaybeExact element(Op array, const std::vector<const MaybeExact*>& arguments, std::size_t k) const;
@@ -48,7 +48,8 @@ private:
     using Values = std::vector<cln::cl_R>;
     using At = std::function<std::optional<cln::cl_R>(const Values&)>;
     std::optional<cln::cl_R> value(Op op, const Values& arguments) const;
-    MaybeExact by_differences(const At& at, const std::vector<const MaybeExact*>& arguments) const;
+    MaybeExact by_differences(const At& at, const std::vector<const MaybeExact*>& arguments, bool is_smooth = false) const;
+    MaybeExact by_known_slopes(Op op, const std::vector<const MaybeExact*>& arguments) const;
 
     int digits_;
     cln::float_format_t format_;

@@ -87,7 +87,7 @@ void Rewriter::draw(const std::vector<Polynomial>& guards) {
             for (std::size_t i = 0; i < definitions.size(); ++i) {
                 const Letter letter = atoms_.symbol(definitions[i]);
                 if (inputs.contains(letter)) continue;
-                const MaybeExact value = at.exact(definitions_[i]);
+                const MaybeExact value = at.value(definitions_[i]);
                 if (!value) continue;
                 values[variables.size() + i] = cln::double_approx(value->value);
                 if (!std::isfinite(values[variables.size() + i])) continue;
@@ -98,11 +98,20 @@ void Rewriter::draw(const std::vector<Polynomial>& guards) {
         const auto& list = system_.guards;
         const bool holds = std::all_of(list.begin(), list.end(), [&](const Guard& guard) {
             if (!guard.ends) return true;
-            const MaybeExact value = at.exact(guards[static_cast<std::size_t>(&guard - list.data())]);
+            const MaybeExact value = at.value(guards[static_cast<std::size_t>(&guard - list.data())]);
             return value && !cln::minusp(value->value);
         });
         if (holds) points_.emplace_back(std::move(at), std::move(values));
     }
+}
+
+/// How large an error of a number is that its inputs, at these values, and its own rounding allow.
+double Rewriter::unit_of(const ExactNumber& number, const std::vector<double>& values) {
+    const Arithmetic& arithmetic = double_arithmetic();
+    double unit = arithmetic.ulp(cln::double_approx(number.value));
+    for (std::size_t i = 0; i < number.slopes.size(); ++i)
+        if (number.slopes[i] != 0) unit += std::fabs(number.slopes[i]) * arithmetic.ulp(values[i]) / 2;
+    return unit;
 }
 
 const std::vector<std::optional<Rewriter::Expected>>& Rewriter::expected(const Polynomial& exact_form) {
@@ -117,12 +126,28 @@ const std::vector<std::optional<Rewriter::Expected>>& Rewriter::expected(const P
         const MaybeExact number = at.exact(exact_form);
         const double value = number ? cln::double_approx(number->value) : 0;
         if (!number || !(std::fabs(value) <= arithmetic.largest)) continue;
-        double unit = arithmetic.ulp(value);
-        for (std::size_t i = 0; i < number->slopes.size(); ++i)
-            if (number->slopes[i] != 0) unit += std::fabs(number->slopes[i]) * arithmetic.ulp(values[i]) / 2;
-        list.back() = Expected{number->value, unit};
+        list.back() = Expected{number->value, unit_of(*number, values)};
     }
     return list;
+}
+
+/// Whether a form loses no more than `good_enough`. Slopes are taken only where it loses more than the last digits of the value itself.
+bool Rewriter::is_good(const Polynomial& exact_form, const Polynomial& computed_form) {
+    if (points_.empty()) draw(guards_);
+    const Arithmetic& arithmetic = double_arithmetic();
+    for (auto& [at, values] : points_) {
+        const MaybeExact number = at.value(exact_form);
+        const double value = number ? cln::double_approx(number->value) : 0;
+        if (!number || !(std::fabs(value) <= arithmetic.largest)) continue;
+        const double computed = at.rounded(computed_form);
+        if (!std::isfinite(computed)) return false;
+        if (std::fabs(computed) < vanishing && cln::abs(number->value) < exact(vanishing)) continue;
+        const double error = cln::double_approx(cln::abs(exact(computed) - number->value));
+        if (error / arithmetic.ulp(value) <= good_enough) continue;
+        const MaybeExact with_slopes = at.exact(exact_form);
+        if (!with_slopes || error / unit_of(*with_slopes, values) > good_enough) return false;
+    }
+    return true;
 }
 
 double Rewriter::Loss::largest() const { return without_value > 0 ? std::numeric_limits<double>::infinity() : error; }
@@ -150,10 +175,10 @@ bool Rewriter::seems_zero(const Polynomial& p) {
     if (points_.empty()) draw(guards_);
     int seen = 0;
     for (auto& [at, values] : points_) {
-        const MaybeExact sum = at.exact(p);
+        const MaybeExact sum = at.value(p);
         if (!sum) continue;
         cln::cl_R size = 0;
-        for (const auto& [monomial, coefficient] : p.terms()) size = size + cln::abs(at.exact(Polynomial(coefficient) * monomial)->value);
+        for (const auto& [monomial, coefficient] : p.terms()) size = size + cln::abs(at.value(Polynomial(coefficient) * monomial)->value);
         if (cln::abs(sum->value) > size * cln::expt(cln::cl_RA(10), -digits / 2)) return false;
         if (++seen == enough) return true;
     }
@@ -163,7 +188,7 @@ bool Rewriter::seems_zero(const Polynomial& p) {
 std::size_t Rewriter::points_with_value(const Polynomial& exact_form) {
     if (points_.empty()) draw(guards_);
     std::size_t count = 0;
-    for (auto& [at, values] : points_) count += at.exact(exact_form) ? 1 : 0;
+    for (auto& [at, values] : points_) count += at.value(exact_form) ? 1 : 0;
     return count;
 }
 
@@ -203,6 +228,7 @@ Polynomial Rewriter::operator()(const Polynomial& p, const char* where) {
     Polynomial reference = p;
     for (const OtherForm& form : other_forms(p, atoms_, forms_))
         if (form.fills_gaps && points_with_value(form.form) > points_with_value(reference)) reference = form.form;
+    if (is_good(reference, p)) return left();
     const Loss before = loss(reference, p);
     Loss now = before;
     std::vector<Rewriting> noted;

@@ -36,6 +36,8 @@ private:
         double largest() const;
     };
     Loss loss(const Polynomial& exact, const Polynomial& computed);
+    bool is_good(const Polynomial& exact, const Polynomial& computed);
+    static double unit_of(const ExactNumber& number, const std::vector<double>& values);
     void draw(const std::vector<Polynomial>& guards);
     bool seems_zero(const Polynomial& p);
     std::size_t points_with_value(const Polynomial& exact);

@@ -12,16 +12,17 @@ Rational rational_of(double value) { return cln::rational(cln::cl_DF(value)); }
 
 void RoundedPolynomials::set(std::map<Letter, Input> inputs) {
     inputs_ = std::move(inputs);
-    exact_.clear();
+    with_slopes_.letters.clear();
+    values_.letters.clear();
     rounded_.clear();
 }
 
-MaybeExact RoundedPolynomials::exact(const Polynomial& p) {
+MaybeExact RoundedPolynomials::sum_of(const Polynomial& p, Known& known) {
     MaybeExact sum = ExactNumber{};
     for (const auto& [monomial, coefficient] : p.terms()) {
         MaybeExact term = arithmetic_.constant(coefficient);
         for (const LetterPower& power : monomial) {
-            const MaybeExact& letter = exact_letter(power.letter);
+            const MaybeExact& letter = exact_letter(power.letter, known);
             const MaybeExact factor = power.exponent > 0 ? letter : ExactArithmetic::reciprocal(letter);
             for (int i = std::abs(power.exponent); i > 0; --i) term = ExactArithmetic::product({&term, &factor});
         }
@@ -30,25 +31,26 @@ MaybeExact RoundedPolynomials::exact(const Polynomial& p) {
     return sum;
 }
 
-const MaybeExact& RoundedPolynomials::exact_letter(Letter letter) {
-    if (const auto known = exact_.find(letter); known != exact_.end()) return known->second;
+const MaybeExact& RoundedPolynomials::exact_letter(Letter letter, Known& known) {
+    if (const auto found = known.letters.find(letter); found != known.letters.end()) return found->second;
     const Atom& atom = atoms_[letter];
     MaybeExact value;
     if (atom.op == Op::pi) value = arithmetic_.pi();
-    else if (atom.op == Op::sum) value = exact(atom.arguments[0]);
+    else if (atom.op == Op::sum) value = sum_of(atom.arguments[0], known);
     else if (atom.op == Op::symbol) {
         if (const auto input = inputs_.find(letter); input != inputs_.end())
-            value = arithmetic_.input(rational_of(input->second.value), input->second.number, slope_count_);
+            value = known.has_slopes ? arithmetic_.input(rational_of(input->second.value), input->second.number, slope_count_)
+                                     : arithmetic_.constant(rational_of(input->second.value));
     } else {
         std::vector<MaybeExact> arguments;
-        for (const Polynomial& argument : atom.arguments) arguments.push_back(exact(argument));
+        for (const Polynomial& argument : atom.arguments) arguments.push_back(sum_of(argument, known));
         std::vector<const MaybeExact*> pointers;
         for (std::size_t i = is_array(atom.op) ? 1 : 0; i < arguments.size(); ++i) pointers.push_back(&arguments[i]);
         if (!is_array(atom.op)) value = arithmetic_.function(atom.op, pointers);
         else if (arguments[0])
             value = arithmetic_.element(atom.op, pointers, static_cast<std::size_t>(std::lround(cln::double_approx(arguments[0]->value))));
     }
-    return exact_[letter] = value;
+    return known.letters[letter] = value;
 }
 
 double RoundedPolynomials::rounded(const Polynomial& p) {
@@ -74,7 +76,7 @@ double RoundedPolynomials::rounded_letter(Letter letter) {
     } else if (atom.op == Op::sum) {
         value = rounded(atom.arguments[0]);
     } else if (atom.op == Op::pi || is_array(atom.op)) {
-        if (const MaybeExact& exact = exact_letter(letter)) value = cln::double_approx(exact->value);
+        if (const MaybeExact& exact = exact_letter(letter, values_)) value = cln::double_approx(exact->value);
     } else {
         // Functions are taken to be rounded correctly.
         std::vector<MaybeExact> arguments;

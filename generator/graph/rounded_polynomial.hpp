@@ -21,19 +21,26 @@ public:
     };
     void set(std::map<Letter, Input> inputs);
 
-    MaybeExact exact(const Polynomial& p);
+    MaybeExact exact(const Polynomial& p) { return sum_of(p, with_slopes_); }
+    /// The same number without slopes, which take most of the time where functions are differentiated by differences.
+    MaybeExact value(const Polynomial& p) { return sum_of(p, values_); }
     /// With every product, sum and function rounded to double, in the order of terms. Not a number where there is no value.
     double rounded(const Polynomial& p);
 
 private:
-    const MaybeExact& exact_letter(Letter letter);
+    struct Known {
+        bool has_slopes;
+        std::map<Letter, MaybeExact> letters = {};
+    };
+    MaybeExact sum_of(const Polynomial& p, Known& known);
+    const MaybeExact& exact_letter(Letter letter, Known& known);
     double rounded_letter(Letter letter);
 
     const Atoms& atoms_;
     ExactArithmetic arithmetic_;
     std::size_t slope_count_;
     std::map<Letter, Input> inputs_;
-    std::map<Letter, MaybeExact> exact_;
+    Known with_slopes_{true}, values_{false};
     std::map<Letter, double> rounded_;
 };
 

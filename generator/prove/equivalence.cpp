@@ -175,15 +175,15 @@ bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>&
         bool as_letters;
     };
     std::vector<Attempt> attempts{{std::nullopt, true}, {std::nullopt, false}};
-    if (system_.symbols.has_steps()) attempts.insert(attempts.end(), {{Depth::shallow, false}, {Depth::halfway, false}});
-    if (system_.symbols.count(SymbolKind::definition) > 0) attempts.push_back({Depth::full, false});
+    if (system_.symbols.count(SymbolKind::definition) > 0)
+        attempts.insert(attempts.end(), {{Depth::shallow, false}, {Depth::halfway, false}, {Depth::full, false}});
     ex tried = difference;
     for (const auto& [depth, as_letters] : attempts) {
         if (!depth && !as_letters && !NormalForm::has_heat_functions(difference)) continue;  // the first attempt again
         const ex written = depth ? system_.symbols.without_definitions(difference, *depth) : difference;
         if (depth && written.is_equal(tried)) continue;
         // What differs somewhere is not worth the effort.
-        if (depth && system_.symbols.has_steps() && !seems_zero_(difference)) return false;
+        if (depth && !seems_zero_(difference)) return false;
         tried = written;
         try {
             NormalForm form(positive, as_letters, joins_roots);

@@ -34,7 +34,7 @@ bool NormalForm::is_zero(const ex& given) {
         try {
             if (!functions_are_letters_) roots_first(e);
             if (joins_roots_) simple_roots_first(e);
-            const bool result = without_inverses(convert(e)).is_zero();
+            const bool result = vanishes(convert(e));
             // Positive is what a logarithm is taken of, here and not before a restart alone.
             if (!std::includes(logarithms_of_.begin(), logarithms_of_.end(), divided_by_.begin(), divided_by_.end()))
                 throw NoNormalForm("logarithms that went");
@@ -146,7 +146,7 @@ Polynomial NormalForm::atom_of(const std::string& name, const std::vector<Polyno
     return Polynomial::letter(found->second);
 }
 
-void NormalForm::add_reduced(Polynomial& to, const Monomial& monomial, const Rational& coefficient) {
+void NormalForm::add_reduced(Polynomial& to, Monomial monomial, const Rational& coefficient) {
     for (const LetterPower& p : monomial) {
         if (!has_relation_[p.letter]) continue;
         const Relation& relation = relations_.at(p.letter);
@@ -158,7 +158,7 @@ void NormalForm::add_reduced(Polynomial& to, const Monomial& monomial, const Rat
         return;
     }
     work_ += 1 + static_cast<double>(bit_length(coefficient)) / 64;
-    to.add(monomial, coefficient);
+    to.add(std::move(monomial), coefficient);
 }
 
 Polynomial NormalForm::multiply(const Polynomial& a, const Polynomial& b) {
@@ -172,36 +172,76 @@ Polynomial NormalForm::multiply(const Polynomial& a, const Polynomial& b) {
     return result;
 }
 
-/// Multiplies by the denominators until no reciprocal is left; a denominator is not zero where the expression is defined. Reducing the
-/// square of a root may bring a reciprocal back that was gone already, so one round is not always enough.
-Polynomial NormalForm::without_inverses(Polynomial p) {
-    const auto highest_power = [&](Letter letter) {
-        int highest = 0;
-        for (const auto& [monomial, coefficient] : p.terms()) highest = std::max(highest, exponent_of(monomial, letter));
-        return highest;
-    };
-    constexpr int most_rounds = 20;
-    for (int round = 0; round < most_rounds; ++round) {
-        bool any = false;
-        for (auto inverse = inverse_order_.rbegin(); inverse != inverse_order_.rend(); ++inverse) {
-            const auto& [letter, denominator] = *inverse;
-            const int highest = highest_power(letter);
-            if (highest == 0) continue;
-            any = true;
-            std::vector<Polynomial> by_exponent(static_cast<std::size_t>(highest) + 1);
-            for (const auto& [monomial, coefficient] : p.terms())
-                by_exponent[static_cast<std::size_t>(highest - exponent_of(monomial, letter))].add(without(monomial, letter), coefficient);
-            Polynomial result;
-            Polynomial denominators(1);
-            for (const Polynomial& part : by_exponent) {
-                result += multiply(part, denominators);
-                denominators = multiply(denominators, denominator);
-            }
-            p = std::move(result);
-        }
-        if (!any) return p;
+/// None where the letter is no reciprocal.
+const Polynomial* NormalForm::denominator_of(Letter reciprocal) const {
+    const auto found = std::lower_bound(inverse_order_.begin(), inverse_order_.end(), reciprocal,
+                                        [](const auto& known, Letter letter) { return known.first < letter; });
+    return found != inverse_order_.end() && found->first == reciprocal ? &found->second : nullptr;
+}
+
+/// Multiplies by the denominator of the reciprocal `letter` until it is gone; the denominator is not zero where the expression is defined.
+Polynomial NormalForm::without_inverse(const Polynomial& p, Letter letter, const Polynomial& denominator) {
+    int highest = 0;
+    for (const auto& [monomial, coefficient] : p.terms()) highest = std::max(highest, exponent_of(monomial, letter));
+    std::vector<Polynomial> by_exponent(static_cast<std::size_t>(highest) + 1);
+    for (const auto& [monomial, coefficient] : p.terms())
+        by_exponent[static_cast<std::size_t>(highest - exponent_of(monomial, letter))].add(without(monomial, letter), coefficient);
+    Polynomial result;
+    Polynomial denominators(1);
+    for (const Polynomial& part : by_exponent) {
+        result += multiply(part, denominators);
+        denominators = multiply(denominators, denominator);
     }
-    throw NoNormalForm("reciprocals that do not go away");
+    return result;
+}
+
+/// Letters that may be touched when the reciprocals among `letters` are multiplied away: those of denominators, and of what these are replaced by.
+std::set<NormalForm::Letter> NormalForm::touched_by_inverses(const std::set<Letter>& letters) const {
+    std::set<Letter> touched;
+    std::vector<Letter> open;
+    const auto touch = [&](const Polynomial& p) {
+        for (const auto& [monomial, coefficient] : p.terms())
+            for (const LetterPower& power : monomial)
+                if (touched.insert(power.letter).second) open.push_back(power.letter);
+    };
+    const auto touch_denominator = [&](Letter letter) {
+        if (const Polynomial* denominator = denominator_of(letter)) {
+            touched.insert(letter);
+            touch(*denominator);
+        }
+    };
+    for (const Letter letter : letters) touch_denominator(letter);
+    while (!open.empty()) {
+        const Letter letter = open.back();
+        open.pop_back();
+        touch_denominator(letter);
+        if (has_relation_[letter]) touch(relations_.at(letter).value);
+    }
+    return touched;
+}
+
+/// Whether a polynomial with reciprocals is zero. Terms that differ in letters which no denominator touches never meet: each group of them is
+/// zero alone. Reducing the square of a root may bring a reciprocal back that was gone already, so the depth is bounded.
+bool NormalForm::vanishes(const Polynomial& p, int depth) {
+    constexpr int deepest = 500;
+    if (depth > deepest) throw NoNormalForm("reciprocals that do not go away");
+    std::set<Letter> letters;
+    for (const auto& [monomial, coefficient] : p.terms())
+        for (const LetterPower& power : monomial) letters.insert(power.letter);
+    const std::set<Letter> touched = touched_by_inverses(letters);
+    if (touched.empty()) return p.is_zero();
+
+    std::map<Monomial, Polynomial> groups;
+    for (const auto& [monomial, coefficient] : p.terms()) {
+        Monomial apart, rest;
+        for (const LetterPower& power : monomial) (touched.contains(power.letter) ? rest : apart).push_back(power);
+        groups[apart].add(std::move(rest), coefficient);
+    }
+    if (groups.size() > 1)
+        return std::all_of(groups.begin(), groups.end(), [&](const auto& group) { return vanishes(group.second, depth + 1); });
+    // The latest first: its denominator may hold earlier ones.
+    const auto inverse = std::find_if(inverse_order_.rbegin(), inverse_order_.rend(), [&](const auto& known) { return letters.contains(known.first); });
+    return vanishes(without_inverse(groups.begin()->second, inverse->first, inverse->second), depth + 1);
 }
 
 }  // namespace dalembert

@@ -99,8 +99,11 @@ private:
     Polynomial integer_power(const Polynomial& base, int exponent);
     Polynomial inverse(const Polynomial& p);
     Monomial positive_factor(const Polynomial& p) const;
-    void add_reduced(Polynomial& to, const Monomial& monomial, const Rational& coefficient);
-    Polynomial without_inverses(Polynomial p);
+    void add_reduced(Polynomial& to, Monomial monomial, const Rational& coefficient);
+    const Polynomial* denominator_of(Letter reciprocal) const;
+    Polynomial without_inverse(const Polynomial& p, Letter letter, const Polynomial& denominator);
+    std::set<Letter> touched_by_inverses(const std::set<Letter>& letters) const;
+    bool vanishes(const Polynomial& p, int depth = 0);
 
     Letter new_letter(bool positive = false);
     void relate(Letter letter, int degree, Polynomial value);
@@ -129,7 +132,7 @@ private:
     std::map<std::pair<Polynomial, int>, Letter> roots_;
     std::map<Polynomial, Letter> signs_;
     std::map<Polynomial, Letter> inverses_;
-    std::vector<std::pair<Letter, Polynomial>> inverse_order_;
+    std::vector<std::pair<Letter, Polynomial>> inverse_order_;  ///< denominators by the letter of their reciprocal, in the order of letters
     std::map<std::pair<std::string, std::vector<Polynomial>>, Letter> atoms_;
     std::map<Letter, Polynomial> logarithms_;      ///< letters that stand for log(polynomial)
     std::set<Polynomial> logarithms_of_, divided_by_;  ///< arguments that occurred; those that others were divided by

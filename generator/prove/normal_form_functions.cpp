@@ -123,7 +123,7 @@ Polynomial NormalForm::extreme(bool is_smaller, const Polynomial& a, const Polyn
 
 /// S with S^2 = 1, the same letter for x and, with the other sign, for -x. At x = 0 nothing is claimed.
 Polynomial NormalForm::sign_of(const Polynomial& whole) {
-    if (without_inverses(whole).is_zero()) return {};
+    if (vanishes(whole)) return {};
     Polynomial argument = whole;
     if (joins_roots_) {
         clear_by_squares(argument, false);

@@ -57,7 +57,7 @@ std::optional<Polynomial> NormalForm::heat_function(const std::string& name, con
 
 /// (1 - exp(-z))/z, or ((1 + z) exp(-z) - 1)/z^2
 Polynomial NormalForm::decay_mean(const Polynomial& z, bool slope) {
-    if (without_inverses(z).is_zero()) return Polynomial(slope ? Rational(-1) / 2 : Rational(1));
+    if (vanishes(z)) return Polynomial(slope ? Rational(-1) / 2 : Rational(1));
     Polynomial result = exponential(-z);
     if (slope) {
         Polynomial more = z;
@@ -71,7 +71,7 @@ Polynomial NormalForm::decay_mean(const Polynomial& z, bool slope) {
 /// (a - b)/l, or (l - 1 + b/a)/l^2, with l = log(a) - log(b)
 Polynomial NormalForm::log_mean(const Polynomial& a, const Polynomial& b, bool slope) {
     const Polynomial difference = a - b;
-    if (without_inverses(difference).is_zero()) return slope ? Polynomial(Rational(1) / 2) : a;
+    if (vanishes(difference)) return slope ? Polynomial(Rational(1) / 2) : a;
     const Polynomial l = logarithm(a) - logarithm(b);
     if (!slope) return multiply(difference, inverse(l));
     return multiply(l - multiply(difference, inverse(a)), integer_power(l, -2));
@@ -97,7 +97,7 @@ Polynomial NormalForm::root_of_product(const Polynomial& base) {
 
 /// The letter t with a t^4 = b - t
 Polynomial NormalForm::radiant_temperature(const Polynomial& a, const Polynomial& b) {
-    if (without_inverses(a).is_zero() || without_inverses(b).is_zero()) return b;
+    if (vanishes(a) || vanishes(b)) return b;
     const Polynomial over_a = inverse(a);
     const auto [found, is_new] = atoms_.emplace(std::pair(std::string("radiant_temperature"), std::vector<Polynomial>{a, b}), 0);
     if (is_new) {

@@ -291,11 +291,8 @@ Polynomial NormalForm::inverse(const Polynomial& p) {
     Polynomial result(Rational(1) / leading(rest));
     rest *= Rational(1) / leading(rest);
     for (const LetterPower& power : common) {
-        const auto reciprocal =
-            std::find_if(inverse_order_.begin(), inverse_order_.end(), [&](const auto& known) { return known.first == power.letter; });
-        if (reciprocal != inverse_order_.end()) {
-            const Polynomial denominator = reciprocal->second;
-            result = multiply(result, integer_power(denominator, power.exponent));
+        if (const Polynomial* denominator = denominator_of(power.letter)) {
+            result = multiply(result, integer_power(*denominator, power.exponent));
             continue;
         }
         if (!has_relation_[power.letter]) {

@@ -50,9 +50,9 @@ Polynomial Polynomial::letter(std::uint32_t letter, int exponent) {
     return result;
 }
 
-void Polynomial::add(const Monomial& monomial, const Rational& coefficient) {
+void Polynomial::add(Monomial monomial, const Rational& coefficient) {
     if (dalembert::is_zero(coefficient)) return;
-    const auto [term, is_new] = terms_.emplace(monomial, coefficient);
+    const auto [term, is_new] = terms_.try_emplace(std::move(monomial), coefficient);
     if (is_new) return;
     term->second = term->second + coefficient;
     if (dalembert::is_zero(term->second)) terms_.erase(term);

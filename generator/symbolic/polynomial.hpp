@@ -47,7 +47,7 @@ public:
     bool is_monomial() const { return terms_.size() == 1; }
     std::size_t size() const { return terms_.size(); }
 
-    void add(const Monomial& monomial, const Rational& coefficient);
+    void add(Monomial monomial, const Rational& coefficient);
     Polynomial& operator+=(const Polynomial& other);
     Polynomial& operator*=(const Rational& factor);
     friend Polynomial operator-(const Polynomial& a, const Polynomial& b);
