@@ -20,18 +20,24 @@ std::string prefix_of(const Scene& scene) { return scene.sized_name() + "_" + sc
 
 std::string name_of_space(const Scene& scene) { return fmt::format("{}::{}", scene.sized_name(), scene.name); }
 
+/// The warning of compilers that make wrong code, without the licence of its file.
+std::string compiler_check() {
+    const std::string_view text = embedded_file("compiler.h");
+    return std::string(text.substr(text.find('\n') + 1)) + "\n";
+}
+
 std::string file_in_cpp(const Plant& plant, const PlantFields* fields, const Scene& scene, const std::string& banner) {
     const std::string name_space = name_of_space(scene);
     std::string guard = prefix_of(scene) + "_hpp";
     for (char& c : guard) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     const std::string content =
         fields == nullptr ? cpp_plant(plant, name_space) : cpp_plant(plant, name_space + "::core") + "\n" + cpp_fields(*fields, name_space);
-    return fill_template(embedded_file("header.hpp.in"), {{"BANNER", banner}, {"GUARD", guard}, {"CONTENT", content}});
+    return fill_template(embedded_file("header.hpp.in"), {{"BANNER", banner}, {"GUARD", guard}, {"CONTENT", compiler_check() + content}});
 }
 
 std::string file_in_c(const Plant& plant, const PlantFields* fields, const Scene& scene, const std::string& banner) {
     const std::string name = prefix_of(scene);
-    return c_file(fields == nullptr ? c_plant(plant, name) : c_fields(plant, *fields, name), name, banner);
+    return c_file(compiler_check() + (fields == nullptr ? c_plant(plant, name) : c_fields(plant, *fields, name)), name, banner);
 }
 
 constexpr Language all_languages[]{

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "dalembert/compiler.h"
+
 namespace dalembert {
 inline namespace v1 {
 

@@ -9,6 +9,8 @@
 #include <type_traits>
 #include <xsimd/xsimd.hpp>
 
+#include "dalembert/compiler.h"
+
 /// What the functions of a header want to know of their Scalar, which xsimd does not tell: its digits.
 template <class T, class Arch>
 class std::numeric_limits<xsimd::batch<T, Arch>> : public std::numeric_limits<T> {

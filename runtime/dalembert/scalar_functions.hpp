@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "dalembert/compiler.h"
+
 namespace dalembert {
 inline namespace v1 {
 namespace detail {

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "dalembert/compiler.h"
+
 namespace dalembert {
 inline namespace v1 {
 namespace detail {

@@ -5,6 +5,8 @@
 
 #include <cstddef>
 
+#include "dalembert/compiler.h"
+
 namespace dalembert {
 inline namespace v1 {
 namespace detail {

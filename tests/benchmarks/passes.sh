@@ -10,6 +10,7 @@ program=$1
 source_dir=$(cd "$(dirname "$0")/../.." && pwd)
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
+march=-march=$([ "$(uname -m)" = x86_64 ] && echo x86-64-v3 || echo native)
 passes=(rewriting chain constants factoring angles reciprocals loops)
 
 operations() { awk -v f="$2" '$1 == "//" && $2 == f { print $3 + $4 + $5 + $6 + $7; exit }' "$here/$1.hpp"; }
@@ -24,7 +25,7 @@ build() {
   [ "$name" = implicit ] && define=(-DDUALS $(pkg-config --cflags eigen3))
   [ "$name" = together ] && define=(-DTOGETHER)
   sed "s|@HEADER@|$here/$name.hpp|; s|@NAME_SPACE@|$name_space|" "$source_dir/tests/benchmarks/passes.cpp.in" >"$here/$name.cpp"
-  ${CXX:-c++} -std=c++17 -O3 -march=native -w "${define[@]}" -I"$source_dir/tests" "$here/$name.cpp" -o "$here/$name"
+  ${CXX:-c++} -std=c++17 -O3 $march -w "${define[@]}" -I"$source_dir/tests" "$here/$name.cpp" -o "$here/$name"
 }
 
 # row NAME MODEL OPTION...: a line for each pass that changes the header
