@@ -12,14 +12,6 @@ namespace {
 
 constexpr double quarter_turn = 1.5707963267948966;
 
-/// splitmix64
-std::uint64_t next_word(std::uint64_t& state) {
-    std::uint64_t z = (state += 0x9E3779B97F4A7C15ULL);
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
-    return z ^ (z >> 31U);
-}
-
 // In place of log2 and exp2, whose last bit is not the same in every library: exact at powers of two, straight between them.
 double steps_of_two(double size) {
     int exponent = 0;

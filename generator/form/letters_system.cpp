@@ -6,7 +6,9 @@
 namespace dalembert {
 
 std::unique_ptr<System> letters_alone(const Names& names, const Model& model) {
-    Scene scene{.model = &model, .name = "letters"};
+    Scene scene;
+    scene.model = &model;
+    scene.name = "letters";
     const auto all = [&]<class T>(const std::vector<T>& items, std::vector<Member<T>>& members) {
         for (const T& item : items) {
             const auto [from, to] = item.family ? bounds(*item.family, scene) : std::pair(0, 0);

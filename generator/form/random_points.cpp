@@ -13,14 +13,6 @@ using GiNaC::numeric;
 
 namespace {
 
-/// splitmix64
-std::uint64_t next_word(std::uint64_t& state) {
-    std::uint64_t z = (state += 0x9E3779B97F4A7C15ULL);
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
-    return z ^ (z >> 31U);
-}
-
 /// A rational next to a constant, which may contain roots and pi.
 std::optional<Rational> near(const ex& constant) {
     const auto value = value_at(constant, {}, 30);
@@ -28,6 +20,13 @@ std::optional<Rational> near(const ex& constant) {
 }
 
 }  // namespace
+
+std::uint64_t next_word(std::uint64_t& state) {
+    std::uint64_t z = (state += 0x9E3779B97F4A7C15ULL);
+    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
+    return z ^ (z >> 31U);
+}
 
 std::optional<cln::cl_R> value_at(const ex& e, const Symbols& symbols, const Point& point, int digits) {
     const cln::float_format_t precision = cln::float_format(static_cast<unsigned long>(digits + guard_digits));

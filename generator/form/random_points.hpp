@@ -13,6 +13,9 @@
 
 namespace dalembert {
 
+/// The next number of a sequence that is the same on every machine (splitmix64).
+std::uint64_t next_word(std::uint64_t& state);
+
 /// An exact value for every letter of the system but the definitions, which follow from the parameters.
 using Point = std::vector<std::pair<GiNaC::ex, Rational>>;
 

@@ -59,6 +59,10 @@ double approximate(const cln::cl_R& x) { return cln::double_approx(x); }
 void ExactNumber::add_slopes(const ExactNumber& other, double factor) {
     if (other.slopes.empty() || factor == 0) return;
     if (slopes.empty()) slopes.assign(other.slopes.size(), 0);
+    if (std::isfinite(factor)) {  // most are zero, and no branch is quicker than one that is guessed
+        for (std::size_t i = 0; i < slopes.size(); ++i) slopes[i] += factor * other.slopes[i];
+        return;
+    }
     for (std::size_t i = 0; i < slopes.size(); ++i)
         if (other.slopes[i] != 0) slopes[i] += factor * other.slopes[i];
 }

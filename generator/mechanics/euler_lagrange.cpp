@@ -31,8 +31,8 @@ std::vector<ex> euler_lagrange(const std::vector<ex>& kinetic, const Symbols& sy
     for (std::size_t j = 0; j < symbols.degrees(); ++j) {
         GiNaC::exvector terms;
         for (const ex& energy : kinetic) {
-            const ex momentum = partial(energy, symbols.get(SymbolKind::velocity, j));
-            if (!momentum.is_zero()) terms.push_back(symbols.time_derivative(momentum));
+            const ex part = partial(energy, symbols.get(SymbolKind::velocity, j));
+            if (!part.is_zero()) terms.push_back(symbols.time_derivative(part));
             terms.push_back(-symbols.along(energy, j));
         }
         for (const Symbols::AttitudeSymbols& attitude : symbols.attitudes())

@@ -120,7 +120,8 @@ std::vector<BodyMotion> body_motions(const Scene& scene, const Translator& trans
                     continue;
                 }
             }
-            BodyMotion body{member};
+            BodyMotion body;
+            body.member = member;
             if (item.has_axes() || (base != nullptr && base->frame)) {
                 move_in_space(body, base, translate);
                 motions.push_back(std::move(body));
