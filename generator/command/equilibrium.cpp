@@ -188,6 +188,7 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     hold_positions(system, start, values, free_states, !options.moving.empty());
 
     const PlantLibrary library(source_of_plant(*chosen.code, header), options.no_cache ? PlantCache::unused : PlantCache::used);
+    explain(machine, library.origin(), options, streams);
     EquilibriumSearchOfPlant search{
         parameter_numbers(system, values), numbers_of(start), numbers_of(values.inputs()), free_states, free_inputs, moving};
     search.mode = static_cast<unsigned>(system.scene.mode.value_or(0));

@@ -57,6 +57,7 @@ ExitCode simulate_command(const Options& options, Streams streams) {
     const System& system = *prepared.machine.system;
     const SimulateResult result{subject_of(system.scene), run_simulation(prepared, options.output), prepared.settings.tolerance,
                                 system.has_balances(), exact_roots(system.scene)};
+    explain(prepared.machine, result.run.plant, options, streams);
     return finish(result, prepared.draw, [&] { return energy_warning(prepared, result.run); }, options, streams);
 }
 

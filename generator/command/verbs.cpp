@@ -91,6 +91,7 @@ void take_simulate(VerbOptions& o) {
     o.plots();
     o.until();
     o.cache();
+    o.explain("time and result of each stage, and where the plant comes from");
 }
 
 void take_equilibrium(VerbOptions& o) {
@@ -104,6 +105,7 @@ void take_equilibrium(VerbOptions& o) {
         ->delimiter(',');
     o.add("--free", o.options.free, "inputs that may change, comma separated")->delimiter(',');
     o.cache();
+    o.explain("time and result of each stage, and where the plant comes from");
 }
 
 void take_modal(VerbOptions& o) {
@@ -113,6 +115,7 @@ void take_modal(VerbOptions& o) {
     o.format();
     o.run("the [runs.NAME] at whose start; `reference`, or the only one, if left out");
     o.cache();
+    o.explain("time and result of each stage, and where the plant comes from");
 }
 
 void take_optimise(VerbOptions& o) {

@@ -4,6 +4,8 @@
 
 #include <ostream>
 
+#include "plant/library.hpp"
+#include "report/generate.hpp"
 #include "report/json_output.hpp"
 #include "run/options.hpp"
 #include "text/files.hpp"
@@ -32,6 +34,14 @@ void write_result(const Result& result, const Options& options, Streams streams)
             return;
         }
     streams.out << as_text(result);
+}
+
+/// Of what runs a plant, where --explain asks for it: time and result of each stage, and where the plant came from.
+inline void explain(const Machine& machine, const PlantOrigin& plant, const Options& options, Streams streams) {
+    if (!options.explain) return;
+    std::vector<StageReport> stages = machine.stages;
+    stages.push_back({"plant", plant.seconds, plant.text});
+    streams.err << stage_table(stages);
 }
 
 }  // namespace dalembert

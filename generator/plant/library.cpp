@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
@@ -168,6 +169,13 @@ void compile_plant(const PlantSource& source, const fs::path& library) {
 }
 
 PlantLibrary::PlantLibrary(const PlantSource& source, PlantCache cache) {
+    const auto begin = std::chrono::steady_clock::now();
+    origin_.text = take(source, cache);
+    origin_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// Says what it did.
+std::string PlantLibrary::take(const PlantSource& source, PlantCache cache) {
     const fs::path folder = cache == PlantCache::used ? plant_cache_folder() : fs::path();
     std::error_code error;
     if (!folder.empty() && fs::create_directories(folder, error)) fs::permissions(folder, fs::perms::owner_all, error);
@@ -179,8 +187,8 @@ PlantLibrary::PlantLibrary(const PlantSource& source, PlantCache cache) {
         fs::last_write_time(text, fs::file_time_type::clock::now(), error);
         try {
             load(library);
-            was_kept_ = true;
-            return;
+            origin_.is_kept = true;
+            return "kept before as " + library.string();
         } catch (const Failure&) {  // somebody has changed it: it is made anew
         }
     }
@@ -188,10 +196,11 @@ PlantLibrary::PlantLibrary(const PlantSource& source, PlantCache cache) {
     const fs::path made = fs::path(scratch.path()) / "plant.so", made_text = fs::path(scratch.path()) / "plant.txt";
     compile_plant(source, made);
     load(made);
-    if (!is_kept) return;
+    if (!is_kept) return cache == PlantCache::unused ? "compiled, not kept" : "compiled, not kept: there is no folder for caches";
     std::ofstream(made_text, std::ios::binary) << key;
-    if (put(made, library)) put(made_text, text);
+    const bool is_put = put(made, library) && put(made_text, text);
     bound(folder);
+    return is_put ? "compiled, kept as " + library.string() : "compiled, not kept: " + folder.string() + " cannot be written";
 }
 
 PlantLibrary::PlantLibrary(const fs::path& file) {

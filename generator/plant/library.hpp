@@ -19,6 +19,13 @@ struct PlantSource {
 /// Whether plants that were compiled once are kept for the next time.
 enum class PlantCache { used, unused };
 
+/// Where a library came from: "compiled, kept as FILE".
+struct PlantOrigin {
+    double seconds = 0;
+    std::string text;
+    bool is_kept = false;  ///< it was compiled before
+};
+
 class PlantLibrary {
 public:
     /// Compiles, or takes what was compiled before from the same text with the same compiler, and loads. Throws Failure (tool-failed).
@@ -27,10 +34,11 @@ public:
     explicit PlantLibrary(const std::filesystem::path& file);
 
     const dalembert_plant& table() const { return *table_; }
-    /// Whether it came from the cache.
-    bool was_kept() const { return was_kept_; }
+    /// How long it took, and what was done.
+    const PlantOrigin& origin() const { return origin_; }
 
 private:
+    std::string take(const PlantSource& source, PlantCache cache);
     void load(const std::filesystem::path& file);
 
     struct Close {
@@ -38,7 +46,7 @@ private:
     };
     std::unique_ptr<void, Close> handle_;
     const dalembert_plant* table_ = nullptr;
-    bool was_kept_ = false;
+    PlantOrigin origin_;
 };
 
 /// Compiles a plant into a file. Throws Failure (tool-failed).

@@ -9,13 +9,6 @@ namespace dalembert {
 
 namespace {
 
-std::string stage_table(const std::vector<StageReport>& stages) {
-    std::string text;
-    for (const StageReport& stage : stages)
-        text += fmt::format("  {:<11} {:>8.1f} ms  {}\n", stage.stage, 1000 * stage.seconds, stage.result);
-    return text;
-}
-
 nlohmann::ordered_json as_json(const GeneratedHeader& header) {
     nlohmann::ordered_json json = json_result("generate", header.subject);
     json["header"] = header.path.string();
@@ -35,6 +28,13 @@ nlohmann::ordered_json as_json(const GeneratedHeader& header) {
 }
 
 }  // namespace
+
+std::string stage_table(const std::vector<StageReport>& stages) {
+    std::string text;
+    for (const StageReport& stage : stages)
+        text += fmt::format("  {:<11} {:>8.1f} ms  {}\n", stage.stage, 1000 * stage.seconds, stage.result);
+    return text;
+}
 
 std::string as_text(const GenerateResult& result) {
     std::string text;

@@ -35,6 +35,9 @@ struct GenerateResult {
     bool explained = false;    ///< stages and rewritings are told, too
 };
 
+/// A line for each: its time, and what came of it.
+std::string stage_table(const std::vector<StageReport>& stages);
+
 std::string as_text(const GenerateResult& result);
 /// Of every scene a list, else one object.
 nlohmann::ordered_json as_json(const GenerateResult& result);

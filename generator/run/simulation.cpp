@@ -241,6 +241,7 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
     const PlantLibrary library(prepared.plant, prepared.cache);
     const PlantRunResult run = simulate_plant(library.table(), prepared.run);
     SimulationReport report = report_of_run(run, library.table(), prepared.settings);
+    report.plant = library.origin();
     if (prepared.run.is_of_heat && std::isfinite(run.euler_step)) report.euler_step = run.euler_step;
     name_end(report, run, *prepared.machine.system);
     report.files.emplace_back(folder / prepared.header.file_name, prepared.header.text);

@@ -58,6 +58,7 @@ struct SimulationReport {
     bool is_good() const { return status == "success" || ended; }
     bool drawn = false;
     FileContents files;      ///< to be written: header, CSV, plots
+    PlantOrigin plant;
 };
 
 /// A run that did not come to its end, in words.

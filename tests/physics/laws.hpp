@@ -54,7 +54,10 @@ RandomPoint<System> random_point(const System& system, std::mt19937& engine) {
         return static_cast<double>(static_cast<float>(result));
     };
     RandomPoint<System> point{system.start_state(), {}, 0};
-    point.t = value(typename std::decay_t<decltype(System::state_table()[0])>{"t", "s", ""}, 1.0);
+    struct Unbounded {
+        double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+    };
+    point.t = value(Unbounded{}, 1.0);
     for (std::size_t i = 0; i < point.x.size(); ++i) point.x[i] = value(System::state_table()[i], point.x[i]);
     for (std::size_t i = 0; i < point.u.size(); ++i) point.u[i] = value(System::input_table()[i], 0.0);
     put_on_constraints(system, point.x, point.t);

@@ -25,9 +25,14 @@ prints "the compiler '/nowhere/c\+\+' cannot be started; set CXX"
 for f in cache/dalembert/plants/*.so; do echo broken >"$f"; done
 dalembert 0 simulate "$pendulum" $same -o broken
 cmp broken/pendulum_full.csv model/pendulum_full.csv || fail "after a broken cache the run differs"
+# --explain tells where a plant came from.
+dalembert 0 simulate "$pendulum" $same -o again --explain
+prints "plant .* kept before as $XDG_CACHE_HOME/dalembert/plants/"
 # A folder that nobody may write to, or none: no cache, no error.
-XDG_CACHE_HOME=/proc/nowhere dalembert 0 simulate "$pendulum" --until 2 --no-plot -o other
-dalembert 0 simulate "$pendulum" --until 2 --no-plot --no-cache -o other
+XDG_CACHE_HOME=/proc/nowhere dalembert 0 simulate "$pendulum" --until 2 --no-plot --explain -o other
+prints "plant .* compiled, not kept: there is no folder for caches"
+dalembert 0 equilibrium "$pendulum" --no-cache --explain
+prints "plant .* compiled, not kept$"
 # Several at once, and one that is killed.
 rm -rf cache
 for i in 1 2 3 4; do "$PROGRAM" simulate "$pendulum" $same -o "at_once$i" >/dev/null 2>&1 & done

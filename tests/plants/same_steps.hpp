@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "dalembert/plant_export.hpp"
 #include "dalembert/plant_system.hpp"
 #include "dalembert/run_program.hpp"
+#include "plants/plant_of.hpp"
 
 namespace plants {
 
@@ -82,7 +82,7 @@ void check_kind(const dalembert_plant& plant, double until, const std::vector<da
     const dalembert::UsePlant use(plant);
     using AsPlant = dalembert::PlantSystem<kind>;
     const System system;
-    const AsPlant as_plant(std::vector<double>(plant.parameter_defaults, plant.parameter_defaults + plant.parameters));
+    const AsPlant as_plant(default_parameters(plant));
     for (const dalembert::Method method : methods) {
         CAPTURE(static_cast<int>(method));
         check_same(run(system, dalembert::ZeroInputs<System>{}, until, method),
@@ -90,9 +90,9 @@ void check_kind(const dalembert_plant& plant, double until, const std::vector<da
     }
 }
 
-template <class System, class Run>
+template <class System>
 void check_plant(double until, const std::vector<dalembert::Method>& methods) {
-    const dalembert_plant plant = dalembert::detail::PlantTable<System, Run>::make();
+    const dalembert_plant plant = plant_of<System>();
     using dalembert::PlantKind;
     constexpr bool switches = dalembert::detail::is_switching<System>;
     if constexpr (switches) return check_kind<PlantKind::switching, System>(plant, until, methods);
@@ -102,24 +102,5 @@ void check_plant(double until, const std::vector<dalembert::Method>& methods) {
     else if constexpr (dalembert::detail::needs_projection<System>) return check_kind<PlantKind::normed, System>(plant, until, methods);
     else check_kind<PlantKind::free, System>(plant, until, methods);
 }
-
-/// What a library is compiled for, without inputs.
-template <class Names>
-struct WithoutInputs : Names {
-    static constexpr bool has_inputs = false;
-    template <class System>
-    static dalembert::ZeroInputs<System> inputs(const System&) {
-        return {};
-    }
-    /// Parameters are numbers one after the other.
-    template <class Parameters>
-    static void set_parameters(Parameters& parameters, const double* numbers) {
-        std::memcpy(&parameters, numbers, Names::parameters * sizeof(double));
-    }
-    template <class Parameters>
-    static void get_parameters(const Parameters& parameters, double* numbers) {
-        std::memcpy(numbers, &parameters, Names::parameters * sizeof(double));
-    }
-};
 
 }  // namespace plants

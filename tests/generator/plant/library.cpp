@@ -75,17 +75,17 @@ TEST_CASE("plants of one name keep their own numbers side by side") {
 
 TEST_CASE("a plant comes from the cache where nothing of its text has changed") {
     const OwnCache cache;
-    CHECK_FALSE(PlantLibrary(growing("1", "0.5"), PlantCache::used).was_kept());
+    CHECK_FALSE(PlantLibrary(growing("1", "0.5"), PlantCache::used).origin().is_kept);
     const PlantLibrary again(growing("1", "0.5"), PlantCache::used), other(growing("3", "0.5"), PlantCache::used);
-    CHECK(again.was_kept());
-    CHECK_FALSE(other.was_kept());
+    CHECK(again.origin().is_kept);
+    CHECK_FALSE(other.origin().is_kept);
     CHECK(end_of(again) == doctest::Approx(1.5).epsilon(1e-12));
     CHECK(end_of(other) == doctest::Approx(3.5).epsilon(1e-12));
-    CHECK_FALSE(PlantLibrary(growing("1", "0.5"), PlantCache::unused).was_kept());
+    CHECK_FALSE(PlantLibrary(growing("1", "0.5"), PlantCache::unused).origin().is_kept);
     // A text that does not belong to the library beside it does not count.
     for (const auto& entry : std::filesystem::directory_iterator(plant_cache_folder()))
         if (entry.path().extension() == ".txt") std::ofstream(entry.path()) << "another";
-    CHECK_FALSE(PlantLibrary(growing("1", "0.5"), PlantCache::used).was_kept());
+    CHECK_FALSE(PlantLibrary(growing("1", "0.5"), PlantCache::used).origin().is_kept);
 }
 
 TEST_CASE("what is no plant is refused with what is missing") {
