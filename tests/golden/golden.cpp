@@ -51,7 +51,11 @@ TEST_CASE("outputs of the verbs") {
     std::set<fs::path> models{source / "tests/golden/capacitor.toml"};
     for (const auto& entry : fs::recursive_directory_iterator(source / "systems"))
         if (entry.path().extension() == ".toml") models.insert(entry.path());
-    for (const fs::path& path : models) kept.push_back({"check_" + path.stem().string() + ".txt", {"check", path.string()}});
+    // Their printed equations take half a minute each: of the full tier.
+    const std::set<std::string> slow{"enclosure", "4_1_heat_transfer"};
+    for (const fs::path& path : models)
+        if (std::getenv("DALEMBERT_FULL") != nullptr || accepting() || !slow.contains(path.stem().string()))
+            kept.push_back({"check_" + path.stem().string() + ".txt", {"check", path.string()}});
     for (const Kept& one : kept) {
         const Result result = run(one.arguments);
         CAPTURE(one.file);
