@@ -42,7 +42,8 @@ void describe(Visitor& v, E& body) {
         .excludes = {{"rotation", "has a rotation and an angular_velocity; the velocity follows from the rotation"}},
         .doc = "instead of rotation: its angular velocity, linear in the velocities"});
     v.alternatives("inertia", body.inertia, body.tensor, {.type = ValueType::tensor, .dimension = Dimension::inertia(),
-        .depends = on_parameters | on_states, .excludes = {{"solid", "has a solid and an inertia; the solid brings its inertia"}},
+        .depends = on_parameters | on_states, .sign = not_below_zero("kg*m^2"),
+        .excludes = {{"solid", "has a solid and an inertia; the solid brings its inertia"}},
         .doc = "moment of inertia about the axis through its centre of mass; of a body in space the tensor in its own axes: "
                "[Jx, Jy, Jz], or three rows with products of inertia, as they stand in the matrix"});
     v("turns", body.turns, {.dimension = Dimension::none(), .depends = on_configuration, .words = "turn",

@@ -113,7 +113,9 @@ public:
     template <class One, class Other>
     void alternatives(const char* name, const One& one, const Other& other, const Key& key) const {
         (*this)(name, one, key);
-        (*this)(name, other, key);
+        Key of_parts = key;  // the sign is that of a scalar; parts of vectors and tensors have either
+        of_parts.sign.reset();
+        (*this)(name, other, of_parts);
     }
     template <class Part>
     void table(const char*, const std::optional<Part>& part, const Key& key) const {

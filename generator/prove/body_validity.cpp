@@ -114,8 +114,8 @@ void check_body_values(const System& system, const Values& values) {
     for (const Symbols::AttitudeSymbols& attitude : system.symbols.attitudes()) {
         cln::cl_R square = 0;
         for (const std::size_t part : attitude.parts) {
-            const auto value = value_at(at.at(system.symbols.get(SymbolKind::state, part)), at, 20);
-            if (value) square = square + *value * *value;
+            const auto number = value_at(at.at(system.symbols.get(SymbolKind::state, part)), at, 20);
+            if (number) square = square + *number * *number;
         }
         const double norm = std::sqrt(cln::double_approx(square));
         if (std::fabs(norm - 1) <= 1e-6) continue;

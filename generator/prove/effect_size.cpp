@@ -12,20 +12,20 @@ namespace dalembert {
 
 namespace {
 
-constexpr int digits = 40;
+constexpr int few_digits = 40;
 
 /// Rates of states and accelerations by name, at the start. What shrinks when more digits are used is nothing but rounding: the rate of
 /// what starts at rest is zero.
 std::map<std::string, cln::cl_R> rates(const System& system) {
     const Values values(system.scene, system.translate);
-    const MotionAt coarse(system, values, digits);
-    const MotionAt fine(system, values, 2 * digits);
+    const MotionAt coarse(system, values, few_digits);
+    const MotionAt fine(system, values, 2 * few_digits);
     std::map<std::string, cln::cl_R> result;
     for (const SymbolKind kind : {SymbolKind::acceleration, SymbolKind::state_rate})
         for (const Variable& variable : system.symbols.all(kind)) {
             const cln::cl_R value = fine(variable.symbol);
             const cln::cl_R before = cln::abs(coarse(variable.symbol));
-            const bool is_rounding = cln::zerop(before) || cln::abs(value) <= cln::expt(cln::cl_RA(10), -digits / 4) * before;
+            const bool is_rounding = cln::zerop(before) || cln::abs(value) <= cln::expt(cln::cl_RA(10), -few_digits / 4) * before;
             result.emplace(variable.name, is_rounding ? cln::cl_R(0) : value);
         }
     return result;
@@ -39,7 +39,7 @@ std::string difference(const System& without, const System& with) {
                            after + 1 == before || before + 1 == after ? "" : "s");
     std::string name;
     cln::cl_R largest = 0;
-    const cln::cl_RA rounding = cln::expt(cln::cl_RA(10), 10 - digits);
+    const cln::cl_RA rounding = cln::expt(cln::cl_RA(10), 10 - few_digits);
     const auto with_it = rates(with);
     for (const auto& [rate, value] : rates(without)) {
         const auto other = with_it.find(rate);

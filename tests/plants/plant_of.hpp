@@ -22,11 +22,11 @@ struct NoRun {
     /// Parameters are numbers one after the other.
     template <class Parameters>
     static void set_parameters(Parameters& parameters, const double* numbers) {
-        std::memcpy(&parameters, numbers, System::parameter_table().size() * sizeof(double));
+        std::memcpy(static_cast<void*>(&parameters), numbers, System::parameter_table().size() * sizeof(double));
     }
     template <class Parameters>
     static void get_parameters(const Parameters& parameters, double* numbers) {
-        std::memcpy(numbers, &parameters, System::parameter_table().size() * sizeof(double));
+        std::memcpy(numbers, static_cast<const void*>(&parameters), System::parameter_table().size() * sizeof(double));
     }
 };
 
