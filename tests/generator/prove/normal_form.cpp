@@ -136,3 +136,18 @@ TEST_CASE("what is too large is refused, not waited for") {
     CHECK_THROWS_AS(zero(pow(sum, 40) - 1), NoNormalForm);
     CHECK_THROWS_AS(zero(sin(x / 1009) - y), NoNormalForm);
 }
+
+TEST_CASE("what no denominator touches stays apart, and what its roots and reciprocals touch does not") {
+    const ex fraction = 1 / (x + y) + 1 / (x - y) - 2 * x / (pow(x, 2) - pow(y, 2));
+    const ex quotient = (pow(x, 3) + pow(y, 3)) / (x + y) - pow(x, 2) + x * y - pow(y, 2);
+    CHECK(zero(z * fraction + sqrt(p) * quotient));
+    CHECK_FALSE(zero(z * fraction + sqrt(p) * (quotient + y)));
+    CHECK_FALSE(zero(z * fraction + sqrt(p) * quotient + q));
+    // Roots of what stands in a denominator, and a denominator in another one.
+    CHECK(zero(z * (sqrt(p + q) / (p + q) - 1 / sqrt(p + q)) + p * fraction));
+    CHECK(zero(z * pow(sqrt(p + q) + 1, 2) / (p + q) - z - z / (p + q) - 2 * z * sqrt(p + q) / (p + q)));
+    CHECK_FALSE(zero(z * pow(sqrt(p + q) + 1, 2) / (p + q) - z - z / (p + q) - 2 * z / sqrt(p + 2 * q)));
+    const ex pivot = x - y * z / (x + 1);
+    CHECK(zero(p * (1 / pivot - (x + 1) / (x * (x + 1) - y * z)) + q * fraction));
+    CHECK_FALSE(zero(p * (1 / pivot - (x + 1) / (x * (x + 1) + y * z)) + q * fraction));
+}
