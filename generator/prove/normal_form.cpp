@@ -195,7 +195,8 @@ Polynomial NormalForm::without_inverse(const Polynomial& p, Letter letter, const
     return result;
 }
 
-/// Letters that may be touched when the reciprocals among `letters` are multiplied away: those of denominators, and of what these are replaced by.
+/// Letters that may be touched when the reciprocals among `letters` are multiplied away: those of denominators, and of what these are
+/// replaced by.
 std::set<NormalForm::Letter> NormalForm::touched_by_inverses(const std::set<Letter>& letters) const {
     std::set<Letter> touched;
     std::vector<Letter> open;
@@ -220,8 +221,8 @@ std::set<NormalForm::Letter> NormalForm::touched_by_inverses(const std::set<Lett
     return touched;
 }
 
-/// Whether a polynomial with reciprocals is zero. Terms that differ in letters which no denominator touches never meet: each group of them is
-/// zero alone. Reducing the square of a root may bring a reciprocal back that was gone already, so the depth is bounded.
+/// Whether a polynomial with reciprocals is zero. Terms that differ in letters which no denominator touches never meet: each group of
+/// them is zero alone. Reducing the square of a root may bring a reciprocal back that was gone already, so the depth is bounded.
 bool NormalForm::vanishes(const Polynomial& p, int depth) {
     constexpr int deepest = 500;
     if (depth > deepest) throw NoNormalForm("reciprocals that do not go away");
@@ -240,7 +241,8 @@ bool NormalForm::vanishes(const Polynomial& p, int depth) {
     if (groups.size() > 1)
         return std::all_of(groups.begin(), groups.end(), [&](const auto& group) { return vanishes(group.second, depth + 1); });
     // The latest first: its denominator may hold earlier ones.
-    const auto inverse = std::find_if(inverse_order_.rbegin(), inverse_order_.rend(), [&](const auto& known) { return letters.contains(known.first); });
+    const auto inverse = std::find_if(inverse_order_.rbegin(), inverse_order_.rend(),
+                                      [&](const auto& known) { return letters.contains(known.first); });
     return vanishes(without_inverse(groups.begin()->second, inverse->first, inverse->second), depth + 1);
 }
 

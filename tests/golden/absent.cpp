@@ -17,6 +17,7 @@ std::string behind_banner(const std::string& header) {
 }  // namespace
 
 TEST_CASE("the header of a scene is that of a model without what the scene leaves out") {
+    if (accepting()) return;  // what it compares with is about to be written
     int compared = 0;
     for (const fs::path& path : system_models()) {
         const TextModel model(content(path));
