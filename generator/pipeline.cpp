@@ -19,8 +19,7 @@
 #include "prove/body_validity.hpp"
 #include "prove/constraint_validity.hpp"
 #include "prove/right_angles.hpp"
-#include "prove/statics_validity.hpp"
-#include "prove/switching_validity.hpp"
+#include "prove/value_checks.hpp"
 #include "symbolic/polynomial.hpp"
 #include "text/budgets.hpp"
 #include "text/guardian.hpp"
@@ -163,10 +162,8 @@ void prove(Machine& machine, const std::shared_ptr<const LoadedModel>& loaded, s
     stop_on_failed_audit(*machine.system, machine.audit);
     check_right_angles(*machine.system);
     Values defaults(machine.system->scene, machine.system->translate);  // which lie in their ranges
-    check_switching_values(*machine.system, defaults);
     meet_constraints(*machine.system, defaults);
-    check_body_values(*machine.system, defaults);  // with what constraints make of guesses
-    check_solid_values(*machine.system, defaults);
+    check_values(*machine.system, defaults);
 }
 
 bool all_derivations_proven(const Machine& machine) {

@@ -13,6 +13,7 @@
 #include "run/shared.hpp"
 #include "form/constrained_motion.hpp"
 #include "prove/constraint_validity.hpp"
+#include "prove/value_checks.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -183,12 +184,13 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     mark(options.free, inputs, free_inputs, true, "free");
     const std::vector<bool> moving = moving_coordinates(options, states, free_states);
     if (!options.moving.empty()) meet_constraints(system, values);
+    check_values(system, values);
     refuse_floating_parts(system, free_states);
     auto start = values.state();
     hold_positions(system, start, values, free_states, !options.moving.empty());
 
-    const PlantLibrary library(source_of_plant(*chosen.code, header), options.no_cache ? PlantCache::unused : PlantCache::used);
-    explain(machine, library.origin(), options, streams);
+    const PlantLibrary library(source_of_plant(*chosen.code, header), plant_cache(options));
+    explain(machine.stages, library.origin(), options, streams);
     EquilibriumSearchOfPlant search{
         parameter_numbers(system, values), numbers_of(start), numbers_of(values.inputs()), free_states, free_inputs, moving};
     search.mode = static_cast<unsigned>(system.scene.mode.value_or(0));

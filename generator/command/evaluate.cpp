@@ -13,6 +13,7 @@
 #include "check/written_values.hpp"
 #include "prove/constraint_validity.hpp"
 #include "prove/motion_at.hpp"
+#include "prove/value_checks.hpp"
 #include "text/budgets.hpp"
 
 namespace dalembert {
@@ -67,6 +68,7 @@ Values values_of(const Options& options, const System& system) {
         is_given.push_back(values.is_written(SymbolKind::input, input.position));
     check_inputs_given(is_given, system);
     meet_constraints(system, values);
+    check_values(system, values);
     return values;
 }
 

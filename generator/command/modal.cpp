@@ -99,8 +99,8 @@ ExitCode modal_command(const Options& options, Streams streams) {
     const auto [values, inputs] = start_of_run(system, options);
     streams.err << doubts_of_start(values, system);
     const Linearity linearity = linear_system(system);
-    const PlantLibrary library(source_of_plant(*chosen.code, header), options.no_cache ? PlantCache::unused : PlantCache::used);
-    explain(machine, library.origin(), options, streams);
+    const PlantLibrary library(source_of_plant(*chosen.code, header), plant_cache(options));
+    explain(machine.stages, library.origin(), options, streams);
     ModalPointOfPlant point{parameter_numbers(system, values), numbers_of(values.state()), numbers_of(inputs)};
     point.mode = static_cast<unsigned>(system.scene.mode.value_or(0));
     point.is_held = std::any_of(system.constraints.begin(), system.constraints.end(), [](const ConstraintEquation& c) { return c.holds; });

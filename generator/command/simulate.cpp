@@ -44,6 +44,7 @@ ExitCode simulate_library(const Options& options, Streams streams) {
             "not fit its rates",
             run.report.energy_error, run.report.energy_limit);
     };
+    explain({}, run.report.plant, options, streams);
     return finish(result, !options.no_plot, warning, options, streams);
 }
 
@@ -57,7 +58,7 @@ ExitCode simulate_command(const Options& options, Streams streams) {
     const System& system = *prepared.machine.system;
     const SimulateResult result{subject_of(system.scene), run_simulation(prepared, options.output), prepared.settings.tolerance,
                                 system.has_balances(), exact_roots(system.scene)};
-    explain(prepared.machine, result.run.plant, options, streams);
+    explain(prepared.machine.stages, result.run.plant, options, streams);
     return finish(result, prepared.draw, [&] { return energy_warning(prepared, result.run); }, options, streams);
 }
 

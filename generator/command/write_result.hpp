@@ -37,9 +37,8 @@ void write_result(const Result& result, const Options& options, Streams streams)
 }
 
 /// Of what runs a plant, where --explain asks for it: time and result of each stage, and where the plant came from.
-inline void explain(const Machine& machine, const PlantOrigin& plant, const Options& options, Streams streams) {
+inline void explain(std::vector<StageReport> stages, const PlantOrigin& plant, const Options& options, Streams streams) {
     if (!options.explain) return;
-    std::vector<StageReport> stages = machine.stages;
     stages.push_back({"plant", plant.seconds, plant.text});
     streams.err << stage_table(stages);
 }

@@ -141,22 +141,21 @@ Sign sign_at(const ValueAt& value) {
     return shrinks ? Sign::zero : Sign::not_zero;
 }
 
-bool ZeroAtPoints::operator()(const ex& e) {
-    if (e.is_zero()) return true;
-    const auto [known, is_new] = known_.emplace(e, false);
+Sign ZeroAtPoints::sign(const ex& e) {
+    if (e.is_zero()) return Sign::zero;
+    const auto [known, is_new] = known_.emplace(e, Sign::none);
     if (!is_new) return known->second;
     constexpr int tries = 3;
     if (points_.empty()) {
         RandomPoints random(system_);
         for (int i = 0; i < tries; ++i) points_.push_back(random.next());
     }
-    bool is_zero_somewhere = false;
     for (const Point& point : points_) {
-        const Sign sign = sign_at([&](int digits) { return value_at(e, system_.symbols, point, digits); });
-        if (sign == Sign::not_zero) return false;
-        is_zero_somewhere = is_zero_somewhere || sign == Sign::zero;
+        const Sign here = sign_at([&](int digits) { return value_at(e, system_.symbols, point, digits); });
+        if (here != Sign::none) known->second = here;
+        if (here == Sign::not_zero) break;
     }
-    return known->second = is_zero_somewhere;
+    return known->second;
 }
 
 }  // namespace dalembert

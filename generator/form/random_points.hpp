@@ -59,12 +59,17 @@ Sign sign_at(const ValueAt& value);
 class ZeroAtPoints {
 public:
     explicit ZeroAtPoints(const System& system) : system_(system) {}
-    bool operator()(const GiNaC::ex& e);
+    /// Zero wherever it has a value, and it has one.
+    bool operator()(const GiNaC::ex& e) { return sign(e) == Sign::zero; }
+    /// Not zero at a point; without a value at any it may be either.
+    bool differs(const GiNaC::ex& e) { return sign(e) == Sign::not_zero; }
 
 private:
+    Sign sign(const GiNaC::ex& e);
+
     const System& system_;
     std::vector<Point> points_;
-    std::map<GiNaC::ex, bool, GiNaC::ex_is_less> known_;
+    std::map<GiNaC::ex, Sign, GiNaC::ex_is_less> known_;
 };
 
 }  // namespace dalembert

@@ -33,7 +33,7 @@ bool all_there(const std::vector<const MaybeExact*>& parts) {
     return std::all_of(parts.begin(), parts.end(), [](const MaybeExact* part) { return part->has_value(); });
 }
 
-/// Slopes are doubles, for which these digits are enough: meanwhile GiNaC computes with them.
+/// A slope is a double, and 40 digits are enough for it: GiNaC computes with so many as long as this lives.
 class SlopeDigits {
 public:
     explicit SlopeDigits(int digits) : digits_(digits) { GiNaC::Digits = few(digits) + guard_digits; }
@@ -258,7 +258,7 @@ MaybeExact ExactArithmetic::element(Op array, const std::vector<const MaybeExact
         const unsigned long n = network_order(whole);
         return number_of(network_inverse(k / n, k % n, whole));
     };
-    return by_differences(at, arguments, true);
+    return by_differences(at, arguments, array != Op::junction_root);  // whose flows have kinks where they turn
 }
 
 }  // namespace dalembert

@@ -207,6 +207,7 @@ PlantLibrary::PlantLibrary(const fs::path& file) {
     std::error_code error;
     if (!fs::exists(file, error)) fail(Id::unreadable_file, fmt::format("there is no file '{}'", file.string()), ExitCode::bad_input);
     load(fs::absolute(file));
+    origin_.text = "loaded from " + file.string();
 }
 
 void PlantLibrary::load(const fs::path& file) {

@@ -195,8 +195,8 @@ Polynomial NormalForm::without_inverse(const Polynomial& p, Letter letter, const
     return result;
 }
 
-/// Letters that may be touched when the reciprocals among `letters` are multiplied away: those of denominators, and of what these are
-/// replaced by.
+/// Which letters change when the reciprocals among `letters` are multiplied away: those in denominators, and those in the values of
+/// relations of such letters.
 std::set<NormalForm::Letter> NormalForm::touched_by_inverses(const std::set<Letter>& letters) const {
     std::set<Letter> touched;
     std::vector<Letter> open;

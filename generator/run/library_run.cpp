@@ -168,7 +168,9 @@ LibraryRun run_library(const Options& options) {
     }
     const PlantLibrary library(file);
     const dalembert_plant& plant = library.table();
-    return {plant.name, plant.scene, report_of(options, plant, asked_for(options, plant))};
+    LibraryRun run{plant.name, plant.scene, report_of(options, plant, asked_for(options, plant))};
+    run.report.plant = library.origin();
+    return run;
 }
 
 }  // namespace dalembert

@@ -6,11 +6,15 @@
 #include "plant/equilibrium.hpp"
 #include "plant/library.hpp"
 #include "plant/simulation.hpp"
+#include "run/options.hpp"
 
 namespace dalembert {
 
 /// The plant of a machine; without inputs of a run where `settings` has none.
 PlantSource source_of_plant(Code& code, const Header& header, const SimulationSettings& settings = {});
+
+/// Whether the command line lets compiled plants be kept.
+inline PlantCache plant_cache(const Options& options) { return options.no_cache ? PlantCache::unused : PlantCache::used; }
 
 /// The run that `settings` ask for.
 PlantRun run_of_plant(const System& system, const Values& values, const SimulationSettings& settings);

@@ -7,9 +7,8 @@
 #include <cmath>
 
 #include "elements/model.hpp"
-#include "prove/body_validity.hpp"
 #include "prove/constraint_validity.hpp"
-#include "prove/switching_validity.hpp"
+#include "prove/value_checks.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -38,7 +37,7 @@ RepeatedRun::RepeatedRun(const std::shared_ptr<const LoadedModel>& model, const 
     wanted_ = names.front();
 }
 
-void RepeatedRun::compile() { library_.emplace(source_, options_.no_cache ? PlantCache::unused : PlantCache::used); }
+void RepeatedRun::compile() { library_.emplace(source_, plant_cache(options_)); }
 
 /// Those of the model, the run and the command line.
 Values RepeatedRun::values() const {
@@ -51,9 +50,8 @@ RepeatedRun::End RepeatedRun::operator()(const Expression& parameter, double val
     const System& system = *machine_.system;
     Values at = values();
     at.set(parameter, *make_number(cln::rational(cln::cl_DF(value)), parameter.span), on_parameters);
-    check_switching_values(system, at);
-    check_body_values(system, at);
     meet_constraints(system, at);
+    check_values(system, at);
     SimulationSettings settings = preparation_.make_settings(at, system);
     settings.tolerance = tolerance_;
     if (care == Care::coarse) {

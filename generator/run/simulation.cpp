@@ -16,10 +16,8 @@
 #include "run/shared.hpp"
 #include "program/function_bodies.hpp"
 #include "form/state_places.hpp"
-#include "prove/body_validity.hpp"
 #include "prove/constraint_validity.hpp"
-#include "prove/statics_validity.hpp"
-#include "prove/switching_validity.hpp"
+#include "prove/value_checks.hpp"
 
 namespace dalembert {
 
@@ -98,8 +96,8 @@ std::pair<Values, std::vector<ex>> start_of_run(const System& system, const Opti
     const RunPreparation preparation(*system.scene.model, options);
     Values values(system.scene, system.translate);
     preparation.set_values(values, system);
-    check_body_values(system, values);
     meet_constraints_in_mode(system, values);
+    check_values(system, values);
     return {values, preparation.inputs_at_start(values, system)};
 }
 
@@ -115,10 +113,8 @@ PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const s
     Header header = generate(machine, wish);
     Values values(system.scene, system.translate);
     preparation.set_values(values, system);
-    check_switching_values(system, values);
     meet_constraints(system, values);
-    check_body_values(system, values);
-    check_solid_values(system, values);
+    check_values(system, values);
     SimulationSettings settings = preparation.make_settings(values, system);
     for (const Machine& other : machine.other_modes) {
         Values same(other.system->scene, other.system->translate);
@@ -141,7 +137,7 @@ PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& 
     const System& system = *run.machine.system;
     prepared.plant = source_of_plant(*run.machine.code, run.header, run.settings);
     prepared.run = run_of_plant(system, run.values, run.settings);
-    prepared.cache = options.no_cache ? PlantCache::unused : PlantCache::used;
+    prepared.cache = plant_cache(options);
     prepared.units = shown_units(system);
     const std::string title = system.scene.model->title.empty() ? system.scene.sized_name() : system.scene.model->title;
     prepared.title = fmt::format("{} ({})", title, system.scene.name);

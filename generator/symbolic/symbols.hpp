@@ -134,7 +134,6 @@ public:
     /// The expression with definitions replaced by what they stand for, down to parameters. Steps stay letters where they would make
     /// it larger than can be worked with.
     GiNaC::ex without_definitions(const GiNaC::ex& e, Depth depth = Depth::full) const;
-    bool has_steps() const { return !steps_.empty(); }
     /// The same, with all steps left letters.
     GiNaC::ex without_model_definitions(const GiNaC::ex& e) const;
     /// The steps in an expression and those that they need, each behind what it needs.

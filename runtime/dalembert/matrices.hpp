@@ -29,7 +29,8 @@ auto expanded(const Array& values, std::size_t rows, std::size_t columns) {
             for (std::size_t k = Pattern::column_starts[c]; k < Pattern::column_starts[c + 1]; ++k)
                 result(static_cast<Eigen::Index>(Pattern::row_indices[k]), static_cast<Eigen::Index>(c)) = values[k];
         } else {
-            for (std::size_t r = 0; r < rows; ++r) result(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = values[c * rows + r];
+            for (std::size_t r = 0; r < rows; ++r)
+                result(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = values[c * rows + r];
         }
     }
     return result;
@@ -41,10 +42,11 @@ struct Dense {
 
 }  // namespace detail
 
-/// The positions that constraints hold at zero, and their derivatives by the coordinates. Not of machines with quaternions, whose coordinates
-/// have no values.
+/// The positions that constraints hold at zero, and their derivatives by the coordinates. Not of machines with quaternions, whose
+/// coordinates have no values.
 template <class System>
-Vector<typename System::scalar_type> constraint_positions(const System& system, const typename System::State& x, typename System::scalar_type t) {
+Vector<typename System::scalar_type> constraint_positions(const System& system, const typename System::State& x,
+                                                          typename System::scalar_type t) {
     typename System::Constraints f{};
     system.constraint_positions(x, t, f);
     return Eigen::Map<const Vector<typename System::scalar_type>>(f.data(), static_cast<Eigen::Index>(f.size()));
@@ -59,11 +61,12 @@ auto constraint_position_jacobian(const System& system, const typename System::S
     return result;
 }
 
-/// The rates that constraints hold at zero, and their derivatives by the states: by velocities as the header knows them, by coordinates by differences
-/// of the sixth order. A coordinate in metres may be that of a watch or of a ship, so that the steps get shorter until the result changes no less.
-/// Not of machines with quaternions.
+/// The rates that constraints hold at zero, and their derivatives by the states: by velocities as the header knows them, by coordinates by
+/// differences of the sixth order. A coordinate in metres may be that of a watch or of a ship, so that the steps get shorter until the
+/// result changes no less. Not of machines with quaternions.
 template <class System>
-Vector<typename System::scalar_type> constraint_rates(const System& system, const typename System::State& x, typename System::scalar_type t) {
+Vector<typename System::scalar_type> constraint_rates(const System& system, const typename System::State& x,
+                                                      typename System::scalar_type t) {
     typename System::Constraints w{};
     system.constraint_rates(x, t, w);
     return Eigen::Map<const Vector<typename System::scalar_type>>(w.data(), static_cast<Eigen::Index>(w.size()));
@@ -128,7 +131,8 @@ auto jacobian_p(const System& system, const typename System::State& x, const typ
 
 /// C = dh/dx
 template <class System>
-auto output_jacobian_x(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
+auto output_jacobian_x(const System& system, const typename System::State& x, const typename System::Input& u,
+                       typename System::scalar_type t) {
     typename System::OutputJacobianX J{};
     system.output_jacobian_x(x, u, t, J);
     return detail::expanded<detail::Dense>(J, System::output_table().size(), x.size());
@@ -136,7 +140,8 @@ auto output_jacobian_x(const System& system, const typename System::State& x, co
 
 /// D = dh/du
 template <class System>
-auto output_jacobian_u(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
+auto output_jacobian_u(const System& system, const typename System::State& x, const typename System::Input& u,
+                       typename System::scalar_type t) {
     typename System::OutputJacobianU J{};
     system.output_jacobian_u(x, u, t, J);
     return detail::expanded<detail::Dense>(J, System::output_table().size(), u.size());

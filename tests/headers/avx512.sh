@@ -46,7 +46,6 @@ echo '#include "pendulum_full.hpp"' >"$here/header.cpp"
 echo '#include "pendulum_full.h"' >"$here/header_in_c.cpp"
 for part in simulate simulate_switching equilibrium modal matrices; do echo "#include \"dalembert/$part.hpp\"" >"$here/$part.cpp"; done
 is_12=$("$compiler" -E -dM -x c++ /dev/null | grep -c '__GNUC__ 12$' || true)
-"$compiler" --version | head -1 | grep -qi clang && is_12=0
 for file in header header_in_c simulate simulate_switching equilibrium modal matrices; do
   compile() { "$compiler" -std=c++17 -E -o /dev/null -I"$SOURCE/runtime" -isystem /usr/include/eigen3 "$@" "$here/$file.cpp" 2>&1 | grep -c 'warning: .*wrong code for AVX-512' || true; }
   warned=$(compile -O2 -mavx512f)

@@ -95,7 +95,8 @@ Eigen::MatrixXd outside_pattern(Eigen::MatrixXd A) {
     const auto n = static_cast<std::size_t>(A.cols());
     const std::vector<double> values(n * n);
     for (std::size_t c = 0; c < n; ++c)
-        dalembert::detail::for_each_in_column<Pattern>(values, n, c, [&](std::size_t row, double) { A(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(c)) = 0; });
+        dalembert::detail::for_each_in_column<Pattern>(
+            values, n, c, [&](std::size_t row, double) { A(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(c)) = 0; });
     return A;
 }
 
@@ -119,7 +120,8 @@ void derivative_laws() {
         argument[c] = middle - h;
         const auto below = function(argument);
         Eigen::VectorXd result(static_cast<Eigen::Index>(above.size()));
-        for (std::size_t i = 0; i < above.size(); ++i) result[static_cast<Eigen::Index>(i)] = static_cast<double>((above[i] - below[i]) / (2 * h));
+        for (std::size_t i = 0; i < above.size(); ++i)
+            result[static_cast<Eigen::Index>(i)] = static_cast<double>((above[i] - below[i]) / (2 * h));
         return result;
     };
 
@@ -129,8 +131,10 @@ void derivative_laws() {
         const auto u = converted<typename Twin::Input>(point.u);
         const auto rows = static_cast<Eigen::Index>(function(x, u).size());
         std::pair<Eigen::MatrixXd, Eigen::MatrixXd> result{Eigen::MatrixXd(rows, states), Eigen::MatrixXd(rows, inputs)};
-        for (std::size_t c = 0; c < states; ++c) result.first.col(static_cast<Eigen::Index>(c)) = column([&](const auto& z) { return function(z, u); }, x, c);
-        for (std::size_t c = 0; c < inputs; ++c) result.second.col(static_cast<Eigen::Index>(c)) = column([&](const auto& v) { return function(x, v); }, u, c);
+        for (std::size_t c = 0; c < states; ++c)
+            result.first.col(static_cast<Eigen::Index>(c)) = column([&](const auto& z) { return function(z, u); }, x, c);
+        for (std::size_t c = 0; c < inputs; ++c)
+            result.second.col(static_cast<Eigen::Index>(c)) = column([&](const auto& v) { return function(x, v); }, u, c);
         return result;
     };
 
@@ -164,7 +168,8 @@ void derivative_laws() {
             const auto x = converted<typename Twin::State>(point.x);
             const auto u = converted<typename Twin::Input>(point.u);
             const auto by_time = column([&](const auto& t) { return at_time(x, u, t[0]); }, std::array<Digits50, 1>{point.t}, 0);
-            CHECK(column_error(Eigen::Map<const Eigen::VectorXd>(Jt.data(), static_cast<Eigen::Index>(states)), by_time, dxdt, std::array<double, 1>{point.t}) <= 1e-12);
+            CHECK(column_error(Eigen::Map<const Eigen::VectorXd>(Jt.data(), static_cast<Eigen::Index>(states)), by_time, dxdt,
+                               std::array<double, 1>{point.t}) <= 1e-12);
         }
 
         {
@@ -291,7 +296,8 @@ void laws() {
             // The rate of change is that of the right-hand side in double; the power may be a small difference of large flows.
             const auto u = converted<typename Twin::Input>(point.u);
             const Digits50 t = point.t;
-            const auto power = static_cast<double>(Digits50(twin.supplied_power(x, u, t) - twin.dissipated_power(x, u, t) + twin.prescribed_power(x, u, t) + twin.exchanged_power(x, u, t)));
+            const auto power = static_cast<double>(Digits50(twin.supplied_power(x, u, t) - twin.dissipated_power(x, u, t) +
+                                                            twin.prescribed_power(x, u, t) + twin.exchanged_power(x, u, t)));
             CHECK(std::abs(change - power) <= 1e-12 * size + 1e-30);
             const double dissipated = system.dissipated_power(point.x, point.u, point.t);
             CHECK(dissipated >= 0);

@@ -28,6 +28,8 @@ cmp broken/pendulum_full.csv model/pendulum_full.csv || fail "after a broken cac
 # --explain tells where a plant came from.
 dalembert 0 simulate "$pendulum" $same -o again --explain
 prints "plant .* kept before as $XDG_CACHE_HOME/dalembert/plants/"
+dalembert 0 simulate pendulum_full.so --until 1 --no-plot -o plant --explain
+prints "plant .* loaded from pendulum_full.so"
 # A folder that nobody may write to, or none: no cache, no error.
 XDG_CACHE_HOME=/proc/nowhere dalembert 0 simulate "$pendulum" --until 2 --no-plot --explain -o other
 prints "plant .* compiled, not kept: there is no folder for caches"

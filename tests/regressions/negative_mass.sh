@@ -22,3 +22,8 @@ until = 1
 MODEL
 dalembert 2 simulate wheel.toml --no-plot
 prints "inertia of body 'wheel' is -2 kg\*m\^2 at the start, but must not be below zero"
+# Every verb that works with values refuses them, not only those that run.
+for verb in evaluate equilibrium modal; do
+  dalembert 2 $verb positive.toml --parameter m=-1
+  prints "mass of body 'block' is -1 kg at the start"
+done
