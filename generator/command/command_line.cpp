@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <ostream>
 
+#include "command/verb_description.hpp"
 #include "command/verbs.hpp"
 #include "text/guardian.hpp"
 #include "text/nearest.hpp"
@@ -46,10 +47,7 @@ public:
         app_.footer(examples);
         app_.require_subcommand(1);
         app_.fallthrough();
-        app_.add_option("--stage-seconds", stage_seconds_, "processor time that a stage may take, beside the counts of `help limits`")
-            ->check(CLI::PositiveNumber);
-        app_.add_option("--memory", memory_, "GB of memory that the program may take")->check(CLI::PositiveNumber);
-        app_.set_version_flag("--version", std::string("dalembert ") + program_version);
+        add_program_options(app_, stage_seconds_, memory_);
         for (const Verb& verb : verbs()) {
             VerbOptions options(*app_.add_subcommand(verb.name, verb.doc), given_);
             verb.take(options);

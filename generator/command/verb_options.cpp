@@ -24,6 +24,11 @@ std::pair<std::vector<std::string>, std::string> names_and_docs(const Rows& rows
 
 }  // namespace
 
+CLI::Option* VerbOptions::one_of(CLI::Option* option, std::vector<std::string> words) {
+    given_.choices[option] = words;
+    return option->check(CLI::IsMember(std::move(words)));
+}
+
 void VerbOptions::model_alone() { verb_.add_option("MODEL", given_.model, "model file")->required(); }
 
 void VerbOptions::model() {
@@ -42,7 +47,7 @@ void VerbOptions::output() {
 void VerbOptions::format(std::vector<std::string> choices) {
     std::string doc;
     for (std::size_t i = 0; i < choices.size(); ++i) doc += (i == 0 ? "" : i + 1 == choices.size() ? " or " : ", ") + choices[i];
-    verb_.add_option("--format", options.format, doc)->check(CLI::IsMember(std::move(choices)));
+    one_of(verb_.add_option("--format", options.format, doc)->capture_default_str(), std::move(choices));
 }
 
 void VerbOptions::settings() {
@@ -59,7 +64,7 @@ void VerbOptions::until(const char* doc) { verb_.add_option("--until", options.u
 void VerbOptions::integration() {
     run();
     verb_.add_option("--tolerance", options.tolerance, "relative tolerance of a step")->check(CLI::Range(1e-16, 0.5));
-    verb_.add_option("--method", options.method, methods_text())->check(CLI::IsMember(method_names()));
+    one_of(verb_.add_option("--method", options.method, methods_text()), method_names());
     verb_.add_option("--step", options.step, "step of methods with a fixed one, in seconds")->check(CLI::PositiveNumber);
     verb_.add_option("--samples", options.samples, "number of intervals at which results are written")
         ->check(CLI::Range(1, budget::samples));
@@ -71,28 +76,29 @@ void VerbOptions::cache() { verb_.add_flag("--no-cache", options.no_cache, "comp
 
 void VerbOptions::plots() {
     verb_.add_flag("--no-plot", options.no_plot, "write the CSV only");
-    verb_.add_option("--units", options.units,
-                     "of CSV and plots: declared, as in the model, or si; if left out, CSV is in SI and plots are in declared units")
-        ->check(CLI::IsMember({"declared", "si"}));
+    one_of(verb_.add_option("--units", options.units,
+                            "units of CSV and plots: declared, as in the model, or si; if left out, CSV is in SI and plots are in declared "
+                            "units"),
+           {"declared", "si"});
 }
 
 void VerbOptions::explain(const char* doc) { verb_.add_flag("--explain", options.explain, doc); }
 
 void VerbOptions::dump() {
-    verb_.add_option("--dump", options.dump, "print a stage instead: scene, equations, atoms or code")
-        ->check(CLI::IsMember({"scene", "equations", "atoms", "code"}));
+    one_of(verb_.add_option("--dump", options.dump, "print a stage instead: scene, equations, atoms or code"),
+           {"scene", "equations", "atoms", "code"});
 }
 
 void VerbOptions::rewriting() {
     const auto [names, docs] = names_and_docs(all_passes, "passes to leave out, comma separated:");
-    verb_.add_option("--without", options.without, docs)->delimiter(',')->check(CLI::IsMember(names));
-    verb_.add_option("--trig", options.trig, "combined: sine and cosine in float from one reduction, as fast for every angle")
-        ->check(CLI::IsMember({"library", "combined"}));
+    one_of(verb_.add_option("--without", options.without, docs)->delimiter(','), names);
+    one_of(verb_.add_option("--trig", options.trig, "combined: sine and cosine in float from one reduction, as fast for every angle"),
+           {"library", "combined"});
 }
 
 void VerbOptions::language() {
     const auto [names, docs] = names_and_docs(languages(), "of the header:");
-    verb_.add_option("--language", options.language, docs)->check(CLI::IsMember(names));
+    one_of(verb_.add_option("--language", options.language, docs), names);
 }
 
 }  // namespace dalembert

@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <map>
+
 #include "run/options.hpp"
 
 namespace dalembert {
@@ -13,6 +15,7 @@ struct Given {
     Options options;
     std::string model;               ///< file
     std::vector<std::string> sizes;  ///< "N=5"
+    std::map<const CLI::Option*, std::vector<std::string>> choices;  ///< words that an option takes
 };
 
 class VerbOptions {
@@ -29,6 +32,8 @@ public:
     /// An option or flag of this verb alone.
     template <class Value>
     CLI::Option* add(const char* name, Value& value, const char* doc) { return verb_.add_option(name, value, doc); }
+    /// The option takes one of these words.
+    CLI::Option* one_of(CLI::Option* option, std::vector<std::string> words);
     CLI::Option* flag(const char* name, bool& value, const char* doc) { return verb_.add_flag(name, value, doc); }
     /// File names that are written after the verb.
     void files(const char* name, const char* doc) { verb_.add_option(name, options.models, doc)->required(); }

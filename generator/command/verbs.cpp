@@ -161,10 +161,10 @@ void take_cost(VerbOptions& o) {
     auto* scene = o.add("--scene", o.options.choice.scene, "one scene; all scenes of one model, if left out, and the usual one of several");
     o.flag("--every-scene", o.options.every_scene, "all scenes, also of several models")->excludes(scene);
     o.sizes("sizes of a family, each of which is measured, as N=10,N=20");
-    o.add("--methods", o.options.methods, "those that are measured, comma separated; all, if left out")
-        ->delimiter(',')->check(CLI::IsMember(method_names()));
-    o.add("--arithmetics", o.options.arithmetics, "float, double, long_double; all, if left out")
-        ->delimiter(',')->check(CLI::IsMember({"float", "double", "long_double"}));
+    o.one_of(o.add("--methods", o.options.methods, "methods to measure, comma separated; all, if left out")->delimiter(','),
+             method_names());
+    o.one_of(o.add("--arithmetics", o.options.arithmetics, "number types to measure, comma separated; all, if left out")->delimiter(','),
+             {"float", "double", "long_double"});
     o.add("--budget", o.options.budget, "as '1 ms step, 20 us': instead, the most accurate way that makes such a step in this time");
     o.add("--limit", o.options.limit, "seconds after which a run is given up; the reference has twelve times as many")
         ->capture_default_str()->check(CLI::Range(1.0, 1e5));
