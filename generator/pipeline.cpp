@@ -155,13 +155,13 @@ void prove(Machine& machine, const std::shared_ptr<const LoadedModel>& loaded, s
     machine.loaded = loaded;
     warn_of_stiff_junctions(*system);
     machine.system = std::move(system);
-    check_fluid_values(*machine.system);
-    check_heat_values(*machine.system);
+    Values defaults(machine.system->scene, machine.system->translate);  // which lie in their ranges
+    check_fluid_values(*machine.system, defaults);
+    check_heat_values(*machine.system, defaults);
     stop_on_unbalanced_mass(*machine.system);
     machine.audit = audit(*machine.system);
     stop_on_failed_audit(*machine.system, machine.audit);
     check_right_angles(*machine.system);
-    Values defaults(machine.system->scene, machine.system->translate);  // which lie in their ranges
     meet_constraints(*machine.system, defaults);
     check_values(*machine.system, defaults);
 }

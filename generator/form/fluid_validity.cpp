@@ -19,7 +19,7 @@ namespace {
 
 class ValueCheck {
 public:
-    explicit ValueCheck(const System& system) : system_(system), value_(system) {}
+    ValueCheck(const System& system, const Values& values) : system_(system), value_(system, values) {}
 
     void run() const {
         for (const auto& member : system_.scene.media) check(*member.item);
@@ -87,7 +87,7 @@ bool is_exact_root(const Flow& item) {
 
 }  // namespace
 
-void check_fluid_values(const System& system) { ValueCheck(system).run(); }
+void check_fluid_values(const System& system, const Values& values) { ValueCheck(system, values).run(); }
 
 void warn_of_stiff_junctions(System& system) {
     constexpr double next_to_nothing = 1e-4;

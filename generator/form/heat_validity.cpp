@@ -19,7 +19,7 @@ namespace {
 
 class HeatValues {
 public:
-    explicit HeatValues(const System& system) : system_(system), value_(system) {}
+    HeatValues(const System& system, const Values& values) : system_(system), value_(system, values) {}
 
     void run() const {
         for (const auto& member : system_.scene.rods) check(*member.item);
@@ -88,6 +88,6 @@ private:
 
 }  // namespace
 
-void check_heat_values(const System& system) { HeatValues(system).run(); }
+void check_heat_values(const System& system, const Values& values) { HeatValues(system, values).run(); }
 
 }  // namespace dalembert

@@ -220,11 +220,18 @@ private:
                            fmt::format("'{1}' behind '{0}' is not a unit; a product is written '{0}*{1}'", first.text, token().text)});
         bool is_product = false;
         ExpressionPtr written = unit_power();
-        while ((is_sign("*") || is_sign("/")) && tokens_[at_ + 1].kind == Token::Kind::word && tokens_[at_ + 1].text != "t" &&
-               is_unit(tokens_[at_ + 1])) {  // t is the time
+        while ((is_sign("*") || is_sign("/")) && (is_unit_at(at_ + 1) || units_in_brackets(at_ + 1))) {
             is_product = true;
             const Kind kind = next().text == "*" ? Kind::multiply : Kind::divide;
-            written = binary(kind, std::move(written), unit_power());
+            const bool has_brackets = is_sign("(");
+            if (has_brackets) next();
+            ExpressionPtr factor = unit_power();
+            while (has_brackets && !is_sign(")")) {
+                const Kind inner = next().text == "*" ? Kind::multiply : Kind::divide;
+                factor = binary(inner, std::move(factor), unit_power());
+            }
+            if (has_brackets) next();
+            written = binary(kind, std::move(written), std::move(factor));
         }
         const Span span = cover(tokens_[begin].span, tokens_[at_ - 1].span);
         if (is_product && !(is_edge(begin == 0 ? nullptr : &tokens_[begin - 1]) && is_edge(&token())))
@@ -233,6 +240,26 @@ private:
                                                  "that it is clear where the unit ends",
                                                  span.text())});
         return in_unit(is_negative ? -*read : *read, evaluate_unit(*written), span);
+    }
+
+    bool is_unit_at(std::size_t i) const {
+        return tokens_[i].kind == Token::Kind::word && tokens_[i].text != "t" && is_unit(tokens_[i]);  // t is the time
+    }
+
+    /// Whether "(kg*K)" begins at token i: units with powers, joined by products and quotients, and nothing else.
+    bool units_in_brackets(std::size_t i) const {
+        if (tokens_[i].text != "(") return false;
+        do {
+            if (!is_unit_at(++i)) return false;
+            ++i;
+            if (tokens_[i].text == "^") {
+                ++i;
+                if (tokens_[i].text == "-") ++i;
+                if (tokens_[i].kind != Token::Kind::number) return false;
+                ++i;
+            }
+        } while (tokens_[i].text == "*" || tokens_[i].text == "/");
+        return tokens_[i].text == ")";
     }
 
     ExpressionPtr unit_power() {

@@ -57,6 +57,12 @@ TEST_CASE("numbers with units are in SI") {
     CHECK(parsed("90 deg") == "(1/2*pi)");
     CHECK(parsed("36 km/h") == "10");
     CHECK(parsed("(36 km/h)*t") == "(10*t)");
+    CHECK(parsed("718 J/(kg*K)") == "718");
+    CHECK(parsed("(2 kJ/(kg*K))*t") == "(2000*t)");
+    CHECK(parsed("12 W/(m^2*K)") == "12");
+    CHECK(parse_expression(text("8 W/(cm^2*K)"))->name == "kg/(s^3*K)");
+    CHECK(parsed("6 N/(x + 1)") == "(6/(x+1))");
+    CHECK(parsed("6 N/(m*x)") == "(6/(m*x))");
     CHECK(parsed("5 bar*t") == "(500000*t)");
     CHECK(parsed("max(2 m, x)") == "max(2,x)");
     CHECK(parsed("4 mm^2*c") == "(1/250000*c)");
@@ -95,4 +101,5 @@ TEST_CASE("what is no expression is refused at the right place") {
     CHECK(column("2 x") == 3);
     CHECK(column("3 m/s*x") == 1);
     CHECK(column("a + 3 m/s") == 5);
+    CHECK(column("a + 3 W/(m*K)") == 5);
 }
