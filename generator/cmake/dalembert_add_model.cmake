@@ -46,10 +46,15 @@ function(dalembert_add_model target)
   endif()
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/${target}.generated)
   set(header ${folder}/${target}.${ending})
-  if(TARGET dalembert::dalembert)
-    set(program dalembert::dalembert)
+  # A program that is named runs on this machine; one that is built or installed may be for another.
+  if(DALEMBERT_PROGRAM)
+    set(program ${DALEMBERT_PROGRAM})
+  elseif(TARGET dalembert::dalembert)
+    set(program $<TARGET_FILE:dalembert::dalembert>)
   else()
-    set(program dalembert)
+    get_property(missing GLOBAL PROPERTY DALEMBERT_MISSING)
+    message(FATAL_ERROR "dalembert_add_model(${target}) needs the program dalembert: set DALEMBERT_PROGRAM to its path, or install what "
+                        "its build misses: ${missing}")
   endif()
   add_custom_command(
     OUTPUT ${header}

@@ -31,12 +31,12 @@ std::vector<std::string> compiler_command() {
 std::string runtime_folder() {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    std::vector<fs::path> candidates;
-    if (!error) candidates.push_back(program.parent_path().parent_path() / "include");
-    candidates.emplace_back(DALEMBERT_RUNTIME_DIR);
+    std::vector<fs::path> candidates;  // where it was built, and where it is installed
+    if (!error) candidates = {program.parent_path() / "include", program.parent_path().parent_path() / "include"};
     for (const fs::path& candidate : candidates)
         if (fs::exists(candidate / "dalembert" / "simulate.hpp", error)) return candidate.string();
-    fail("the runtime headers (dalembert/simulate.hpp) are neither installed beside the program nor where it was built");
+    fail(fmt::format("the runtime headers (dalembert/simulate.hpp) are not installed beside the program '{}', in '{}'", program.string(),
+                     candidates.empty() ? "../include" : candidates.back().string()));
 }
 
 void compile(const std::vector<std::string>& arguments) {

@@ -10,7 +10,7 @@ namespace dalembert {
 /// The compiler with the options that belong to it, as $CXX says.
 std::vector<std::string> compiler_command();
 
-/// The folder of the runtime headers: beside an installed program, else where the program was built from. Throws Failure (tool-failed).
+/// The folder of the runtime headers: `include` beside the program, or beside its folder. Throws Failure (tool-failed).
 std::string runtime_folder();
 
 /// Calls the compiler as C++17 with the runtime in reach. Throws Failure (tool-failed, exit code 3) where it cannot be started or refuses.

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The program, from its sources. Where another project includes this one, a missing library is an error only for those who need the program:
+# DALEMBERT_MISSING says then what is missing.
+if(PROJECT_IS_TOP_LEVEL)
+  set(needed REQUIRED)
+else()
+  set(needed QUIET)
+endif()
+find_package(PkgConfig ${needed})
+if(PkgConfig_FOUND)
+  pkg_check_modules(GINAC ${needed} IMPORTED_TARGET ginac)
+  pkg_check_modules(CLN ${needed} IMPORTED_TARGET cln)
+  pkg_check_modules(TOMLPLUSPLUS ${needed} IMPORTED_TARGET tomlplusplus)
+endif()
+find_package(fmt ${needed})
+find_package(nlohmann_json ${needed})
+find_package(CLI11 ${needed})
+set(libraries PkgConfig::GINAC PkgConfig::CLN PkgConfig::TOMLPLUSPLUS fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11 Boost::headers Eigen3::Eigen)
+set(missing "")
+foreach(library IN LISTS libraries)
+  if(NOT TARGET ${library})
+    list(APPEND missing ${library})
+  endif()
+endforeach()
+if(missing)
+  list(JOIN missing ", " missing)
+  set_property(GLOBAL PROPERTY DALEMBERT_MISSING "${missing}")
+  return()
+endif()
+
+set(dalembert_options -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<CONFIG:Release>:-O2>
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # false alarms of GCC 12 inside std::shared_ptr
+
+# Templates, and the runtime files from which headers take helpers, become part of the program: it needs no files to generate.
+set(embedded
+    templates/header.hpp.in
+    templates/system.hpp.in
+    templates/fields.hpp.in
+    templates/field_sums.hpp.in
+    templates/series.hpp.in
+    templates/constraint_tables.hpp.in
+    templates/constraint_types.hpp.in
+    templates/constraint_choice.hpp.in
+    templates/meet_constraints.hpp.in
+    templates/meet_constraints.h.in
+    templates/plant.h.in
+    templates/header.h.in
+    templates/series.h.in
+    templates/fields.h.in
+    templates/field_sums.h.in
+    templates/mode_tables.hpp.in
+    templates/mode_types.hpp.in
+    templates/mode_events_apart.hpp.in
+    templates/plant.cpp.in
+    templates/work_precision.cpp.in
+    templates/cost.cpp.in
+    templates/accuracy.cpp.in
+    templates/book.html.in
+    runtime/dalembert/compiler.h
+    runtime/dalembert/scalar_functions.hpp
+    runtime/dalembert/angle_functions.hpp
+    runtime/dalembert/fluid_functions.hpp
+    runtime/dalembert/heat_functions.hpp
+    runtime/dalembert/heat_networks.hpp
+    runtime/dalembert/junctions.hpp
+    runtime/dalembert/series_functions.hpp
+    runtime/dalembert/ldlt.hpp
+    runtime/dalembert/plant.h
+    runtime/dalembert/unroll.hpp
+    runtime/c/math_functions.h.in
+    runtime/c/scalar_functions.h.in
+    runtime/c/angle_functions.h.in
+    runtime/c/fluid_functions.h.in
+    runtime/c/heat_functions.h.in
+    runtime/c/heat_networks.h.in
+    runtime/c/junctions.h.in
+    runtime/c/series_functions.h.in
+    runtime/c/ldlt.h.in)
+set(embedded_source ${CMAKE_CURRENT_BINARY_DIR}/embedded.cpp)
+add_custom_command(
+  OUTPUT ${embedded_source}
+  COMMAND ${CMAKE_COMMAND} -DOUTPUT=${embedded_source} "-DFILES=${embedded}" -DROOT=${CMAKE_CURRENT_SOURCE_DIR}
+          -P ${CMAKE_CURRENT_SOURCE_DIR}/generator/cmake/embed.cmake
+  DEPENDS ${embedded} generator/cmake/embed.cmake
+  VERBATIM)
+
+file(GLOB_RECURSE generator_sources CONFIGURE_DEPENDS generator/*.cpp)
+list(REMOVE_ITEM generator_sources ${CMAKE_CURRENT_SOURCE_DIR}/generator/main.cpp)
+add_library(dalembert_core STATIC ${generator_sources} ${embedded_source})
+target_include_directories(dalembert_core PUBLIC generator runtime)
+target_link_libraries(dalembert_core PUBLIC ${libraries} ${CMAKE_DL_LIBS})
+# Which forms keep digits is judged in double: by the same roundings on every machine.
+target_compile_options(dalembert_core PRIVATE ${dalembert_options} -ffp-contract=off)
+target_precompile_headers(dalembert_core PRIVATE <ginac/ginac.h> <fmt/format.h>)
+# Up to ten files of a layer at once: a quarter of the time. With -DDALEMBERT_TOGETHER=OFF each on its own, for work on a few of them.
+option(DALEMBERT_TOGETHER "Compile many files at once" ON)
+set_target_properties(dalembert_core PROPERTIES UNITY_BUILD ${DALEMBERT_TOGETHER} UNITY_BUILD_MODE GROUP)
+foreach(source ${generator_sources})
+  file(RELATIVE_PATH layer ${CMAKE_CURRENT_SOURCE_DIR}/generator ${source})
+  string(REGEX REPLACE "/.*|[.]cpp" "" layer ${layer})
+  math(EXPR place "${files_of_${layer}} + 0")
+  math(EXPR group "${place} / 10")
+  math(EXPR files_of_${layer} "${place} + 1")
+  set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${layer}_${group})
+endforeach()
+# Integrators and matrices take the compiler seconds each: side by side.
+file(GLOB plant_sources generator/plant/simulation_*.cpp generator/plant/equilibrium.cpp generator/plant/modal.cpp)
+set_source_files_properties(${plant_sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
+
+add_executable(dalembert generator/main.cpp)
+target_link_libraries(dalembert PRIVATE dalembert_core)
+target_compile_options(dalembert PRIVATE ${dalembert_options})
+set_target_properties(dalembert_core dalembert PROPERTIES CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF
+                      RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+# Where another project includes this one, the program is built when a model needs it.
+if(NOT PROJECT_IS_TOP_LEVEL)
+  set_target_properties(dalembert_core dalembert PROPERTIES EXCLUDE_FROM_ALL ON)
+endif()
+# Where the program looks for the runtime: beside itself, as in an installation.
+file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/include)
+file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR}/runtime/dalembert ${CMAKE_CURRENT_BINARY_DIR}/include/dalembert SYMBOLIC)
