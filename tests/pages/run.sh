@@ -5,9 +5,11 @@
 #   <!-- file: NAME -->       a file: it is written
 #   <!-- run -->              a console: what follows '$ ' is run, and the other lines are its output. '...' stands for any lines.
 #   <!-- run: status 1 -->    the same, and the last command ends with this exit code
+#   <!-- run with: HEADER --> a console that needs a C++ header which not every machine has: it is run where the compiler finds it
 #   <!-- lines of: FILE -->   an excerpt: each of its lines stands in FILE, in this order; '...' stands for any lines
 #   <!-- tested by: PATH -->  another test uses it
 #   <!-- not run: REASON -->
+# A page with a line <!-- tier: full --> takes longer and is tested by `./dev test full` only.
 # Blocks of code without such a comment are an error, so that nothing is shown that was never tried. Numbers below 1e-9 are roundings.
 set -euo pipefail
 page=$SOURCE/$1
@@ -82,6 +84,10 @@ while IFS= read -r line; do
         ;;
       run) console "$begun" 0 ;;
       'run: status '*) console "$begun" "${mark#run: status }" ;;
+      'run with: '*)
+        if echo "#include <${mark#run with: }>" | ${CXX:-c++} -E -x c++ - >/dev/null 2>&1; then console "$begun" 0
+        else echo "$page, line $begun: not run without ${mark#run with: }"; fi
+        ;;
       'lines of: '*)
         [ -f "${mark#lines of: }" ] || fail "$page" "$begun" "there is no ${mark#lines of: }"
         same "$here/block" "${mark#lines of: }" loose || fail "$page" "$begun" "not in ${mark#lines of: }"
