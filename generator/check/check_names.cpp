@@ -25,16 +25,28 @@ bool is_identifier(std::string_view name) {
     return true;
 }
 
+std::optional<NameProblem> problem_of_name(const std::string& name, bool is_in_header) {
+    if (!is_identifier(name))
+        return NameProblem{Id::bad_name, fmt::format("'{}' is not a name; a name is a letter followed by at most 59 letters, digits and "
+                                                     "single underscores", name)};
+    if (!is_in_header) return std::nullopt;
+    const char* what = name == "restrict"     ? "a word of C"
+                       : is_cpp_keyword(name) ? "a word of C++"
+                       : is_cpp_macro(name)   ? "a macro of C++"
+                       : name == "std"        ? "the namespace of C++"
+                                              : nullptr;
+    if (what == nullptr) return std::nullopt;
+    return NameProblem{Id::reserved_name, fmt::format("'{}' is {} and cannot be a name in the header", name, what)};
+}
+
 /// Names, and who defined them first.
 class NameCheck {
 public:
     NameCheck(const Model& model, Diagnostics& diagnostics) : model_(model), diagnostics_(diagnostics) {}
 
     void run() {
-        if (well_formed(model_.name, model_.name_span) && is_global_function(model_.name))
-            diagnostics_.error(
-                Id::reserved_name, model_.name_span,
-                fmt::format("'{}' has a meaning of its own in C or C++ and cannot be the namespace of the header", model_.name));
+        if (const auto problem = problem_of_model_name(model_.name))
+            diagnostics_.error(problem->id, model_.name_span, problem->sentence);
         for_each_kind(model_, [&](const char*, const auto& items) { of_kind(items); });
         // A velocity gets the name NAME_dot in C++.
         for (const Coordinate& coordinate : model_.coordinates)
@@ -79,21 +91,9 @@ private:
     }
 
     bool well_formed(const std::string& name, const Span& span) {
-        if (!is_identifier(name)) {
-            diagnostics_.error(
-                Id::bad_name, span,
-                fmt::format("'{}' is not a name; a name is a letter followed by at most 59 letters, digits and single underscores", name));
-            return false;
-        }
-        if (!is_header_) return true;
-        const char* what = name == "restrict"     ? "a word of C"
-                           : is_cpp_keyword(name) ? "a word of C++"
-                           : is_cpp_macro(name)   ? "a macro of C++"
-                           : name == "std"        ? "the namespace of C++"
-                                                  : nullptr;
-        if (what != nullptr)
-            diagnostics_.error(Id::reserved_name, span, fmt::format("'{}' is {} and cannot be a name in the header", name, what));
-        return what == nullptr;
+        const auto problem = problem_of_name(name, is_header_);
+        if (problem) diagnostics_.error(problem->id, span, problem->sentence);
+        return !problem;
     }
 
     void define(const std::string& name, const Item& item) {
@@ -237,6 +237,13 @@ void check_definition_cycles(const Model& model, const Names& names, Diagnostics
 }
 
 }  // namespace
+
+std::optional<NameProblem> problem_of_model_name(const std::string& name) {
+    if (auto problem = problem_of_name(name, true)) return problem;
+    if (!is_global_function(name)) return std::nullopt;
+    return NameProblem{Id::reserved_name,
+                       fmt::format("'{}' has a meaning of its own in C or C++ and cannot be the namespace of the header", name)};
+}
 
 void check_names(const Model& model, Diagnostics& diagnostics) {
     NameCheck(model, diagnostics).run();

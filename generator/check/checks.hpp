@@ -2,6 +2,7 @@
 // The checks that a model passes after it was read and before anything is chosen from it. Each reports all that it finds.
 #pragma once
 
+#include <optional>
 #include <set>
 
 #include "elements/names.hpp"
@@ -11,6 +12,14 @@ namespace dalembert {
 
 /// Validity and uniqueness of names; definitions that need themselves. The other checks rely on this one.
 void check_names(const Model& model, Diagnostics& diagnostics);
+
+struct NameProblem {
+    Id id;
+    std::string sentence;
+};
+
+/// Of a name that a model cannot have: it is that of files and of a C++ namespace.
+std::optional<NameProblem> problem_of_model_name(const std::string& name);
 
 /// Every word of every expression: defined, with the right index and arguments, and nothing that its place must not depend on.
 void check_expressions(const Model& model, Diagnostics& diagnostics);

@@ -1,23 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Writes a C++ file that holds the contents of FILES (relative to ROOT) as string literals.
+# Writes a C++ file that holds the contents of FILES (relative to ROOT) as string literals, by their paths below the folders named here.
 set(entries "")
 foreach(file IN LISTS FILES)
   file(READ ${ROOT}/${file} content)
-  get_filename_component(name ${file} NAME)
-  string(APPEND entries "    if (name == \"${name}\")\n        return R\"embedded(${content})embedded\";\n")
+  string(REGEX REPLACE "^(templates|runtime/dalembert|runtime/c)/" "" name ${file})
+  string(APPEND entries "    {\"${name}\", R\"embedded(${content})embedded\"},\n")
 endforeach()
 file(WRITE ${OUTPUT}
 "// Written by embed.cmake.
-#include <stdexcept>
-#include <string>
-
 #include \"text/template.hpp\"
 
 namespace dalembert {
 
-std::string_view embedded_file(std::string_view name) {
-${entries}    throw std::logic_error(\"no embedded file \" + std::string(name));
+namespace {
+constexpr EmbeddedFile table[]{
+${entries}};
 }
+
+std::span<const EmbeddedFile> embedded_files() { return table; }
 
 }  // namespace dalembert
 ")

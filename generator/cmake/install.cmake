@@ -11,4 +11,7 @@ configure_package_config_file(generator/cmake/dalembert-config.cmake.in dalember
 write_basic_package_version_file(dalembert-config-version.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/dalembert-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/dalembert-config-version.cmake
               generator/cmake/dalembert_add_model.cmake DESTINATION ${package_dir})
+# The same package in the build tree: a project finds it without an installation, with CMAKE_PREFIX_PATH.
+export(EXPORT dalembert_targets NAMESPACE dalembert:: FILE ${CMAKE_CURRENT_BINARY_DIR}/dalembert_targets.cmake)
+configure_file(generator/cmake/dalembert_add_model.cmake ${CMAKE_CURRENT_BINARY_DIR}/dalembert_add_model.cmake COPYONLY)
 install(FILES LICENSE LICENSE.GPL-3.0 LICENSE.BSL-1.0 DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -76,6 +76,9 @@ set(embedded
     runtime/c/junctions.h.in
     runtime/c/series_functions.h.in
     runtime/c/ldlt.h.in)
+# And the projects that `dalembert new` writes.
+file(GLOB projects RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS templates/new/*/*.in)
+list(APPEND embedded ${projects})
 set(embedded_source ${CMAKE_CURRENT_BINARY_DIR}/embedded.cpp)
 add_custom_command(
   OUTPUT ${embedded_source}

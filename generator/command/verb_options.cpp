@@ -2,10 +2,15 @@
 #include "command/verb_options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+
+#include "command/project_kinds.hpp"
 #include "elements/methods.hpp"
 #include "graph/passes.hpp"
 #include "text/budgets.hpp"
+#include "text/nearest.hpp"
 
 namespace dalembert {
 
@@ -26,7 +31,12 @@ std::pair<std::vector<std::string>, std::string> names_and_docs(const Rows& rows
 
 CLI::Option* VerbOptions::one_of(CLI::Option* option, std::vector<std::string> words) {
     given_.choices[option] = words;
-    return option->check(CLI::IsMember(std::move(words)));
+    const std::string listed = fmt::format("{{{}}}", fmt::join(words, ","));
+    const auto problem = [words = std::move(words)](const std::string& word) {
+        if (std::find(words.begin(), words.end(), word) != words.end()) return std::string();
+        return fmt::format("'{}' is not one of {}{}", word, quoted_list(words), did_you_mean(word, words));
+    };
+    return option->check(CLI::Validator(problem, listed));
 }
 
 void VerbOptions::model_alone() { verb_.add_option("MODEL", given_.model, "model file")->required(); }
@@ -99,6 +109,11 @@ void VerbOptions::rewriting() {
 void VerbOptions::language() {
     const auto [names, docs] = names_and_docs(languages(), "of the header:");
     one_of(verb_.add_option("--language", options.language, docs), names);
+}
+
+void VerbOptions::kind() {
+    const auto [names, docs] = names_and_docs(project_kinds, "kind of the project:");
+    one_of(verb_.add_option("--kind", options.kind, docs)->default_val(names.front()), names);
 }
 
 }  // namespace dalembert

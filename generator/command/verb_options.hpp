@@ -58,6 +58,8 @@ public:
     void explain(const char* doc);
     void rewriting();
     void language();
+    /// Of projects.
+    void kind();
     void dump();
 };
 

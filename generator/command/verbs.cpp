@@ -11,6 +11,7 @@
 namespace dalembert {
 
 /// Each in a file of its own.
+ExitCode new_command(const Options& options, Streams streams);
 ExitCode derive_command(const Options& options, Streams streams);
 ExitCode generate_command(const Options& options, Streams streams);
 ExitCode compile_command(const Options& options, Streams streams);
@@ -34,6 +35,13 @@ std::string file_name(const std::string& text) {
     const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.'; };
     if (!text.empty() && text.front() != '.' && text.front() != '-' && std::all_of(text.begin(), text.end(), fits)) return {};
     return fmt::format("'{}' is not a file name of letters, digits, '_', '-' and '.'", text);
+}
+
+void take_new(VerbOptions& o) {
+    o.add("NAME", o.options.project, "name of the project, of its folder and of its model")->required();
+    o.kind();
+    o.output();
+    o.format();
 }
 
 void take_derive(VerbOptions& o) {
@@ -195,6 +203,7 @@ void take_scenes(VerbOptions& o) {
 void take_help(VerbOptions& o) { o.add("TOPIC", o.options.topic, "for example `bodies`, `bodies.mass` or `mass`"); }
 
 constexpr auto table = std::to_array<Verb>({
+    {"new", "write a project to begin with: a model with comments, and a C++ program around it", new_command, take_new},
     {"derive", "print the equations of motion", derive_command, take_derive},
     {"generate", "write the C++ header", generate_command, take_generate},
     {"compile", "write the model as a plant: a shared library with a table of C functions, and the C header of that table", compile_command,

@@ -252,7 +252,15 @@ constexpr auto of_scenes = std::to_array<JsonField>({
     {"scenes[].header", "file name of its header"},
 });
 
+constexpr auto of_new = std::to_array<JsonField>({
+    {"kind", "kind of the project"},
+    {"doc", "what a project of this kind is about"},
+    {"folder", "where it was written"},
+    {"files[]", "the files that were written"},
+});
+
 constexpr auto schemas = std::to_array<JsonSchema>({
+    {"new", of_new},
     {"derive", of_derive},
     {"generate", of_generate},
     {"compile", of_compile},

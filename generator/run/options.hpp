@@ -53,6 +53,8 @@ struct Options {
     bool explain = false;
     std::string dump;
     std::string topic;                    ///< of help
+    std::string project;                  ///< of new: its name
+    std::string kind;                     ///< and its kind
     int test_points = 2000;               ///< of accuracy, in each arithmetic
     std::uint64_t seed = 1;
     std::vector<std::string> without;     ///< names of passes

@@ -6,6 +6,12 @@
 
 namespace dalembert {
 
+std::string_view embedded_file(std::string_view name) {
+    for (const EmbeddedFile& file : embedded_files())
+        if (file.name == name) return file.text;
+    throw std::logic_error("no embedded file " + std::string(name));
+}
+
 std::string fill_template(std::string_view text, const std::map<std::string, std::string>& values) {
     std::string result;
     std::set<std::string> used;

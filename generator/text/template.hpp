@@ -3,12 +3,21 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace dalembert {
 
-/// The text of a file in templates/ ("system.hpp.in"), or of the runtime files from which headers take helpers.
+struct EmbeddedFile {
+    std::string_view name;  ///< below its folder, as "system.hpp.in" or "new/heat/main.cpp.in"
+    std::string_view text;
+};
+
+/// The files in templates/, and the runtime files from which headers take helpers.
+std::span<const EmbeddedFile> embedded_files();
+
+/// The text of one of them.
 std::string_view embedded_file(std::string_view name);
 
 std::string fill_template(std::string_view text, const std::map<std::string, std::string>& values);

@@ -86,6 +86,7 @@ TEST_CASE("the JSON fields are the documented ones") {
                             "[coordinates]\nq = { unit = \"m\", start_rate = 1 }\n[bodies.b]\nmass = \"m\"\nposition = [\"q\", 0, 0]\n"
                             "[outputs]\ny = { value = \"q*sin(w*t)\", unit = \"m\" }\n[runs.reference]\nuntil = 1\n";
     const std::map<std::string, std::vector<std::vector<std::string>>> calls{
+        {"new", {{"crane", "-o", folder}}},
         {"derive", {{systems + "spring_mass_damper.toml"}, {systems + "cart_pendulum.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/tests/golden/capacitor.toml"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}, {SOURCE_DIR "/systems/heat/fin.toml", "--size", "N=50"}, {sliding}}},
         {"generate", {{SOURCE_DIR "/systems/heat/fin.toml", "--size", "N=50", "-o", folder}, {systems + "cart_pendulum.toml", "-o", folder}, {systems + "n_pendulum.toml", "--size", "N=2", "-o", folder}}},
         {"compile", {{systems + "n_pendulum.toml", "--size", "N=2", "-o", folder}}},
