@@ -8,8 +8,11 @@
 
 #include "elements/verdict.hpp"
 #include "prove/audit.hpp"
+#include "prove/normal_form.hpp"
 
 namespace dalembert {
+
+inline bool is_zero_for_all(const GiNaC::ex& e) { return NormalForm().is_zero(e); }
 
 inline bool all_proven(const System& system) {
     const Audit result = audit(system);

@@ -25,6 +25,8 @@ inline Machine machine_of(const std::string& system, const std::string& scene = 
     return derive_machine(load(std::string(SOURCE_DIR) + "/systems/" + name + ".toml", diagnostics), scene, sizes);
 }
 
+inline GiNaC::ex symbol_named(const System& system, SymbolKind kind, const char* name) { return system.symbols.find(kind, name, 0)->symbol; }
+
 /// A machine with one coordinate and one body, to which a test adds what it is about.
 inline const std::string block =
     "[parameters]\n"

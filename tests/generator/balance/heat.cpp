@@ -14,7 +14,7 @@ using GiNaC::ex;
 
 namespace {
 
-const std::string plate =
+const std::string plate_and_room =
     "[parameters]\n"
     "C = { value = 200, unit = \"J/K\", range = [1, 1e4] }\n"
     "R = { value = 3, unit = \"K/W\", range = [0.01, 100] }\n"
@@ -32,7 +32,7 @@ bool is_passive_network(const std::string& text) { return !machine_from(text).au
 }  // namespace
 
 TEST_CASE("a node that stores nothing has its temperature from its balance") {
-    const Machine machine = machine_from(plate + "[links]\na = { from = \"plate\", to = \"lid\", resistance = \"R\" }\nb = { from = \"lid\", to = \"air\", resistance = \"2*R\" }\n");
+    const Machine machine = machine_from(plate_and_room + "[links]\na = { from = \"plate\", to = \"lid\", resistance = \"R\" }\nb = { from = \"lid\", to = \"air\", resistance = \"2*R\" }\n");
     const System& system = *machine.system;
     CHECK(all_proven(system));
     const ex T = system.symbols.get(SymbolKind::state, 0);
@@ -46,7 +46,7 @@ TEST_CASE("nodes that radiate and store nothing, one behind the other") {
         "[links]\na = { from = \"plate\", to = \"lid\", law = \"radiation\", emissivity = \"eps\", area = \"A\" }\n"
         "b = { from = \"lid\", to = \"air\", law = \"radiation\", emissivity = \"eps\", area = \"A\" }\n";
     SUBCASE("by radiation alone: fourth powers") {
-        const Machine machine = machine_from(plate + links);
+        const Machine machine = machine_from(plate_and_room + links);
         const System& system = *machine.system;
         CHECK(all_proven(system));
         const ex T = system.symbols.get(SymbolKind::state, 0);
@@ -54,7 +54,7 @@ TEST_CASE("nodes that radiate and store nothing, one behind the other") {
         CHECK(proven_equal(system, pow(system.heat.find_node("lid")->warmth.temperature, 4), (pow(T, 4) + pow(T_0, 4)) / 2));
     }
     SUBCASE("with convection too: the root of a*T^4 + T = b") {
-        const Machine machine = machine_from(plate + links + "c = { from = \"lid\", to = \"air\", resistance = \"R\" }\n");
+        const Machine machine = machine_from(plate_and_room + links + "c = { from = \"lid\", to = \"air\", resistance = \"R\" }\n");
         CHECK(all_proven(*machine.system));
         CHECK(is_ex_the_function(machine.system->heat.find_node("lid")->warmth.temperature, radiant_temperature));
     }
@@ -99,7 +99,7 @@ TEST_CASE("no sign of a network can be wrong unseen") {
 }
 
 TEST_CASE("passive networks are known by the signs of their parts") {
-    const std::string linear = plate + "[links]\na = { from = \"plate\", to = \"lid\", resistance = \"R\" }\nb = { from = \"lid\", to = \"air\", resistance = \"2*R\" }\n";
+    const std::string linear = plate_and_room + "[links]\na = { from = \"plate\", to = \"lid\", resistance = \"R\" }\nb = { from = \"lid\", to = \"air\", resistance = \"2*R\" }\n";
     CHECK(is_passive_network(linear));
     CHECK_FALSE(machine_of("heat/fin", "convective", {{"N", 200}}).audit.eigenvalues.empty());
     // Radiation is not linear; heat that grows with the temperature is not passive.

@@ -6,11 +6,11 @@
 
 namespace {
 
-const std::string letters = "[catalogue]\nformat = 1\nsource = \"Any text\"\n[positive]\np = \"1\"\nn = \"1\"\n[letters]\nu = \"1\"\nx = \"1\"\n[entries.one]\n";
+const std::string text_of_letters = "[catalogue]\nformat = 1\nsource = \"Any text\"\n[positive]\np = \"1\"\nn = \"1\"\n[letters]\nu = \"1\"\nx = \"1\"\n[entries.one]\n";
 
 nlohmann::json checked(const std::string& latex) {
     const Folder folder;
-    const Answer answer = ask("check", {folder.write("text.toml", letters + "latex = '''" + latex + "'''\n"), "--format", "json"});
+    const Answer answer = ask("check", {folder.write("text.toml", text_of_letters + "latex = '''" + latex + "'''\n"), "--format", "json"});
     CAPTURE(answer.err);
     REQUIRE(answer.code <= 1);
     return answer.json()["printed"][0];

@@ -12,8 +12,6 @@ using GiNaC::ex;
 
 namespace {
 
-ex symbol(const System& system, SymbolKind kind, const char* name) { return system.symbols.find(kind, name, 0)->symbol; }
-
 const std::string point =
     "[parameters]\nm = { value = 2, unit = \"kg\", range = [0.1, 10] }\nl = { value = 1, unit = \"m\", range = [0.1, 10] }\ng = { value = 9.81, unit = \"m/s^2\" }\n"
     "[coordinates]\nx = { unit = \"m\", start = 0.6 }\ny = { unit = \"m\", guess = -1 }\n[gravity]\nacceleration = [0, \"-g\"]\n"
@@ -38,15 +36,15 @@ double at_start(const Machine& machine, std::size_t output) {
 TEST_CASE("the bordered equations of a pendulum in x and y") {
     Machine machine = machine_from(point + "[constraints.rod]\nposition = \"(x^2 + y^2 - l^2)/2\"\n");
     const System& s = *machine.system;
-    const ex x = symbol(s, SymbolKind::coordinate, "x"), y = symbol(s, SymbolKind::coordinate, "y"), m = symbol(s, SymbolKind::parameter, "m"), g = symbol(s, SymbolKind::parameter, "g");
+    const ex x = symbol_named(s, SymbolKind::coordinate, "x"), y = symbol_named(s, SymbolKind::coordinate, "y"), m = symbol_named(s, SymbolKind::parameter, "m"), g = symbol_named(s, SymbolKind::parameter, "g");
     REQUIRE(s.motion.multipliers == std::vector<std::size_t>{0});
     REQUIRE(s.motion.unknowns() == 3);
     CHECK(s.motion.matrix(0, 2).is_equal(-x));
     CHECK(s.motion.matrix(2, 1).is_equal(-y));
     CHECK(s.motion.matrix(2, 2).is_zero());
     // -(x xdd + y ydd + xd^2 + yd^2) = 0
-    CHECK((s.motion.force[2] - GiNaC::pow(symbol(s, SymbolKind::velocity, "x"), 2) - GiNaC::pow(symbol(s, SymbolKind::velocity, "y"), 2)).expand().is_zero());
-    CHECK((s.motion.residual[1] - m * symbol(s, SymbolKind::acceleration, "y") - m * g + y * s.constraints[0].force).expand().is_zero());
+    CHECK((s.motion.force[2] - GiNaC::pow(symbol_named(s, SymbolKind::velocity, "x"), 2) - GiNaC::pow(symbol_named(s, SymbolKind::velocity, "y"), 2)).expand().is_zero());
+    CHECK((s.motion.residual[1] - m * symbol_named(s, SymbolKind::acceleration, "y") - m * g + y * s.constraints[0].force).expand().is_zero());
     CHECK(machine.audit.constraints.size() == 1);
     CHECK(machine.audit.all_proven());
     // Found from what is written: y = -0.8.
@@ -95,7 +93,7 @@ TEST_CASE("proofs see wrong forces of constraints") {
     System& system = *machine.system;
     const ex lambda = system.constraints[0].force;
     SUBCASE("a force in the equations of motion that is not along the gradient") {
-        system.motion.residual[0] -= symbol(system, SymbolKind::coordinate, "y") * lambda;
+        system.motion.residual[0] -= symbol_named(system, SymbolKind::coordinate, "y") * lambda;
         CHECK(audit(system).constraints[0].result.verdict == Verdict::wrong);
     }
     SUBCASE("code whose multiplier has the wrong sign") {
@@ -104,7 +102,7 @@ TEST_CASE("proofs see wrong forces of constraints") {
         CHECK(std::any_of(entries.begin(), entries.end(), [](const AuditEntry& e) { return e.result.verdict == Verdict::wrong; }));
     }
     SUBCASE("energy that a constraint would bring") {
-        system.prescribed_power += lambda * symbol(system, SymbolKind::velocity, "x");
+        system.prescribed_power += lambda * symbol_named(system, SymbolKind::velocity, "x");
         CHECK(audit(system).power_balance.result.verdict == Verdict::wrong);
     }
 }

@@ -10,8 +10,7 @@ using GiNaC::ex;
 
 namespace {
 
-ex symbol(const System& system, SymbolKind kind, const char* name) { return system.symbols.find(kind, name, 0)->symbol; }
-ex parameter(const System& system, const char* name) { return symbol(system, SymbolKind::parameter, name); }
+ex parameter(const System& system, const char* name) { return symbol_named(system, SymbolKind::parameter, name); }
 
 /// Two masses on the line with further entries.
 std::string masses(const std::string& more, const std::string& range = "range = [0.1, 10]") {
@@ -57,7 +56,7 @@ TEST_CASE("the matrices of (2.111) to (2.114), and that they are definite (Aufga
     CHECK(verdict(linear.D) == "positive semidefinite for all parameters in their ranges, definite where d_11, d_22, d_13 are not zero");
     // The equations are what was derived.
     for (unsigned i = 0; i < 3; ++i) {
-        ex left = -linear.k[i] - linear.B(i, 0) * symbol(s, SymbolKind::input, "f_L");
+        ex left = -linear.k[i] - linear.B(i, 0) * symbol_named(s, SymbolKind::input, "f_L");
         for (unsigned j = 0; j < 3; ++j)
             left += linear.M(i, j) * s.symbols.get(SymbolKind::acceleration, j) + linear.D(i, j) * s.symbols.get(SymbolKind::velocity, j) + linear.C(i, j) * s.symbols.get(SymbolKind::coordinate, j);
         CHECK((left - s.residual[i]).expand().is_zero());

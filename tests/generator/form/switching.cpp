@@ -17,8 +17,6 @@ const Machine& mode(const Machine& machine, const std::string& name) {
     return *found;
 }
 
-ex symbol(const System& system, SymbolKind kind, const char* name) { return system.symbols.find(kind, name, 0)->symbol; }
-
 const EventEquation& event(const System& system, const std::string& name) {
     const auto found = std::find_if(system.events.begin(), system.events.end(), [&](const EventEquation& e) { return e.name == name; });
     REQUIRE(found != system.events.end());
@@ -42,22 +40,22 @@ const std::string two_discs =
 TEST_CASE("a clutch that sticks: one acceleration for both, and the torque that it bears") {
     Machine machine = machine_from(two_discs + "[frictions.clutch]\nrate = \"dot(a) - dot(b)\"\nnormal_force = \"c\"\ncoefficient = \"1\"\n");
     const System& sticks = *mode(machine, "clutch_sticks").system;
-    const ex J = symbol(sticks, SymbolKind::parameter, "J"), K = symbol(sticks, SymbolKind::parameter, "K"), u = symbol(sticks, SymbolKind::input, "u");
+    const ex J = symbol_named(sticks, SymbolKind::parameter, "J"), K = symbol_named(sticks, SymbolKind::parameter, "K"), u = symbol_named(sticks, SymbolKind::input, "u");
     REQUIRE(sticks.motion.free == std::vector<std::size_t>{0});
     CHECK((sticks.motion.matrix(0, 0) - (J + K)).expand().is_zero());
     CHECK((sticks.motion.force[0] - u).expand().is_zero());
     REQUIRE(sticks.motion.accelerations.size() == 1);
-    CHECK(sticks.motion.accelerations[0].second.is_equal(symbol(sticks, SymbolKind::acceleration, "a")));
+    CHECK(sticks.motion.accelerations[0].second.is_equal(symbol_named(sticks, SymbolKind::acceleration, "a")));
     // The clutch pulls the second disc along: K*ddot(b) = -force of the rate dot(a) - dot(b).
     const ex force = sticks.constraints[0].force;
-    CHECK((force + K * symbol(sticks, SymbolKind::acceleration, "a")).expand().is_zero());
+    CHECK((force + K * symbol_named(sticks, SymbolKind::acceleration, "a")).expand().is_zero());
     // It breaks where that is all it has; the rate of the guard asks for the rate of the acceleration.
-    CHECK((event(sticks, "clutch_breaks_forwards").guard - (symbol(sticks, SymbolKind::parameter, "c") + force)).expand().is_zero());
-    CHECK(event(sticks, "clutch_breaks_forwards").rate.has(symbol(sticks, SymbolKind::jerk, "a")));
+    CHECK((event(sticks, "clutch_breaks_forwards").guard - (symbol_named(sticks, SymbolKind::parameter, "c") + force)).expand().is_zero());
+    CHECK(event(sticks, "clutch_breaks_forwards").rate.has(symbol_named(sticks, SymbolKind::jerk, "a")));
     CHECK(!event(sticks, "clutch_stops_forwards").is_watched);
     const System& slides = *mode(machine, "clutch_slides_forwards").system;
     CHECK(slides.motion.free.size() == 2);
-    CHECK((slides.dissipated_power - symbol(slides, SymbolKind::parameter, "c") * (symbol(slides, SymbolKind::velocity, "a") - symbol(slides, SymbolKind::velocity, "b"))).expand().is_zero());
+    CHECK((slides.dissipated_power - symbol_named(slides, SymbolKind::parameter, "c") * (symbol_named(slides, SymbolKind::velocity, "a") - symbol_named(slides, SymbolKind::velocity, "b"))).expand().is_zero());
     for (const Machine* each : {&machine, &machine.other_modes[0], &machine.other_modes[1]}) CHECK(all_proven(*each->system));
     generate(machine);
     CHECK(proofs_of(machine).all_proven());
@@ -100,7 +98,7 @@ TEST_CASE("an impact on a cart throws its pendulum: the momentum along the free 
     CHECK(proofs_of(machine).all_proven());
     const System& open = *machine.system;
     const EventEquation& hits = event(open, "wall_hits");
-    CHECK((*after(hits.reset, 0) - symbol(open, SymbolKind::parameter, "l")).is_zero());  // on the wall exactly
+    CHECK((*after(hits.reset, 0) - symbol_named(open, SymbolKind::parameter, "l")).is_zero());  // on the wall exactly
     REQUIRE(hits.reset.impact);
     CHECK(hits.reset.impact->direction == std::vector<ex>{-1, 0});
     REQUIRE(hits.rest.impact);
@@ -118,7 +116,7 @@ TEST_CASE("a ball alone is struck without a solve, and modes whose constraints c
     CHECK(names == std::vector<std::string>{"left_open_and_right_open", "left_open_and_right_closed", "left_closed_and_right_open"});
     const EventEquation& right = event(*machine.system, "right_hits");
     CHECK(!right.reset.impact);
-    CHECK((*after(right.reset, 1) + symbol(*machine.system, SymbolKind::velocity, "x") / 2).is_zero());
+    CHECK((*after(right.reset, 1) + symbol_named(*machine.system, SymbolKind::velocity, "x") / 2).is_zero());
     CHECK(after(event(*machine.system, "left_hits").reset, 1)->is_zero());
     CHECK(scene.modes_after(right.item->next, 0) == std::vector<std::size_t>{1, 0});
     CHECK(scene.modes_after(right.item->next, 2) == std::vector<std::size_t>{1, 2});  // closed on both sides is no mode
@@ -132,7 +130,7 @@ TEST_CASE("what repeats each other in a mode is left when nothing can hold any m
     for (const SceneMode& m : machine.system->scene.modes) names.push_back(m.name);
     CHECK(names == std::vector<std::string>{"floor_sticks_and_wall_open", "floor_sticks_and_wall_closed", "floor_slides_forwards_and_wall_open", "floor_slides_backwards_and_wall_open"});
     const System& held = *mode(machine, "floor_sticks_and_wall_closed").system;
-    const ex F = symbol(held, SymbolKind::input, "F"), H = held.symbols.without_definitions(symbol(held, SymbolKind::definition, "H"));
+    const ex F = symbol_named(held, SymbolKind::input, "F"), H = held.symbols.without_definitions(symbol_named(held, SymbolKind::definition, "H"));
     const EventEquation& breaks = event(held, "floor_breaks_forwards");
     // The stop bears what presses on it, friction all it can against what pulls off.
     CHECK((held.symbols.without_definitions(breaks.guard) - (H - F)).expand().is_zero());
@@ -167,9 +165,9 @@ TEST_CASE("a mode's name is 1 there and 0 elsewhere, and a saturation follows it
     Machine machine = machine_from(block + "[inputs]\nu = { unit = \"N\" }\n[saturations.drive]\nvalue = \"2*u\"\nlow = \"-V\"\nhigh = \"3*V\"\n"
                                            "[definitions]\nV = { value = \"c*l/5\", unit = \"N\" }\n[forces.f]\nforce = [\"drive\", 0, 0]\non = \"block\"\n");
     const System& within = *mode(machine, "drive_within").system;
-    CHECK((within.supplied[0] - 2 * symbol(within, SymbolKind::input, "u")).is_zero());
+    CHECK((within.supplied[0] - 2 * symbol_named(within, SymbolKind::input, "u")).is_zero());
     const System& above = *mode(machine, "drive_above").system;
-    CHECK((above.supplied[0] - 3 * symbol(above, SymbolKind::definition, "V")).is_zero());
+    CHECK((above.supplied[0] - 3 * symbol_named(above, SymbolKind::definition, "V")).is_zero());
     CHECK(event(within, "drive_leaves_above").is_watched);
     CHECK(!event(within, "drive_returns_from_above").is_watched);
 }

@@ -9,8 +9,6 @@ using GiNaC::ex;
 
 namespace {
 
-bool is_zero_for_all(const ex& e) { return NormalForm().is_zero(e); }
-
 const std::string letters =
     "[parameters]\nJ = { value = 1, unit = \"kg*m^2\", range = [0.1, 10] }\nK = { value = 2, unit = \"kg*m^2\", range = [0.1, 10] }\n"
     "l = { value = 1, unit = \"m\", range = [0.1, 10] }\nw = { value = 100, unit = \"m/s\", range = [1, 1000] }\nm_0 = { value = 2, unit = \"kg\", range = [1, 10] }\n"

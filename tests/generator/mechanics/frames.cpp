@@ -13,8 +13,6 @@ namespace {
 const std::string one_body =
     "[parameters]\nJ = { value = 1, unit = \"kg*m^2\", range = [0.1, 10] }\nK = { value = 2, unit = \"kg*m^2\", range = [0.1, 10] }\nL = { value = 2.5, unit = \"kg*m^2\", range = [0.1, 10] }\n";
 
-bool is_zero_for_all(const ex& e) { return NormalForm().is_zero(e); }
-
 }  // namespace
 
 TEST_CASE("turns one after the other: orthogonal axes, and R' dR/dt is the angular velocity") {

@@ -106,8 +106,6 @@ void agrees(const Machine& machine, const Moments& expected) {
     CHECK(all_proven(system));
 }
 
-bool is_zero_for_all(const ex& e) { return NormalForm().is_zero(e); }
-
 const Density even = [](const Place&) { return Digits50(7); };
 const Density uneven = [](const Place& p) { return Digits50(7) * (1 + k * p[2] + k * k * p[0] * p[1] + k * p[1]); };
 const std::string uneven_text = "density = \"rho*(1 + k*z + k^2*x*y + k*y)\"\n";
