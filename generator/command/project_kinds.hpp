@@ -17,7 +17,7 @@ inline constexpr auto project_kinds = std::to_array<ProjectKind>({
     {"mechanics", "a cart with a pendulum"},
     {"hydraulics", "a tank with a pump and a valve"},
     {"heat", "a room with a heater"},
-    {"controller", "a rod that a controller in float keeps upright on a cart"},
+    {"controller", "a rod on a cart that a controller in float keeps upright"},
     {"catalogue", "the equations of a page in LaTeX, checked against a model"},
 });
 
