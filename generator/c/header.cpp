@@ -121,8 +121,9 @@ private:
         for (const auto& [member, constraint] : constraints.choice->chosen)
             assignments += fmt::format("    plant_->c.{0} = chosen[{1}] ? {2}_R(1) : {2}_R(0);\n", member, constraint, name_);
         return fmt::format(
-            "/// Chooses {0}_constraint_rank constraints, which have to be independent where the machine is, until the next call. "
-            "{0}_update()\n/// takes those of the start.\n"
+            "/// Chooses the constraints to solve for, until the next call: {0}_constraint_rank of them, independent at the present "
+            "state.\n"
+            "/// {0}_update() takes those of the start.\n"
             "static inline void {0}_solve_for({0}* plant_, const bool chosen[{1}]) {{\n{2}}}\n\n",
             name_, constraints.list.size(), assignments);
     }

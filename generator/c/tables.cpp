@@ -158,23 +158,25 @@ private:
             at_once.push_back(event.at_once);
             at_start.push_back(event.at_start);
         }
-        std::string text = "/// The ways in which the machine can be.\n" + index_list("m", numbered(m.modes), name_ + "_mode") +
+        std::string text = "/// The modes of the machine.\n" + index_list("m", numbered(m.modes), name_ + "_mode") +
                            table("char* const", "mode_table", mode_names);
-        text += "/// What happens where a guard falls through zero, and changes the mode or the state.\n" +
+        text += "/// Events: each happens where its guard falls through zero, and changes the mode or the state.\n" +
                 index_list("e", numbered(identifiers)) + table("char* const", "event_table", event_names);
         text += fmt::format(
             "/// Modes in order of preference.\ntypedef struct {0}_modes {{\n    {0}_mode modes[{1}];\n    size_t count;\n}} {0}_modes;\n\n"
-            "/// Of each event in each mode: whether it is watched there, and where it leads, once (else `beside`, where what it resets "
-            "drives other\n"
-            "/// parts out of their modes) or after infinitely many of it. None: the run ends.\n"
+            "/// For each event in each mode: whether the mode watches it, and the modes that may follow: `next` after one event, `beside` "
+            "if\n"
+            "/// its reset drives other parts out of their modes, `rest` after infinitely many. None: the run ends.\n"
             "typedef struct {0}_transition {{\n    bool is_watched;\n    {0}_modes next, beside, rest;\n}} {0}_transition;\n\n",
             name_, m.most_modes());
         text += transitions(m);
         if (std::find(at_once.begin(), at_once.end(), true) == at_once.end()) return text;
         return text +
-               "/// Of each event: whether it happens at once where another one takes its guard below zero, as friction that cannot hold "
-               "what it would have to.\n" +
-               flag_table("at_once", at_once) + "/// Whether a run begins with what it resets.\n" + flag_table("at_start", at_start);
+               "/// For each event: whether it happens at once if another event takes its guard below zero, such as friction that cannot "
+               "hold "
+               "its load.\n" +
+               flag_table("at_once", at_once) + "/// For each event: whether a run begins with its reset.\n" +
+               flag_table("at_start", at_start);
     }
 
     std::string transitions(const PlantModes& m) const {
@@ -207,16 +209,17 @@ private:
                 fmt::format("{{{}, {}, {}, {}}}", cpp_string(one.name), cpp_string(one.unit), cpp_string(one.doc), one.has_position));
         }
         std::string text = fmt::format(
-            "/// A rate that is held at zero, with the position whose rate it is. It acts on the machine along the rate: its power is its "
-            "force times the rate.\n"
-            "typedef struct {0}_constraint {{\n    const char* name;\n    const char* unit;  ///< of the position, or of the rate where "
-            "there is none\n"
+            "/// A constraint: it holds a rate at zero, and the position whose rate it is, if any. Its force acts along the rate: its "
+            "power is "
+            "force times rate.\n"
+            "typedef struct {0}_constraint {{\n    const char* name;\n    const char* unit;  ///< of the position, or of the rate if "
+            "there is no position\n"
             "    const char* description;\n    bool has_position;\n}} {0}_constraint;\n\n",
             name_);
         text += index_list("c", numbered(identifiers)) + table(name_ + "_constraint", "constraint_table", rows);
         if (!c.choice) return text;
         return text +
-               "/// Constraints that are solved for: some of all, since the others follow from them. The forces of the others are zero.\n" +
+               "/// The constraints that the equations solve for. The other constraints follow from these; their forces are zero.\n" +
                flag_table("can_be_left_out", c.choice->can_be_left_out) + flag_table("solved_for_at_start", c.choice->at_start);
     }
 

@@ -24,7 +24,7 @@ std::string cached_members(const PlantFields& fields) {
         text += member.size > 0 ? fmt::format("        std::array<Scalar, {}> {};\n", member.size, member.identifier)
                                 : fmt::format("        Scalar {};\n", member.identifier);
     return text.empty() ? text
-                        : "    /// What depends on parameters alone; of the cells of a rod one by one.\n    struct Cached {\n" + text +
+                        : "    /// Constants computed from the parameters, for each cell of a rod.\n    struct Cached {\n" + text +
                               "    };\n    Cached c_{};\n";
 }
 

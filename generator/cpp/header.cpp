@@ -89,7 +89,7 @@ std::string parameter_members(const Plant& plant) {
 
 std::string cached_members(const Plant& plant) {
     if (plant.cached.empty()) return {};
-    std::string text = "    /// What depends on parameters alone.\n    struct Cached {\n";
+    std::string text = "    /// Constants computed from the parameters.\n    struct Cached {\n";
     for (const PlantCached& c : plant.cached)
         text += fmt::format("        {} {};  ///< {}\n", c.size == 0 ? "Scalar" : fmt::format("std::array<Scalar, {}>", c.size),
                             c.identifier, c.doc);

@@ -62,7 +62,7 @@ std::string nonzero(const PlantPattern& p) {
         columns.push_back(fmt::format("{:#x}", bits));
     }
     return fmt::format(
-        "    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.\n    static constexpr std::array<unsigned, "
+        "    /// Bit i of number j: whether entry (i, j) can be other than zero.\n    static constexpr std::array<unsigned, "
         "{}> nonzero{{{}}};\n",
         p.columns, fmt::join(columns, ", "));
 }

@@ -72,7 +72,8 @@ std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, 
     text += cpp_comment("Scene " + scene.name + (scene.doc.empty() ? "" : ": " + scene.doc), 0, "//");
     text += cpp_comment("Effects in: " + effect_list(scene.effects_in), 0, "//");
     if (effects_out.empty()) text += "// Effects out: none\n";
-    else text += "// Effects out, and what each would do to the rates at the start values:\n";
+    else
+        text += "// Effects out, and how each would change the rates at the start values:\n";
     for (const EffectSize& out : effects_out)
         text += cpp_comment(fmt::format("{} ({}): {}", out.effect->name, safe_line(out.effect->doc), out.at_start), 0, "//    ");
 
@@ -105,7 +106,7 @@ std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, 
     text += fmt::format("//     this code = the derivation: {} functions\n", verdicts(emitted));
 
     text += "//\n";
-    if (modes.size() > 1) text += "// Of each function, in the mode that needs most:\n";
+    if (modes.size() > 1) text += "// Each function in its most expensive mode:\n";
     text += "// Operations          +,-      *     /  sin,cos  other\n";
     for (std::size_t i = 0; i < function_count; ++i) {
         const auto function = static_cast<Function>(i);
@@ -125,8 +126,8 @@ std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, 
         text += fmt::format("//   and solves for the pressures of junctions of up to {} orifices, of which only the calls are counted\n",
                             roots);
     text +=
-        "//\n// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software\n"
-        "// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.\n";
+        "//\n// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,\n"
+        "// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.\n";
     return text;
 }
 

@@ -74,8 +74,8 @@ std::span<const HeaderFunction> header_functions() {
                        .doc = "dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M "
                               "qdd + bias - Q.", .type = "JacobianX", .array = "J", .by = By::state},
         HeaderFunction{.function = Function::together, .name = "together", .kind = Kind::together, .in = In::wished, .parts = cached,
-                       .doc = "What rhs_and_jacobian, output and the functions of the energies compute, at once: what they have in "
-                              "common is computed once.", .by = By::state},
+                       .doc = "rhs_and_jacobian, output and the energies in one call; common subexpressions are computed once.",
+                       .by = By::state},
         HeaderFunction{.function = Function::jacobian_u, .name = "jacobian_u", .kind = Kind::jacobian, .in = In::all, .parts = cached,
                        .doc = "J = df/du.", .type = "JacobianU", .array = "J", .by = By::input},
         HeaderFunction{.function = Function::jacobian_p, .name = "jacobian_p", .kind = Kind::jacobian, .in = In::all, .parts = if_cached,
@@ -83,8 +83,9 @@ std::span<const HeaderFunction> header_functions() {
         HeaderFunction{.function = Function::jacobian_t, .name = "jacobian_t", .kind = Kind::jacobian, .in = In::all, .parts = cached,
                        .doc = "J = df/dt at fixed x and u.", .type = "JacobianT", .array = "J", .by = By::time},
         HeaderFunction{.function = Function::mass_matrix, .name = "mass_matrix", .kind = Kind::symmetric, .in = In::all, .parts = cached,
-                       .doc = "M(q, t), symmetric.", .group = "motion", .type = "MassMatrix", .array = "M", .takes_input = false,
-                       .values = lower_triangle_of_mass, .names = coordinate_names, .letter = "M", .has_equations = true},
+                       .doc = "Mass matrix M(q, t), symmetric.", .group = "motion", .type = "MassMatrix", .array = "M",
+                       .takes_input = false, .values = lower_triangle_of_mass, .names = coordinate_names, .letter = "M",
+                       .has_equations = true},
         HeaderFunction{.function = Function::bias, .name = "bias", .kind = Kind::values, .in = In::all, .parts = cached,
                        .doc = "bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.", .group = "motion",
                        .type = "Generalised", .array = "b", .values = values_of<&System::bias>, .names = coordinate_names,
@@ -107,10 +108,10 @@ std::span<const HeaderFunction> header_functions() {
 
         // --- energies and powers
         HeaderFunction{.function = Function::kinetic_energy, .name = "kinetic_energy", .kind = Kind::number, .in = In::all,
-                       .parts = if_cached, .doc = "T in joules.", .group = "energies and powers", .takes_input = false,
+                       .parts = if_cached, .doc = "Kinetic energy T in joules.", .group = "energies and powers", .takes_input = false,
                        .values = value_of<&System::kinetic_energy>, .letter = "T", .has_equations = true, .energy = "kinetic"},
         HeaderFunction{.function = Function::potential_energy, .name = "potential_energy", .kind = Kind::number, .in = In::all,
-                       .parts = if_cached, .doc = "V in joules.", .group = "energies and powers", .takes_input = false,
+                       .parts = if_cached, .doc = "Potential energy V in joules.", .group = "energies and powers", .takes_input = false,
                        .values = value_of<&System::potential_energy>, .letter = "V", .has_equations = true, .energy = "potential"},
         HeaderFunction{.function = Function::supplied_power, .name = "supplied_power", .kind = Kind::number, .in = In::all,
                        .parts = if_cached,
@@ -118,26 +119,28 @@ std::span<const HeaderFunction> header_functions() {
                               "prescribed + exchanged.", .group = "energies and powers", .values = value_of<&System::supplied_power>,
                        .letter = "supplied", .has_equations = true},
         HeaderFunction{.function = Function::dissipated_power, .name = "dissipated_power", .kind = Kind::number, .in = In::all,
-                       .parts = if_cached, .doc = "Power in watts that dampers dissipate; not negative for laws that resist.",
+                       .parts = if_cached, .doc = "Power in watts that dampers dissipate; not negative if every law resists the motion.",
                        .group = "energies and powers", .values = value_of<&System::dissipated_power>, .letter = "dissipated",
                        .has_equations = true},
         HeaderFunction{.function = Function::prescribed_power, .name = "prescribed_power", .kind = Kind::number, .in = In::all,
                        .parts = if_cached,
-                       .doc = "Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.",
+                       .doc = "Power in watts of prescribed motion; zero if the kinematics do not depend on time.",
                        .group = "energies and powers", .values = value_of<&System::prescribed_power>},
         HeaderFunction{.function = Function::internal_energy, .name = "internal_energy", .kind = Kind::number, .in = In::all,
                        .parts = if_cached,
-                       .doc = "E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.",
+                       .doc = "Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, "
+                              "kinetic energy of streams.",
                        .group = "energies and powers", .takes_input = false, .values = value_of<&System::internal_energy>, .letter = "E",
                        .has_equations = true, .shown = shown_internal_energy, .energy = "internal"},
         HeaderFunction{.function = Function::exchanged_power, .name = "exchanged_power", .kind = Kind::number, .in = In::all,
-                       .parts = if_cached, .doc = "Power in watts over the border of the model: enthalpy flows, heat, shafts.",
+                       .parts = if_cached, .doc = "Power in watts across the boundary of the model: enthalpy flows, heat, shafts.",
                        .group = "energies and powers", .values = value_of<&System::exchanged_power>},
 
         // --- events and guards
         HeaderFunction{.function = Function::events, .name = "events", .kind = Kind::event_values, .in = In::switching,
                        .parts = if_cached,
-                       .doc = "Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.",
+                       .doc = "Event e happens where g[e] falls through zero. Entries of events that the mode does not watch stay as "
+                              "they are.",
                        .group = "guards and events", .in_header = "guards", .type = "Events", .array = "g",
                        .values = values_of_each<&System::events, &EventEquation::guard>, .names = event_names},
         HeaderFunction{.function = Function::event_rates, .name = "event_rates", .kind = Kind::event_values, .in = In::switching,
@@ -145,12 +148,12 @@ std::span<const HeaderFunction> header_functions() {
                        .in_header = "guard_rates", .type = "Events", .array = "rates",
                        .values = values_of_each<&System::events, &EventEquation::rate>, .names = event_names},
         HeaderFunction{.function = Function::conditions, .name = "conditions", .kind = Kind::conditions, .in = In::switching,
-                       .parts = if_cached, .doc = "Whether what the mode holds is as it holds it, but for roundings.",
+                       .parts = if_cached, .doc = "Whether the state meets the conditions of the mode, up to roundings.",
                        .group = "guards and events", .in_header = "holds", .values = condition_values},
         HeaderFunction{.function = Function::resets, .name = "resets", .kind = Kind::resets, .in = In::switching, .parts = if_cached,
-                       .doc = "What the event changes where it happens.", .in_header = "reset", .names = state_names},
+                       .doc = "Changes the state as the event does.", .in_header = "reset", .names = state_names},
         HeaderFunction{.function = Function::guards, .name = "guards", .kind = Kind::values, .in = In::all, .parts = if_cached,
-                       .doc = "Functions whose sign matters, in the order of guard_table().", .group = "guards and events",
+                       .doc = "Functions whose sign an integrator must watch, in the order of guard_table().", .group = "guards and events",
                        .type = "Guards", .array = "g", .values = values_of_each<&System::guards, &Guard::value>,
                        .names = names_of_each<&System::guards, &Guard::doc>},
 
@@ -162,7 +165,8 @@ std::span<const HeaderFunction> header_functions() {
         // --- constraints that runs are brought back to
         HeaderFunction{.function = Function::constraint_positions, .name = "constraint_positions", .kind = Kind::values,
                        .in = In::constrained, .parts = if_cached,
-                       .doc = "Positions that constraints hold at zero, in the order of constraint_table(); zero where there is none.",
+                       .doc = "Positions that constraints hold at zero, in the order of constraint_table(); zero for a constraint of a "
+                              "rate alone.",
                        .group = "constraints", .type = "Constraints", .array = "f", .takes_input = false, .values = constraint_positions,
                        .names = constraint_names},
         HeaderFunction{.function = Function::constraint_rates, .name = "constraint_rates", .kind = Kind::values, .in = In::constrained,
@@ -174,14 +178,14 @@ std::span<const HeaderFunction> header_functions() {
                        .names = constraint_names, .letter = "A"},
         HeaderFunction{.function = Function::constraint_forces, .name = "constraint_forces", .kind = Kind::values, .in = In::constrained,
                        .parts = if_cached,
-                       .doc = "Forces of the constraints along their rates, on the machine; of one that follows from those before it, "
-                              "zero.", .group = "constraints", .type = "Constraints", .array = "force", .values = constraint_forces,
-                       .names = constraint_names},
+                       .doc = "Forces of the constraints on the machine, along their rates; zero for a constraint that follows from "
+                              "those before it.", .group = "constraints", .type = "Constraints", .array = "force",
+                       .values = constraint_forces, .names = constraint_names},
         HeaderFunction{.function = Function::correction, .name = "correction", .kind = Kind::correction, .in = In::constrained,
                        .parts = if_cached,
-                       .doc = "The least step, measured with M, that takes residuals of positions (move back by it) or rates (subtract "
-                              "it from the velocities) away:\nM^-1 A' (A M^-1 A')^-1 residual.", .type = "Generalised", .array = "step",
-                       .takes_input = false, .names = coordinate_names},
+                       .doc = "The smallest step, measured with M, that removes residuals of positions (move back by it) or of rates "
+                              "(subtract it from the velocities):\nM^-1 A' (A M^-1 A')^-1 residual.", .type = "Generalised",
+                       .array = "step", .takes_input = false, .names = coordinate_names},
     };
     static_assert([] {
         std::array<bool, function_count> has_row{};

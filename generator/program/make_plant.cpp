@@ -161,7 +161,7 @@ private:
     /// Two functions: of events, and of events that have happened infinitely often.
     void resets(const HeaderFunction& row) {
         resets(row, row.header_name(), row.doc, &Code::resets);
-        resets(row, "settle", "What changes where the event has happened infinitely often.", &Code::rests);
+        resets(row, "settle", "Changes the state as infinitely many of the event do.", &Code::rests);
     }
 
     void resets(const HeaderFunction& row, const char* name, const char* doc, const std::vector<ResetCode> Code::*which) {
