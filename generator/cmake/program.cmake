@@ -56,6 +56,7 @@ set(embedded
     templates/cost.cpp.in
     templates/accuracy.cpp.in
     templates/book.html.in
+    templates/gallery.html.in
     runtime/dalembert/compiler.h
     runtime/dalembert/scalar_functions.hpp
     runtime/dalembert/angle_functions.hpp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/check.hpp"
+#include "command/check.hpp"
 
 #include <algorithm>
 
@@ -189,6 +189,8 @@ CheckedFile unreadable_file(const std::string& path, const std::vector<Diagnosti
     return file;
 }
 
+}  // namespace
+
 /// What is wrong with one of several files takes nothing from the others.
 CheckedFile check_file(const std::string& path, const Options& options, Streams streams) {
     Options one = options;
@@ -203,8 +205,6 @@ CheckedFile check_file(const std::string& path, const Options& options, Streams 
         return file;
     }
 }
-
-}  // namespace
 
 ExitCode check_command(const Options& options, Streams streams) {
     CheckResult result;

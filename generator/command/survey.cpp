@@ -3,13 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <future>
-#include <numeric>
-#include <thread>
-
 #include "book/printed_verdicts.hpp"
 #include "command/write_result.hpp"
 #include "elements/model.hpp"
+#include "run/in_parallel.hpp"
 #include "run/shared.hpp"
 #include "run/simulation.hpp"
 
@@ -74,18 +71,12 @@ void prepare_model(const std::string& path, const Options& options, std::vector<
 
 /// Compiles and runs on all processors; progress goes to err.
 void run_all(std::vector<SurveyedRun>& runs, const Options& options, Streams streams) {
-    const std::size_t workers = std::max(1U, std::thread::hardware_concurrency());
-    std::vector<std::future<SimulationReport>> running;
-    std::size_t started = 0;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        for (; started < runs.size() && started < i + workers; ++started) {
-            const PreparedSimulation& simulation = runs[started].simulation;
-            running.push_back(
-                std::async(std::launch::async, [&simulation, folder = options.output] { return run_simulation(simulation, folder); }));
-        }
-        runs[i].report = running[i].get();
-        streams.err << fmt::format("  [{:>2}/{}] {}: compiled and run\n", i + 1, runs.size(), runs[i].row.name());
-    }
+    in_parallel(
+        runs.size(), [&](std::size_t i) { return run_simulation(runs[i].simulation, options.output); },
+        [&](std::size_t i, SimulationReport report) {
+            runs[i].report = std::move(report);
+            streams.err << fmt::format("  [{:>2}/{}] {}: compiled and run\n", i + 1, runs.size(), runs[i].row.name());
+        });
 }
 
 SurveyRow with_run(SurveyRow row, const SimulationReport& report) {

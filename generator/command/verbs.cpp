@@ -22,6 +22,7 @@ ExitCode equilibrium_command(const Options& options, Streams streams);
 ExitCode modal_command(const Options& options, Streams streams);
 ExitCode optimise_command(const Options& options, Streams streams);
 ExitCode survey_command(const Options& options, Streams streams);
+ExitCode gallery_command(const Options& options, Streams streams);
 ExitCode effects_command(const Options& options, Streams streams);
 ExitCode cost_command(const Options& options, Streams streams);
 ExitCode accuracy_command(const Options& options, Streams streams);
@@ -152,6 +153,14 @@ void take_survey(VerbOptions& o) {
     o.cache();
 }
 
+void take_gallery(VerbOptions& o) {
+    o.files("MODELS", "model files; the folder of each is its domain");
+    o.add("--generated", o.options.generated,
+          "folder of headers, DOMAIN/NAME_SCENE.hpp, to which the pages link, and for pictures, gallery/NAME.svg; that of the pages, if left out");
+    o.output();
+    o.cache();
+}
+
 void take_effects(VerbOptions& o) {
     o.model();
     o.add("--against", o.options.against, "the scene that others are compared with; the one with most effects, if left out");
@@ -218,6 +227,8 @@ constexpr auto table = std::to_array<Verb>({
      take_modal},
     {"optimise", "find the parameter with which an output at the end of a run is largest or smallest", optimise_command, take_optimise},
     {"survey", "check, generate and simulate several models; print a table", survey_command, take_survey},
+    {"gallery", "pages of several models, gallery.html and GALLERY.md: of each a small plot, numbers, what it shows, verdicts and links",
+     gallery_command, take_gallery},
     {"effects", "what each scene and each effect costs, and what leaving it out changes; writes CSV and a plot", effects_command,
      take_effects},
     {"cost", "what accuracy costs in time: every method in every arithmetic, against a reference; writes CSV and plots", cost_command,

@@ -24,6 +24,7 @@ struct Model {
     std::string name;
     Span name_span;
     std::string title;
+    std::string doc;
     std::string reference;  ///< the text it comes from, with equation numbers
     std::vector<Size> sizes;
     std::vector<Parameter> parameters;

@@ -20,6 +20,7 @@ const std::array model_keys{
     KeySpec{"format", T::whole_number, true, "version of the model language: 1"},
     KeySpec{"name", T::text, true, "name of files and namespaces"},
     KeySpec{"title", T::text, false, "one line for reports and plots"},
+    KeySpec{"doc", T::text, false, "a sentence for the gallery: what the model shows"},
     KeySpec{"source", T::text, false, "the text the model comes from, with equation numbers"},
 };
 const std::vector<SectionSpec>& table() {

@@ -62,6 +62,7 @@ private:
         model_.name = entry.text("name");
         model_.name_span = entry.span_of("name");
         model_.title = entry.text("title");
+        model_.doc = entry.text("doc");
         model_.reference = entry.text("source");
     }
 

@@ -18,6 +18,7 @@ struct Options {
     std::string format = "text";
     std::string output;                   ///< folder
     std::string pages;                    ///< of check: folder of pages, or none
+    std::string generated;                ///< of gallery: folder of headers and pictures, if not that of the pages
     std::string header;                   ///< file name of the header, if not the usual one
     std::vector<std::string> parameters;  ///< "m_W=1.2,g=9.81"
     std::vector<std::string> states;
