@@ -30,7 +30,7 @@ struct GalleryPlaces {
     std::string link(const fs::path& file) const { return file.lexically_relative(pages).generic_string(); }
 };
 
-/// A system of which everything is known but how its run goes.
+/// A system before its run.
 struct GalleryMachine {
     GalleryEntry entry;
     std::shared_ptr<const LoadedModel> model;

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
+#include <cstdio>
+#include <set>
 
 #include "text/template.hpp"
 #include "emit/mathml.hpp"
@@ -84,17 +85,20 @@ std::vector<std::pair<std::string, std::vector<const GalleryEntry*>>> GalleryRes
 }
 
 std::string number_ranges(const std::vector<PrintedRow>& rows) {
-    std::map<int, std::pair<int, int>> chapters;
+    constexpr int near = 10;
+    std::set<std::pair<int, int>> numbers;  // chapter and number
     for (const PrintedRow& row : rows) {
-        int chapter = 0, number = 0, read = 0;
-        if (std::sscanf(row.id.c_str(), "%3d.%4d%n", &chapter, &number, &read) != 2) continue;
-        const auto [place, is_new] = chapters.try_emplace(chapter, number, number);
-        place->second = {std::min(place->second.first, number), std::max(place->second.second, number)};
+        int chapter = 0, number = 0;
+        if (std::sscanf(row.id.c_str(), "%3d.%4d", &chapter, &number) == 2) numbers.emplace(chapter, number);
     }
     std::string text;
-    for (const auto& [chapter, range] : chapters) {
-        text += fmt::format("{}{}.{}", text.empty() ? "" : ", ", chapter, range.first);
-        if (range.second > range.first) text += fmt::format("-{}.{}", chapter, range.second);
+    for (auto first = numbers.begin(); first != numbers.end();) {
+        auto last = first;
+        auto next = std::next(last);
+        while (next != numbers.end() && next->first == last->first && next->second <= last->second + near) last = next++;
+        text += fmt::format("{}{}.{}", text.empty() ? "" : ", ", first->first, first->second);
+        if (last != first) text += fmt::format("-{}.{}", last->first, last->second);
+        first = next;
     }
     return text;
 }

@@ -34,7 +34,7 @@ struct GalleryResult {
     std::vector<std::pair<std::string, std::vector<const GalleryEntry*>>> domains() const;
 };
 
-/// "2.70-2.74, 3.5": from the first to the last number of each chapter.
+/// "2.70-2.74, 2.94, 3.5": numbers within ten of each other are one range.
 std::string number_ranges(const std::vector<PrintedRow>& rows);
 
 /// "1 degree of freedom", "2 degrees of freedom, 3 coordinates"

@@ -40,10 +40,25 @@ std::vector<PicturePoint> simplified_piece(const std::vector<PicturePoint>& piec
     return kept;
 }
 
+/// The lowest and the highest of each group of neighbours: of a curve that swings too often to be drawn, what its envelope spans.
+std::vector<PicturePoint> extremes(const std::vector<PicturePoint>& piece, std::size_t length) {
+    const auto is_lower = [](const PicturePoint& a, const PicturePoint& b) { return a.y < b.y; };
+    std::vector<PicturePoint> kept;
+    for (std::size_t begin = 0; begin < piece.size(); begin += length) {
+        const auto from = piece.begin() + static_cast<std::ptrdiff_t>(begin);
+        const auto to = piece.begin() + static_cast<std::ptrdiff_t>(std::min(begin + length, piece.size()));
+        auto [low, high] = std::minmax_element(from, to, is_lower);
+        if (high < low) std::swap(low, high);
+        kept.push_back(*low);
+        if (high != low) kept.push_back(*high);
+    }
+    return kept;
+}
+
 }  // namespace
 
 std::vector<std::vector<PicturePoint>> simplified(const std::vector<std::vector<PicturePoint>>& pieces, std::size_t most) {
-    constexpr double finest = 0.15, coarsest = 50;  // px
+    constexpr double finest = 0.15, coarsest = 5;  // px
     for (double tolerance = finest;; tolerance *= 1.4) {
         std::vector<std::vector<PicturePoint>> kept;
         std::size_t points = 0;
@@ -51,7 +66,13 @@ std::vector<std::vector<PicturePoint>> simplified(const std::vector<std::vector<
             kept.push_back(simplified_piece(piece, tolerance));
             points += kept.back().size();
         }
-        if (points <= most || tolerance > coarsest) return kept;
+        if (points <= most) return kept;
+        if (tolerance < coarsest) continue;
+        std::size_t all = 0;
+        for (const std::vector<PicturePoint>& piece : pieces) all += piece.size();
+        kept.clear();
+        for (const std::vector<PicturePoint>& piece : pieces) kept.push_back(extremes(piece, 2 * all / most + 1));
+        return kept;
     }
 }
 

@@ -12,6 +12,7 @@ struct PicturePoint {
 };
 
 /// Leaves out points that lie within a tolerance of the line between their neighbours: the smallest with which at most so many are left.
+/// Where it would be too coarse, lowest and highest points of groups of neighbours stay.
 std::vector<std::vector<PicturePoint>> simplified(const std::vector<std::vector<PicturePoint>>& pieces, std::size_t most);
 
 }  // namespace dalembert

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a system shows, in words that a page can be filtered by: found in its derived scene, its check and its run, never told by anybody.
+// Traits of a system, words by which a page can be filtered. The program finds them in the scene, the check and the run; no model states them.
 #pragma once
 
 #include <span>
@@ -11,12 +11,12 @@
 
 namespace dalembert {
 
-/// What traits are found in.
+/// The results in which traits are found.
 struct TraitFacts {
     const System& system;
     const VerdictCounts& printed;
     const Run* run;              ///< null: the model has none
-    std::size_t stiff_steps;     ///< that the method `automatic` made as of what is stiff
+    std::size_t stiff_steps;     ///< of the implicit integrator, by the method `automatic`
 };
 
 struct Trait {
