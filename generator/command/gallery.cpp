@@ -8,6 +8,7 @@
 
 #include "command/check.hpp"
 #include "elements/model.hpp"
+#include "form/state_places.hpp"
 #include "report/small_plot.hpp"
 #include "run/in_parallel.hpp"
 #include "run/run_preparation.hpp"
@@ -86,7 +87,7 @@ GalleryMachine prepare_entry(const std::string& path, const GalleryPlaces& place
     e.scenes = scene_names(model).size();
     e.degrees = freedom(made.derived());
     e.coordinates = system.symbols.degrees();
-    e.states = system.scene.state_count();
+    e.states = place_states(system).count;
     e.operations = operations(made.derived(), Function::rhs).total();
     for (const CheckedScene& one_scene : checked.scenes)
         for (const CheckedScene::Group& group : one_scene.groups)
