@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Writes a C++ file that holds the contents of FILES (relative to ROOT) as string literals, by their paths below the folders named here.
+# Writes a C++ file that holds the contents of FILES (relative to ROOT) as string literals, by their paths below the folders named here,
+# and VERSION.
 set(entries "")
 foreach(file IN LISTS FILES)
   file(READ ${ROOT}/${file} content)
@@ -9,8 +10,11 @@ endforeach()
 file(WRITE ${OUTPUT}
 "// Written by embed.cmake.
 #include \"text/template.hpp\"
+#include \"text/version.hpp\"
 
 namespace dalembert {
+
+const char* const program_version = \"${VERSION}\";
 
 namespace {
 constexpr EmbeddedFile table[]{

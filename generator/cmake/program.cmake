@@ -83,7 +83,7 @@ list(APPEND embedded ${projects})
 set(embedded_source ${CMAKE_CURRENT_BINARY_DIR}/embedded.cpp)
 add_custom_command(
   OUTPUT ${embedded_source}
-  COMMAND ${CMAKE_COMMAND} -DOUTPUT=${embedded_source} "-DFILES=${embedded}" -DROOT=${CMAKE_CURRENT_SOURCE_DIR}
+  COMMAND ${CMAKE_COMMAND} -DOUTPUT=${embedded_source} "-DFILES=${embedded}" -DROOT=${CMAKE_CURRENT_SOURCE_DIR} -DVERSION=${PROJECT_VERSION}
           -P ${CMAKE_CURRENT_SOURCE_DIR}/generator/cmake/embed.cmake
   DEPENDS ${embedded} generator/cmake/embed.cmake
   VERBATIM)
@@ -111,7 +111,14 @@ endforeach()
 file(GLOB plant_sources generator/plant/simulation_*.cpp generator/plant/equilibrium.cpp generator/plant/modal.cpp)
 set_source_files_properties(${plant_sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 
-add_executable(dalembert generator/main.cpp)
+# The state of the checkout is looked at in every build. It is told by --version alone: headers are the same for the same input.
+set(version_source ${CMAKE_CURRENT_BINARY_DIR}/version.cpp)
+add_custom_target(dalembert_version BYPRODUCTS ${version_source}
+  COMMAND ${CMAKE_COMMAND} -DOUTPUT=${version_source} -DSOURCE=${CMAKE_CURRENT_SOURCE_DIR} -DVERSION=${PROJECT_VERSION}
+          -P ${CMAKE_CURRENT_SOURCE_DIR}/generator/cmake/version.cmake
+  VERBATIM)
+add_executable(dalembert generator/main.cpp ${version_source})
+add_dependencies(dalembert dalembert_version)
 target_link_libraries(dalembert PRIVATE dalembert_core)
 target_compile_options(dalembert PRIVATE ${dalembert_options})
 set_target_properties(dalembert_core dalembert PROPERTIES CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF

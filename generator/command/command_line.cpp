@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <ostream>
 
+#include "command/installed_texts.hpp"
 #include "command/verb_description.hpp"
 #include "command/verbs.hpp"
 #include "text/guardian.hpp"
@@ -17,16 +18,23 @@ namespace dalembert {
 
 namespace {
 
-constexpr const char* examples = R"(Examples:
-  dalembert derive systems/mechanics/cart_pendulum.toml --scene lab
-  dalembert generate systems/mechanics/n_pendulum.toml --size N=5 -o include
-  dalembert check systems/mechanics/cart_pendulum.toml
-  dalembert evaluate systems/mechanics/cart_pendulum.toml --state "s=0.55,phi=0.7,dot(s)=-0.3" --input f_e=4.5
-  dalembert simulate systems/mechanics/cart_pendulum.toml --until 10 --tolerance 1e-9 -o out
-  dalembert optimise systems/mechanics/projectile.toml --run flight --maximise distance --over alpha=10deg:80deg
-  dalembert help bodies
+constexpr const char* examples[] = {
+    R"(dalembert derive systems/mechanics/cart_pendulum.toml --scene lab)",
+    R"(dalembert generate systems/mechanics/n_pendulum.toml --size N=5 -o include)",
+    R"(dalembert check systems/mechanics/cart_pendulum.toml)",
+    R"(dalembert evaluate systems/mechanics/cart_pendulum.toml --state "s=0.55,phi=0.7,dot(s)=-0.3" --input f_e=4.5)",
+    R"(dalembert simulate systems/mechanics/cart_pendulum.toml --until 10 --tolerance 1e-9 -o out)",
+    R"(dalembert optimise systems/mechanics/projectile.toml --run flight --maximise distance --over alpha=10deg:80deg)",
+    R"(dalembert help bodies)",
+};
 
-Exit codes: 0 good, 1 a check failed, 2 bad input, 3 a tool or compiler is missing or failed, 4 a run stopped.)";
+std::string footer() {
+    std::string text = "Examples:\n";
+    for (const char* example : examples) text += fmt::format("  {}\n", example);
+    std::string codes;
+    for (const ExitCodeSpec& code : exit_codes()) codes += fmt::format("{}{} {}", codes.empty() ? "" : ", ", static_cast<int>(code.code), code.meaning);
+    return text + fmt::format("\nExit codes: {}.", codes);
+}
 
 /// "N=5": sizes as they are given.
 std::vector<std::pair<std::string, int>> read_sizes(const std::vector<std::string>& texts) {
@@ -43,11 +51,11 @@ std::vector<std::pair<std::string, int>> read_sizes(const std::vector<std::strin
 
 class Parser {
 public:
-    Parser() : app_("Derives the equations of a machine, proves them, and emits C++.", "dalembert") {
-        app_.footer(examples);
+    explicit Parser(const std::string& version) : app_("Derives the equations of a machine, proves them, and emits C++.", "dalembert") {
+        app_.footer(footer());
         app_.require_subcommand(1);
         app_.fallthrough();
-        add_program_options(app_, stage_seconds_, memory_);
+        add_program_options(app_, stage_seconds_, memory_, version);
         for (const Verb& verb : verbs()) {
             VerbOptions options(*app_.add_subcommand(verb.name, verb.doc), given_);
             verb.take(options);
@@ -149,9 +157,11 @@ private:
 
 }  // namespace
 
-int run_program(const std::vector<std::string>& arguments, Streams streams) {
+std::span<const char* const> command_examples() { return examples; }
+
+int run_program(const std::vector<std::string>& arguments, Streams streams, const std::string& version) {
     try {
-        Parser parser;
+        Parser parser(version);
         const auto options = parser.parse(arguments, streams);
         return static_cast<int>(options ? parser.run(*options, streams) : ExitCode::good);
     } catch (const Failure& failure) {

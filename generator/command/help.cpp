@@ -5,6 +5,7 @@
 #include <array>
 #include <ostream>
 
+#include "command/installed_texts.hpp"
 #include "run/options.hpp"
 #include "report/json_fields.hpp"
 #include "printed/catalogue_schema.hpp"
@@ -82,6 +83,11 @@ std::string limit_reference() {
 }  // namespace
 
 ExitCode help_command(const Options& options, Streams streams) {
+    for (const InstalledText& text : installed_texts()) {
+        if (options.format != text.format) continue;
+        streams.out << text.make();
+        return ExitCode::good;
+    }
     const std::string& topic = options.topic;
     if (topic.empty()) {
         streams.out << "The model language: sections and their keys.\n\n"

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "command/verbs.hpp"
+#include "text/version.hpp"
 
 namespace dalembert {
 
@@ -38,17 +39,18 @@ std::vector<OptionDescription> described_options(const CLI::App& app, const Give
 
 }  // namespace
 
-void add_program_options(CLI::App& app, double& stage_seconds, double& memory) {
+void add_program_options(CLI::App& app, double& stage_seconds, double& memory, const std::string& version) {
     app.add_option("--stage-seconds", stage_seconds, "processor time that a stage may take, beside the counts of `help limits`")
         ->check(CLI::PositiveNumber);
     app.add_option("--memory", memory, "GB of memory that the program may take")->check(CLI::PositiveNumber);
-    app.set_version_flag("--version", std::string("dalembert ") + program_version);
+    app.set_version_flag("--version", "dalembert " + version);
 }
 
 std::vector<VerbDescription> verb_descriptions() {
     std::vector<VerbDescription> made;
     for (const Verb& verb : verbs()) {
         CLI::App app(verb.doc, verb.name);
+        app.set_help_flag();  // every verb has it: see program_options
         Given given;
         VerbOptions options(app, given);
         verb.take(options);
@@ -60,7 +62,7 @@ std::vector<VerbDescription> verb_descriptions() {
 std::vector<OptionDescription> program_options() {
     CLI::App app;
     double stage_seconds = 0, memory = 0;
-    add_program_options(app, stage_seconds, memory);
+    add_program_options(app, stage_seconds, memory, program_version);
     return described_options(app, {});
 }
 

@@ -34,6 +34,6 @@ std::vector<VerbDescription> verb_descriptions();
 std::vector<OptionDescription> program_options();
 
 /// Adds the options that stand before or behind any verb.
-void add_program_options(CLI::App& app, double& stage_seconds, double& memory);
+void add_program_options(CLI::App& app, double& stage_seconds, double& memory, const std::string& version);
 
 }  // namespace dalembert

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "command/installed_texts.hpp"
 #include "elements/methods.hpp"
 
 namespace dalembert {
@@ -209,7 +210,12 @@ void take_scenes(VerbOptions& o) {
     o.format();
 }
 
-void take_help(VerbOptions& o) { o.add("TOPIC", o.options.topic, "for example `bodies`, `bodies.mass` or `mass`"); }
+void take_help(VerbOptions& o) {
+    o.add("TOPIC", o.options.topic, "for example `bodies`, `bodies.mass` or `mass`");
+    std::vector<std::string> formats{"text"};
+    for (const InstalledText& text : installed_texts()) formats.emplace_back(text.format);
+    o.format(std::move(formats));
+}
 
 constexpr auto table = std::to_array<Verb>({
     {"new", "write a project to begin with: a model with comments, and a C++ program around it", new_command, take_new},

@@ -10,6 +10,7 @@
 #include "elements/runs.hpp"
 #include "program/constants.hpp"
 #include "text/safe_text.hpp"
+#include "text/version.hpp"
 #include "elements/verdict.hpp"
 
 namespace dalembert {

@@ -7,8 +7,6 @@
 
 namespace dalembert {
 
-inline constexpr const char* program_version = "0.1.0";
-
 /// What was proven of a system and of its code.
 struct Proofs {
     Audit derivation;

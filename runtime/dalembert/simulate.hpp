@@ -2,6 +2,7 @@
 // Simulation of a generated system with inputs, its outputs, and the check of its energy.
 #pragma once
 
+#include "dalembert/api.hpp"
 #include "dalembert/integrate.hpp"
 #include "dalembert/series.hpp"
 #include "dalembert/singular_positions.hpp"
@@ -9,9 +10,6 @@
 
 namespace dalembert {
 inline namespace v1 {
-
-/// The version of generated headers that this runtime works with.
-inline constexpr int supported_api = 1;
 
 /// No input moves.
 template <class System>
@@ -56,7 +54,7 @@ struct SimulationResult {
 template <class System, class Inputs, class Observer>
 SimulationResult simulate(const System& given, const Inputs& inputs, typename System::State& x, typename System::scalar_type from, typename System::scalar_type to,
                           const SimulationOptions<System>& options, Observer&& observe) {
-    static_assert(System::api == supported_api, "the header was generated for another version of the runtime");
+    check_api<System>();
     detail::SystemOfRun<System> own{given};
     const System& system = own.system;
     using Scalar = typename System::scalar_type;

@@ -145,7 +145,7 @@ struct SwitchingResult {
 template <class System, class Inputs, class Observer, class OnChange>
 SwitchingResult<System> simulate_switching(const System& system, const Inputs& inputs, typename System::State& x, typename System::scalar_type from, typename System::scalar_type to,
                                            const SwitchingSimulationOptions<System>& options, Observer&& observe, OnChange&& on_change) {
-    static_assert(System::api == supported_api, "the header was generated for another version of the runtime");
+    check_api<System>();
     using Scalar = typename System::scalar_type;
     using Whole = detail::WithWork<System>;
     using std::abs;
