@@ -162,8 +162,12 @@ std::string events(const System& s, const Notation& write) {
 std::vector<std::pair<ex, ex>> motion_equations(const System& s) {
     std::vector<std::pair<ex, ex>> result;
     const bool is_free = s.motion.accelerations.empty();
-    for (std::size_t i = 0; i < s.motion.free.size(); ++i) {
-        const ex& right = is_free ? s.supplied[i] : s.motion.force[i];
+    const std::vector<std::size_t>& free = s.motion.free;  // in the order of the solve
+    for (std::size_t j = 0; j < s.symbols.all(SymbolKind::coordinate).size(); ++j) {
+        const auto row = std::find(free.begin(), free.end(), j);
+        if (row == free.end()) continue;
+        const auto i = static_cast<std::size_t>(row - free.begin());
+        const ex& right = is_free ? s.supplied[j] : s.motion.force[i];
         result.emplace_back(s.motion.residual[i] + right, right);
     }
     for (const auto& [coordinate, acceleration] : s.motion.accelerations)
