@@ -57,6 +57,7 @@ set(embedded
     templates/accuracy.cpp.in
     templates/book.html.in
     templates/gallery.html.in
+    templates/reference.html.in
     runtime/dalembert/compiler.h
     runtime/dalembert/scalar_functions.hpp
     runtime/dalembert/angle_functions.hpp
@@ -80,6 +81,12 @@ set(embedded
 # And the projects that `dalembert new` writes.
 file(GLOB projects RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS templates/new/*/*.in)
 list(APPEND embedded ${projects})
+# And the examples of the error reference: golden texts of tests/errors that the table of ids names.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS generator/text/diagnostic_kinds.cpp)
+file(STRINGS generator/text/diagnostic_kinds.cpp examples REGEX "tests/errors/")
+string(REGEX MATCHALL "tests/errors/[a-z_]+[.]txt" examples "${examples}")
+list(REMOVE_DUPLICATES examples)
+list(APPEND embedded ${examples})
 set(embedded_source ${CMAKE_CURRENT_BINARY_DIR}/embedded.cpp)
 add_custom_command(
   OUTPUT ${embedded_source}

@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <ostream>
 
-#include "command/installed_texts.hpp"
 #include "command/verb_description.hpp"
 #include "command/verbs.hpp"
+#include "text/diagnostic.hpp"
 #include "text/guardian.hpp"
 #include "text/nearest.hpp"
 
@@ -32,7 +32,8 @@ std::string footer() {
     std::string text = "Examples:\n";
     for (const char* example : examples) text += fmt::format("  {}\n", example);
     std::string codes;
-    for (const ExitCodeSpec& code : exit_codes()) codes += fmt::format("{}{} {}", codes.empty() ? "" : ", ", static_cast<int>(code.code), code.meaning);
+    for (const ExitCodeSpec& code : exit_codes())
+        codes += fmt::format("{}{} {}", codes.empty() ? "" : ", ", static_cast<int>(code.code), code.meaning);
     return text + fmt::format("\nExit codes: {}.", codes);
 }
 
@@ -88,7 +89,7 @@ public:
 private:
     /// Whether help on a verb was asked for, by `help VERB`, and printed.
     bool asks_for_help(Streams streams) {
-        if (parsed_verb() != "help") return false;
+        if (parsed_verb() != "help" || given_.options.format != "text") return false;
         for (const CLI::App* verb : app_.get_subcommands({})) {
             if (verb->get_name() != given_.options.topic) continue;
             streams.out << verb->help("dalembert");

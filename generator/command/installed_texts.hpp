@@ -4,17 +4,9 @@
 
 #include <span>
 #include <string>
-#include "text/diagnostic.hpp"
 
 namespace dalembert {
 
-// TEMP
-struct ExitCodeSpec {
-    ExitCode code;
-    const char* meaning;
-};
-std::span<const ExitCodeSpec> exit_codes();
-// END
 struct InstalledText {
     const char* format;  ///< as `help --format` names it
     std::string (*make)();

@@ -24,7 +24,8 @@ OptionDescription described(const CLI::Option& option, const Given& given) {
         // The parser writes a value with its bounds as "INT:INT in [1 - 1000]".
         const std::string value = option.get_type_name();
         const std::size_t colon = value.find(':');
-        made.value = colon == std::string::npos || value.find(" in ") == std::string::npos ? value.substr(0, colon) : value.substr(colon + 1);
+        const bool has_bounds = colon != std::string::npos && value.find(" in ") != std::string::npos;
+        made.value = has_bounds ? value.substr(colon + 1) : value.substr(0, colon);
     }
     made.start = option.get_default_str();
     made.doc = option.get_description();
@@ -40,9 +41,9 @@ std::vector<OptionDescription> described_options(const CLI::App& app, const Give
 }  // namespace
 
 void add_program_options(CLI::App& app, double& stage_seconds, double& memory, const std::string& version) {
-    app.add_option("--stage-seconds", stage_seconds, "processor time that a stage may take, beside the counts of `help limits`")
+    app.add_option("--stage-seconds", stage_seconds, "processor time in seconds that a stage may take, in addition to `help limits`")
         ->check(CLI::PositiveNumber);
-    app.add_option("--memory", memory, "GB of memory that the program may take")->check(CLI::PositiveNumber);
+    app.add_option("--memory", memory, "memory in GB that the program may take")->check(CLI::PositiveNumber);
     app.set_version_flag("--version", "dalembert " + version);
 }
 

@@ -44,14 +44,14 @@ void VerbOptions::model_alone() { verb_.add_option("MODEL", given_.model, "model
 void VerbOptions::model() {
     model_alone();
     verb_.add_option("--scene", options.choice.scene,
-                     "the scene, if the model has several; NAME+EFFECT and NAME-EFFECT add one effect or leave one out");
+                     "scene, if the model has several; NAME+EFFECT adds an effect, NAME-EFFECT leaves one out");
     sizes("size of a family, as N=5");
 }
 
 void VerbOptions::sizes(const char* doc) { verb_.add_option("--size", given_.sizes, doc)->delimiter(','); }
 
 void VerbOptions::output() {
-    verb_.add_option("-o,--output", options.output, "folder for results; made if it is not there")->default_val(".");
+    verb_.add_option("-o,--output", options.output, "folder for results; created if missing")->default_val(".");
 }
 
 void VerbOptions::format(std::vector<std::string> choices) {
@@ -62,12 +62,12 @@ void VerbOptions::format(std::vector<std::string> choices) {
 
 void VerbOptions::settings() {
     verb_.add_option("--parameter", options.parameters,
-                     "as m_W=1.2 or p=5bar, comma separated; without a unit, a value counts in the declared one");
-    verb_.add_option("--state", options.states, "as s=0.55,dot(s)=-0.3");
-    verb_.add_option("--input", options.inputs, "as f_e=4.5; for simulate an expression of t and the states");
+                     "parameters, as m_W=1.2 or p=5bar, comma separated; a number without a unit counts in the declared one");
+    verb_.add_option("--state", options.states, "states, coordinates and velocities, as s=0.55,dot(s)=-0.3");
+    verb_.add_option("--input", options.inputs, "inputs, as f_e=4.5; for simulate, expressions of t and the states");
 }
 
-void VerbOptions::mode() { verb_.add_option("--mode", options.mode, "of a machine that switches, the mode; the first, if left out"); }
+void VerbOptions::mode() { verb_.add_option("--mode", options.mode, "mode of a machine with modes; the first if left out"); }
 void VerbOptions::run(const char* doc) { verb_.add_option("--run", options.run, doc); }
 void VerbOptions::until(const char* doc) { verb_.add_option("--until", options.until, doc); }
 
@@ -75,19 +75,19 @@ void VerbOptions::integration() {
     run();
     verb_.add_option("--tolerance", options.tolerance, "relative tolerance of a step")->check(CLI::Range(1e-16, 0.5));
     one_of(verb_.add_option("--method", options.method, methods_text()), method_names());
-    verb_.add_option("--step", options.step, "step of methods with a fixed one, in seconds")->check(CLI::PositiveNumber);
+    verb_.add_option("--step", options.step, "step of a method with fixed step, in seconds")->check(CLI::PositiveNumber);
     verb_.add_option("--samples", options.samples, "number of intervals at which results are written")
         ->check(CLI::Range(1, budget::samples));
-    verb_.add_option("--periods", options.periods, "length of the run in periods, where the run names a period")
+    verb_.add_option("--periods", options.periods, "length of the run in periods, if the run has a period")
         ->check(CLI::PositiveNumber);
 }
 
-void VerbOptions::cache() { verb_.add_flag("--no-cache", options.no_cache, "compile the plant anew, and keep none"); }
+void VerbOptions::cache() { verb_.add_flag("--no-cache", options.no_cache, "compile the plant again, and do not keep it"); }
 
 void VerbOptions::plots() {
     verb_.add_flag("--no-plot", options.no_plot, "write the CSV only");
     one_of(verb_.add_option("--units", options.units,
-                            "units of CSV and plots: declared, as in the model, or si; if left out, CSV is in SI and plots are in declared "
+                            "units of CSV and plots: declared (as in the model) or si; if left out, CSV is in SI and plots are in declared "
                             "units"),
            {"declared", "si"});
 }
@@ -102,12 +102,13 @@ void VerbOptions::dump() {
 void VerbOptions::rewriting() {
     const auto [names, docs] = names_and_docs(all_passes, "passes to leave out, comma separated:");
     one_of(verb_.add_option("--without", options.without, docs)->delimiter(','), names);
-    one_of(verb_.add_option("--trig", options.trig, "combined: sine and cosine in float from one reduction, as fast for every angle"),
+    one_of(verb_.add_option("--trig", options.trig,
+           "sine and cosine in float: from the library, or combined, from one reduction that takes the same time for every angle"),
            {"library", "combined"});
 }
 
 void VerbOptions::language() {
-    const auto [names, docs] = names_and_docs(languages(), "of the header:");
+    const auto [names, docs] = names_and_docs(languages(), "language of the header:");
     one_of(verb_.add_option("--language", options.language, docs), names);
 }
 

@@ -48,7 +48,7 @@ public:
     /// Parameters, states and inputs.
     void settings();
     void mode();
-    void run(const char* doc = "the [runs.NAME] to take; `reference`, or the only one, if left out");
+    void run(const char* doc = "run of the model; `reference` or the only one if left out");
     void until(const char* doc = "end of the run in seconds");
     void integration();
     /// Of runs that are drawn.

@@ -26,44 +26,44 @@ struct Body : Item {
 };
 
 template <>
-inline constexpr KindSpec kind_of<Body>{"body", "Point masses, planar rigid bodies, bodies that only turn.",
+inline constexpr KindSpec kind_of<Body>{"body", "Point masses, planar rigid bodies, rigid bodies in space, and bodies that only rotate.",
     "[bodies.rod]\nmass     = \"m_S\"\nposition = [\"s + l_S/2*sin(phi)\", \"-l_S/2*cos(phi)\", 0]\n"
     "rotation = \"phi\"\ninertia  = \"m_S*(l_S^2 + b_S^2)/12\""};
 
 template <class Visitor, ElementOf<Body> E>
 void describe(Visitor& v, E& body) {
     v("mass", body.mass, {.dimension = Dimension::mass(), .depends = on_parameters | on_states, .sign = not_below_zero("kg"),
-        .excludes = {{"solid", "has a solid and a mass; the solid brings its mass"}}, .doc = "its mass; needs a position"});
+        .excludes = {{"solid", "has a solid and a mass; the solid brings its mass"}}, .doc = "mass; needs a position"});
     v("position", body.position, {.dimension = Dimension::length(), .depends = on_configuration,
-        .doc = "position of its centre of mass"});
+        .doc = "position of the centre of mass"});
     v("rotation", body.rotation, {.dimension = Dimension::none(), .depends = on_configuration,
-        .doc = "its angle about the z axis, from x towards y"});
+        .doc = "angle about the z axis, from x towards y"});
     v("angular_velocity", body.angular_velocity, {.dimension = dimension::rate(), .depends = on_motion,
         .excludes = {{"rotation", "has a rotation and an angular_velocity; the velocity follows from the rotation"}},
-        .doc = "instead of rotation: its angular velocity, linear in the velocities"});
+        .doc = "instead of rotation: angular velocity about z, linear in the velocities"});
     v.alternatives("inertia", body.inertia, body.tensor, {.type = ValueType::tensor, .dimension = Dimension::inertia(),
         .depends = on_parameters | on_states, .sign = not_below_zero("kg*m^2"),
         .excludes = {{"solid", "has a solid and an inertia; the solid brings its inertia"}},
-        .doc = "moment of inertia about the axis through its centre of mass; of a body in space the tensor in its own axes: "
-               "[Jx, Jy, Jz], or three rows with products of inertia, as they stand in the matrix"});
+        .doc = "moment of inertia about the axis through the centre of mass. Of a body in space: the inertia tensor in the axes "
+               "of the body, as [Jx, Jy, Jz] or as three rows; products of inertia as in the matrix, -integral(x*y)"});
     v("turns", body.turns, {.dimension = Dimension::none(), .depends = on_configuration, .words = "turn",
-        .doc = "of a body in space: turns about its own axes one after the other, as [[\"z\", \"psi\"], [\"x\", \"theta\"]]"});
+        .doc = "of a body in space: turns about its own axes, one after the other: [[\"z\", \"psi\"], [\"x\", \"theta\"]]"});
     v("attitude", body.attitude, {.refers = {"attitude"},
         .excludes = {{"turns", "has both 'turns' and 'attitude'; either orients it alone"}},
         .doc = "instead of turns: an attitude, whose quaternion orients the body"});
     v("solid", body.solid, {.refers = {"solid"},
-        .doc = "instead of mass, inertia and centre: a solid, in its axes, that they are taken from. Of a planar body its moment about z "
-               "counts, and the position is that of its centre of mass"});
+        .doc = "instead of mass, inertia and centre: a solid, given in the axes of the body. A planar body uses the moment "
+               "about z, and its position is that of the centre of mass"});
     v("origin", body.origin, {.dimension = Dimension::length(), .depends = on_configuration,
         .excludes = {{"position", "has both 'position' and 'origin'; the position is that of its centre of mass"}},
-        .doc = "instead of position: where its axes begin; [0, 0, 0] if left out"});
+        .doc = "instead of position: origin of the axes of the body; [0, 0, 0] if left out"});
     v("centre", body.centre, {.dimension = Dimension::length(), .depends = on_configuration,
         .excludes = {{"solid", "has a solid and a centre; the solid brings its centre"},
                      {"position", "has both 'position' and 'centre'; the position is that of its centre of mass"}},
-        .doc = "with origin: its centre of mass, in its own axes; [0, 0, 0] if left out"});
+        .doc = "with origin: centre of mass in the axes of the body; [0, 0, 0] if left out"});
     v("on", body.on, {.refers = {"body"},
-        .doc = "another body: position or origin, and turns, are then measured in its frame. Within a family, NAME[k-1] of the first is "
-               "the ground"});
+        .doc = "another body, in whose frame position or origin, and turns, are measured. In a family, `NAME[k-1]` of the first "
+               "member is the ground"});
     v.item({.has_family = true});
 }
 
@@ -74,16 +74,17 @@ struct Attitude : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Attitude>{"attitude",
-    "Orientations by unit quaternions. NAME brings the states NAME_0, NAME_1, NAME_2, NAME_3, and the velocities dot(NAME_x), dot(NAME_y), "
-    "dot(NAME_z): the angular velocity about the axes of what turns. NAME_x, NAME_y and NAME_z have no values themselves.",
+    "Orientations by unit quaternions. NAME adds the states NAME_0, NAME_1, NAME_2, NAME_3 and the velocities "
+    "dot(NAME_x), dot(NAME_y), dot(NAME_z): the angular velocity about the axes of the body. NAME_x, NAME_y and "
+    "NAME_z themselves have no values.",
     "[attitudes.e]\nstart_rate = [0.01, 2, 0]", "", {.naming = Naming::brought_section}};
 
 template <class Visitor, ElementOf<Attitude> E>
 void describe(Visitor& v, E& attitude) {
     v("start", attitude.start, {.depends = constant_only,
-        .doc = "the quaternion at the start, a unit one: [cos(a/2), sin(a/2)*axis]; [1, 0, 0, 0] if left out"});
+        .doc = "unit quaternion at the start: [cos(a/2), sin(a/2)*axis]; [1, 0, 0, 0] if left out"});
     v("start_rate", attitude.start_rate, {.depends = constant_only,
-        .doc = "the angular velocity at the start, about the axes of the body, in rad/s; [0, 0, 0] if left out"});
+        .doc = "angular velocity at the start about the axes of the body, in rad/s; [0, 0, 0] if left out"});
     v.item({});
 }
 

@@ -19,13 +19,13 @@ struct Boundary {
 template <class Visitor, ElementOf<Boundary> End>
 void describe(Visitor& v, End& end) {
     v("temperature", end.temperature, {.dimension = Dimension::temperature(), .depends = on_plain_states_and_inputs,
-        .doc = "at which it is held; then nothing else is said"});
+        .doc = "given temperature; then no other key"});
     v("flux", end.flux, {.dimension = dimension::heat_flux(), .depends = on_plain_states_and_inputs,
-        .doc = "heat flow by area into the body"});
+        .doc = "heat flux into the body"});
     v("coefficient", end.coefficient, {.dimension = dimension::heat_transfer(), .depends = on_plain_states_and_inputs,
-        .doc = "convection to the ambient: alpha"});
+        .doc = "convection to the ambient: heat transfer coefficient alpha"});
     v("emissivity", end.emissivity, {.dimension = Dimension::none(), .depends = on_plain_states_and_inputs,
-        .doc = "radiation to the ambient"});
+        .doc = "radiation to the ambient: emissivity"});
     v("ambient", end.ambient, {.dimension = Dimension::temperature(), .depends = on_plain_states_and_inputs,
         .doc = "ambient temperature"});
 }
@@ -57,8 +57,8 @@ struct Rod : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Rod>{"rod",
-    "Bars, walls, pipes and shells in which heat flows in one direction (4.5), cut into cells. heat[NAME.first] and heat[NAME.last] are "
-    "the heat into it through its ends.",
+    "Bars, walls, pipes and shells with heat flow in one direction (4.5), divided into cells. heat[NAME.first] and "
+    "heat[NAME.last] are the heat flows into the rod through its ends.",
     "[rods.bar]\ntemperature   = \"T\"\nlength        = \"L\"\narea          = \"A\"\nconductivity  = \"lambda\"\ndensity       = "
     "\"rho\"\nheat_capacity = \"c_p\"\nfirst         = { temperature = \"T_0\" }\nlast          = { coefficient = \"alpha\", ambient = "
     "\"T_inf\" }", "", {.in_all_modes = true, .naming = Naming::parts, .has_cells = true}};
@@ -89,49 +89,51 @@ inline const KeyChoices<Rod::Shape>& rod_shapes() {
 template <class Visitor, ElementOf<Rod> E>
 void describe(Visitor& v, E& rod) {
     v("temperature", rod.temperature, {.required = true, .refers = {"state"}, .all_members = true,
-        .doc = "the family of states that are its temperatures, from the first to the last"});
+        .doc = "family of states: the temperatures from the first end to the last"});
     v.choice("scheme", rod.scheme, {}, rod_schemes());
     v.choice("shape", rod.shape, {}, rod_shapes());
-    v("length", rod.length, {.dimension = Dimension::length(), .depends = on_parameters, .sign = above_zero("m"), .doc = "of a bar"});
+    v("length", rod.length, {.dimension = Dimension::length(), .depends = on_parameters, .sign = above_zero("m"),
+        .doc = "of a bar: length"});
     v("area", rod.area, {.dimension = dimension::surface(), .depends = on_parameters, .variables = {Dimension::length()},
-        .doc = "of a bar: its cross section; \"x -> ...\" where it varies"});
+        .doc = "of a bar: cross section; \"x -> ...\" if it varies"});
     v("inner", rod.inner, {.dimension = Dimension::length(), .depends = on_parameters, .sign = not_below_zero("m"), .words = "inner radius",
-        .doc = "of a cylinder or sphere: the radius where it begins; 0 for a solid one"});
+        .doc = "of a cylinder or sphere: inner radius; 0 for a solid one"});
     v("outer", rod.outer, {.dimension = Dimension::length(), .depends = on_parameters, .words = "outer radius",
-        .doc = "of a cylinder or sphere: the radius where it ends"});
+        .doc = "of a cylinder or sphere: outer radius"});
     v("height", rod.height,
-      {.dimension = Dimension::length(), .depends = on_parameters, .sign = above_zero("m"), .doc = "of a cylinder, along its axis"});
+      {.dimension = Dimension::length(), .depends = on_parameters, .sign = above_zero("m"), .doc = "of a cylinder: height along its axis"});
     v("grid", rod.grid, {.dimension = Dimension::none(), .depends = on_parameters, .variables = {Dimension::none()},
-        .doc = "\"s -> ...\", rising from 0 to 1: the cells are equal over s; \"s -> s^2\" makes them finer at the first end"});
+        .doc = "\"s -> ...\", increasing from 0 to 1: the cells are equal over s. \"s -> s^2\" makes them finer at the first end"});
     v("conductivity", rod.conductivity, {.required = true, .dimension = dimension::heat_conductivity(), .depends = on_parameters,
         .variables = {Dimension::temperature()},
-        .sign = above_zero("W/(m*K)"), .doc = "\"T -> ...\" where it depends on the temperature"});
+        .sign = above_zero("W/(m*K)"), .doc = "thermal conductivity; \"T -> ...\" if it depends on the temperature"});
     v("density", rod.density,
       {.required = true,
        .dimension = dimension::density(),
        .depends = on_parameters,
        .sign = above_zero("kg/m^3"),
-       .doc = "mass by volume"});
+       .doc = "density"});
     v("heat_capacity", rod.heat_capacity, {.required = true, .dimension = dimension::specific_heat(), .depends = on_parameters,
         .variables = {Dimension::temperature()},
-        .doc = "specific heat capacity; \"T -> ...\" where it depends on the temperature"});
+        .doc = "specific heat capacity; \"T -> ...\" if it depends on the temperature"});
     v("source", rod.source, {.dimension = Dimension::power() / Dimension::volume(), .depends = on_plain_states_and_inputs,
         .variables = {Dimension::length()},
-        .doc = "heat by volume and time (4.4); \"x -> ...\" where it varies along the rod"});
+        .doc = "heat source by volume (4.4); \"x -> ...\" if it varies along the rod"});
     v("perimeter", rod.perimeter, {.dimension = Dimension::length(), .depends = on_parameters,
-        .doc = "of a bar: for what leaves through its side"});
+        .doc = "of a bar: perimeter, for the heat flow through its side"});
     v("side_coefficient", rod.side_coefficient, {.dimension = dimension::heat_transfer(), .depends = on_plain_states_and_inputs,
-        .doc = "convection through the side to the ambient"});
+        .doc = "convection through the side: heat transfer coefficient"});
     v("side_emissivity", rod.side_emissivity, {.dimension = Dimension::none(), .depends = on_parameters,
-        .doc = "radiation of the side to the ambient"});
+        .doc = "radiation of the side: emissivity"});
     v("ambient", rod.ambient, {.dimension = Dimension::temperature(), .depends = on_plain_states_and_inputs,
-        .doc = "temperature of what surrounds the side"});
-    v("loops", rod.loops, {.doc = "true: the cells are computed in loops, whose code does not grow with their number; if left out, "
-                                  "above 40 cells"});
+        .doc = "ambient temperature around the side"});
+    v("loops", rod.loops, {
+        .doc = "true: loops compute the cells, so that the code does not grow with their number; if left out, true above 40 "
+               "cells"});
     v.table("first", rod.first, {.words = "end", .noun = "end",
-        .doc = "what holds at the first end: { temperature }, or some of flux (into the rod), coefficient and emissivity with ambient; "
-               "insulated without (4.9)"});
-    v.table("last", rod.last, {.words = "end", .noun = "end", .doc = "likewise at the last end"});
+        .doc = "condition at the first end (4.9): { temperature }, or some of flux (into the rod), coefficient and emissivity "
+               "with ambient; insulated if left out"});
+    v.table("last", rod.last, {.words = "end", .noun = "end", .doc = "the same at the last end"});
     v.item({.has_family = false});
 }
 
@@ -142,7 +144,7 @@ struct Side : Boundary {
 
 template <class Visitor, ElementOf<Side> E>
 void describe(Visitor& v, E& side) {
-    v("node", side.node, {.refers = {"node"}, .doc = "in perfect contact with it; then nothing else is said"});
+    v("node", side.node, {.refers = {"node"}, .doc = "a node in perfect contact with the side; then no other key"});
     if constexpr (std::is_const_v<E>) describe(v, static_cast<const Boundary&>(side));
     else describe(v, static_cast<Boundary&>(side));
 }
@@ -172,8 +174,9 @@ struct Block : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Block>{"block",
-    "Rectangles of one or several materials in which heat flows in two directions (4.4), cut into cells: finite volumes, in which the "
-    "halves of two cells that touch stand in series. heat[NAME.left], right, bottom and top are the heat into it through its sides.",
+    "Rectangles of one or several materials with heat flow in two directions (4.4), divided into cells: finite "
+    "volumes, where the halves of two neighbouring cells are in series. heat[NAME.left], right, bottom and top are "
+    "the heat flows into the block through its sides.",
     "[blocks.wall]\ntemperature   = \"T\"\ncolumns       = [[\"L\", 8]]\nrows          = [[\"H_1\", 4], [\"H_2\", 4]]\n"
     "depth         = \"B\"\nconductivity  = [[\"lambda_1\", \"lambda_2\"]]\ndensity       = \"rho\"\nheat_capacity = \"c_p\"\n"
     "left          = { node = \"plate\" }\nright         = { coefficient = \"alpha\", ambient = \"T_inf\" }",
@@ -182,35 +185,37 @@ inline constexpr KindSpec kind_of<Block>{"block",
 template <class Visitor, ElementOf<Block> E>
 void describe(Visitor& v, E& block) {
     v("temperature", block.temperature, {.required = true, .refers = {"state"}, .all_members = true,
-        .doc = "the family of states that are its temperatures, a cell each: along the bottom row from left to right, then the next row"});
+        .doc = "family of states: the temperatures of the cells, along the bottom row from left to right, then the next row"});
     v("columns", block.columns, {.required = true, .dimension = Dimension::length(), .depends = constant_only,
         .sign = above_zero("m"), .words = "length of a column",
-        .doc = "what it is pieced together of from left to right, along x: [[\"L_a\", \"M\"], [\"L_b\", 3]] is a length L_a cut into M "
-               "cells, and L_b cut into 3"});
+        .doc = "columns from left to right, along x: [[\"L_a\", \"M\"], [\"L_b\", 3]] is a length L_a with M cells, then L_b "
+               "with 3 cells"});
     v("rows", block.rows, {.required = true, .dimension = Dimension::length(), .depends = constant_only,
         .sign = above_zero("m"), .words = "height of a row",
-        .doc = "likewise from bottom to top, along y"});
+        .doc = "rows from bottom to top, along y, in the same form"});
     v("depth", block.depth,
-      {.required = true, .dimension = Dimension::length(), .depends = constant_only, .sign = above_zero("m"), .doc = "across x and y"});
+      {.required = true, .dimension = Dimension::length(), .depends = constant_only, .sign = above_zero("m"),
+        .doc = "depth across x and y"});
     v("conductivity", block.conductivity,
       {.required = true,
        .dimension = dimension::heat_conductivity(),
        .depends = constant_only,
        .sign = above_zero("W/(m*K)"),
-       .doc = "of all, or a list for each column of what stands there in each row: [[\"a\", \"a\"], [\"b\", \"c\"]]"});
+       .doc = "thermal conductivity: one for all, or a list for each column with an entry for each row: [[\"a\", \"a\"], "
+               "[\"b\", \"c\"]]"});
     v("density", block.density, {.required = true, .dimension = dimension::density(), .depends = constant_only,
-        .sign = above_zero("kg/m^3"), .doc = "mass by volume, likewise"});
+        .sign = above_zero("kg/m^3"), .doc = "density, in the same form"});
     v("heat_capacity", block.heat_capacity, {.required = true, .dimension = dimension::specific_heat(), .depends = constant_only,
-        .doc = "specific heat capacity, likewise"});
+        .doc = "specific heat capacity, in the same form"});
     v("source", block.source, {.type = ValueType::field, .dimension = Dimension::power() / Dimension::volume(),
         .depends = on_plain_states_and_inputs, .variables = {Dimension::length(), Dimension::length()},
-        .doc = "heat by volume and time (4.4); \"(x, y) -> ...\" where it varies, from the left bottom corner"});
+        .doc = "heat source by volume (4.4); \"(x, y) -> ...\" if it varies, measured from the bottom left corner"});
     v.table("left", block.left, {.words = "side", .noun = "side",
-        .doc = "what holds at the left side: { temperature }, { node } in perfect contact with it, or some of flux (into the block), "
-               "coefficient and emissivity with ambient; insulated without (4.9)"});
-    v.table("right", block.right, {.words = "side", .noun = "side", .doc = "likewise at the right side"});
-    v.table("bottom", block.bottom, {.words = "side", .noun = "side", .doc = "likewise at the bottom"});
-    v.table("top", block.top, {.words = "side", .noun = "side", .doc = "likewise at the top"});
+        .doc = "condition at the left side (4.9): { temperature }, { node } in perfect contact, or some of flux (into the "
+               "block), coefficient and emissivity with ambient; insulated if left out"});
+    v.table("right", block.right, {.words = "side", .noun = "side", .doc = "the same at the right side"});
+    v.table("bottom", block.bottom, {.words = "side", .noun = "side", .doc = "the same at the bottom"});
+    v.table("top", block.top, {.words = "side", .noun = "side", .doc = "the same at the top"});
     v.item({});
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
+#include <string>
+
 namespace dalembert {
 
 /// What an expression depends on, as bits.
@@ -28,5 +31,17 @@ enum Dependence : unsigned {
     on_state_and_inputs = on_plain_states_and_inputs | on_properties,
     on_anything = on_state_and_inputs | on_accelerations | on_quantities | on_outputs | on_losses | on_places,
 };
+
+/// A word of the reference for what an expression may depend on.
+struct DependenceWord {
+    unsigned bits;
+    const char* word;
+    const char* meaning;
+};
+
+/// Widest first.
+std::span<const DependenceWord> dependence_words();
+/// "parameters, coordinates": in as few words as there are; empty for `nothing`.
+std::string described(unsigned depends);
 
 }  // namespace dalembert

@@ -14,21 +14,21 @@ struct Spring : Item {
 };
 
 template <>
-inline constexpr KindSpec kind_of<Spring>{"spring", "Elastic forces with a potential energy.",
+inline constexpr KindSpec kind_of<Spring>{"spring", "Elastic forces with a potential energy, linear or with a law.",
     "[springs.wall]\nelongation = \"s - s_W0\"\nstiffness  = \"c_W\""};
 
 template <class Visitor, ElementOf<Spring> E>
 void describe(Visitor& v, E& spring) {
     v("elongation", spring.elongation, {.required = true, .depends = on_configuration | on_places,
-        .doc = "how far it is stretched from rest; a length or an angle"});
+        .doc = "elongation from the unstressed state; a length or an angle"});
     const Dimension elongation = v.dimension_of(spring.elongation).value_or(Dimension::none());
     v("stiffness", spring.stiffness, {.dimension = Dimension::energy() / elongation / elongation, .depends = constant_only,
-        .doc = "of a linear spring: force = stiffness*elongation"});
+        .doc = "stiffness of a linear spring: force = stiffness*elongation"});
     v("force", spring.force, {.dimension = Dimension::energy() / elongation, .depends = constant_only, .variables = {elongation},
-        .words = "force law", .doc = "of any other: the force over the elongation, as in \"e -> c*e + c3*e^3\""});
+        .words = "force law", .doc = "instead of stiffness: force as a function of the elongation: \"e -> c*e + c3*e^3\""});
     v("energy", spring.energy, {.dimension = Dimension::energy(), .depends = constant_only, .variables = {elongation},
         .words = "energy law", .needs = {{"force", "has an energy but no force law that it belongs to"}},
-        .doc = "the integral of the force, where the program cannot find it; proven by differentiation"});
+        .doc = "the integral of the force, if the program cannot find it; proven by differentiation"});
     v.either("stiffness", "force", "a stiffness or a force law");
     v.item({.has_family = true});
 }
@@ -42,18 +42,19 @@ struct Damper : Item {
 };
 
 template <>
-inline constexpr KindSpec kind_of<Damper>{"damper", "Resistances, whose power is dissipated.",
+inline constexpr KindSpec kind_of<Damper>{"damper", "Forces that resist a velocity. Their power is dissipated.",
     "[dampers.friction]\nrate        = \"dot(s)\"\ncoefficient = \"d_R\"\nwhen        = \"viscous_friction\""};
 
 template <class Visitor, ElementOf<Damper> E>
 void describe(Visitor& v, E& damper) {
-    v("rate", damper.rate, {.depends = on_motion | on_places, .doc = "the velocity that it resists, linear in the velocities"});
-    v("on", damper.on, {.refers = {"body"}, .doc = "instead of a rate: a body whose speed through a medium at rest is resisted"});
+    v("rate", damper.rate, {.depends = on_motion | on_places, .doc = "velocity that the damper resists, linear in the velocities"});
+    v("on", damper.on, {.refers = {"body"}, .doc = "instead of a rate: a body, whose speed the damper resists"});
     const Dimension rate = damper.rate ? v.dimension_of(damper.rate).value_or(Dimension::none()) : Dimension::speed();
     v("coefficient", damper.coefficient, {.dimension = Dimension::power() / rate / rate, .depends = on_state_and_inputs | on_places,
-        .doc = "of a linear damper: force = coefficient*rate"});
+        .doc = "coefficient of a linear damper: force = coefficient*rate"});
     v("force", damper.force, {.dimension = Dimension::power() / rate, .depends = on_state_and_inputs | on_places, .variables = {rate},
-        .words = "force law", .doc = "of any other: the force over the rate (with on: over the speed), as in \"w -> d*w*abs(w)\""});
+        .words = "force law",
+        .doc = "instead of a coefficient: force as a function of the rate (with `on`: of the speed): \"w -> d*w*abs(w)\""});
     v.either("rate", "on", "a rate or the body that it acts on");
     v.either("coefficient", "force", "a coefficient or a force law");
     v.item({.has_family = true});
@@ -72,12 +73,12 @@ inline constexpr KindSpec kind_of<Force>{"force", "Forces at points.", "[forces.
 template <class Visitor, ElementOf<Force> E>
 void describe(Visitor& v, E& force) {
     v("force", force.force, {.required = true, .dimension = Dimension::force(), .depends = on_state_and_inputs | on_places, .words = "",
-        .doc = "the force as a vector; its power counts as supplied"});
+        .doc = "force vector; its power counts as supplied"});
     v("in_axes", force.in_axes, {.needs = {{"on", "acts on no body whose axes could be meant"}},
-        .doc = "true, with on: the vector is given in the axes of the body, else in those of the ground"});
-    v("on", force.on, {.refers = {"body"}, .doc = "the body at whose position it acts"});
+        .doc = "true, with `on`: the vector is given in the axes of the body, else in those of the ground"});
+    v("on", force.on, {.refers = {"body"}, .doc = "body on which the force acts, at its position"});
     v("at", force.at, {.dimension = Dimension::length(), .depends = on_configuration | on_places, .words = "point",
-        .doc = "instead of a body: the point at which it acts"});
+        .doc = "instead of a body: point where the force acts"});
     v.either("on", "at", "the body that it acts on or the point at which it acts");
     v.item({.has_family = true});
 }
@@ -92,19 +93,19 @@ struct Torque : Item {
 };
 
 template <>
-inline constexpr KindSpec kind_of<Torque>{"torque", "Torques on bodies that turn.",
+inline constexpr KindSpec kind_of<Torque>{"torque", "Torques on bodies that rotate.",
                                           "[torques.motor]\non     = \"rotor\"\ntorque = \"tau_m\""};
 
 template <class Visitor, ElementOf<Torque> E>
 void describe(Visitor& v, E& torque) {
     v.alternatives("torque", torque.torque, torque.vector, {.required = true, .type = ValueType::torque, .dimension = Dimension::energy(),
         .depends = on_state_and_inputs | on_places, .words = "",
-        .doc = "the torque about the z axis, or on a body in space as a vector; its power counts as supplied"});
+        .doc = "torque about the z axis, or on a body in space a vector; its power counts as supplied"});
     v("in_axes", torque.in_axes, {.doc = "true: the vector is given in the axes of the body, else in those of the ground"});
-    v("on", torque.on, {.refers = {"body"}, .doc = "the body that it turns"});
-    v("against", torque.against, {.refers = {"body"}, .doc = "the body that carries the reaction; the ground if left out"});
+    v("on", torque.on, {.refers = {"body"}, .doc = "body on which the torque acts"});
+    v("against", torque.against, {.refers = {"body"}, .doc = "body that takes the reaction; the ground if left out"});
     v("rate", torque.rate, {.dimension = dimension::rate(), .depends = on_motion | on_places,
-        .doc = "instead of bodies: the angular velocity with which the torque works"});
+        .doc = "instead of bodies: angular velocity; torque times rate is the power"});
     v.either("on", "rate", "the body that it turns or a rate");
     v.item({.has_family = true});
 }
@@ -119,8 +120,9 @@ struct Jet : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Jet>{"jet",
-    "Mass that leaves a body, or arrives at it. Apart from its velocity relative to the body it takes along the momentum and the spin that "
-    "it has as a part of the body. The power of ejecting it counts as supplied, what it takes over the border as exchanged.",
+    "Mass that leaves a body or arrives at it. In addition to its velocity relative to the body, it carries the "
+    "momentum and spin that it has as a part of the body. The power of the ejection counts as supplied, the energy "
+    "that leaves the model as exchanged.",
     "[jets.engine]\nfrom      = \"rocket\"\nmass_flow = \"mu\"\nvelocity  = [0, 0, \"-w\"]"};
 
 template <class Visitor, ElementOf<Jet> E>
@@ -145,18 +147,18 @@ struct Cut : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Cut>{"cut",
-    "Forces of rods, ropes, bearings and surfaces without a constraint of their own. cut_force[NAME] is what is left of mass times "
-    "acceleration of the bodies, when gravity and the [forces] and [torques] on them are taken off: what everything else exerts on them, "
-    "springs and dampers included.",
+    "Internal forces of rods, ropes, bearings and surfaces that are no constraints. The bodies are cut free. "
+    "cut_force[NAME] is the component, along a direction, of the force that everything else exerts on them: mass "
+    "times acceleration minus gravity minus the [forces] and [torques] on them. Springs and dampers are included.",
     "[cuts.rod]\nbodies    = [\"bob\"]\ndirection = [\"-sin(phi)\", \"cos(phi)\"]"};
 
 template <class Visitor, ElementOf<Cut> E>
 void describe(Visitor& v, E& cut) {
-    v("bodies", cut.bodies, {.required = true, .refers = {"body"}, .doc = "those that are cut free together"});
+    v("bodies", cut.bodies, {.required = true, .refers = {"body"}, .doc = "bodies that are cut free together"});
     v("direction", cut.direction, {.required = true, .dimension = Dimension::none(), .depends = on_configuration | on_places,
-        .doc = "of length 1, in the axes of the ground: the force that everything else exerts on the bodies is put out along it"});
+        .doc = "direction of the force, a vector of length 1 in the axes of the ground"});
     v("about", cut.about, {.dimension = Dimension::length(), .depends = on_configuration | on_places, .words = "point",
-        .doc = "a point: then the moment about the axis through it in the direction is put out"});
+        .doc = "a point: cut_force is then the moment about the axis through this point in the direction"});
     v.item({.has_family = true});
 }
 
@@ -165,13 +167,13 @@ struct KineticTerm : Item {
 };
 
 template <>
-inline constexpr KindSpec kind_of<KineticTerm>{"kinetic term", "Kinetic energy for which there is no component.",
+inline constexpr KindSpec kind_of<KineticTerm>{"kinetic term", "Kinetic energy that no component describes.",
     "[kinetic.gear]\nenergy = \"i_g^2*theta_m*dot(phi)^2/2\""};
 
 template <class Visitor, ElementOf<KineticTerm> E>
 void describe(Visitor& v, E& term) {
     v("energy", term.energy, {.required = true, .dimension = Dimension::energy(), .depends = on_parameters | on_coordinates | on_velocities,
-        .doc = "a kinetic energy, quadratic in the velocities"});
+        .doc = "kinetic energy, quadratic in the velocities"});
     v.item({.has_family = true});
 }
 
@@ -184,7 +186,7 @@ struct PotentialTerm : Item {
 
 template <>
 inline constexpr KindSpec kind_of<PotentialTerm>{"potential",
-    "Potential energy for which there is no component, or generalised forces that have one.",
+    "Potential energy that no component describes, or generalised forces that have a potential.",
     "[potentials.leaf]\nforces = { z_1 = \"-c*(z_1 - z_2)\", z_2 = \"-c*(z_2 - z_1)\" }"};
 
 template <class Visitor, ElementOf<PotentialTerm> E>
@@ -205,7 +207,7 @@ struct GeneralisedForce : Item {
 };
 
 template <>
-inline constexpr KindSpec kind_of<GeneralisedForce>{"generalised force", "Forces on coordinates for which there is no component.",
+inline constexpr KindSpec kind_of<GeneralisedForce>{"generalised force", "Generalised forces that no component describes.",
     "[generalised_forces.load]\ncoordinate = \"phi_2\"\nforce = \"-tau_l\""};
 
 inline const KeyChoices<bool>& powers() {
@@ -219,7 +221,7 @@ void describe(Visitor& v, E& force) {
     v("force", force.coordinate.value, {.required = true,
         .dimension = Dimension::energy() / v.dimension_of(force.coordinate).value_or(Dimension::none()),
         .depends = on_state_and_inputs | on_places, .doc = "the generalised force; force times velocity is a power"});
-    v.choice("power", force.dissipated, {.doc = ": where its power is counted"}, powers());
+    v.choice("power", force.dissipated, {.doc = "kind of power that the force counts as"}, powers());
     v.item({.has_family = true});
 }
 

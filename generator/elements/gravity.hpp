@@ -14,14 +14,15 @@ struct Gravity {
 };
 
 template <>
-inline constexpr KindSpec kind_of<Gravity>{"gravity", "Free fall acting on every mass.", "[gravity]\nacceleration = [0, \"-g\", 0]"};
+inline constexpr KindSpec kind_of<Gravity>{"gravity", "The gravitational acceleration, which acts on every mass.",
+                                           "[gravity]\nacceleration = [0, \"-g\", 0]"};
 
 template <class Visitor, ElementOf<Gravity> E>
 void describe(Visitor& v, E& gravity) {
     v("acceleration", gravity.acceleration, {.required = true, .dimension = Dimension::acceleration(), .depends = constant_only,
-        .doc = "the acceleration of free fall, as a vector"});
+        .doc = "gravitational acceleration as a vector"});
     v("reference", gravity.reference, {.dimension = Dimension::length(), .depends = constant_only,
-        .doc = "the point where the potential energy of gravity is zero; the origin if left out"});
+        .doc = "point where the potential energy of gravity is zero; the origin if left out"});
     v.item({.has_doc = false});
 }
 

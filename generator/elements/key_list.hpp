@@ -44,6 +44,21 @@ inline ValueType type_of(const std::optional<Law>&, const Key&) { return T::law;
 inline ValueType type_of(const std::optional<Property>&, const Key& key) { return key.variables.size() == 1 ? T::dependent : T::property; }
 }  // namespace keys
 
+/// The value of a key that is left out, as the member of a new element has it.
+inline std::string start_of(bool value) { return value ? "true" : "false"; }
+inline std::string start_of(int value) { return std::to_string(value); }
+inline std::string start_of(const Rational& value) { return decimal(value, 6); }
+template <class Member>
+std::string start_of(const Member&) { return {}; }
+
+/// Stands for a unit that an element declares itself, or that of another expression: no unit of a machine holds candela.
+inline Unit own_unit() { return {Dimension::base(6), 1, 0, 0, "U"}; }
+
+/// "kg", "U", "J/U^2"; empty where any unit will do.
+std::string unit_of(const Key& key);
+/// "above zero"
+std::string bounds_of(const SignRule& sign);
+
 template <class Described>
 std::span<const KeySpec> keys_of();
 template <class Described>
@@ -53,22 +68,26 @@ class KeyList {
 public:
     template <class Member>
     void operator()(const char* name, const Member& member, const Key& key) {
-        add(name, key, key.type ? *key.type : keys::type_of(member, key));
+        add(name, key, key.type ? *key.type : keys::type_of(member, key), start_of(member));
     }
     template <class Value>
-    void choice(const char* name, const Value&, const Key& key, const KeyChoices<Value>& choices) {
-        add(name, key, ValueType::choice);
-        KeySpec& spec = rows.back();
-        const bool is_long = std::any_of(choices.begin(), choices.end(), [](const auto& c) { return c.doc.starts_with(':'); });
-        std::string words;
+    void choice(const char* name, const Value& value, const Key& key, const KeyChoices<Value>& choices) {
+        std::string start, words, choices_in_short;
+        std::vector<std::string> lines;
+        bool is_long = false;
         for (const auto& c : choices) {
             if (*c.word == '\0') continue;
-            words += fmt::format("{}\"{}\"{}", words.empty() ? "" : is_long ? "; " : &c == &choices.back() ? " or " : ", ", c.word, c.doc);
-            if (c.needs.empty() && c.takes.empty()) continue;
-            spec.lines.push_back(fmt::format("\"{}\"{}{}{}", c.word, listed(" needs ", c.needs),
-                                             c.needs.empty() || c.takes.empty() ? "" : ",", listed(" may have ", c.takes)));
+            if (c.value == value) start = c.word;
+            words += fmt::format("{}\"{}\"", words.empty() ? "" : &c == &choices.back() ? " or " : ", ", c.word);
+            choices_in_short += fmt::format("{}\"{}\"{}", choices_in_short.empty() ? "" : "; ", c.word, c.doc);
+            lines.push_back(fmt::format("\"{}\"{}{}{}", c.word, c.doc, listed("; needs ", c.needs), listed("; may have ", c.takes)));
+            is_long = is_long || !c.doc.empty() || !c.needs.empty() || !c.takes.empty();
         }
-        spec.doc = words + (spec.doc.empty() || std::string(".;:").find(spec.doc.front()) != std::string::npos ? "" : "; ") + spec.doc;
+        add(name, key, ValueType::choice, start);
+        KeySpec& spec = rows.back();
+        spec.choices = choices_in_short;
+        if (is_long) spec.lines = lines;
+        else spec.doc += (spec.doc.empty() ? "" : ": ") + words;
     }
     template <class One, class Other>
     void alternatives(const char* name, const One&, const Other&, const Key& key) { add(name, key, *key.type); }
@@ -90,15 +109,17 @@ public:
     }
     void either(const char* one, const char* other, const char*) { rules.push_back(fmt::format("Either `{}` or `{}`.", one, other)); }
     void item(const ItemKeys& item) {
-        if (item.has_doc) rows.push_back({"doc", ValueType::text, false, "what it is, in words; goes into the report and the header"});
+        if (item.has_doc) rows.push_back({"doc", ValueType::text, false, "description, for reports and the header"});
         if (item.has_family)
-            rows.push_back({"for", ValueType::family, false, "makes it a family, one for each value of an index: \"k = 1..N\""});
+            rows.push_back({"for", ValueType::family, false, "makes the element a family, with a member for each value of an "
+                            "index: \"k = 1..N\""});
         if (item.has_when)
             rows.push_back({"when", ValueType::condition, false,
-                            "the effects under which it is there: \"drag\", \"not drag\", \"a and (b or c)\"; always, if left out"});
+                            "effects or modes with which the element is present: \"drag\", \"not drag\", \"a and (b or c)\"; "
+                            "always if left out"});
     }
     template <class Of>
-    std::optional<Dimension> dimension_of(const Of&) const { return std::nullopt; }
+    std::optional<Dimension> dimension_of(const Of&) const { return own_unit().dimension; }
 
     std::vector<KeySpec> rows;
     std::vector<std::string> rules;
@@ -108,8 +129,9 @@ private:
         return names.empty() ? "" : before + quoted_list({names.begin(), names.end()});
     }
 
-    void add(const char* name, const Key& key, ValueType type) {
-        rows.push_back({name, type, key.required, std::string(key.doc), nullptr, words_of(key.refers), {}});
+    void add(const char* name, const Key& key, ValueType type, const std::string& start = {}) {
+        rows.push_back({name, type, key.required, std::string(key.doc), nullptr, words_of(key.refers), {}, unit_of(key),
+                        key.required ? "" : start, key.sign ? bounds_of(*key.sign) : "", key.depends});
         const auto others = [&](const char* before, const std::vector<KeyRule>& named) {
             std::vector<const char*> names;
             for (const KeyRule& rule : named) names.push_back(rule.key);
@@ -125,6 +147,7 @@ const KeyList& key_list_of() {
     static const KeyList list = [] {
         KeyList made;
         Described item;
+        if constexpr (requires { item.unit = own_unit(); }) item.unit = own_unit();
         describe(made, item);
         return made;
     }();

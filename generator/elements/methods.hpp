@@ -17,16 +17,16 @@ struct MethodSpec {
 };
 
 inline constexpr std::array methods_of_integration{
-    MethodSpec{"automatic", false, "the usual one: dopri5 or dop853, and rodas5p as long as they would be unstable with longer steps"},
+    MethodSpec{"automatic", false, "the default: dopri5 or dop853, and rodas5p while the problem is stiff"},
     MethodSpec{"dopri5", false, ""},
     MethodSpec{"dop853", false, "for tight tolerances"},
-    MethodSpec{"rodas5p", false, "for what is stiff"},
+    MethodSpec{"rodas5p", false, "for stiff problems"},
     MethodSpec{"taylor", false, "series of the motion, for smooth motion at tight tolerances"},
     MethodSpec{"fehlberg78", false, ""},
     MethodSpec{"bulirsch_stoer", false, "for smooth motion"},
     MethodSpec{"euler", true, ""},
     MethodSpec{"rk4", true, ""},
-    MethodSpec{"symplectic", true, "where accelerations depend on coordinates alone"},
+    MethodSpec{"symplectic", true, "for accelerations that depend on coordinates alone"},
 };
 
 inline std::vector<std::string> method_names() {

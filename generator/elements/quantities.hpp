@@ -9,12 +9,12 @@ namespace dalembert {
 template <class Visitor, ElementOf<std::optional<Range>> R>
 void describe_range(Visitor& v, R& range, const Unit& unit) {
     v("range", range, {.unit = unit,
-        .doc = "[low, high] in its unit; inf and -inf are allowed. Positivity in proofs and random test points come from here"});
+        .doc = "[low, high] in the same unit; inf and -inf are allowed. Proofs take signs from it, and tests take random points from it"});
 }
 
 template <class Visitor, ElementOf<Unit> U>
 void describe_unit(Visitor& v, U& unit) {
-    v("unit", unit, {.required = true, .doc = "its unit: \"kg\", \"N/m\", \"deg\", \"1\""});
+    v("unit", unit, {.required = true, .doc = "unit: \"kg\", \"N/m\", \"deg\", \"1\""});
 }
 
 inline std::optional<Dimension> dimension_of_unit(const std::optional<Unit>& unit) {
@@ -33,7 +33,7 @@ inline constexpr KindSpec kind_of<Size>{"size", "Whole numbers that count the me
 template <class Visitor, ElementOf<Size> E>
 void describe(Visitor& v, E& size) {
     v("value", size.value, {.required = true, .unit = Unit{}, .depends = constant_only, .is_of_sizes = true,
-        .doc = "the size when --size does not set it; a whole number"});
+        .doc = "the size if `--size` does not set it; a whole number"});
     describe_range(v, size.range, Unit{});
     v.item({.has_when = false});
 }
@@ -44,14 +44,14 @@ struct Parameter : Quantity {
 };
 
 template <>
-inline constexpr KindSpec kind_of<Parameter>{"parameter", "Constants of the machine, set in the header's parameter struct.",
+inline constexpr KindSpec kind_of<Parameter>{"parameter", "Constants of the machine. The parameter struct of the header sets them.",
     "[parameters]\nm_W = { value = 1.0, unit = \"kg\", range = [0.1, 10], doc = \"mass of the cart\" }", "", {.naming = Naming::formulas}};
 
 template <class Visitor, ElementOf<Parameter> E>
 void describe(Visitor& v, E& parameter) {
     describe_unit(v, parameter.unit);
     v("value", parameter.values, {.required = true, .unit = parameter.unit,
-        .doc = "the default, in its unit; for a family one for all, or a list with one for each"});
+        .doc = "the default value; of a family, one value for all members or a list with one for each"});
     describe_range(v, parameter.range, parameter.unit);
     v.item({.has_family = true, .has_when = false});
 }
@@ -84,7 +84,7 @@ struct Coordinate : Quantity {
 
 template <>
 inline constexpr KindSpec kind_of<Coordinate>{"coordinate",
-    "Generalised coordinates; their velocities are dot(NAME), their accelerations ddot(NAME).",
+    "Generalised coordinates. `dot(NAME)` is the velocity, `ddot(NAME)` the acceleration.",
     "[coordinates]\nphi = { unit = \"rad\", start = \"pi/6\", doc = \"rod angle, 0 hanging\" }",
     "", {.in_all_modes = true, .naming = Naming::formulas}};
 
@@ -92,14 +92,15 @@ template <class Visitor, ElementOf<Coordinate> E>
 void describe(Visitor& v, E& coordinate) {
     describe_unit(v, coordinate.unit);
     v("start", coordinate.start, {.unit = coordinate.unit, .depends = constant_only,
-        .doc = "value at the start, in its unit; if left out 0, or what constraints make of that"});
+        .doc = "value at the start; if left out 0, or the value that the constraints require"});
     v("guess", coordinate.guess, {.unit = coordinate.unit, .depends = constant_only,
         .excludes = {{"start", "has a start, so that there is nothing to be guessed"}},
-        .doc = "instead: near which value constraints find it at the start"});
+        .doc = "instead of a start: the constraints determine the start near this value"});
     Unit rate = coordinate.unit;
     rate.offset = 0;
+    rate.written += "/s";
     v("start_rate", coordinate.start_rate, {.unit = rate, .depends = constant_only,
-        .doc = "velocity at the start, in its unit per second; if left out 0, or what constraints make of that"});
+        .doc = "velocity at the start; if left out 0, or the value that the constraints require"});
     describe_range(v, coordinate.range, coordinate.unit);
     v.item({.has_family = true});
 }
@@ -107,7 +108,7 @@ void describe(Visitor& v, E& coordinate) {
 struct Input : Quantity {};
 
 template <>
-inline constexpr KindSpec kind_of<Input>{"input", "What drives the machine from outside.",
+inline constexpr KindSpec kind_of<Input>{"input", "Signals that drive the machine from outside.",
     "[inputs]\nf_e = { unit = \"N\", doc = \"driving force\" }", "", {.in_all_modes = true, .naming = Naming::formulas}};
 
 template <class Visitor, ElementOf<Input> E>
@@ -127,17 +128,19 @@ struct State : Quantity {
 
 template <>
 inline constexpr KindSpec kind_of<State>{"state",
-    "First-order states beside the mechanics: plain ones with their derivative, or those that volumes and pipes determine.",
+    "First-order states in addition to coordinates: each with its derivative, or determined by a volume, pipe, node, "
+    "rod or block.",
     "[states.u_C]\nunit = \"V\"\nderivative = \"i_C/C\"", "", {.in_all_modes = true, .naming = Naming::formulas}};
 
 template <class Visitor, ElementOf<State> E>
 void describe(Visitor& v, E& state) {
     describe_unit(v, state.unit);
-    v("start", state.start, {.unit = state.unit, .depends = constant_only, .doc = "value at the start, in its unit; 0 if left out"});
+    v("start", state.start, {.unit = state.unit, .depends = constant_only, .doc = "value at the start; 0 if left out"});
     v("derivative", state.derivative, {.dimension = state.unit.dimension / Dimension::time(), .depends = on_state_and_inputs | on_places,
-        .doc = "its time derivative; left out for a state that a volume, pipe, node, rod or block determines"});
-    v("root", state.root, {.doc = "true: it is integrated as its square root, so that an outflow that goes like the root of it ends "
-                                  "exactly; for what is not negative"});
+        .doc = "time derivative; left out for a state that a volume, pipe, node, rod or block determines"});
+    v("root", state.root, {
+        .doc = "true: the square root of the state is integrated. For a state that is never negative: an outflow proportional "
+               "to the root then ends exactly"});
     describe_range(v, state.range, state.unit);
     v.item({.has_family = true});
 }
@@ -148,13 +151,14 @@ struct Output : Item {
 };
 
 template <>
-inline constexpr KindSpec kind_of<Output>{"output", "What is measured or reported.", "[outputs]\nheight = \"-l*cos(phi)\"", "value",
+inline constexpr KindSpec kind_of<Output>{"output", "Quantities to be measured or reported.", "[outputs]\nheight = "
+                                          "\"-l*cos(phi)\"", "value",
     {.in_all_modes = true, .naming = Naming::formulas}};
 
 template <class Visitor, ElementOf<Output> E>
 void describe(Visitor& v, E& output) {
     v("value", output.value, {.required = true, .dimension = dimension_of_unit(output.unit), .depends = on_anything & ~on_outputs,
-        .doc = "what is put out; may use ddot(q), kinetic_energy, potential_energy, generalised_force[q]"});
+        .doc = "the expression of the output; may use `ddot(q)`, `kinetic_energy`, `potential_energy`, `generalised_force[q]`"});
     v("unit", output.unit, {.doc = "checked against the expression"});
     v.item({.has_family = true});
 }

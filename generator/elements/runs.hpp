@@ -15,15 +15,15 @@ struct Effect : Item {
 };
 
 template <>
-inline constexpr KindSpec kind_of<Effect>{"effect", "Effects that a scene may call for or leave out.",
+inline constexpr KindSpec kind_of<Effect>{"effect", "Effects that a scene may include or leave out.",
     "[effects]\nviscous_friction = { doc = \"friction of the cart, proportional to its speed\" }"};
 
 template <class Visitor, ElementOf<Effect> E>
 void describe(Visitor& v, E& effect) {
     v.by_hand("doc", {.required = true, .type = ValueType::text, .doc = "what the effect is"});
     v("excludes", effect.excludes, {.doc = "effects that cannot be in the same scene"});
-    v("implies", effect.implies, {.doc = "effects that come with it"});
-    v("level_of", effect.level_of, {.doc = "a common name: of the effects that share it a scene has at most one"});
+    v("implies", effect.implies, {.doc = "effects that a scene with this effect must include"});
+    v("level_of", effect.level_of, {.doc = "common name of several effects, of which a scene has at most one"});
 }
 
 struct SceneChoice : Item {
@@ -32,14 +32,14 @@ struct SceneChoice : Item {
 
 template <>
 inline constexpr KindSpec kind_of<SceneChoice>{"scene",
-    "Lists of effects. What a scene does not name is gone before anything is derived. `default` names the scene that is meant when none is "
-    "chosen. Without [scenes] there is one, `full`, with all effects.",
+    "Scenes: lists of effects. A scene contains only the effects that it names. `default` names the scene that is "
+    "used if none is chosen. Without [scenes] there is one scene, `full`, with all effects.",
     "[scenes]\nlab     = [\"viscous_friction\"]\nideal   = []\ndefault = \"lab\"", "effects"};
 
 template <class Visitor, ElementOf<SceneChoice> E>
 void describe(Visitor& v, E& scene) {
-    v("effects", scene.effects, {.required = true, .doc = "the effects that the scene calls for"});
-    v.by_hand("doc", {.type = ValueType::text, .doc = "what the scene is for"});
+    v("effects", scene.effects, {.required = true, .doc = "effects of the scene"});
+    v.by_hand("doc", {.type = ValueType::text, .doc = "purpose of the scene"});
 }
 
 /// A letter that a printed equation uses, with what it stands for.
@@ -70,7 +70,7 @@ struct PrintedEquation : Item {
 
 template <>
 inline constexpr KindSpec kind_of<PrintedEquation>{"printed equation",
-                                                   "Equations as a text prints them, to be checked against the derivation.",
+                                                   "Equations as a text prints them, to be compared with the derivation.",
                                                    "[printed.\"2.160\"]\nequation = \"m*l^2*ddot(phi) = -m*g*l*sin(phi)\"",
     "", {.naming = Naming::free}};
 
@@ -90,10 +90,10 @@ void describe(Visitor& v, E& printed) {
         .doc = "the printed equation in the model language: \"left = right\", also \"a = b = c\""});
     v.by_hand("equations", {.type = ValueType::equations, .doc = "several equations under one number"});
     v.by_hand("with", {.type = ValueType::expressions_by_name,
-        .doc = "letters of the book that the model does not have, with what they stand for"});
-    v.by_hand("at", {.type = ValueType::expressions_by_name, .doc = "a point at which it holds: { phi = 0, \"dot(phi)\" = 0 }"});
-    v.choice("expect", printed.expected, {.words = "verdict", .doc = ": the verdict of a known misprint"}, expected_verdicts());
-    v("source", printed.source, {.doc = "where it is printed, if not in the model's source"});
+        .doc = "letters of the text that the model does not have, with their meaning"});
+    v.by_hand("at", {.type = ValueType::expressions_by_name, .doc = "a point where the equation holds: { phi = 0, \"dot(phi)\" = 0 }"});
+    v.choice("expect", printed.expected, {.words = "verdict", .doc = "verdict of a known misprint"}, expected_verdicts());
+    v("source", printed.source, {.doc = "place of the equation, if it is not in the source of the model"});
     v.either("equation", "equations", "an equation or a list of equations");
     v.item({.has_family = true});
 }
@@ -122,7 +122,7 @@ struct Run : Item {
 };
 
 template <>
-inline constexpr KindSpec kind_of<Run>{"run", "Simulations: `simulate` takes the run `reference`, or the one named with --run.",
+inline constexpr KindSpec kind_of<Run>{"run", "Simulations. `simulate` takes the run `reference`, or the one given by --run.",
     "[runs.reference]\nuntil = 10\nplots = [[\"s\"], [\"phi\"]]"};
 
 inline const KeyChoices<std::string>& run_methods() {
@@ -139,29 +139,30 @@ void describe(Visitor& v, E& run) {
     const Unit second{Dimension::time(), 1, 0, 0, "s"};
     const Unit declared{};  // that of the variable, in which values are converted
     v("until", run.until, {.required = true, .unit = second, .depends = constant_only, .words = "end",
-        .doc = "end of the run in seconds, or with a unit, \"2 min\"; an expression of parameters is allowed"});
-    v("scene", run.scene, {.doc = "the scene it belongs to; every scene, if left out"});
+        .doc = "end of the run in seconds, or with a unit: \"2 min\"; an expression of parameters is allowed"});
+    v("scene", run.scene, {.doc = "scene of the run; every scene if left out"});
     v("period", run.period, {.unit = second, .depends = constant_only,
-        .doc = "time of one period in seconds, where there is one; used by the energy test"});
+        .doc = "period of the motion in seconds, if there is one; used by the energy test"});
     v("step", run.step, {.unit = second, .depends = constant_only, .doc = "fixed step of euler and rk4 in seconds"});
     v("start", run.start, {.unit = declared, .depends = constant_only,
         .names = on_parameters | on_coordinates | on_velocities | on_states, .words = "start value",
-        .doc = "start values that differ: { s = 0.2, \"dot(s)\" = 0 }, without a unit in the declared one"});
+        .doc = "start values that differ from the declared ones: { s = 0.2, \"dot(s)\" = 0 }; without a unit, a number counts "
+               "in the declared one"});
     v("inputs", run.inputs,
       {.unit = declared,
        .depends = on_motion | on_states,
        .names = on_inputs,
        .words = "course",
-       .doc = "inputs as expressions of t and the states, without a unit in the declared one; 0 for what is left out, but temperatures and "
-              "pressures have to be given"});
+       .doc = "inputs as expressions of t and the states; without a unit, a number counts in the declared one. An input that "
+               "is left out is 0, but temperatures and pressures are required"});
     v("parameters", run.parameters, {.unit = declared, .depends = constant_only, .names = on_parameters, .words = "value",
-        .doc = "parameters that differ, without a unit in the declared one"});
+        .doc = "parameters that differ from their defaults; without a unit, a number counts in the declared one"});
     v("exact", run.exact, {.unit = declared, .depends = on_parameters | on_time,
         .names = on_coordinates | on_velocities | on_states | on_outputs, .words = "closed form",
-        .doc = "closed forms of outputs and states, of t and parameters, where there are some: references of `cost`"});
-    v("tolerance", run.tolerance, {.doc = "relative tolerance of a step; 1e-9 if left out"});
+        .doc = "closed forms of outputs and states, as expressions of t and parameters: references for `cost`"});
+    v("tolerance", run.tolerance, {.doc = "relative tolerance of a step"});
     v.choice("method", run.method, {}, run_methods());
-    v("samples", run.samples, {.doc = "number of equal intervals at which results are written; 500 if left out"});
+    v("samples", run.samples, {.doc = "number of equal intervals at which results are written"});
     v("plots", run.plots, {.doc = "lists of names over time: [[\"s\"], [\"phi\"]], or { x = \"x\", y = [\"z\"] }"});
     v.item({.has_when = false});
 }

@@ -34,37 +34,56 @@ const std::vector<SectionSpec>& table() {
     return rows;
 }
 
-std::string key_line(const KeySpec& key, const std::string& indent) {
-    const std::string value = key.type == ValueType::part && !key.refers.empty() ? key.refers : describe(key.type);
-    std::string text = fmt::format("{}{:<{}} {:<23} {} {}\n", indent, key.name, 19 - indent.size(), value,
-                                   key.required ? "required." : "optional.", key.doc);
-    for (const std::string& line : key.lines) text += fmt::format("{}    {}\n", indent, line);
-    return text;
-}
+constexpr std::array value_table{
+    ValueWord{T::text, "text", "text in quotes"},
+    ValueWord{T::whole_number, "whole number", "a number without decimals"},
+    ValueWord{T::number, "number", "a number"},
+    ValueWord{T::constant, "number or expression", "a number in the unit of the key, a text with a unit as \"5 bar\", or an expression of parameters"},
+    ValueWord{T::constants, "number(s) or expression", "one such value, or a list of them"},
+    ValueWord{T::unit, "unit", "a unit in quotes: \"kg\", \"N/m\", \"1\""},
+    ValueWord{T::range, "[low, high]", "two numbers; inf and -inf are allowed"},
+    ValueWord{T::expression, "expression", "a number, or a formula in quotes: \"m*g*sin(phi)\""},
+    ValueWord{T::vector, "[x, y] or [x, y, z]", "a list of two or three expressions; z is 0 if left out"},
+    ValueWord{T::law, "law \"e -> ...\"", "a formula of one variable, which has any name: \"e -> c*e + d*e^3\""},
+    ValueWord{T::property, "expression or \"(p, T) -> ...\"", "an expression of parameters, or a formula of two variables"},
+    ValueWord{T::dependent, "expression or \"T -> ...\"", "an expression of parameters, or a formula of one variable"},
+    ValueWord{T::field, "expression or \"(x, y) -> ...\"", "an expression, or a formula of the place"},
+    ValueWord{T::equation, "equation", "an equation in quotes: \"left = right\""},
+    ValueWord{T::equations, "list of equations", "several equations in quotes"},
+    ValueWord{T::family, "\"k = 1..N\"", "an index with its first and last value"},
+    ValueWord{T::condition, "condition", "names of effects or modes, joined by and, or, not and brackets"},
+    ValueWord{T::effects, "list of names", "names of other elements in quotes, in brackets: [\"a\", \"b\"]"},
+    ValueWord{T::modes, "mode or list of modes", "conditions, each made of names of modes"},
+    ValueWord{T::part, "name", "the name of another element, in quotes; with an index if it is a family: \"body[k]\""},
+    ValueWord{T::parts, "list of names", ""},
+    ValueWord{T::expressions, "list of expressions", "expressions in brackets"},
+    ValueWord{T::matrix, "list of rows", "rows of expressions, or \"?\" for entries that follow from the others"},
+    ValueWord{T::points, "list of [x, y]", "points of the plane"},
+    ValueWord{T::turns, "list of [\"x\", \"y\" or \"z\", angle]", "turns one after the other, each about an axis of the turned body"},
+    ValueWord{T::tensor, "expression, [Jx, Jy, Jz] or three rows", "a moment of inertia, three principal moments, or a symmetric matrix"},
+    ValueWord{T::torque, "expression or [x, y, z]", "a torque about z, or a vector"},
+    ValueWord{T::pieces, "list of [length, cells]", "lengths, each with the number of its cells"},
+    ValueWord{T::table, "expression or list of lists", "one expression for all, or a list for each column"},
+    ValueWord{T::coordinate, "coordinate", "the name of a coordinate, with an index if it is a family"},
+    ValueWord{T::expressions_by_name, "{ NAME = expression }", "an inline table that gives names an expression"},
+    ValueWord{T::choice, "one of", "one of the words below the key, in quotes"},
+    ValueWord{T::plots, "list of plots", "lists of names, or tables { x = \"x\", y = [\"z\"] }"},
+    ValueWord{T::tables, "list of { KEY = ... }", "inline tables with the keys below"},
+    ValueWord{T::named_tables, "{ NAME = { KEY = ... } }", "inline tables with a name each, with the keys below"},
+    ValueWord{T::one_or_two, "expression or list of two", "one expression, or a list of two"},
+    ValueWord{T::boolean, "true or false", "without quotes"},
+};
 
-/// A key with those of the table that stands for its value.
-std::string key_reference(const KeySpec& key) {
-    std::string text = key_line(key, "  ");
-    if (key.parts == nullptr) return text;
-    for (const KeySpec& part : key.parts()) text += key_line(part, "      ");
-    return text;
-}
+constexpr std::array domain_table{
+    Domain{"quantities", "Quantities of a model", "The head of the file, and the names that formulas are made of.", "model"},
+    Domain{"mechanics", "Mechanics", "Bodies, forces and energies.", "gravity"},
+    Domain{"fluids", "Fluids", "Media, volumes and the flows between them.", "media"},
+    Domain{"heat", "Heat", "Nodes, links, rods, blocks and enclosures.", "nodes"},
+    Domain{"switching", "Modes and events", "Elements that switch, constraints and events.", "frictions"},
+    Domain{"runs", "Effects, scenes and runs", "Variants of a model, equations to be checked, and simulations.", "effects"},
+};
 
 }  // namespace
-
-std::string section_reference(const SectionSpec& section) {
-    std::string example;
-    for (const char* c = section.example; *c != '\0'; ++c) example += *c == '\n' ? std::string("\n    ") : std::string(1, *c);
-    std::string text = fmt::format("[{}{}]  {}\n\n    {}\n\n", section.name, section.is_collection ? ".NAME" : "", section.doc, example);
-    for (std::size_t i = 0; i < section.keys.size(); ++i) {
-        const bool is_like_last = i > 0 && section.keys[i].parts == section.keys[i - 1].parts;  // "likewise at the last end"
-        text += is_like_last ? key_line(section.keys[i], "  ") : key_reference(section.keys[i]);
-    }
-    for (const std::string& rule : section.rules) text += fmt::format("  {}\n", rule);
-    if (*section.short_form != '\0')
-        text += fmt::format("  A bare value stands for `{}`.\n", section.short_form);
-    return text;
-}
 
 std::span<const SectionSpec> sections() { return table(); }
 
@@ -78,79 +97,23 @@ const KeySpec* find_key(const SectionSpec& section, std::string_view name) {
     return found == section.keys.end() ? nullptr : &*found;
 }
 
+std::span<const ValueWord> value_words() { return value_table; }
+
 const char* describe(ValueType type) {
-    switch (type) {
-        case T::text: return "text";
-        case T::whole_number: return "whole number";
-        case T::number: return "number";
-        case T::constant: return "number or expression";
-        case T::constants: return "number(s) or expression";
-        case T::unit: return "unit";
-        case T::range: return "[low, high]";
-        case T::expression: return "expression";
-        case T::vector: return "[x, y] or [x, y, z]";
-        case T::law: return "law \"e -> ...\"";
-        case T::property: return "expression or \"(p, T) -> ...\"";
-        case T::dependent: return "expression or \"T -> ...\"";
-        case T::field: return "expression or \"(x, y) -> ...\"";
-        case T::equation: return "equation";
-        case T::equations: return "list of equations";
-        case T::family: return "\"k = 1..N\"";
-        case T::condition: return "condition";
-        case T::effects: return "list of names";
-        case T::modes: return "mode or list of modes";
-        case T::part: return "name";
-        case T::parts: return "list of names";
-        case T::expressions: return "list of expressions";
-        case T::matrix: return "list of rows";
-        case T::points: return "list of [x, y]";
-        case T::turns: return "list of [\"x\", \"y\" or \"z\", angle]";
-        case T::tensor: return "expression, [Jx, Jy, Jz] or three rows";
-        case T::torque: return "expression or [x, y, z]";
-        case T::pieces: return "list of [length, cells]";
-        case T::table: return "expression or list of lists";
-        case T::coordinate: return "coordinate";
-        case T::expressions_by_name: return "{ NAME = expression }";
-        case T::choice: return "one of";
-        case T::plots: return "list of plots";
-        case T::tables: return "list of { KEY = ... }";
-        case T::named_tables: return "{ NAME = { KEY = ... } }";
-        case T::one_or_two: return "expression or list of two";
-        case T::boolean: break;
-    }
-    return "true or false";
+    return std::find_if(value_table.begin(), value_table.end(), [&](const ValueWord& row) { return row.type == type; })->word;
 }
 
-std::string language_reference(std::string_view word) {
-    std::string text;
-    if (word.empty()) {
-        for (const SectionSpec& section : table()) text += section_reference(section) + "\n";
-        return text;
-    }
-    if (const SectionSpec* section = find_section(word)) return section_reference(*section);
-    const std::size_t point = word.find('.');
-    const std::string_view key_name = point == std::string_view::npos ? word : word.substr(point + 1);
-    for (const SectionSpec& section : table()) {
-        if (point != std::string_view::npos && word.substr(0, point) != section.name) continue;
-        const std::string place = fmt::format("[{}{}]", section.name, section.is_collection ? ".NAME" : "");
-        if (const KeySpec* key = find_key(section, key_name)) text += place + "\n" + key_reference(*key);
-        for (const KeySpec& key : section.keys)
-            for (const KeySpec& part : key.parts == nullptr ? std::span<const KeySpec>() : key.parts())
-                if (part.name == key_name) text += fmt::format("{} in {}\n{}", place, key.name, key_line(part, "  "));
-    }
-    return text;
-}
+std::span<const Domain> domains() { return domain_table; }
 
-std::vector<std::string> language_words() {
-    std::vector<std::string> words;
+std::vector<const SectionSpec*> sections_of(const Domain& domain) {
+    std::vector<const SectionSpec*> found;
+    std::string_view now;
     for (const SectionSpec& section : table()) {
-        words.emplace_back(section.name);
-        for (const KeySpec& key : section.keys) {
-            words.emplace_back(key.name);
-            for (const KeySpec& part : key.parts == nullptr ? std::span<const KeySpec>() : key.parts()) words.emplace_back(part.name);
-        }
+        for (const Domain& one : domain_table)
+            if (section.name == std::string_view(one.first)) now = one.name;
+        if (now == domain.name) found.push_back(&section);
     }
-    return words;
+    return found;
 }
 
 }  // namespace dalembert

@@ -57,8 +57,26 @@ struct KeySpec {
     std::string doc;
     std::span<const KeySpec> (*parts)() = nullptr;  ///< the keys of a table that stands for the value
     std::string refers = {};                        ///< of a name: the kinds of elements that it may name
-    std::vector<std::string> lines = {};            ///< further ones of the reference
+    std::vector<std::string> lines = {};            ///< further ones of the reference, as one for each choice
+    std::string unit = {};                          ///< "kg"; with U for the unit of the element itself
+    std::string start = {};                         ///< the value when it is left out
+    std::string bounds = {};                        ///< "above zero"
+    unsigned depends = 0;                           ///< bits of Dependence
+    std::string choices = {};                       ///< the words that it takes, with what follows them in short
 };
+
+struct SectionSpec;
+
+/// Sections that are described on one page of the reference, from one section on up to the next domain.
+struct Domain {
+    const char* name;
+    const char* title;
+    const char* doc;
+    const char* first;
+};
+std::span<const Domain> domains();
+/// In their order.
+std::vector<const SectionSpec*> sections_of(const Domain& domain);
 
 struct SectionSpec {
     const char* name;
@@ -74,13 +92,12 @@ std::span<const SectionSpec> sections();
 const SectionSpec* find_section(std::string_view name);
 const KeySpec* find_key(const SectionSpec& section, std::string_view name);
 const char* describe(ValueType type);
-/// The reference of one section: what it is for, an example, its keys.
-std::string section_reference(const SectionSpec& section);
 
-/// The reference of a section ("bodies"), of a key ("bodies.mass" or "mass" wherever it occurs), or of everything ("").
-/// Empty when the word is not in the table.
-std::string language_reference(std::string_view word);
-/// Every word that language_reference knows.
-std::vector<std::string> language_words();
+struct ValueWord {
+    ValueType type;
+    const char* word;
+    const char* meaning;  ///< empty where the same word stands above
+};
+std::span<const ValueWord> value_words();
 
 }  // namespace dalembert

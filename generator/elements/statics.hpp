@@ -22,8 +22,9 @@ struct Solid : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Solid>{"solid",
-    "Shapes of which mass, centre of mass (2.51)-(2.58) and tensor of inertia (2.167)-(2.173) are found by integration: solid_mass[NAME], "
-    "centre_of_mass[NAME, i], inertia_about_centre[NAME, i, j], inertia_about_origin[NAME, i, j], in the axes that the solid is placed in.",
+    "Solids, whose mass, centre of mass (2.51)-(2.58) and inertia tensor (2.167)-(2.173) follow by integration: "
+    "solid_mass[NAME], centre_of_mass[NAME, i], inertia_about_centre[NAME, i, j], inertia_about_origin[NAME, i, j], "
+    "in the axes that the solid is placed in.",
     "[solids.rod]\nshape   = \"box\"\nsize    = [\"b_S\", \"l_S\", \"h_S\"]\nat      = [0, \"-l_S/2\", 0]\ndensity = \"rho_S\""};
 
 inline const KeyChoices<Solid::Shape>& solid_shapes() {
@@ -43,32 +44,33 @@ template <class Visitor, ElementOf<Solid> E>
 void describe(Visitor& v, E& solid) {
     v.choice(
         "shape", solid.shape,
-        {.doc =
-             "instead of `of`. The origin of its axes lies in the middle of a box, cylinder or sphere, and in the middle of the base of a "
-             "cone or hemisphere; what is round is so about z, and stands towards +z"},
+        {.doc = "instead of `of`. The origin of a box, cylinder or sphere is its centre; that of a cone or hemisphere is the "
+               "centre of its base. The axis of a round shape is z, and a cone or hemisphere points to +z"},
         solid_shapes());
     v("size", solid.size, {.dimension = Dimension::length(), .depends = constant_only, .sign = above_zero_in_range("m"),
-        .doc = "of a box: its lengths along x, y and z"});
+        .doc = "of a box: lengths along x, y and z"});
     v("radius", solid.radius, {.dimension = Dimension::length(), .depends = constant_only, .sign = above_zero_in_range("m"),
-        .doc = "of what is round; of a cone that of its base"});
+        .doc = "radius; of a cone, that of its base"});
     v("inner_radius", solid.inner_radius,
-      {.dimension = Dimension::length(), .depends = constant_only, .sign = not_below_zero("m"), .doc = "of a hollow cylinder or sphere"});
+      {.dimension = Dimension::length(), .depends = constant_only, .sign = not_below_zero("m"),
+        .doc = "of a hollow cylinder or sphere: inner radius"});
     v("height", solid.height, {.dimension = Dimension::length(), .depends = constant_only, .sign = above_zero_in_range("m"),
-        .doc = "of a cylinder or cone, along z"});
+        .doc = "of a cylinder or cone: height along z"});
     v("top_radius", solid.top_radius, {.dimension = Dimension::length(), .depends = constant_only, .sign = not_below_zero("m"),
         .words = "radius at the top",
-        .doc = "of a frustum of a cone; 0 if left out: the cone ends in a point"});
+        .doc = "of a frustum: radius at the top; 0 if left out, so that the cone ends in a point"});
     v("density", solid.density, {.dimension = dimension::density(), .depends = constant_only,
         .variables = {Dimension::length(), Dimension::length(), Dimension::length()}, .letters = {"x", "y", "z"},
-        .doc = "mass by volume; may depend on the place, as a polynomial in x, y and z along its own axes"});
-    v("mass", solid.mass, {.dimension = Dimension::mass(), .depends = constant_only, .doc = "instead: its mass, spread evenly"});
-    v("of", solid.of, {.refers = {"solid"}, .doc = "instead of a shape: solids that are put together, placed in its axes"});
+        .doc = "density; may be a polynomial in x, y and z along the axes of the solid"});
+    v("mass", solid.mass, {.dimension = Dimension::mass(), .depends = constant_only,
+        .doc = "instead of density: mass, distributed evenly"});
+    v("of", solid.of, {.refers = {"solid"}, .doc = "instead of a shape: solids that form this solid, placed in its axes"});
     v("without", solid.without, {.refers = {"solid"},
-        .doc = "with of: solids that are taken away, such as bores, with the density of what they are cut out of"});
+        .doc = "with `of`: solids to be removed, such as bores. They have the density of the solid around them"});
     v("at", solid.at, {.dimension = Dimension::length(), .depends = constant_only, .words = "place",
-        .doc = "where the origin of its axes lies; [0, 0, 0] if left out"});
+        .doc = "origin of the axes of the solid; [0, 0, 0] if left out"});
     v("turns", solid.turns, {.dimension = Dimension::none(), .depends = constant_only, .words = "turn",
-        .doc = "turns of its axes about themselves one after the other, as of bodies"});
+        .doc = "turns about the axes of the solid, one after the other, as for bodies"});
     v.either("shape", "of", "a shape or a list of the solids that it is made of");
     v.item({.has_when = false});
 }
@@ -88,10 +90,10 @@ void describe(Visitor& v, E& part) {
     constexpr unsigned anything = on_anything & ~on_outputs;
     v("at", part.at, {.dimension = Dimension::length(), .depends = anything, .words = "point",
         .excludes = {{"moment", "is a moment, which is the same wherever it acts; leave out 'at'", Id::not_allowed_here}},
-        .doc = "the point where it acts; [0, 0, 0] if left out"});
-    v("force", part.force, {.dimension = Dimension::force(), .depends = anything, .words = "", .doc = "the force"});
+        .doc = "point where the force acts; [0, 0, 0] if left out"});
+    v("force", part.force, {.dimension = Dimension::force(), .depends = anything, .words = "", .doc = "force vector"});
     v("moment", part.moment, {.dimension = Dimension::energy(), .depends = anything, .words = "",
-        .doc = "instead: a moment, the same about every point"});
+        .doc = "instead of a force: a moment, the same about every point"});
     v.either("force", "moment", "a force or a moment");
 }
 
@@ -117,9 +119,9 @@ struct Load : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Load>{"load",
-    "Forces on a rigid body. resultant_force[NAME, i] and resultant_moment[NAME, i] are what they come to at a point (2.28)-(2.42). With "
-    "unknowns the body is in equilibrium (2.39): the balances of force and moment are solved for them, and the names of the unknowns stand "
-    "for what follows.",
+    "Forces on a rigid body at rest. resultant_force[NAME, i] and resultant_moment[NAME, i] are their sums "
+    "(2.28)-(2.42). With unknowns, the body is in equilibrium (2.39): the balances of force and moment determine the "
+    "unknowns, whose names may then be used as quantities.",
     "[loads.cylinder]\nunknowns = { f_S = \"N\", f_N = \"N\" }\n"
     "forces.rope   = { force = [\"-f_S*sin(alpha)\", 0, \"f_S*cos(alpha)\"] }\n"
     "forces.wall   = { force = [\"f_N\", 0, 0] }\n"
@@ -130,14 +132,13 @@ void describe(Visitor& v, E& load) {
     v.named(
         "forces", load.parts,
         {.required = true,
-         .doc =
-             "{ NAME = { at = [x, y, z], force = [x, y, z] } }, or { moment = [x, y, z] } for a pure couple; a force without `at` acts at "
-             "the origin"});
+         .doc = "{ NAME = { at = [x, y, z], force = [x, y, z] } }, or { moment = [x, y, z] } for a pure moment; a force without "
+               "`at` acts at the origin"});
     v("about", load.about, {.dimension = Dimension::length(), .depends = on_anything & ~on_outputs, .words = "point of reference",
-        .doc = "the point that moments are taken about; the origin if left out"});
+        .doc = "point about which moments are taken; the origin if left out"});
     v.named("unknowns", load.unknowns, {
-        .doc = "{ NAME = \"N\" }: names with their units, that follow from the equilibrium. The forces may use them, and everything else; "
-               "where a force acts, too, as long as the balances are linear in them"});
+        .doc = "{ NAME = \"N\" }: names and units of the unknowns, which follow from the equilibrium. All expressions may use "
+               "them, also the points `at`, as long as the balances are linear in them"});
     v.item({});
 }
 
@@ -152,23 +153,25 @@ struct Sticking : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Sticking>{"sticking",
-    "Whether friction at rest can hold, by Coulomb's law (2.96), (2.107). sticks[NAME] is 1 or 0, sticking_margin[NAME] the force that is "
-    "missing to slip, needed_coefficient[NAME] the coefficient that would just do (2.100).",
+    "Tests of static friction by Coulomb's law (2.96), (2.107). sticks[NAME] is 1 if friction holds, else 0; "
+    "sticking_margin[NAME] is the force left before slipping; needed_coefficient[NAME] is the smallest coefficient "
+    "that holds (2.100).",
     "[sticking.foot]\nnormal      = \"f_N\"\ntangential  = \"f_R\"\ncoefficient = \"mu_H\""};
 
 template <class Visitor, ElementOf<Sticking> E>
 void describe(Visitor& v, E& sticking) {
     constexpr unsigned anything = on_anything & ~on_outputs;
     v("normal", sticking.normal, {.dimension = Dimension::force(), .depends = anything, .words = "normal force",
-        .doc = "the force that presses the surfaces together"});
+        .doc = "force that presses the surfaces together"});
     v("tangential", sticking.tangential, {.type = ValueType::one_or_two, .dimension = Dimension::force(), .depends = anything,
         .words = "tangential force",
-        .doc = "with normal: the force along the surface that friction has to bear, or its two components at right angles"});
+        .doc = "with normal: force along the surface that friction must bear, or its two components at right angles"});
     v("tensions", sticking.tensions, {.dimension = Dimension::force(), .depends = anything, .words = "tension",
-        .doc = "instead: of a rope around a cylinder that stands, the forces at its two ends"});
-    v("angle", sticking.angle, {.dimension = Dimension::none(), .depends = anything, .doc = "with tensions: how far the rope goes around"});
+        .doc = "instead of normal: forces at the two ends of a rope around a fixed cylinder"});
+    v("angle", sticking.angle, {.dimension = Dimension::none(), .depends = anything,
+        .doc = "with tensions: angle that the rope wraps around"});
     v("coefficient", sticking.coefficient, {.required = true, .dimension = Dimension::none(), .depends = anything,
-        .doc = "of friction at rest"});
+        .doc = "coefficient of static friction"});
     v.item({});
 }
 

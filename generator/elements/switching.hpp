@@ -18,22 +18,23 @@ struct Friction : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Friction>{"friction",
-    "Dry friction with stiction (2.95)-(2.99). NAME brings the modes NAME_sticks, NAME_slides_forwards, NAME_slides_backwards; "
-    "constraint_force[NAME] is its force along the rate. With more than 128 combinations of modes in the file, and none of these named, a "
-    "state instead, NAME_direction: 0 where it sticks, 1 and -1 where it slides.",
+    "Dry friction with stiction (2.95)-(2.99). NAME adds the modes NAME_sticks, NAME_slides_forwards and "
+    "NAME_slides_backwards; constraint_force[NAME] is the friction force along the rate. In a file with more than "
+    "128 combinations of modes, and if no expression names one of these modes, NAME adds the state NAME_direction "
+    "instead: 0 if it sticks, 1 or -1 if it slides.",
     "[frictions.floor]\nrate               = \"dot(x)\"\nnormal_force       = \"m*g\"\ncoefficient        = \"mu\"\n"
     "static_coefficient = \"mu_0\"", "", {.naming = Naming::bringing}};
 
 template <class Visitor, ElementOf<Friction> E>
 void describe(Visitor& v, E& friction) {
     v("rate", friction.rate, {.required = true, .depends = on_motion | on_places,
-        .doc = "the velocity that slides, linear in the velocities"});
+        .doc = "sliding velocity, linear in the velocities"});
     v("normal_force", friction.normal_force, {.required = true, .depends = on_state_and_inputs | on_places,
-        .doc = "what presses the surfaces together; may depend on states and inputs"});
+        .doc = "force that presses the surfaces together; may depend on states and inputs"});
     v("coefficient", friction.coefficient, {.required = true, .depends = on_state_and_inputs | on_places,
-        .doc = "of sliding friction: the force is coefficient*normal_force"});
+        .doc = "coefficient of sliding friction: the force is coefficient*normal_force"});
     v("static_coefficient", friction.static_coefficient, {.dimension = v.dimension_of(friction.coefficient),
-        .depends = on_state_and_inputs | on_places, .doc = "of what holds at rest, not below the other; the same, if left out"});
+        .depends = on_state_and_inputs | on_places, .doc = "coefficient of static friction, not below the other; the same if left out"});
     v.item({});
 }
 
@@ -45,16 +46,16 @@ struct Stop : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Stop>{"stop",
-    "End stops that are struck, and hold where the machine leans on them. NAME brings the modes NAME_open and NAME_closed; "
-    "constraint_force[NAME] is the force that opens the gap.",
+    "End stops with impacts, which hold while the machine presses on them. NAME adds the modes NAME_open and "
+    "NAME_closed; constraint_force[NAME] is the force that opens the gap.",
     "[stops.floor]\ngap         = \"h\"\nrestitution = \"e\"", "", {.naming = Naming::bringing}};
 
 template <class Visitor, ElementOf<Stop> E>
 void describe(Visitor& v, E& stop) {
     v("gap", stop.gap, {.required = true, .depends = on_configuration | on_places,
-        .doc = "the distance, positive where the stop is not touched"});
+        .doc = "distance to the stop, positive while it is open"});
     v("restitution", stop.restitution, {.dimension = Dimension::none(), .depends = constant_only,
-        .doc = "the part of its speed with which the gap opens again after an impact; 0, if left out"});
+        .doc = "coefficient of restitution: speed after an impact divided by speed before it; 0 if left out"});
     v.item({});
 }
 
@@ -68,22 +69,22 @@ struct Contact : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Contact>{"contact",
-    "Springs that act on one side only: ropes, contacts, the flanks of a backlash. NAME brings the modes NAME_slack and NAME_taut, with "
-    "damping also NAME_released: stretched, but without force.",
+    "Springs that act on one side only: ropes, contacts, the flanks of a backlash. NAME adds the modes NAME_slack "
+    "and NAME_taut; with damping also NAME_released: stretched, but without force.",
     "[contacts.rope]\nelongation = \"x - l\"\nstiffness  = \"c\"", "", {.naming = Naming::bringing}};
 
 template <class Visitor, ElementOf<Contact> E>
 void describe(Visitor& v, E& contact) {
     v("elongation", contact.elongation, {.required = true, .depends = on_configuration | on_places,
-        .doc = "how far it is stretched or pressed; negative where it is slack"});
+        .doc = "elongation or compression; negative while the contact is slack"});
     const Dimension elongation = v.dimension_of(contact.elongation).value_or(Dimension::none());
     const Dimension rate = elongation / Dimension::time();
     v("stiffness", contact.stiffness, {.required = true, .dimension = Dimension::energy() / elongation / elongation,
-        .depends = constant_only, .doc = "force = stiffness*elongation where that is positive"});
+        .depends = constant_only, .doc = "stiffness: force = stiffness*elongation if the elongation is positive"});
     v("damping", contact.damping, {.dimension = Dimension::power() / rate / rate, .depends = on_state_and_inputs | on_places,
-        .doc = "of a damper beside the spring; the two together never pull back"});
+        .doc = "coefficient of a damper parallel to the spring; the total force is never negative"});
     v("play", contact.play, {.dimension = elongation, .depends = constant_only,
-        .doc = "it acts on both sides, beyond play/2 and below -play/2: a backlash. Brings also NAME_taut_back, with damping "
+        .doc = "backlash: the contact acts above play/2 and below -play/2. Adds the mode NAME_taut_back, with damping also "
                "NAME_released_back"});
     v.item({});
 }
@@ -95,17 +96,18 @@ struct Saturation : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Saturation>{"saturation",
-    "Values within limits. NAME is what is left of the value, and brings the modes NAME_within, NAME_below, NAME_above; with more than 64 "
-    "combinations of modes in the file, and none of these named, edges instead.",
+    "Values within limits. NAME is the limited value. NAME adds the modes NAME_within, NAME_below and NAME_above; in "
+    "a file with more than 64 combinations of modes, and if no expression names one of these modes, NAME has located "
+    "kinks instead.",
     "[saturations.drive]\nvalue = \"k*(x_d - x)\"\nlow   = \"-f_max\"\nhigh  = \"f_max\"", "", {.naming = Naming::bringing}};
 
 template <class Visitor, ElementOf<Saturation> E>
 void describe(Visitor& v, E& saturation) {
     constexpr unsigned moving = on_state_and_inputs | on_places;
-    v("value", saturation.value, {.required = true, .depends = moving, .doc = "what is limited"});
+    v("value", saturation.value, {.required = true, .depends = moving, .doc = "value to be limited"});
     const std::optional<Dimension> value = v.dimension_of(saturation.value);
-    v("low", saturation.low, {.required = true, .dimension = value, .depends = moving, .words = "lower limit", .doc = "the lower limit"});
-    v("high", saturation.high, {.required = true, .dimension = value, .depends = moving, .words = "upper limit", .doc = "the upper limit"});
+    v("low", saturation.low, {.required = true, .dimension = value, .depends = moving, .words = "lower limit", .doc = "lower limit"});
+    v("high", saturation.high, {.required = true, .dimension = value, .depends = moving, .words = "upper limit", .doc = "upper limit"});
     v.item({});
 }
 
@@ -129,10 +131,10 @@ inline constexpr KindSpec kind_of<Phase>{"phase", "", ""};
 
 template <class Visitor, ElementOf<Phase> E>
 void describe(Visitor& v, E& phase) {
-    v("name", phase.name, {.required = true, .doc = "of the phase; the mode is NAME_PHASE"});
-    v("value", phase.value, {.required = true, .depends = on_state_and_inputs | on_places, .doc = "of the profile in this phase"});
+    v("name", phase.name, {.required = true, .doc = "name of the phase; its mode is NAME_PHASE"});
+    v("value", phase.value, {.required = true, .depends = on_state_and_inputs | on_places, .doc = "value of the profile in this phase"});
     v("until", phase.until, {.dimension = Dimension::time(), .depends = on_state_and_inputs, .words = "end",
-        .doc = "the time at which it ends; the last one has none"});
+        .doc = "time at which the phase ends; the last phase has none"});
     describe_resets(v, "reset", phase.reset, {}, "new values of states, coordinates and velocities at its end");
 }
 
@@ -143,15 +145,15 @@ struct Profile : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Profile>{"profile",
-    "Values that go through phases of time. NAME is the value, and each phase is a mode NAME_PHASE.",
+    "Values that follow a sequence of phases. NAME is the value, and each phase is a mode NAME_PHASE.",
     "[profiles.drive]\nphases = [{ name = \"runs\", value = \"a\", until = \"t_1\" }, { name = \"stands\", value = 0 }]",
     "", {.naming = Naming::bringing}};
 
 template <class Visitor, ElementOf<Profile> E>
 void describe(Visitor& v, E& profile) {
     v.list("phases", profile.phases, {.required = true, .noun = "phase",
-        .doc = "one after the other: { name, value, until }; until is the time at which the next one begins, which the last one has not. "
-               "With reset = { \"dot(x)\" = 0 }: new values at its end"});
+        .doc = "{ name, value, until } for each phase, in order; `until` is the time at which it ends. With reset = { "
+               "\"dot(x)\" = 0 }: new values at its end"});
     v.item({});
 }
 
@@ -167,7 +169,7 @@ struct ModeGroup : Item {
 
 template <>
 inline constexpr KindSpec kind_of<ModeGroup>{"mode group",
-    "Ways in which a part of the machine can be, one at any time. The first that fits the start values is the start.",
+    "Groups of modes, of which always one is active. A run starts in the first mode that the start values allow.",
     "[modes]\npump = [\"pump_on\", \"pump_off\"]", "modes", {.naming = Naming::brought_section}};
 
 template <class Visitor, ElementOf<ModeGroup> E>
@@ -190,21 +192,21 @@ struct Constraint : Item {
 
 template <>
 inline constexpr KindSpec kind_of<Constraint>{"constraint",
-    "Rates or positions that are held at zero, in some mode. constraint_force[NAME] is what holds them: the force along the rate, on the "
-    "machine.",
+    "Rates or positions that are held at zero, always or in some modes. constraint_force[NAME] is the constraint "
+    "force along the rate, on the machine.",
     "[constraints.clutch]\nrate = \"dot(phi_1) - dot(phi_2)\"\nwhen = \"engaged\"", "", {.naming = Naming::brought_section}};
 
 template <class Visitor, ElementOf<Constraint> E>
 void describe(Visitor& v, E& constraint) {
-    v("rate", constraint.rate, {.depends = on_motion | on_places, .doc = "the rate that is held at zero, linear in the velocities"});
+    v("rate", constraint.rate, {.depends = on_motion | on_places, .doc = "rate that is held at zero, linear in the velocities"});
     v("position", constraint.position, {.depends = on_configuration | on_places,
-        .doc = "instead: the position that is held at zero, and its rate with it"});
+        .doc = "instead of a rate: position that is held at zero, together with its rate"});
     v("eliminates", constraint.eliminates, {.type = ValueType::coordinate, .refers = {"coordinate"},
-        .doc = "the coordinate whose velocity follows from the rate; its factor there must not move. If left out: the last one that can, "
-               "else the force is an unknown of its own"});
+        .doc = "coordinate whose velocity the constraint eliminates; its factor in the rate must be constant. If left out: the "
+               "last possible one; if there is none, the force is an additional unknown"});
     v("multiplier", constraint.multiplier, {
         .excludes = {{"eliminates", "either eliminates a coordinate or has a multiplier, and not both"}},
-        .doc = "true: no velocity is eliminated; the force is an unknown of its own also where one could be"});
+        .doc = "true: the constraint eliminates no velocity, and its force is an additional unknown"});
     v.either("rate", "position", "a rate or a position");
     v.item({.has_family = true});
 }
@@ -226,7 +228,7 @@ struct Event : Item {
 };
 
 template <>
-inline constexpr KindSpec kind_of<Event>{"event", "What happens where a guard goes through zero, in the modes that `when` names.",
+inline constexpr KindSpec kind_of<Event>{"event", "Events where a guard crosses zero, in the modes that `when` names.",
     "[events.full]\nguard = \"h_max - h\"\nwhen  = \"pump_on\"\nnext  = \"pump_off\"", "", {.naming = Naming::brought_section}};
 
 inline const KeyChoices<bool>& directions() {
@@ -237,21 +239,23 @@ inline const KeyChoices<bool>& directions() {
 template <class Visitor, ElementOf<Event> E>
 void describe(Visitor& v, E& event) {
     v("guard", event.guard, {.required = true, .depends = on_anything & ~on_outputs,
-        .doc = "happens where this goes through zero; may use ddot(q) and constraint_force[NAME]"});
+        .doc = "the event happens where this crosses zero; may use `ddot(q)` and `constraint_force[NAME]`"});
     v.choice("direction", event.rises, {}, directions());
-    v("next", event.next, {.doc = "the mode afterwards: the first in the list that can go on from there; as before, if left out, where it "
-                                  "resets something"});
+    v("next", event.next, {
+        .doc = "mode after the event: the first of the list that the state allows. An event with a reset may leave it out: the "
+               "mode then stays"});
     describe_resets(v, "reset", event.reset, {},
-        "new values of states, coordinates and velocities, made of those before: { \"dot(h)\" = \"-e*dot(h)\" }");
+        "new values of states, coordinates and velocities, as expressions of those before: { \"dot(h)\" = \"-e*dot(h)\" }");
     v("meets", event.meets, {.refers = {"constraint"},
-        .doc = "a constraint whose rate is struck: velocities change by the smallest impulse that reverses it"});
+        .doc = "constraint that the machine hits: the smallest impulse that reverses its rate changes the velocities"});
     v("restitution", event.restitution, {.dimension = Dimension::none(), .depends = constant_only,
         .needs = {{"meets", "has a restitution, but meets no constraint"}},
-        .doc = "with meets: the part of the rate that is left, reversed; 0, if left out: then the constraint holds exactly"});
-    v("rest", event.rest, {.doc = "the mode after it has happened infinitely often at shrinking intervals; else a run stops there"});
+        .doc = "with meets: rate after the impact divided by the rate before; 0 if left out, and the constraint then holds "
+               "exactly"});
+    v("rest", event.rest, {.doc = "mode after infinitely many events at shrinking intervals; if left out, a run stops there"});
     describe_resets(v, "rest_reset", event.rest_reset,
         {{"rest", "says what is reset at rest, but not to which mode that leads: it needs 'rest'"}}, "with rest: new values there");
-    v("ends", event.ends, {.doc = "true: the run ends there"});
+    v("ends", event.ends, {.doc = "true: the run ends at the event"});
     v.item({});
 }
 

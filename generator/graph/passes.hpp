@@ -23,13 +23,13 @@ struct Pass {
 };
 
 inline constexpr std::array all_passes{
-    Pass{"rewriting", &Passes::rewriting, "forms that lose digits have others"},
-    Pass{"chain", &Passes::chain, "motion from body to body, where that is shorter"},
-    Pass{"constants", &Passes::constants, "what depends on parameters alone is computed once"},
+    Pass{"rewriting", &Passes::rewriting, "forms that lose digits are replaced"},
+    Pass{"chain", &Passes::chain, "motion from body to body, if that is shorter"},
+    Pass{"constants", &Passes::constants, "expressions of parameters alone are computed once"},
     Pass{"factoring", &Passes::factoring, "common factors and sums are computed once"},
     Pass{"angles", &Passes::angles, "sine and cosine of one angle in one call"},
-    Pass{"reciprocals", &Passes::reciprocals, "what is divided by one pivot several times is multiplied by its reciprocal"},
-    Pass{"loops", &Passes::loops, "M of more than seven rows is solved with by loops, unless it is sparse"},
+    Pass{"reciprocals", &Passes::reciprocals, "repeated divisions by one pivot become multiplications by its reciprocal"},
+    Pass{"loops", &Passes::loops, "loops solve a mass matrix of more than seven rows, unless it is sparse"},
 };
 
 }  // namespace dalembert

@@ -90,4 +90,22 @@ std::string Dimension::described() const {
     return in_base_units();
 }
 
+std::string Dimension::usual_unit() const {
+    struct Named {
+        Dimension dimension;
+        const char* name;
+    };
+    const Dimension surface = length() * length();
+    const std::array named{
+        Named{force(), "N"}, Named{energy(), "J"}, Named{power(), "W"}, Named{pressure(), "Pa"},
+        Named{force() / length(), "N/m"}, Named{force() / speed(), "N*s/m"}, Named{energy() * time(), "J*s"},
+        Named{energy() / mass(), "J/kg"}, Named{energy() / mass() / temperature(), "J/(kg*K)"},
+        Named{power() / temperature(), "W/K"}, Named{power() / length() / temperature(), "W/(m*K)"},
+        Named{power() / surface, "W/m^2"}, Named{power() / surface / temperature(), "W/(m^2*K)"}, Named{power() / volume(), "W/m^3"},
+    };
+    for (const Named& entry : named)
+        if (entry.dimension == *this) return entry.name;
+    return in_base_units();
+}
+
 }  // namespace dalembert

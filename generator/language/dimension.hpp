@@ -50,6 +50,9 @@ public:
     std::string in_base_units() const;
     /// In base units, with the usual name where there is one: "kg*m/s^2 (N)".
     std::string described() const;
+    /// The usual unit: "N", "W/(m*K)", else in base units.
+    std::string usual_unit() const;
+    Fraction exponent(std::size_t index) const { return exponents_[index]; }
 
 private:
     std::array<Fraction, count> exponents_{};

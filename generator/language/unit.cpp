@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <array>
 #include <map>
 
 #include "language/dimension.hpp"
@@ -74,38 +75,36 @@ const std::map<std::string, Known, std::less<>>& known_units() {
     return table;
 }
 
-std::optional<Rational> prefix_factor(char prefix) {
-    const auto ten = [](int exponent) -> Rational {
-        const cln::cl_I power = cln::expt_pos(cln::cl_I(10), cln::cl_I(std::abs(exponent)));
-        return exponent < 0 ? Rational(1) / power : Rational(power);
-    };
-    switch (prefix) {
-        case 'p': return ten(-12);
-        case 'n': return ten(-9);
-        case 'u': return ten(-6);
-        case 'm': return ten(-3);
-        case 'c': return ten(-2);
-        case 'd': return ten(-1);
-        case 'h': return ten(2);
-        case 'k': return ten(3);
-        case 'M': return ten(6);
-        case 'G': return ten(9);
-        default: return std::nullopt;
+struct UnitPrefix {
+    char letter;
+    int exponent;  ///< of ten
+};
+
+constexpr std::array prefixes{UnitPrefix{'p', -12}, UnitPrefix{'n', -9}, UnitPrefix{'u', -6}, UnitPrefix{'m', -3}, UnitPrefix{'c', -2},
+                              UnitPrefix{'d', -1},  UnitPrefix{'h', 2},  UnitPrefix{'k', 3},  UnitPrefix{'M', 6},  UnitPrefix{'G', 9}};
+
+std::optional<Rational> prefix_factor(char letter) {
+    for (const UnitPrefix& prefix : prefixes) {
+        if (prefix.letter != letter) continue;
+        const cln::cl_I power = cln::expt_pos(cln::cl_I(10), cln::cl_I(std::abs(prefix.exponent)));
+        return prefix.exponent < 0 ? Rational(1) / power : Rational(power);
     }
+    return std::nullopt;
 }
 
-/// What to write for units of other systems and spellings of others; nothing for what is neither.
-std::string other_unit(const std::string& name) {
-    struct Other {
-        const char* instead;
-        const char* kind = "";  ///< with what is like it
-    };
+struct OtherUnit {
+    const char* instead;
+    const char* kind = "";  ///< with what is like it
+};
+
+/// What to write for units of other systems and spellings of others.
+const std::map<std::string, OtherUnit, std::less<>>& other_units() {
     static constexpr const char* lengths = ", and lengths are in m, with prefixes as mm, cm, km";
     static constexpr const char* pressures = ", and pressures are in Pa and bar, with prefixes as kPa, mbar";
     static constexpr const char* masses = ", and masses are in g and t, with prefixes as kg, mg";
     static constexpr const char* powers = ", and powers are in W, with prefixes as kW";
     static constexpr const char* forces = ", and forces are in N, with prefixes as kN";
-    static const std::map<std::string, Other, std::less<>> others{{"Nm", {"N*m"}},
+    static const std::map<std::string, OtherUnit, std::less<>> others{{"Nm", {"N*m"}},
                                                                   {"kNm", {"kN*m"}},
                                                                   {"Ns", {"N*s"}},
                                                                   {"Ws", {"W*s"}},
@@ -155,8 +154,13 @@ std::string other_unit(const std::string& name) {
                                                                   {"kcal", {"4184 J"}},
                                                                   {"BTU", {"1055.056 J"}},
                                                                   {"eV", {"1.602176634e-19 J"}}};
-    const auto found = others.find(name);
-    if (found == others.end()) return {};
+    return others;
+}
+
+/// A hint for such a unit; nothing for what is neither.
+std::string other_unit(const std::string& name) {
+    const auto found = other_units().find(name);
+    if (found == other_units().end()) return {};
     const std::string_view instead = found->second.instead;
     return instead.front() >= '0' && instead.front() <= '9' ? fmt::format("; 1 {} is {}{}", name, instead, found->second.kind)
                                                             : fmt::format("; write {}", instead);
@@ -239,16 +243,22 @@ Unit evaluate(const Expression& e) {
 
 }  // namespace
 
-std::string unit_reference() {
-    std::string text = "Units, joined by *, / and ^, as in kg*m/s^2:\n";
-    for (const auto& [name, known] : known_units())
-        text += fmt::format("  {:<8} {:<8} {}\n", name, known.takes_prefix ? "prefix" : "", known.doc);
-    return text +
-           "Prefixes: p n u m c d h k M G, from 1e-12 to 1e9, as in mm, kPa, um.\n"
-           "1 is the unit of what has none; 1/s a rate. Inches, feet, pounds and the like are given by their value in these.\n"
-           "A number without a unit counts in the declared unit of what it is given to; one with a unit, \"5 bar\", is converted. Within a "
-           "longer expression\n"
-           "a number with a composed unit stands in brackets: (3 m/s)*t.\n";
+std::vector<UnitRow> unit_rows() {
+    std::vector<UnitRow> rows;
+    for (const auto& [name, known] : known_units()) rows.push_back({name, known.takes_prefix, known.doc});
+    return rows;
+}
+
+std::vector<UnitRow> prefix_rows() {
+    std::vector<UnitRow> rows;
+    for (const UnitPrefix& prefix : prefixes) rows.push_back({std::string(1, prefix.letter), false, fmt::format("1e{}", prefix.exponent)});
+    return rows;
+}
+
+std::vector<UnitRow> other_unit_rows() {
+    std::vector<UnitRow> rows;
+    for (const auto& [name, other] : other_units()) rows.push_back({name, false, other.instead});
+    return rows;
 }
 
 Unit parse_unit(const Excerpt& excerpt) {

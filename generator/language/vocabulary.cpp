@@ -25,51 +25,53 @@ constexpr std::array function_table{
     FunctionSpec{"log", "x", U::dimensionless, "natural logarithm"},
     FunctionSpec{"sqrt", "x", U::square_root, "square root"},
     FunctionSpec{"abs", "x", U::same, "absolute value"},
-    FunctionSpec{"sign", "x", U::sign, "-1, 0 or 1"},
-    FunctionSpec{"min", "x, y", U::same, "the smaller one"},
-    FunctionSpec{"max", "x, y", U::same, "the larger one"},
+    FunctionSpec{"sign", "x", U::sign, "-1, 0 or 1: the sign of x"},
+    FunctionSpec{"min", "x, y", U::same, "the smaller argument"},
+    FunctionSpec{"max", "x, y", U::same, "the larger argument"},
     FunctionSpec{"step", "x", U::sign, "1 for x >= 0, else 0"},
     FunctionSpec{"ramp", "x", U::same, "max(x, 0)"},
     FunctionSpec{"pulse", "x, width", U::ratio, "1 for 0 <= x < width, else 0"},
-    FunctionSpec{"mod", "x, y", U::same, "x - y*(x/y rounded down), y positive: x again and again from 0 up to y"},
+    FunctionSpec{"mod", "x, y", U::same, "remainder x - y*floor(x/y), y positive"},
     FunctionSpec{"if", "condition, a, b", U::choice,
                  "a where the condition holds, else b; conditions are made of <, <=, >, >=, and, or, not"},
-    FunctionSpec{"unlocated", "x", U::same,
-                 "x; kinks and jumps inside are smooth enough for the control of steps, and no run looks for them"},
+    FunctionSpec{"unlocated", "x", U::same, "x; a run does not locate the kinks and jumps in it"},
     FunctionSpec{"sinc", "x", U::dimensionless, "sin(x)/x, 1 at x = 0"},
     FunctionSpec{"expm1", "x", U::dimensionless, "exp(x) - 1"},
     FunctionSpec{"log1p", "x", U::dimensionless, "log(1 + x)"},
     FunctionSpec{"decay_mean", "z", U::dimensionless, "(1 - exp(-z))/z, 1 at z = 0: the mean of exp(-z*s) over s from 0 to 1"},
-    FunctionSpec{"log_ratio", "a, b", U::ratio, "log(a/b), a and b positive, also where they are close"},
+    FunctionSpec{"log_ratio", "a, b", U::ratio, "log(a/b), accurate also for a close to b; a and b positive"},
     FunctionSpec{"log_mean", "a, b", U::same, "logarithmic mean (a - b)/log(a/b) (4.86a), a at a = b"},
-    FunctionSpec{"root_excess", "c, s", U::root_excess, "sqrt(c^2 + s) - c, s not negative"},
-    FunctionSpec{"radiant_temperature", "a, b", U::radiant, "the T with a*T^4 + T = b, a and b not negative"},
-    FunctionSpec{"fourth_power_difference", "a, b", U::fourth_power, "a^4 - b^4, also where they are close"},
-    FunctionSpec{"plate_resistance", "L, lambda, A", U::plate, "resistance of a plane layer, L/(lambda*A) (4.63)"},
+    FunctionSpec{"root_excess", "c, s", U::root_excess, "sqrt(c^2 + s) - c; s not negative"},
+    FunctionSpec{"radiant_temperature", "a, b", U::radiant, "the solution T of a*T^4 + T = b; a and b not negative"},
+    FunctionSpec{"fourth_power_difference", "a, b", U::fourth_power, "a^4 - b^4, accurate also for a close to b"},
+    FunctionSpec{"plate_resistance", "L, lambda, A", U::plate, "thermal resistance of a plane layer, L/(lambda*A) (4.63)"},
     FunctionSpec{"pipe_resistance", "r_1, r_2, lambda, L", U::pipe,
-                 "resistance of a cylindrical layer from r_1 to r_2, log(r_2/r_1)/(2*pi*lambda*L) (4.68), also of thin ones"},
-    FunctionSpec{"in_series", "a, b", U::same, "resistance of two resistances one behind the other, a + b (4.65), (4.108)"},
-    FunctionSpec{"in_parallel", "a, b", U::same, "resistance of two resistances side by side, a*b/(a + b) (4.108)"},
-    FunctionSpec{"sinh_ratio", "a, b", U::dimensionless, "sinh(a)/sinh(b), not negative, of any size"},
-    FunctionSpec{"cosh_ratio", "a, b", U::dimensionless, "cosh(a)/cosh(b), not negative, of any size"},
+                 "thermal resistance of a cylindrical layer from r_1 to r_2, log(r_2/r_1)/(2*pi*lambda*L) (4.68), accurate also "
+                 "for thin layers"},
+    FunctionSpec{"in_series", "a, b", U::same, "resistance of two resistances in series, a + b (4.65), (4.108)"},
+    FunctionSpec{"in_parallel", "a, b", U::same, "resistance of two resistances in parallel, a*b/(a + b) (4.108)"},
+    FunctionSpec{"sinh_ratio", "a, b", U::dimensionless, "sinh(a)/sinh(b), without overflow; a and b not negative"},
+    FunctionSpec{"cosh_ratio", "a, b", U::dimensionless, "cosh(a)/cosh(b), without overflow; a and b not negative"},
     FunctionSpec{"fin_temperature", "mL, mx, h", U::dimensionless,
                  "excess temperature of a rod (4.76a), 1 at mx = 0; h = alpha_L/(lambda*m)"},
-    FunctionSpec{"fin_heat", "mL, h", U::dimensionless, "heat into a rod (4.76b) over lambda*A*m*(T_0 - T_inf)"},
+    FunctionSpec{"fin_heat", "mL, h", U::dimensionless, "heat flow into a rod (4.76b) divided by lambda*A*m*(T_0 - T_inf)"},
     FunctionSpec{"rod_heat", "mL, ratio", U::dimensionless,
-                 "heat into a rod (4.78b) over lambda*A*m*(T_0 - T_inf); ratio = (T_L - T_inf)/(T_0 - T_inf)"},
+                 "heat flow into a rod (4.78b) divided by lambda*A*m*(T_0 - T_inf); ratio = (T_L - T_inf)/(T_0 - T_inf)"},
     FunctionSpec{"effectiveness_parallel_flow", "N, c", U::dimensionless,
-                 "heat over the largest possible (4.87); N = K/C_min, c = C_min/C_max"},
-    FunctionSpec{"effectiveness_counter_flow", "N, c", U::dimensionless, "the same in counter flow, also where it is balanced, c = 1"},
+                 "effectiveness of a heat exchanger with parallel flow (4.87): heat divided by the largest possible heat; N = "
+                 "K/C_min, c = C_min/C_max"},
+    FunctionSpec{"effectiveness_counter_flow", "N, c", U::dimensionless,
+                 "effectiveness of a heat exchanger with counter flow, also for c = 1"},
     FunctionSpec{"plate_nusselt", "Re, Pr", U::dimensionless, "mean Nusselt number of a plate (4.24), laminar up to Re = 5e5"},
     FunctionSpec{"view_parallel_strips", "x, y, L_i, L_j", U::ratio,
-                 "view factor of parallel strips from 0 to L_i and from x to x + L_j, y apart (table 4.1)"},
+                 "view factor of two parallel strips at distance y: from 0 to L_i and from x to x + L_j (table 4.1)"},
     FunctionSpec{"view_half_plane", "x, y, L_i", U::ratio,
-                 "view factor of a strip from 0 to L_i to the half plane beyond x, y apart (table 4.1)"},
+                 "view factor from a strip from 0 to L_i to the parallel half plane beyond x at distance y (table 4.1)"},
     FunctionSpec{"view_perpendicular_strips", "x, y, L_i, L_j", U::ratio,
                  "view factor of an upright surface from 0 to y, L_i long, to a strip from x to x + L_j (table 4.1)"},
     FunctionSpec{"view_wedge", "L_i, L_j, theta", U::ratio_and_angle,
-                 "view factor of strips with a common edge, the angle theta between them (table 4.1)"},
-    FunctionSpec{"view_groove", "x, y", U::ratio, "view factor of a right-angled groove with the sides x and y to itself (table 4.1)"},
+                 "view factor of two strips with a common edge and the angle theta between them (table 4.1)"},
+    FunctionSpec{"view_groove", "x, y", U::ratio, "view factor of a right-angled groove with sides x and y to itself (table 4.1)"},
 };
 
 using S = Subscript;
@@ -107,89 +109,118 @@ constexpr std::array subscript_table{
 };
 
 constexpr std::array quantity_table{
-    QuantitySpec{"kinetic_energy", S::optional_body, "kinetic energy of everything, or of one body"},
-    QuantitySpec{"translational_energy", S::body, "kinetic energy of a body's centre of mass"},
-    QuantitySpec{"rotational_energy", S::body, "kinetic energy of a body's rotation about its centre of mass"},
+    QuantitySpec{"kinetic_energy", S::optional_body, "kinetic energy of the model, or of one body"},
+    QuantitySpec{"translational_energy", S::body, "kinetic energy of the translation of a body"},
+    QuantitySpec{"rotational_energy", S::body, "kinetic energy of the rotation of a body about its centre of mass"},
     QuantitySpec{"potential_energy", S::nothing, "potential energy of gravity, springs and potentials"},
     QuantitySpec{"supplied_power", S::nothing, "power of forces and torques"},
     QuantitySpec{"dissipated_power", S::optional_damper,
-                 "power of all that is dissipated, or of one damper; not negative for laws that resist"},
+                 "total dissipated power, or that of one damper; not negative if the laws resist motion"},
     QuantitySpec{"constraint_force", S::constraint,
-                 "force of a constraint along its rate, on the machine; of dry friction also where it slides"},
-    QuantitySpec{"cut_force", S::cut, "what everything else exerts on the bodies of a cut, along its direction; with a point, the moment"},
+                 "constraint force along its rate, on the machine; of dry friction also while it slides"},
+    QuantitySpec{"cut_force", S::cut,
+                 "force that everything else exerts on the bodies of a cut, along its direction; with a point, the moment"},
     QuantitySpec{"solid_mass", S::solid, "mass of a solid (2.51)"},
-    QuantitySpec{"centre_of_mass", S::solid_and_axis, "centre of mass of a solid (2.56), in the axes that it is placed in"},
-    QuantitySpec{
-        "inertia_about_centre", S::solid_and_axes,
-        "tensor of inertia of a solid about its centre of mass (2.171); products of inertia as they stand in the matrix, -integral(x*y)"},
-    QuantitySpec{"inertia_about_origin", S::solid_and_axes, "the same about the origin of the axes that it is placed in (2.167), (2.173)"},
+    QuantitySpec{"centre_of_mass", S::solid_and_axis, "centre of mass of a solid (2.56), in the axes that the solid is placed in"},
+    QuantitySpec{"inertia_about_centre", S::solid_and_axes,
+                 "inertia tensor of a solid about its centre of mass (2.171); products of inertia as in the matrix, -integral(x*y)"},
+    QuantitySpec{"inertia_about_origin", S::solid_and_axes,
+                 "inertia tensor about the origin of the axes that the solid is placed in (2.167), (2.173)"},
     QuantitySpec{"resultant_force", S::load_and_axis, "sum of the forces of a load (2.28)"},
-    QuantitySpec{"resultant_moment", S::load_and_axis, "sum of the moments of a load about its point of reference (2.38)"},
+    QuantitySpec{"resultant_moment", S::load_and_axis, "sum of the moments of a load about its reference point (2.38)"},
     QuantitySpec{"reaction", S::load_and_unknown,
-                 "what the equilibrium of a load gives for one of its unknowns; the name of the unknown alone stands for it, too"},
-    QuantitySpec{"sticks", S::sticking, "1 where friction holds, else 0"},
+                 "value of an unknown of a load in equilibrium; the name of the unknown alone means the same"},
+    QuantitySpec{"sticks", S::sticking, "1 if static friction holds, else 0"},
     QuantitySpec{"sticking_margin", S::sticking,
-                 "how much more force friction could bear; negative where it slips: coefficient*normal - |tangential|; of a rope smaller "
-                 "tension*exp(coefficient*angle) - larger"},
+                 "friction force left before slipping, coefficient*normal - |tangential|; negative if it slips. Of a rope: "
+                 "smaller tension*exp(coefficient*angle) - larger tension"},
     QuantitySpec{"needed_coefficient", S::sticking,
-                 "the coefficient that would just hold: |tangential|/normal (2.100); of a rope |log(tension/tension)|/angle"},
-    QuantitySpec{"prescribed_power", S::nothing, "power of what moves the machine in a prescribed way"},
-    QuantitySpec{"position", S::body_and_axis, "position of a body: position[ball, 1] is x", false, true},
-    QuantitySpec{"axis", S::body_and_two_axes, "an axis of a body in those of the ground: axis[arm, 3, 1] is the x component of its z axis",
+                 "smallest coefficient that holds: |tangential|/normal (2.100); of a rope |log(tension/tension)|/angle"},
+    QuantitySpec{"prescribed_power", S::nothing, "power of prescribed motions"},
+    QuantitySpec{"position", S::body_and_axis, "position of a body: `position[ball, 1]` is x", false, true},
+    QuantitySpec{"axis", S::body_and_two_axes,
+                 "an axis of a body in the axes of the ground: `axis[arm, 3, 1]` is the x component of its z axis",
                  false, true},
     QuantitySpec{"velocity", S::body_and_axis, "velocity of a body", false, false, true},
-    QuantitySpec{"angular_velocity", S::body_and_axis, "angular velocity of a body, about its own axes", false, false, true},
+    QuantitySpec{"angular_velocity", S::body_and_axis, "angular velocity of a body in its own axes", false, false, true},
     QuantitySpec{"spin", S::body_and_axis, "angular momentum of a body about its centre of mass, in the axes of the ground"},
-    QuantitySpec{"generalised_force", S::coordinate, "all that acts on a coordinate, -d(potential energy)/dq included (2.214)"},
-    QuantitySpec{"nonpotential_force", S::coordinate, "what acts on a coordinate without a potential (2.215)"},
+    QuantitySpec{"generalised_force", S::coordinate, "total generalised force on a coordinate, with -d(potential energy)/dq (2.214)"},
+    QuantitySpec{"nonpotential_force", S::coordinate, "generalised force on a coordinate without the part from potentials (2.215)"},
     QuantitySpec{"mass_matrix", S::two_coordinates, "entry of the mass matrix M"},
-    QuantitySpec{
-        "damping_matrix", S::two_coordinates,
-        "d(bias - Q)/d(dot(q)) at the present state and inputs: damping_matrix[s, phi] is a row s and a column phi of D in (2.117)"},
+    QuantitySpec{"damping_matrix", S::two_coordinates,
+                 "d(bias - Q)/d(dot(q)) at the present state and inputs: `damping_matrix[s, phi]` is row s, column phi of D in (2.117)"},
     QuantitySpec{"stiffness_matrix", S::two_coordinates, "d(bias - Q)/dq at the present state and inputs: C in (2.117)"},
     QuantitySpec{"bias", S::coordinate, "entry of the bias in M*ddot(q) + bias = Q(u)"},
     QuantitySpec{"scale_factor", S::body_and_line,
-                 "of a body's position r, |dr/dq| (2.18): length along the line of a coordinate by its change"},
+                 "|dr/dq| of the position r of a body (2.18): length along a coordinate line divided by the change of the coordinate"},
     QuantitySpec{"velocity_along", S::body_and_line,
-                 "component of a body's velocity along the line of a coordinate (2.19); the lines are at right angles"},
+                 "component of the velocity of a body along a coordinate line (2.19); the lines must be orthogonal"},
     QuantitySpec{"acceleration_along", S::body_and_line,
-                 "component of a body's acceleration along the line of a coordinate (2.27), likewise"},
-    QuantitySpec{
-        "christoffel", S::body_and_three_lines,
-        "Christoffel symbol of the second kind of a body's position: christoffel[p, k, i, j] is the part of d2r/(dq_i dq_j) along dr/dq_k"},
-    QuantitySpec{"christoffel_first", S::body_and_three_lines, "of the first kind, dr/dq_k . d2r/(dq_i dq_j)"},
+                 "component of the acceleration of a body along a coordinate line (2.27); the lines must be orthogonal"},
+    QuantitySpec{"christoffel", S::body_and_three_lines,
+                 "Christoffel symbol of the second kind of the position of a body: `christoffel[p, k, i, j]` is the component "
+                 "of d2r/(dq_i dq_j) along dr/dq_k"},
+    QuantitySpec{"christoffel_first", S::body_and_three_lines, "Christoffel symbol of the first kind, dr/dq_k . d2r/(dq_i dq_j)"},
     QuantitySpec{"pressure", S::fluid, "pressure in a volume at its outlets, or of a reservoir or junction", true},
     QuantitySpec{"temperature", S::warm, "temperature of a volume, reservoir, node or cell of a rod or block", true},
     QuantitySpec{"density", S::fluid_or_medium,
-                 "density in a volume, reservoir or junction: density[tank], or of a medium at a state: density[oil, p, T]", true},
+                 "density in a volume, reservoir or junction: `density[tank]`, or of a medium at a state: `density[oil, p, T]`", true},
     QuantitySpec{"specific_energy", S::fluid_or_medium, "specific internal energy", true},
     QuantitySpec{"specific_enthalpy", S::fluid_or_medium, "specific enthalpy (3.33)", true},
     QuantitySpec{"mass", S::volume, "mass in a volume", true},
     QuantitySpec{"volume", S::volume, "size of a volume", true},
-    QuantitySpec{"expansion", S::medium, "isobaric thermal expansion (3.40)", true},
+    QuantitySpec{"expansion", S::medium, "isobaric thermal expansion coefficient (3.40)", true},
     QuantitySpec{"bulk_modulus", S::medium, "isothermal bulk modulus (3.41)", true},
     QuantitySpec{"pressure_coefficient", S::medium, "isochoric pressure coefficient (3.42)", true},
-    QuantitySpec{"isochoric_heat", S::medium, "specific heat at constant volume (3.31)", true},
-    QuantitySpec{"isobaric_heat", S::medium, "specific heat at constant pressure (3.37)", true},
+    QuantitySpec{"isochoric_heat", S::medium, "specific heat capacity at constant volume (3.31)", true},
+    QuantitySpec{"isobaric_heat", S::medium, "specific heat capacity at constant pressure (3.37)", true},
     QuantitySpec{"mass_flow", S::flow, "mass flow, positive from `from` to `to`"},
-    QuantitySpec{"volume_flow", S::flow, "mass flow over the density of the side that it comes from"},
+    QuantitySpec{"volume_flow", S::flow, "mass flow divided by the density of the side that it comes from"},
     QuantitySpec{"inflow", S::fluid, "sum of the mass flows into a volume, reservoir or junction"},
-    QuantitySpec{"surplus", S::volume, "mass flow into a volume less what flows out of it, or would if it were not empty"},
+    QuantitySpec{"surplus", S::volume, "mass flow into a volume minus the mass flow out of it, also of a volume that is empty"},
     QuantitySpec{"heat", S::heated,
-                 "heat flow along a link; into a node; into a volume: given, or what holds its temperature or its course; through a border "
-                 "into a rod, heat[bar.first], or a block, heat[plate.left]"},
-    QuantitySpec{"shaft_power", S::flow, "power that the shaft of a pump puts into what flows"},
-    QuantitySpec{"view_factor", S::two_surfaces, "of an enclosure: view_factor[furnace, 1, 2] (4.44)"},
+                 "heat flow along a link, into a node, or into a volume. Through a boundary into a rod: `heat[bar.first]`, or "
+                 "into a block: `heat[plate.left]`"},
+    QuantitySpec{"shaft_power", S::flow, "power that the shaft of a pump transfers to the flow"},
+    QuantitySpec{"view_factor", S::two_surfaces, "view factor in an enclosure: `view_factor[furnace, 1, 2]` (4.44)"},
     QuantitySpec{"exchange_factor", S::two_surfaces,
-                 "of an enclosure: heat from one surface to another over stefan_boltzmann*(T_i^4 - T_j^4), an area"},
-    QuantitySpec{"radiosity", S::surface, "of an enclosure: radiosity[furnace, 1], what leaves a surface by area (4.42)"},
-    QuantitySpec{"irradiation", S::surface, "of an enclosure: irradiation[furnace, 1], what arrives at a surface by area (4.48)"},
+                 "heat flow from one surface of an enclosure to another, divided by stefan_boltzmann*(T_i^4 - T_j^4); an area"},
+    QuantitySpec{"radiosity", S::surface, "radiation that leaves a surface of an enclosure, by area: `radiosity[furnace, 1]` (4.42)"},
+    QuantitySpec{"irradiation", S::surface,
+                 "radiation that arrives at a surface of an enclosure, by area: `irradiation[furnace, 1]` (4.48)"},
     QuantitySpec{"internal_energy", S::optional_store, "energy stored in volumes, pipes, nodes, rods and blocks, or in one volume or node"},
     QuantitySpec{"exchanged_power", S::nothing, "power of enthalpy flows, heat and shafts across the border of the model"},
 };
 
-constexpr auto special_forms = std::to_array<std::string_view>({"dot", "ddot", "sum", "diff", "integral"});
-constexpr auto printed_forms = std::to_array<std::string_view>({"limit", "at", "quantity"});
+using F = FormPlace;
+
+constexpr std::array form_table{
+    FormSpec{"dot", "dot(x)", F::everywhere, "total time derivative of x"},
+    FormSpec{"ddot", "ddot(x)", F::everywhere, "second time derivative of x"},
+    FormSpec{"sum", "sum(k, 1, N, term)", F::everywhere, "sum of the term for k from 1 to N"},
+    FormSpec{"diff", "diff(expression, variable)", F::outputs, "partial derivative of the expression with respect to the variable"},
+    FormSpec{"integral", "integral(function, x, from, to)", F::outputs,
+             "integral of the function over x; a bound may be `infinity` or `-infinity`"},
+    FormSpec{"limit", "limit(expression, x, place)", F::printed_equations,
+             "limit of the expression where x approaches the place, which may be `infinity` or `-infinity`; a fourth argument 1 means from "
+             "above, -1 from below"},
+    FormSpec{"at", "at(expression, x, place)", F::printed_equations, "value of the expression at x = place"},
+    FormSpec{"quantity", "quantity(9.81, m/s^2)", F::printed_equations, "number with a unit"},
+    FormSpec{"vector", "vector(a, b, c)", F::matrices, "column vector"},
+    FormSpec{"matrix", "matrix(row(a, b), row(c, d))", F::matrices, "matrix, row by row"},
+    FormSpec{"diag", "diag(a, b)", F::matrices, "diagonal matrix"},
+    FormSpec{"transpose", "transpose(A)", F::matrices, "transpose"},
+    FormSpec{"det", "det(A)", F::matrices, "determinant"},
+    FormSpec{"trace", "trace(A)", F::matrices, "trace"},
+    FormSpec{"inverse", "inverse(A)", F::matrices, "inverse"},
+    FormSpec{"cross", "cross(v, w)", F::matrices, "cross product of two vectors"},
+};
+
+constexpr std::array constant_table{
+    ConstantSpec{"t", "the time"},
+    ConstantSpec{"pi", "ratio of a circle's circumference to its diameter"},
+    ConstantSpec{"stefan_boltzmann", "Stefan-Boltzmann constant (4.35), 5.670374419e-8 W/(m^2*K^4)"},
+};
 
 constexpr auto keywords = std::to_array<std::string_view>({
     "alignas",   "alignof",   "and",        "and_eq",       "asm",          "auto",      "bitand",    "bitor",        "bool",
@@ -399,11 +430,36 @@ const SubscriptSpec& subscript(Subscript which) {
 std::span<const QuantitySpec> quantities() { return quantity_table; }
 const QuantitySpec* find_quantity(std::string_view name) { return find_in(quantity_table, name); }
 
+std::span<const FormSpec> forms() { return form_table; }
+std::span<const ConstantSpec> known_names() { return constant_table; }
+
 bool is_special_form(std::string_view name) {
-    return std::find(special_forms.begin(), special_forms.end(), name) != special_forms.end();
+    const FormSpec* form = find_in(form_table, name);
+    return form != nullptr && (form->place == FormPlace::everywhere || form->place == FormPlace::outputs);
 }
 
-bool is_printed_form(std::string_view name) { return std::find(printed_forms.begin(), printed_forms.end(), name) != printed_forms.end(); }
+bool is_printed_form(std::string_view name) {
+    const FormSpec* form = find_in(form_table, name);
+    return form != nullptr && form->place == FormPlace::printed_equations;
+}
+
+const char* describe(UnitRule rule) {
+    switch (rule) {
+        case U::dimensionless: return "numbers; a number";
+        case U::same: return "one unit; the same";
+        case U::square_root: return "any; its root";
+        case U::sign: return "any; a number";
+        case U::choice: return "one unit of a and b; the same";
+        case U::ratio: return "one unit; a number";
+        case U::ratio_and_angle: return "one unit and an angle; a number";
+        case U::fourth_power: return "one unit; its fourth power";
+        case U::root_excess: return "s the square of c; that of c";
+        case U::radiant: return "a 1/b^3; that of b";
+        case U::plate: return "that of L/(lambda*A)";
+        case U::pipe: break;
+    }
+    return "that of 1/(lambda*L)";
+}
 
 bool is_cpp_keyword(std::string_view name) { return std::find(keywords.begin(), keywords.end(), name) != keywords.end(); }
 bool is_cpp_macro(std::string_view name) {

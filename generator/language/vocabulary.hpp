@@ -33,6 +33,8 @@ struct FunctionSpec {
 };
 
 std::span<const FunctionSpec> functions();
+/// "arguments in one unit, which the result has"
+const char* describe(UnitRule rule);
 const FunctionSpec* find_function(std::string_view name);
 
 /// What stands in the brackets behind a derived quantity.
@@ -94,10 +96,34 @@ struct QuantitySpec {
 std::span<const QuantitySpec> quantities();
 const QuantitySpec* find_quantity(std::string_view name);
 
-/// Forms with a grammar of their own: dot, ddot, sum, diff, integral, limit, at, quantity.
+/// Where a form may stand.
+enum class FormPlace {
+    everywhere,
+    outputs,            ///< of models, and printed equations
+    printed_equations,  ///< models may use its name otherwise
+    matrices,           ///< of printed equations
+};
+
+/// A form with a grammar of its own, such as dot(x).
+struct FormSpec {
+    const char* name;
+    const char* written;
+    FormPlace place;
+    const char* doc;
+};
+
+std::span<const FormSpec> forms();
 bool is_special_form(std::string_view name);
 /// Those of printed equations only, which models may use as names.
 bool is_printed_form(std::string_view name);
+
+/// A name that every model has without defining it.
+struct ConstantSpec {
+    const char* name;
+    const char* doc;
+};
+
+std::span<const ConstantSpec> known_names();
 
 /// Words that mean something in C++ and so cannot be members of a header.
 bool is_cpp_keyword(std::string_view name);

@@ -39,7 +39,8 @@ Entry::Entry(const DocumentNode::Member& member, const SectionSpec& section, Dia
     }
     for (const KeySpec& key : section.keys)
         if (key.required && !has(key.name))
-            error(Id::missing_key, span_, fmt::format("{} needs the key '{}': {}", place, key.name, key.doc));
+            error(Id::missing_key, span_,
+                  fmt::format("{} needs the key '{}': {}", place, key.name, key.choices.empty() ? key.doc : key.choices));
 }
 
 Excerpt Entry::key_excerpt(const Span& span) {

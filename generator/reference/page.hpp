@@ -11,22 +11,24 @@ namespace dalembert {
 
 struct Row {
     std::string name;                     ///< "mass", "atan2", "--scene"
-    std::string shown;                    ///< "atan2(y, x)"; the name, if empty
-    std::vector<std::string> facts;       ///< one for each column of the section, perhaps empty
-    std::string doc;
+    std::string shown = {};               ///< "atan2(y, x)"; the name, if empty
+    std::vector<std::string> facts = {};  ///< one for each column of the section, perhaps empty
+    std::string doc = {};
     std::vector<std::string> lines = {};  ///< further sentences
     int level = 0;                        ///< 1: a part of the row above it
 };
 
 struct Section {
-    std::string name;                      ///< the anchor, as "bodies"
-    std::string shown;                     ///< "[bodies.NAME]"; the name, if empty
-    std::string doc;
-    std::string example;                   ///< lines of a file, or of what the program prints
-    std::string rows_are;                  ///< "Key", "Function"
-    std::vector<std::string> columns;      ///< names of the facts
-    std::vector<Row> rows;
+    std::string name;                      ///< the heading and its anchor, as "bodies"
+    std::string doc = {};
+    std::string example = {};              ///< lines of a file, or of the program's output
+    std::string rows_are = {};             ///< "Key", "Function"
+    std::vector<std::string> columns = {}; ///< names of the facts
+    std::string docs_are = "Meaning";
+    std::vector<Row> rows = {};
     std::vector<std::string> notes = {};   ///< sentences below the rows
+    std::string link = {};                 ///< the page whose sections the rows are
+    bool rows_are_pages = false;
 };
 
 struct Page {
@@ -39,6 +41,5 @@ struct Page {
 using Pages = std::vector<Page>;
 
 inline const std::string& shown(const Row& row) { return row.shown.empty() ? row.name : row.shown; }
-inline const std::string& shown(const Section& section) { return section.shown.empty() ? section.name : section.shown; }
 
 }  // namespace dalembert

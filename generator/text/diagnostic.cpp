@@ -4,76 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+
+#include "text/template.hpp"
 
 namespace dalembert {
 
 namespace {
-
-constexpr std::array kinds{
-    DiagnosticKind{Id::unreadable_file, "unreadable-file", "a file is missing or cannot be read"},
-    DiagnosticKind{Id::file_too_large, "file-too-large", "a model file is larger than any description of a machine"},
-    DiagnosticKind{Id::not_text, "not-text", "a model file is not UTF-8 text"},
-    DiagnosticKind{Id::toml_syntax, "toml-syntax", "a model file is not valid TOML"},
-    DiagnosticKind{Id::unknown_format, "unknown-format", "the file's format number is not one this program reads"},
-    DiagnosticKind{Id::unknown_key, "unknown-key", "a key that the model language does not have"},
-    DiagnosticKind{Id::missing_key, "missing-key", "a key that must be there"},
-    DiagnosticKind{Id::wrong_type, "wrong-type", "a value of another kind than the key takes"},
-    DiagnosticKind{Id::syntax, "syntax", "an expression, unit or condition that cannot be read"},
-    DiagnosticKind{Id::too_deep, "too-deep", "an expression nested deeper than is useful"},
-    DiagnosticKind{Id::too_long, "too-long", "an expression longer than is useful"},
-    DiagnosticKind{Id::number_too_large, "number-too-large", "a number or power beyond what can be written exactly"},
-    DiagnosticKind{Id::bad_name, "bad-name", "a name that is not letters, digits and single underscores"},
-    DiagnosticKind{Id::reserved_name, "reserved-name", "a name that means something else already"},
-    DiagnosticKind{Id::doubly_defined, "doubly-defined", "two things with one name"},
-    DiagnosticKind{Id::unknown_name, "unknown-name", "a name that nothing defines"},
-    DiagnosticKind{Id::wrong_arguments, "wrong-arguments", "a function with the wrong number or kind of arguments"},
-    DiagnosticKind{Id::not_indexed, "not-indexed", "an index behind something that is not a family"},
-    DiagnosticKind{Id::index_missing, "index-missing", "a family used without an index"},
-    DiagnosticKind{Id::index_out_of_range, "index-out-of-range", "a member that the family does not have"},
-    DiagnosticKind{Id::cyclic_definition, "cyclic-definition", "a definition that needs itself"},
-    DiagnosticKind{Id::not_allowed_here, "not-allowed-here", "an expression that depends on what it must not depend on"},
-    DiagnosticKind{Id::unknown_unit, "unknown-unit", "a unit that is not known"},
-    DiagnosticKind{Id::unit_mismatch, "unit-mismatch", "two sides whose units do not agree"},
-    DiagnosticKind{Id::size_mismatch, "size-mismatch", "matrices whose sizes do not fit"},
-    DiagnosticKind{Id::value_out_of_range, "value-out-of-range", "a value outside its declared range"},
-    DiagnosticKind{Id::unknown_effect, "unknown-effect", "an effect that [effects] does not declare"},
-    DiagnosticKind{Id::unknown_scene, "unknown-scene", "a scene that [scenes] does not name"},
-    DiagnosticKind{Id::scene_needed, "scene-needed", "several scenes and none chosen"},
-    DiagnosticKind{Id::scene_contradiction, "scene-contradiction", "effects that cannot stand in one scene"},
-    DiagnosticKind{Id::unknown_size, "unknown-size", "a size that [sizes] does not declare"},
-    DiagnosticKind{Id::unknown_run, "unknown-run", "a run that [runs] does not name"},
-    DiagnosticKind{Id::needs_absent, "needs-absent", "something in the scene that needs something left out of it"},
-    DiagnosticKind{Id::nothing_left, "nothing-left", "a scene without coordinates, states and statics"},
-    DiagnosticKind{Id::division_by_zero, "division-by-zero", "a division or function value that does not exist"},
-    DiagnosticKind{Id::singular_mass, "singular-mass", "a coordinate whose motion no mass resists"},
-    DiagnosticKind{Id::not_affine, "not-affine", "a rate that is not linear in the velocities, or a balance that is not in its unknowns"},
-    DiagnosticKind{Id::not_orthogonal, "not-orthogonal", "components along lines that are not at right angles"},
-    DiagnosticKind{Id::not_quadratic, "not-quadratic", "a kinetic energy that is not quadratic in the velocities"},
-    DiagnosticKind{Id::not_integrable, "not-integrable", "forces given as a potential that have none"},
-    DiagnosticKind{Id::cannot_integrate, "cannot-integrate", "a law whose integral must be given, or a density that is no polynomial"},
-    DiagnosticKind{Id::wrong_integral, "wrong-integral", "an energy whose derivative is not the force"},
-    DiagnosticKind{Id::wrong_closed_form, "wrong-closed-form", "a closed form that is not what the run gives"},
-    DiagnosticKind{Id::inconsistent_medium, "inconsistent-medium", "a medium whose laws contradict each other"},
-    DiagnosticKind{Id::wrong_medium, "wrong-medium", "a flow or volume whose law does not fit the medium"},
-    DiagnosticKind{Id::wrong_enclosure, "wrong-enclosure", "surfaces that cannot see each other as the model says"},
-    DiagnosticKind{Id::wrong_inertia, "wrong-inertia", "an inertia that no body can have"},
-    DiagnosticKind{Id::mass_not_balanced, "mass-not-balanced", "a mass that changes otherwise than its jets say"},
-    DiagnosticKind{Id::wrong_modes, "wrong-modes", "modes and events that cannot work together"},
-    DiagnosticKind{Id::undetermined, "undetermined", "a state, volume or unknown force that nothing determines"},
-    DiagnosticKind{Id::no_equilibrium, "no-equilibrium", "forces that no unknown can hold in equilibrium"},
-    DiagnosticKind{Id::no_series, "no-series", "a function of which no Taylor series is known"},
-    DiagnosticKind{Id::doubly_determined, "doubly-determined", "two things that fix the same quantity"},
-    DiagnosticKind{Id::can_vanish, "can-vanish", "a volume that can become zero within the declared ranges"},
-    DiagnosticKind{Id::not_equal, "not-equal", "two derivations that disagree: a defect of this program"},
-    DiagnosticKind{Id::unused, "unused", "something defined that nothing uses"},
-    DiagnosticKind{Id::bad_option, "bad-option", "an argument of the command line that cannot be used"},
-    DiagnosticKind{Id::bad_plant, "bad-plant", "a library that is no plant of this version"},
-    DiagnosticKind{Id::tool_failed, "tool-failed", "a compiler or plot program that is missing or failed"},
-    DiagnosticKind{Id::too_large, "too-large", "a model too large to be derived"},
-};
-
-static_assert(static_cast<std::size_t>(Id::too_large) + 1 == kinds.size());
 
 constexpr std::size_t widest_line = 140;
 
@@ -125,9 +61,18 @@ std::string place(const Span& span) {
 
 }  // namespace
 
-std::span<const DiagnosticKind> diagnostic_kinds() { return kinds; }
-
-const char* name_of(Id id) { return kinds[static_cast<std::size_t>(id)].name; }
+std::string example_of(const DiagnosticKind& kind) {
+    const std::string_view example = kind.example;
+    if (!example.starts_with("tests/")) return std::string(example) + "\n";
+    // Of all that the program said there, the message with this id and the source line below it.
+    const std::string_view said = embedded_file(example);
+    const std::size_t id = said.find(fmt::format("[{}]", kind.name));
+    if (id == std::string_view::npos) return {};
+    const std::size_t begin = said.rfind('\n', id) + 1;
+    std::size_t end = said.find('\n', id) + 1;
+    while (end < said.size() && said[end] == ' ') end = said.find('\n', end) + 1;
+    return std::string(said.substr(begin, end - begin));
+}
 
 std::string render(const Diagnostic& diagnostic) {
     const char* severity = diagnostic.severity == Severity::error ? "error" : "warning";

@@ -11,7 +11,7 @@
 
 namespace dalembert {
 
-/// Everything that can be wrong with what a user hands in. The table in diagnostic.cpp gives names and meanings.
+/// Everything that can be wrong with what a user hands in. The table in diagnostic_kinds.cpp gives names, meanings and examples.
 enum class Id {
     unreadable_file,
     file_too_large,
@@ -78,12 +78,15 @@ enum class Id {
 struct DiagnosticKind {
     Id id;
     const char* name;
-    const char* meaning;
+    const char* meaning;  ///< a sentence
+    const char* example;  ///< a message, or "tests/errors/NAME.txt"
 };
 
 /// The one table of ids, in the order of the enumeration.
 std::span<const DiagnosticKind> diagnostic_kinds();
 const char* name_of(Id id);
+/// The message of the example, with the line of the model that it is about.
+std::string example_of(const DiagnosticKind& kind);
 
 struct Note {
     Span span;
@@ -118,8 +121,14 @@ private:
     std::vector<Diagnostic> all_;
 };
 
-/// Exit codes of the program, as documented in the README.
+/// Exit codes of the program.
 enum class ExitCode : int { good = 0, check_failed = 1, bad_input = 2, tool_missing = 3, run_stopped = 4 };
+
+struct ExitCodeSpec {
+    ExitCode code;
+    const char* meaning;
+};
+std::span<const ExitCodeSpec> exit_codes();
 
 /// Carries diagnostics out of a stage that cannot go on.
 class Failure : public std::exception {

@@ -14,7 +14,7 @@ struct EmbeddedFile {
     std::string_view text;
 };
 
-/// The files in templates/, and the runtime files from which headers take helpers.
+/// The files in templates/, the runtime files from which headers take helpers, and tests/errors/NAME.txt for examples of messages.
 std::span<const EmbeddedFile> embedded_files();
 
 /// The text of one of them.
