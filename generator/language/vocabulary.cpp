@@ -445,16 +445,16 @@ bool is_printed_form(std::string_view name) {
 
 const char* describe(UnitRule rule) {
     switch (rule) {
-        case U::dimensionless: return "numbers; a number";
-        case U::same: return "one unit; the same";
-        case U::square_root: return "any; its root";
-        case U::sign: return "any; a number";
-        case U::choice: return "one unit of a and b; the same";
-        case U::ratio: return "one unit; a number";
-        case U::ratio_and_angle: return "one unit and an angle; a number";
-        case U::fourth_power: return "one unit; its fourth power";
-        case U::root_excess: return "s the square of c; that of c";
-        case U::radiant: return "a 1/b^3; that of b";
+        case U::dimensionless: return "1";
+        case U::same: return "all the same";
+        case U::square_root: return "root of that of x";
+        case U::sign: return "any; result 1";
+        case U::choice: return "that of a and b";
+        case U::ratio: return "all the same; result 1";
+        case U::ratio_and_angle: return "the same, theta 1; result 1";
+        case U::fourth_power: return "the same; result its fourth power";
+        case U::root_excess: return "that of c; s its square";
+        case U::radiant: return "that of b; a 1/b^3";
         case U::plate: return "that of L/(lambda*A)";
         case U::pipe: break;
     }

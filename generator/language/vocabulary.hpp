@@ -33,7 +33,7 @@ struct FunctionSpec {
 };
 
 std::span<const FunctionSpec> functions();
-/// "arguments in one unit, which the result has"
+/// Of the result and of the arguments: "all the same"
 const char* describe(UnitRule rule);
 const FunctionSpec* find_function(std::string_view name);
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 
 #include "reference/pages.hpp"
@@ -31,12 +32,18 @@ std::string flowing(const std::string& sentence, std::size_t indent) {
     return text;
 }
 
+/// "Unit" as "unit".
+std::string in_sentence(std::string name) {
+    name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+    return name;
+}
+
 std::string facts_of(const Section& section, const Row& row) {
     std::string text;
     for (std::size_t i = 0; i < row.facts.size(); ++i) {
         if (row.facts[i].empty()) continue;
         // "required" says itself what it is; "kg" does not.
-        const std::string name = section.columns[i] == "Value" || section.columns[i] == "Needed" ? "" : section.columns[i] + ": ";
+        const std::string name = section.columns[i] == "Value" || section.columns[i] == "Needed" ? "" : in_sentence(section.columns[i]) + ": ";
         text += (text.empty() ? "" : "; ") + name + row.facts[i];
     }
     return text;
@@ -55,8 +62,13 @@ std::string row_text(const Section& section, const Row& row, std::size_t names) 
         text += flowing(sentence, column + further) + "\n";
         is_first = false;
     };
-    add(facts_of(section, row), 0);
-    add(row.doc, 0);
+    const std::string facts = facts_of(section, row);
+    if (section.columns.size() > 1) {
+        add(facts, 0);
+        add(row.doc, 0);
+    } else {
+        add(row.doc + (facts.empty() ? "" : "; " + facts), 0);
+    }
     for (const std::string& line : row.lines) add(line, 2);
     if (is_first) text += "\n";
     return text;

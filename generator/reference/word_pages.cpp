@@ -40,11 +40,12 @@ Section unit_section(std::string name, std::string doc, const char* rows_are, co
 
 Page function_page() {
     Page page{"functions", "Functions and operations", "Functions, operations and names that every expression may use.", {}};
-    Section list{"Functions", {}, {}, "Function", {"Units of arguments; of the result"}};
+    Section list{"Functions", {}, {}, "Function", {"Unit"}};
     for (const FunctionSpec& function : functions())
         list.rows.push_back(
             {function.name, fmt::format("{}({})", function.name, function.arguments), {describe(function.units)}, function.doc});
     list.notes = {
+        "The column Unit names the unit of the result, and those of the arguments where they differ. 1 is a dimensionless number.",
         "A run locates the kinks and jumps of `abs`, `sign`, `min`, `max`, `step`, `ramp`, `pulse`, `mod` and `if`. If they depend on "
         "the time alone, their times are known; all others become guards of the header.",
         "`unlocated(x)` switches this off for everything inside x. An expression that jumps only in its second or a higher derivative, as "

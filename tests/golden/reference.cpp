@@ -74,7 +74,7 @@ TEST_CASE("a word finds its page, its section or its rows, in every format") {
     const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
     CHECK(has(help({"unit-mismatch"}), "error[unit-mismatch]: "));
     CHECK_FALSE(has(help({"unit-mismatch"}), "unknown-unit"));
-    CHECK(has(help({"bodies.mass"}), "not below zero; Unit: kg; optional"));
+    CHECK(has(help({"bodies.mass"}), "not below zero; unit: kg; optional"));
     CHECK_FALSE(has(help({"bodies.mass"}), "springs"));
     CHECK(has(help({"atan2"}), "atan2(y, x)"));
     CHECK(has(help({"ambient"}), "rods"));     // a key of its own, and of the ends of rods
