@@ -7,7 +7,7 @@
 //     dalembert generate block.toml --scene block --size M=2 --size N=1
 // Scene block: heat along the rows and between them, the block stores heat
 // Effects in: stores (the block stores heat; without it, only the plate)
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     rows (the two rows are insulated from each other (figure 4.23b)): contradicts effects that are in
 //     columns (where materials meet, the block is isothermal over its height (figure 4.23c)): contradicts effects that are in
 //
@@ -26,8 +26,8 @@
 //   internal_energy       12     23     0        0      0
 //   exchanged_power        4      2     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef BLOCK_M2_N1_BLOCK_HPP
 #define BLOCK_M2_N1_BLOCK_HPP
@@ -58,7 +58,7 @@ inline constexpr std::size_t output_count = 4;
 inline constexpr std::size_t parameter_count = 14;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { T_P = 0, T_1 = 1, T_2 = 2, T_3 = 3, T_4 = 4, T_5 = 5, T_6 = 6, T_7 = 7, T_8 = 8,
     T_9 = 9, T_10 = 10, T_11 = 11, T_12 = 12 }; };
 struct input { enum : std::size_t { P = 0 }; };
@@ -116,8 +116,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"T_0", "K", "temperature of the right side", 200, 400},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -132,7 +132,7 @@ inline constexpr std::array<double, state_count> start_values{293, 293, 293, 293
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 13> nonzero{0x83, 0x87, 0x10e, 0x21c, 0x438, 0x870, 0x1060, 0x183, 0x384, 0x708, 0xe10, 0x1c20, 0x1840};
 };
 
@@ -168,7 +168,7 @@ struct Parameters {
     Scalar T_0 = Scalar(293);  ///< K, temperature of the right side
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -187,7 +187,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -202,7 +202,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 30 + or -, 92 *, 27 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -323,7 +323,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = p_.T_0;
@@ -1073,7 +1073,7 @@ public:
         J[12] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -1172,14 +1172,14 @@ public:
         D[3] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -1193,20 +1193,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 12 + or -, 23 *
     ///     E = C*T_P + L_a*H_b*B*rho*c_p*T[1]/2 + L_a*H_b*B*rho*c_p*T[2]/2 + L_b*H_b*B*rho*c_p*T[3]/2 + L_b*H_b*B*rho*c_p*T[4]/2 +
     ///     L_d*H_b*B*rho*c_p*T[5]/2 + L_d*H_b*B*rho*c_p*T[6]/2 + L_a*H_c*B*rho*c_p*T[7]/2 + L_a*H_c*B*rho*c_p*T[8]/2 +
@@ -1234,7 +1234,7 @@ public:
             + p_.C * T_P;
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 4 + or -, 2 *
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar P = u[0];
@@ -1243,14 +1243,14 @@ public:
         return P + c_.k38 * (p_.T_0 - T_6) + c_.k39 * (p_.T_0 - T_12);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar H;  ///< H_b + H_c
         Scalar R_low;  ///< (L_a/(lambda_a*H) + L_d/(lambda_d*H) + 1/(H_b*lambda_b/L_b + H_c*lambda_c/L_b))/B

@@ -15,7 +15,7 @@
 //     d(T + V + E)/dt = supplied - dissipated + exchanged + prescribed: proven
 //     this code = the derivation: 78 of 78 functions
 //
-// Of each function, in the mode that needs most:
+// Each function in its most expensive mode:
 // Operations          +,-      *     /  sin,cos  other
 //   update                 5     10     9        0      1
 //   rhs                    2      3     1        0      0
@@ -29,8 +29,8 @@
 //   events                 3      3     0        0      0
 //   event_rates            3     13     2        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef BOILING_HEATER_FULL_HPP
 #define BOILING_HEATER_FULL_HPP
@@ -61,7 +61,7 @@ inline constexpr std::size_t output_count = 4;
 inline constexpr std::size_t parameter_count = 11;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { T = 0, m = 1 }; };
 struct input { enum : std::size_t { P = 0 }; };
 struct output { enum : std::size_t { power = 0, loss = 1, boils_at = 2, steam = 3 }; };
@@ -104,8 +104,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"t_s", "s", "when the water shall begin to boil", 10, 10000},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -114,12 +114,12 @@ struct Guard {
 
 inline constexpr std::array<Guard, guard_count> guard_list{};
 
-/// The ways in which the machine can be.
+/// The modes of the machine.
 enum class Mode : unsigned { above_half_and_water_liquid, above_half_and_water_boiling, below_half_and_water_liquid, below_half_and_water_boiling };
 inline constexpr std::size_t mode_count = 4;
 inline constexpr std::array<const char*, mode_count> mode_names{"above_half_and_water_liquid", "above_half_and_water_boiling", "below_half_and_water_liquid", "below_half_and_water_boiling"};
 
-/// What happens where a guard falls through zero, and changes the mode or the state.
+/// Events: each happens where its guard falls through zero, and changes the mode or the state.
 struct event { enum : std::size_t { half = 0, water_boils = 1, water_cools = 2, water_runs_dry = 3 }; };
 inline constexpr std::size_t event_count = 4;
 inline constexpr std::array<const char*, event_count> event_names{"half", "water_boils", "water_cools", "water_runs_dry"};
@@ -132,8 +132,8 @@ struct Modes {
     constexpr const Mode* end() const noexcept { return modes.data() + count; }
 };
 
-/// Of each event in each mode: whether it is watched there, and where it leads, once (else `beside`, where what it resets drives other
-/// parts out of their modes) or after infinitely many of it. None: the run ends.
+/// For each event in each mode: whether the mode watches it, and the modes that may follow: `next` after one event, `beside` if its reset
+/// drives other parts out of their modes, `rest` after infinitely many. None: the run ends.
 struct Transition {
     bool is_watched;
     Modes next, beside, rest;
@@ -202,7 +202,7 @@ struct Parameters {
     Scalar t_s = Scalar(600);  ///< s, when the water shall begin to boil
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -221,7 +221,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -234,7 +234,7 @@ public:
 
     static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
-    // What generic code asks a system for that switches.
+    // Queries for generic code about modes and events.
     using Mode = boiling_heater::full::Mode;
     using Events = std::array<Scalar, event_count>;
     using Kinks = Guards;
@@ -247,7 +247,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: above_half_and_water_liquid: 5 + or -, 9 *, 8 /, 1 other functions; above_half_and_water_boiling: 5 + or -, 10 *, 9 /, 1 other functions; below_half_and_water_liquid: 5 + or -, 9 *, 8 /, 1 other functions; below_half_and_water_boiling: 5 + or -, 10 *, 9 /, 1 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -275,7 +275,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = p_.T_inf;
@@ -491,7 +491,7 @@ public:
         J[1] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(Mode /*mode*/, const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -602,14 +602,14 @@ public:
         }
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(Mode /*mode*/, const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(Mode /*mode*/, const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -623,20 +623,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 2 *
     ///     E = c_p*T*m
     Scalar internal_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
@@ -645,7 +645,7 @@ public:
         return p_.c_p * T * m;
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: above_half_and_water_liquid: 2 + or -, 2 *; above_half_and_water_boiling: 3 + or -, 8 *, 2 /; below_half_and_water_liquid: 2 + or -, 2 *; below_half_and_water_boiling: 3 + or -, 8 *, 2 /
     Scalar exchanged_power(Mode mode, const State& x, const Input& u, Scalar /*t*/) const noexcept {
         switch (mode) {
@@ -668,7 +668,7 @@ public:
         }
     }
 
-    /// Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.
+    /// Event e happens where g[e] falls through zero. Entries of events that the mode does not watch stay as they are.
     /// Operations: above_half_and_water_liquid: 2 + or -, 1 *; above_half_and_water_boiling: 3 + or -, 3 *; below_half_and_water_liquid: 1 + or -; below_half_and_water_boiling: 2 + or -, 2 *
     ///     half: -m_0/2 + m in the mode above_half_and_water_liquid
     ///     water_boils: T_s - T in the mode above_half_and_water_liquid
@@ -758,13 +758,13 @@ public:
         }
     }
 
-    /// Whether what the mode holds is as it holds it, but for roundings.
+    /// Whether the state meets the conditions of the mode, up to roundings.
     /// Operations: none
     bool holds(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return true;
     }
 
-    /// What the event changes where it happens.
+    /// Changes the state as the event does.
     void reset(std::size_t event_number, Mode mode, State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
             case Mode::above_half_and_water_liquid:
@@ -782,7 +782,7 @@ public:
         }
     }
 
-    /// What changes where the event has happened infinitely often.
+    /// Changes the state as infinitely many of the event do.
     void settle(std::size_t event_number, Mode /*mode*/, State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         (void)event_number;
     }
@@ -794,7 +794,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k;  ///< 1/(L/lambda + 1/alpha_i + 1/alpha_a)
         Scalar E_s;  ///< 1/exp(A*t_s*k/(m_0*c_p))

@@ -16,7 +16,7 @@
 //     d(T + V + E)/dt = supplied - dissipated + exchanged + prescribed: proven
 //     this code = the derivation: 68 of 68 functions
 //
-// Of each function, in the mode that needs most:
+// Each function in its most expensive mode:
 // Operations          +,-      *     /  sin,cos  other
 //   update                 1     13     4        0      0
 //   rhs                    3      3     0        0      0
@@ -32,8 +32,8 @@
 //   events                 0      3     0        0      0
 //   event_rates            1      0     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef BRAKE_DISC_FULL_HPP
 #define BRAKE_DISC_FULL_HPP
@@ -64,7 +64,7 @@ inline constexpr std::size_t output_count = 6;
 inline constexpr std::size_t parameter_count = 11;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { phi = 0, phi_dot = 1, T = 2 }; };
 struct input {};
 struct output { enum : std::size_t { speed = 0, torque = 1, P_r = 2, Q_a = 3, stands = 4, T_limit = 5 }; };
@@ -108,8 +108,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"T_inf", "K", "temperature of the air, and of the disc at the start", 250, 330},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -118,12 +118,12 @@ struct Guard {
 
 inline constexpr std::array<Guard, guard_count> guard_list{};
 
-/// The ways in which the machine can be.
+/// The modes of the machine.
 enum class Mode : unsigned { pads_sticks, pads_slides_forwards, pads_slides_backwards };
 inline constexpr std::size_t mode_count = 3;
 inline constexpr std::array<const char*, mode_count> mode_names{"pads_sticks", "pads_slides_forwards", "pads_slides_backwards"};
 
-/// What happens where a guard falls through zero, and changes the mode or the state.
+/// Events: each happens where its guard falls through zero, and changes the mode or the state.
 struct event { enum : std::size_t { pads_breaks_forwards = 0, pads_breaks_backwards = 1, pads_stops_forwards = 2, pads_stops_backwards = 3 }; };
 inline constexpr std::size_t event_count = 4;
 inline constexpr std::array<const char*, event_count> event_names{"pads_breaks_forwards", "pads_breaks_backwards", "pads_stops_forwards", "pads_stops_backwards"};
@@ -136,8 +136,8 @@ struct Modes {
     constexpr const Mode* end() const noexcept { return modes.data() + count; }
 };
 
-/// Of each event in each mode: whether it is watched there, and where it leads, once (else `beside`, where what it resets drives other
-/// parts out of their modes) or after infinitely many of it. None: the run ends.
+/// For each event in each mode: whether the mode watches it, and the modes that may follow: `next` after one event, `beside` if its reset
+/// drives other parts out of their modes, `rest` after infinitely many. None: the run ends.
 struct Transition {
     bool is_watched;
     Modes next, beside, rest;
@@ -171,7 +171,7 @@ inline constexpr std::array<double, state_count> start_values{0, 100, 293};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 3> nonzero{0x0, 0x5, 0x4};
 };
 
@@ -213,7 +213,7 @@ struct Parameters {
     Scalar T_inf = Scalar(293);  ///< K, temperature of the air, and of the disc at the start
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -232,7 +232,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -245,7 +245,7 @@ public:
 
     static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
-    // What generic code asks a system for that switches.
+    // Queries for generic code about modes and events.
     using Mode = brake_disc::full::Mode;
     using Events = std::array<Scalar, event_count>;
     using Kinks = Guards;
@@ -258,7 +258,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: pads_sticks: 1 + or -, 11 *, 3 /; pads_slides_forwards: 1 + or -, 13 *, 4 /; pads_slides_backwards: 1 + or -, 13 *, 4 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -282,7 +282,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[1] = p_.w_0;
@@ -568,7 +568,7 @@ public:
         J[2] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[phi, phi] = theta
     void mass_matrix(Mode /*mode*/, const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -746,7 +746,7 @@ public:
     void output_jacobian_u(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 3 *
     ///     T = theta*dot(phi)^2/2
     Scalar kinetic_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
@@ -754,7 +754,7 @@ public:
         return phi_dot * phi_dot * ((Scalar(1) / Scalar(2)) * p_.theta);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(Mode /*mode*/, const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -768,7 +768,7 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: pads_sticks: none; pads_slides_forwards: 1 *; pads_slides_backwards: 1 + or -, 1 *
     ///     In the mode pads_sticks:
     ///     dissipated = 0
@@ -793,13 +793,13 @@ public:
         }
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 2 *
     ///     E = m*c*T
     Scalar internal_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
@@ -807,7 +807,7 @@ public:
         return T * (p_.m * p_.c);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: pads_sticks: 1 + or -, 1 *; pads_slides_forwards: 2 + or -, 2 *; pads_slides_backwards: 2 + or -, 2 *
     Scalar exchanged_power(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
@@ -829,7 +829,7 @@ public:
         }
     }
 
-    /// Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.
+    /// Event e happens where g[e] falls through zero. Entries of events that the mode does not watch stay as they are.
     /// Operations: pads_sticks: 3 *; pads_slides_forwards: none; pads_slides_backwards: 1 + or -
     ///     pads_breaks_forwards: 2*r*f_n*mu_0 in the mode pads_sticks
     ///     pads_breaks_backwards: 2*r*f_n*mu_0 in the mode pads_sticks
@@ -882,7 +882,7 @@ public:
         }
     }
 
-    /// Whether what the mode holds is as it holds it, but for roundings.
+    /// Whether the state meets the conditions of the mode, up to roundings.
     /// Operations: none
     bool holds(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
@@ -897,7 +897,7 @@ public:
         }
     }
 
-    /// What the event changes where it happens.
+    /// Changes the state as the event does.
     void reset(std::size_t event_number, Mode mode, State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
             case Mode::pads_sticks: {
@@ -919,7 +919,7 @@ public:
         }
     }
 
-    /// What changes where the event has happened infinitely often.
+    /// Changes the state as infinitely many of the event do.
     void settle(std::size_t event_number, Mode /*mode*/, State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         (void)event_number;
     }
@@ -931,7 +931,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar tau;  ///< 2*r*f_n*mu
         Scalar t_1;  ///< theta*w_0/tau

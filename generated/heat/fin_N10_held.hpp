@@ -7,7 +7,7 @@
 //     dalembert generate fin.toml --scene held --size N=10
 // Scene held: of the first kind at both ends (4.77)
 // Effects in: none
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     free_end (the far end gives heat to the air; without it, it is held at T_L): adds 1 state
 //     radiation (side and end radiate to what is around): adds 1 state
 //     variable (the conductivity depends on the temperature): adds 1 state
@@ -27,8 +27,8 @@
 //   internal_energy        8      5     0        0      0
 //   exchanged_power       21      8     1        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef FIN_N10_HELD_HPP
 #define FIN_N10_HELD_HPP
@@ -59,7 +59,7 @@ inline constexpr std::size_t output_count = 2;
 inline constexpr std::size_t parameter_count = 10;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { U_1 = 0, U_2 = 1, U_3 = 2, U_4 = 3, U_5 = 4, U_6 = 5, U_7 = 6, U_8 = 7, U_9 = 8 }; };
 struct input { enum : std::size_t { x = 0 }; };
 struct output { enum : std::size_t { limit = 0, U_x = 1 }; };
@@ -106,8 +106,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"T_L", "K", "temperature of the other end, where it is held", 250, 600},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -122,7 +122,7 @@ inline constexpr std::array<double, state_count> start_values{293, 293, 293, 293
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 9> nonzero{0x3, 0x7, 0xe, 0x1c, 0x38, 0x70, 0xe0, 0x1c0, 0x180};
 };
 
@@ -154,7 +154,7 @@ struct Parameters {
     Scalar T_L = Scalar(293);  ///< K, temperature of the other end, where it is held
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -173,7 +173,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -188,7 +188,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 4 + or -, 19 *, 6 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -223,7 +223,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = p_.T_inf;
@@ -592,7 +592,7 @@ public:
         J[8] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -663,14 +663,14 @@ public:
         D[1] = c_.k9 * (Scalar(1) + Scalar(1) / exp_2) / exp_4 + c_.k10 * (Scalar(1) + Scalar(1) / exp_5) / exp_6;
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -684,20 +684,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 8 + or -, 5 *
     ///     E = L*A*rho*c_p*U[1]/10 + L*A*rho*c_p*U[2]/10 + L*A*rho*c_p*U[3]/10 + L*A*rho*c_p*U[4]/10 + L*A*rho*c_p*U[5]/10 +
     ///     L*A*rho*c_p*U[6]/10 + L*A*rho*c_p*U[7]/10 + L*A*rho*c_p*U[8]/10 + L*A*rho*c_p*U[9]/10
@@ -714,7 +714,7 @@ public:
         return (Scalar(1) / Scalar(10)) * p_.L * p_.A * p_.rho * p_.c_p * (U_1 + U_2 + U_3 + U_4 + U_5 + U_6 + U_7 + U_8 + U_9);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 21 + or -, 8 *, 1 /
     Scalar exchanged_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         const Scalar U_1 = x[0];
@@ -732,14 +732,14 @@ public:
             * (p_.T_0 - U_1 + (p_.T_L - U_9));
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar m;  ///< sqrt(P*alpha/(A*lambda))
         Scalar k0;  ///< 100*lambda/(L^2*rho*c_p)

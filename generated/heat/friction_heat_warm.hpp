@@ -31,8 +31,8 @@
 //   internal_energy        1      2     0        0      0
 //   exchanged_power        4      7     0        0      2
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef FRICTION_HEAT_WARM_HPP
 #define FRICTION_HEAT_WARM_HPP
@@ -63,7 +63,7 @@ inline constexpr std::size_t output_count = 4;
 inline constexpr std::size_t parameter_count = 12;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s = 0, s_dot = 1, T_o = 2, T_h = 3 }; };
 struct input { enum : std::size_t { f = 0 }; };
 struct output { enum : std::size_t { speed = 0, P_oil = 1, Q_air = 2, d = 3 }; };
@@ -109,8 +109,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"f_s", "N", "friction of the sealing", 0, 1000},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -125,7 +125,7 @@ inline constexpr std::array<double, state_count> start_values{0, 0, 293, 293};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 4> nonzero{0x2, 0xf, 0xe, 0xc};
 };
 
@@ -159,7 +159,7 @@ struct Parameters {
     Scalar f_s = Scalar(50);  ///< N, friction of the sealing
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -178,7 +178,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -193,7 +193,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 1 + or -, 8 *, 4 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -220,7 +220,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[2] = p_.T_0;
@@ -406,7 +406,7 @@ public:
         J[3] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[s, s] = m
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -489,7 +489,7 @@ public:
         D[3] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 3 *
     ///     T = m*dot(s)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -497,7 +497,7 @@ public:
         return s_dot * s_dot * ((Scalar(1) / Scalar(2)) * p_.m);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: 3 *
     ///     V = c*s^2/2
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -514,7 +514,7 @@ public:
         return f * s_dot;
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: 2 + or -, 6 *, 2 other functions
     ///     dissipated = f_s*tanh(dot(s)/q_v)*dot(s) + d_0*exp(b*T_0 - b*T_o)*dot(s)^2
     Scalar dissipated_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
@@ -527,13 +527,13 @@ public:
         return s_dot * (p_.f_s * tanh_1 + p_.d_0 * s_dot * exp_2);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 1 + or -, 2 *
     ///     E = C_o*T_o + C_h*T_h
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -542,7 +542,7 @@ public:
         return p_.C_o * T_o + p_.C_h * T_h;
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 4 + or -, 7 *, 2 other functions
     Scalar exchanged_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         using std::exp;
@@ -555,14 +555,14 @@ public:
         return s_dot * (p_.f_s * tanh_1 + p_.d_0 * s_dot * exp_2) + c_.k10 * (p_.T_0 - T_h);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< 1/q_v

@@ -27,8 +27,8 @@
 //   exchanged_power        9     12     0        0      1
 //   and solves for the temperatures of networks of up to 3 nodes, of which only the calls are counted
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef GLAZING_N3_FULL_HPP
 #define GLAZING_N3_FULL_HPP
@@ -59,7 +59,7 @@ inline constexpr std::size_t output_count = 4;
 inline constexpr std::size_t parameter_count = 13;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { T = 0 }; };
 struct input { enum : std::size_t { P = 0, sun = 1 }; };
 struct output { enum : std::size_t { Q = 0, U = 1, T_in = 2, T_ex = 3 }; };
@@ -104,8 +104,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"share", "1", "share of sunshine that each pane takes up", 0, 0.3},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -309,7 +309,7 @@ struct Parameters {
     Scalar share = Scalar(1) / Scalar(20);  ///< 1, share of sunshine that each pane takes up
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -328,7 +328,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -343,7 +343,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 6 + or -, 51 *, 5 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -403,7 +403,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = Scalar(293);
@@ -638,7 +638,7 @@ public:
         J[0] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -749,14 +749,14 @@ public:
         D[7] = c_.k10 * (network_inverse_7[6] + network_inverse_7[7] + network_inverse_7[8]);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -770,20 +770,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 1 *
     ///     E = C*T
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -791,7 +791,7 @@ public:
         return p_.C * T;
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 9 + or -, 12 *, 1 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar T = x[0];
@@ -803,14 +803,14 @@ public:
         return c_.k11 - balanced_temperature_2[2] * (c_.k7 + e3) + P + p_.A * sun + (p_.T_e - T) * (p_.U_w * p_.A_w);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar E_gap;  ///< -1/(1 - 1/eps - 1/eps_c)
         Scalar k0;  ///< 1/C

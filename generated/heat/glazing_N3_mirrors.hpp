@@ -7,7 +7,7 @@
 //     dalembert generate glazing.toml --scene mirrors --size N=3
 // Scene mirrors: glass that does not radiate: a wall of layers
 // Effects in: gas (the gaps are filled with gas)
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     radiates (glass radiates): changes dot(T) by 10 %
 //
 // Proven as identities:
@@ -25,8 +25,8 @@
 //   internal_energy        0      1     0        0      0
 //   exchanged_power       10     14     5        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef GLAZING_N3_MIRRORS_HPP
 #define GLAZING_N3_MIRRORS_HPP
@@ -57,7 +57,7 @@ inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 10;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { T = 0 }; };
 struct input { enum : std::size_t { P = 0, sun = 1 }; };
 struct output { enum : std::size_t { Q_m = 0, T_in = 1, T_ex = 2 }; };
@@ -97,8 +97,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"share", "1", "share of sunshine that each pane takes up", 0, 0.3},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -143,7 +143,7 @@ struct Parameters {
     Scalar share = Scalar(1) / Scalar(20);  ///< 1, share of sunshine that each pane takes up
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -162,7 +162,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -177,7 +177,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 19 + or -, 48 *, 12 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -228,7 +228,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = Scalar(293);
@@ -408,7 +408,7 @@ public:
         J[0] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -469,14 +469,14 @@ public:
         D[5] = c_.k13;
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -490,20 +490,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 1 *
     ///     E = C*T
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -511,7 +511,7 @@ public:
         return p_.C * T;
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 10 + or -, 14 *, 5 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar P = u[0];
@@ -526,14 +526,14 @@ public:
         return c_.k6 + P + sun * e6 - c_.k8 * T + (p_.T_e - T) * (p_.U_w * p_.A_w);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< T_e/(C*(2*d/(A*k) + 1/(A*a_i) + 1/(A*a_e)))
         Scalar k1;  ///< 1/C

@@ -7,7 +7,7 @@
 //     dalembert generate heat_conduction.toml --scene sphere --size N=8
 // Scene sphere: solid, convection outside
 // Effects in: sphere (heat along the radius of a sphere (4.5c))
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     plate (heat along x (4.5a)): contradicts effects that are in
 //     cylinder (heat along the radius of a cylinder (4.5b)): contradicts effects that are in
 //     held (the surface is held at a temperature, a condition of the first kind (4.9a)): contradicts effects that are in
@@ -31,8 +31,8 @@
 //   internal_energy        7     21     0        0      0
 //   exchanged_power        3     14     1        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef HEAT_CONDUCTION_N8_SPHERE_HPP
 #define HEAT_CONDUCTION_N8_SPHERE_HPP
@@ -63,7 +63,7 @@ inline constexpr std::size_t output_count = 4;
 inline constexpr std::size_t parameter_count = 7;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { T_1 = 0, T_2 = 1, T_3 = 2, T_4 = 3, T_5 = 4, T_6 = 5, T_7 = 6, T_8 = 7 }; };
 struct input { enum : std::size_t { x = 0 }; };
 struct output { enum : std::size_t { T_middle = 0, diffusivity = 1, T_outer = 2, steady_sphere = 3 }; };
@@ -107,8 +107,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"T_inf", "K", "temperature of what is around; also that at which the surface is held (4.9a)", 200, 600},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -123,7 +123,7 @@ inline constexpr std::array<double, state_count> start_values{293, 293, 293, 293
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 8> nonzero{0x3, 0x7, 0xe, 0x1c, 0x38, 0x70, 0xe0, 0xc0};
 };
 
@@ -164,7 +164,7 @@ struct Parameters {
     Scalar T_inf = Scalar(293);  ///< K, temperature of what is around; also that at which the surface is held (4.9a)
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -183,7 +183,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -198,7 +198,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 5 + or -, 44 *, 7 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -250,7 +250,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = p_.T_inf;
@@ -534,7 +534,7 @@ public:
         J[7] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -612,14 +612,14 @@ public:
         D[3] = -c_.k26 * x_value;
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -633,20 +633,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 7 + or -, 21 *
     ///     E = R^3*rho*c_p*pi*T[1]/384 + 7*R^3*rho*c_p*pi*T[2]/384 + 19*R^3*rho*c_p*pi*T[3]/384 + 37*R^3*rho*c_p*pi*T[4]/384 +
     ///     61*R^3*rho*c_p*pi*T[5]/384 + 91*R^3*rho*c_p*pi*T[6]/384 + 127*R^3*rho*c_p*pi*T[7]/384 + 169*R^3*rho*c_p*pi*T[8]/384
@@ -666,7 +666,7 @@ public:
             * ((Scalar(127) / Scalar(384)) * e1) + T_8 * ((Scalar(169) / Scalar(384)) * e1);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 3 + or -, 14 *, 1 /
     Scalar exchanged_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         const Scalar e1 = p_.R * detail::pi<Scalar>();
@@ -677,14 +677,14 @@ public:
         return e4 - T_8 * (Scalar(60) * e3);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar a;  ///< lambda/(rho*c_p)
         Scalar k0;  ///< g/(rho*c_p)

@@ -7,7 +7,7 @@
 //     dalembert generate heat_exchanger.toml --scene parallel --size N=12
 // Scene parallel: parallel flow, a thin wall
 // Effects in: none
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     counter (the cold fluid flows from L to 0; without it, both flow the same way): changes nothing
 //     wall_stores (the wall stores heat): adds 12 states
 //
@@ -28,8 +28,8 @@
 //   internal_energy       23      6     0        0      0
 //   exchanged_power        3      4     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef HEAT_EXCHANGER_N12_PARALLEL_HPP
 #define HEAT_EXCHANGER_N12_PARALLEL_HPP
@@ -60,7 +60,7 @@ inline constexpr std::size_t output_count = 7;
 inline constexpr std::size_t parameter_count = 9;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { T_h_1 = 0, T_h_2 = 1, T_h_3 = 2, T_h_4 = 3, T_h_5 = 4, T_h_6 = 5, T_h_7 = 6, T_h_8 = 7,
     T_h_9 = 8, T_h_10 = 9, T_h_11 = 10, T_h_12 = 11, T_c_1 = 12, T_c_2 = 13, T_c_3 = 14, T_c_4 = 15, T_c_5 = 16,
     T_c_6 = 17, T_c_7 = 18, T_c_8 = 19, T_c_9 = 20, T_c_10 = 21, T_c_11 = 22, T_c_12 = 23 }; };
@@ -131,8 +131,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"T_r", "K", "temperature from which enthalpies count, any", 250, 300},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -294,7 +294,7 @@ struct Parameters {
     Scalar T_r = Scalar(273);  ///< K, temperature from which enthalpies count, any
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -313,7 +313,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -328,7 +328,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 1 + or -, 27 *, 10 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -362,7 +362,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = Scalar(290);
@@ -979,7 +979,7 @@ public:
         J[23] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -1380,14 +1380,14 @@ public:
         D[34] = e34 + e36;
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -1401,20 +1401,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 23 + or -, 6 *
     ///     E = c_h*M_h*T_h[1]/12 + c_h*M_h*T_h[2]/12 + c_h*M_h*T_h[3]/12 + c_h*M_h*T_h[4]/12 + c_h*M_h*T_h[5]/12 +
     ///     c_h*M_h*T_h[6]/12 + c_h*M_h*T_h[7]/12 + c_h*M_h*T_h[8]/12 + c_h*M_h*T_h[9]/12 + c_h*M_h*T_h[10]/12 + c_h*M_h*T_h[11]/12
@@ -1451,7 +1451,7 @@ public:
         return (Scalar(1) / Scalar(12)) * p_.c_h * p_.M_h * e1 + (Scalar(1) / Scalar(12)) * p_.c_c * p_.M_c * e2;
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 3 + or -, 4 *
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar m_h = u[0];
@@ -1463,14 +1463,14 @@ public:
         return p_.c_h * m_h * (T_hi - T_h_12) + p_.c_c * m_c * (T_ci - T_c_12);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k;  ///< 1/(1/alpha_h + 1/alpha_c)
         Scalar k0;  ///< 12/M_h

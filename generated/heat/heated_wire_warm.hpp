@@ -7,7 +7,7 @@
 //     dalembert generate heated_wire.toml --scene warm
 // Scene warm
 // Effects in: warm (the resistance depends on the temperature (4.59))
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     radiation (the wires radiate too): changes nothing
 //
 // Proven as identities:
@@ -27,8 +27,8 @@
 //   internal_energy        1     11     0        0      0
 //   exchanged_power        7     12     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef HEATED_WIRE_WARM_HPP
 #define HEATED_WIRE_WARM_HPP
@@ -59,7 +59,7 @@ inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 11;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { T_ac = 0, T_dc = 1, I_dc = 2 }; };
 struct input { enum : std::size_t { I_ac = 0 }; };
 struct output { enum : std::size_t { error = 0, P_ac = 1, P_dc = 2 }; };
@@ -102,8 +102,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"k_c", "A/(K*s)", "how fast the comparator adjusts the direct current", 0.0001, 10},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -118,7 +118,7 @@ inline constexpr std::array<double, state_count> start_values{293, 293, 0.1};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 3> nonzero{0x5, 0x6, 0x2};
 };
 
@@ -163,7 +163,7 @@ struct Parameters {
     Scalar k_c = Scalar(1) / Scalar(50);  ///< A/(K*s), how fast the comparator adjusts the direct current
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -182,7 +182,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -197,7 +197,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 9 + or -, 44 *, 6 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -247,7 +247,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = p_.T_0;
@@ -411,7 +411,7 @@ public:
         J[2] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -468,14 +468,14 @@ public:
         D[2] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -489,20 +489,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 1 + or -, 11 *
     ///     E = l*D_ac^2*rho*c_p*pi*T_ac/4 + l*D_dc^2*rho*c_p*pi*T_dc/4
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -513,7 +513,7 @@ public:
             * ((Scalar(1) / Scalar(4)) * p_.D_dc * p_.D_dc * e1);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 7 + or -, 12 *
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar I_dc = x[2];
@@ -525,14 +525,14 @@ public:
             * (p_.D_ac * e1) + (p_.T_0 - T_dc) * (p_.D_dc * e1);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< 16*rho_0*(-1 + gamma*T_0)/(D_ac^4*s*rho*c_p*pi^2)
         Scalar k1;  ///< 16*rho_0*gamma/(D_ac^4*s*rho*c_p*pi^2)

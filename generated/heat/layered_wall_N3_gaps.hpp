@@ -7,7 +7,7 @@
 //     dalembert generate layered_wall.toml --scene gaps --size N=3
 // Scene gaps: contact resistance between the layers
 // Effects in: gaps (the layers do not touch everywhere (4.25))
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     radiation (the wall radiates to the sky): changes dot(T[3]) by 6.3e-06 %
 //     variable (the conductivity depends on the temperature; then the surfaces store heat too): contradicts effects that are in
 //
@@ -27,8 +27,8 @@
 //   internal_energy        2     12     0        0      0
 //   exchanged_power       10     14     6        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef LAYERED_WALL_N3_GAPS_HPP
 #define LAYERED_WALL_N3_GAPS_HPP
@@ -59,7 +59,7 @@ inline constexpr std::size_t output_count = 6;
 inline constexpr std::size_t parameter_count = 18;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { T_1 = 0, T_2 = 1, T_3 = 2 }; };
 struct input { enum : std::size_t { T_i = 0, T_a = 1, sun = 2, x = 3 }; };
 struct output { enum : std::size_t { T_inside = 0, T_between = 1, T_front = 2, Q_inside = 3, U = 4, T_steady = 5 }; };
@@ -116,8 +116,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"g", "W/m^3", "heat by volume in the layers, as of a heating wire", 0, 1000000},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -132,7 +132,7 @@ inline constexpr std::array<double, state_count> start_values{283, 283, 283};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 3> nonzero{0x3, 0x7, 0x6};
 };
 
@@ -188,7 +188,7 @@ struct Parameters {
     Scalar g = Scalar(0);  ///< W/m^3, heat by volume in the layers, as of a heating wire
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -207,7 +207,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -222,7 +222,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 19 + or -, 69 *, 26 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -305,7 +305,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = Scalar(283);
@@ -563,7 +563,7 @@ public:
         J[2] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -684,14 +684,14 @@ public:
         D[23] = -(T_i - T_a) * e12;
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -705,20 +705,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 2 + or -, 12 *
     ///     E = L[1]*rho[1]*c_p[1]*A*T[1] + L[2]*rho[2]*c_p[2]*A*T[2] + L[3]*rho[3]*c_p[3]*A*T[3]
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -729,7 +729,7 @@ public:
             * (p_.L[2] * p_.rho[2] * p_.c_p[2] * p_.A);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 10 + or -, 14 *, 6 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar T_i = u[0];
@@ -742,14 +742,14 @@ public:
         return c_.k25 * (T_i - T_1) + e1 + p_.A * p_.g * (p_.L[0] + p_.L[1] + p_.L[2]) - sun * (p_.A * p_.a_s * e2);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k;  ///< 1/(L[1]/lambda[1] + L[2]/lambda[2] + L[3]/lambda[3] + 1/alpha_0 + 1/alpha_L)
         Scalar k0;  ///< g/(rho[1]*c_p[1])

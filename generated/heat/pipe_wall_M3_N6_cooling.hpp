@@ -24,8 +24,8 @@
 //   internal_energy       26     50     0        0      0
 //   exchanged_power        1      5     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef PIPE_WALL_M3_N6_COOLING_HPP
 #define PIPE_WALL_M3_N6_COOLING_HPP
@@ -56,7 +56,7 @@ inline constexpr std::size_t output_count = 2;
 inline constexpr std::size_t parameter_count = 16;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { T_1_1 = 0, T_1_2 = 1, T_1_3 = 2, T_2_1 = 3, T_2_2 = 4, T_2_3 = 5, T_2_4 = 6, T_2_5 = 7,
     T_2_6 = 8, T_W = 9 }; };
 struct input {};
@@ -109,8 +109,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"T_inf", "K", "temperature of the air", 200, 400},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -125,7 +125,7 @@ inline constexpr std::array<double, state_count> start_values{283, 283, 283, 283
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 10> nonzero{0x203, 0x7, 0xe, 0x1c, 0x38, 0x70, 0xe0, 0x1c0, 0x180, 0x201};
 };
 
@@ -193,7 +193,7 @@ struct Parameters {
     Scalar T_inf = Scalar(283);  ///< K, temperature of the air
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -212,7 +212,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -227,7 +227,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 20 + or -, 87 *, 25 /, 7 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -321,7 +321,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = p_.T_inf;
@@ -877,7 +877,7 @@ public:
         J[9] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -932,14 +932,14 @@ public:
     void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -953,20 +953,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 26 + or -, 50 *
     ///     E = H*rho_1*c_1*pi*(-7*r_0^2/16 + 3*r_0*r_1/8 + r_1^2/16)*T_1[1] - H*rho_1*c_1*pi*(r_0^2 - r_1^2)*T_1[2]/2 -
     ///     H*rho_1*c_1*pi*(r_0^2/16 + 3*r_0*r_1/8 - 7*r_1^2/16)*T_1[3] + H*rho_2*c_2*pi*(-19*r_1^2/100 + 9*r_1*r_2/50 +
@@ -1011,21 +1011,21 @@ public:
             + T_W * (p_.r_0 * p_.r_0 * p_.rho_W * p_.c_W * e1);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 1 + or -, 5 *
     Scalar exchanged_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         const Scalar T_2_6 = x[8];
         return (p_.T_inf - T_2_6) * (Scalar(2) * p_.r_2 * p_.H * p_.alpha_2 * detail::pi<Scalar>());
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< 32*lambda_1/(rho_1*c_1*log_ratio(r_0/2 + r_1/2, r_0)*(r_0 - r_1)*(7*r_0 + r_1))
         Scalar k1;  ///< 32*r_0*alpha_0/(rho_1*c_1*(r_0 - r_1)*(7*r_0 + r_1))

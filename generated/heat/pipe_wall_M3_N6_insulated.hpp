@@ -7,7 +7,7 @@
 //     dalembert generate pipe_wall.toml --scene insulated --size M=3 --size N=6
 // Scene insulated: water flows, with insulation
 // Effects in: insulated (there is insulation around the wall)
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     standing (the water stands and cools; otherwise it flows and has a given temperature): adds 1 state, changes dot(T_1[1]) by
 //         128 %
 //
@@ -26,8 +26,8 @@
 //   internal_energy       25     45     0        0      0
 //   exchanged_power        3      9     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef PIPE_WALL_M3_N6_INSULATED_HPP
 #define PIPE_WALL_M3_N6_INSULATED_HPP
@@ -58,7 +58,7 @@ inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 14;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { T_1_1 = 0, T_1_2 = 1, T_1_3 = 2, T_2_1 = 3, T_2_2 = 4, T_2_3 = 5, T_2_4 = 6, T_2_5 = 7,
     T_2_6 = 8 }; };
 struct input { enum : std::size_t { T_F = 0 }; };
@@ -111,8 +111,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"T_inf", "K", "temperature of the air", 200, 400},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -127,7 +127,7 @@ inline constexpr std::array<double, state_count> start_values{283, 283, 283, 283
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 9> nonzero{0x3, 0x7, 0xe, 0x1c, 0x38, 0x70, 0xe0, 0x1c0, 0x180};
 };
 
@@ -193,7 +193,7 @@ struct Parameters {
     Scalar T_inf = Scalar(283);  ///< K, temperature of the air
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -212,7 +212,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -227,7 +227,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 24 + or -, 93 *, 31 /, 9 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -329,7 +329,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = p_.T_inf;
@@ -829,7 +829,7 @@ public:
         J[8] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -897,14 +897,14 @@ public:
         D[2] = c_.k_i;
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -918,20 +918,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 25 + or -, 45 *
     ///     E = H*rho_1*c_1*pi*(-7*r_0^2/16 + 3*r_0*r_1/8 + r_1^2/16)*T_1[1] - H*rho_1*c_1*pi*(r_0^2 - r_1^2)*T_1[2]/2 -
     ///     H*rho_1*c_1*pi*(r_0^2/16 + 3*r_0*r_1/8 - 7*r_1^2/16)*T_1[3] + H*rho_2*c_2*pi*(-19*r_1^2/100 + 9*r_1*r_2/50 +
@@ -974,7 +974,7 @@ public:
         return e15 - T_1_2 * ((Scalar(1) / Scalar(2)) * (e5 - e3)) - e16 + T_2_1 * e17 + e18 + e19 - e20 - e21 - T_2_6 * e22;
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 3 + or -, 9 *
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar T_2_6 = x[8];
@@ -985,14 +985,14 @@ public:
             * (Scalar(2) * p_.r_0 * p_.alpha_0 * e1);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k_i;  ///< 2*pi/(1/(r_0*alpha_0) + 1/(r_1*alpha_1) + 1/(r_2*alpha_2) + log(r_1/r_0)/lambda_1 + ...
         Scalar k0;  ///< 32*r_0*alpha_0/(rho_1*c_1*(r_0 - r_1)*(7*r_0 + r_1))

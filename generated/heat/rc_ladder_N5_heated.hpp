@@ -8,7 +8,7 @@
 // Scene heated: heat in at 0, out at L
 // Effects in: cooled (the end at L is cooled, a condition of the third kind; without it, it is held), heated (the end at 0 takes a
 //     given heat, of the second kind; without it, it is insulated)
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     source (every part of the bar is a source of heat): changes dot(T[0]) by 100 %
 //
 // Proven as identities:
@@ -26,8 +26,8 @@
 //   internal_energy        5      3     0        0      0
 //   exchanged_power        2      2     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef RC_LADDER_N5_HEATED_HPP
 #define RC_LADDER_N5_HEATED_HPP
@@ -58,7 +58,7 @@ inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 7;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { T_0 = 0, T_1 = 1, T_2 = 2, T_3 = 3, T_4 = 4, U = 5 }; };
 struct input { enum : std::size_t { T_L = 0, Q_r = 1 }; };
 struct output { enum : std::size_t { Q_first = 0, H_1 = 1, R_end = 2 }; };
@@ -100,8 +100,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"T_A", "K", "temperature at the start", 200, 400},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -116,7 +116,7 @@ inline constexpr std::array<double, state_count> start_values{293, 293, 293, 293
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 6> nonzero{0x3, 0x7, 0xe, 0x1c, 0x38, 0x30};
 };
 
@@ -145,7 +145,7 @@ struct Parameters {
     Scalar T_A = Scalar(293);  ///< K, temperature at the start
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -164,7 +164,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -179,7 +179,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 1 + or -, 14 *, 5 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -202,7 +202,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = p_.T_A;
@@ -443,7 +443,7 @@ public:
         J[5] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -505,14 +505,14 @@ public:
         D[5] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -526,20 +526,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 5 + or -, 3 *
     ///     E = C*T[0]/2 + C*T[1] + C*T[2] + C*T[3] + C*T[4] + C*U/2
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -552,7 +552,7 @@ public:
         return c_.C * (T_1 + T_2 + T_3 + T_4) + (Scalar(1) / Scalar(2)) * c_.C * (T_0 + U);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 2 + or -, 2 *
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar Q_r = u[1];
@@ -561,14 +561,14 @@ public:
         return Q_r + (T_L - U) * (p_.A * p_.alpha);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar dx;  ///< L/5
         Scalar C;  ///< A*rho*c_p*dx

@@ -8,7 +8,7 @@
 // Scene insulated: the bar of (4.93)
 // Effects in: insulated (insulated at 0 and without a source (4.93); without it, the bar of Aufgabe 4.13 with a source and both
 //     ends held)
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     graded (points with unequal steps, closer where the waves come from): changes dot(T[9]) by 67 %
 //
 // Proven as identities:
@@ -26,8 +26,8 @@
 //   internal_energy        9      7     0        0      0
 //   exchanged_power        1      4     1        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef TRANSIENT_BAR_N10_INSULATED_HPP
 #define TRANSIENT_BAR_N10_INSULATED_HPP
@@ -58,7 +58,7 @@ inline constexpr std::size_t output_count = 2;
 inline constexpr std::size_t parameter_count = 9;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { T_0 = 0, T_1 = 1, T_2 = 2, T_3 = 3, T_4 = 4, T_5 = 5, T_6 = 6, T_7 = 7, T_8 = 8,
     T_9 = 9 }; };
 struct input { enum : std::size_t { x = 0, T_L = 1 }; };
@@ -106,8 +106,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"Dt", "s", "time step of (4.98)", 0.01, 100},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -122,7 +122,7 @@ inline constexpr std::array<double, state_count> start_values{293, 293, 293, 293
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 10> nonzero{0x3, 0x7, 0xe, 0x1c, 0x38, 0x70, 0xe0, 0x1c0, 0x380, 0x300};
 };
 
@@ -175,7 +175,7 @@ struct Parameters {
     Scalar Dt = Scalar(10);  ///< s, time step of (4.98)
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -194,7 +194,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -209,7 +209,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 17 *, 5 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -233,7 +233,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = p_.T_r;
@@ -623,7 +623,7 @@ public:
         J[9] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -695,14 +695,14 @@ public:
         D[3] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -716,20 +716,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 9 + or -, 7 *
     ///     E = L*A*rho*c_p*T[0]/20 + L*A*rho*c_p*T[1]/10 + L*A*rho*c_p*T[2]/10 + L*A*rho*c_p*T[3]/10 + L*A*rho*c_p*T[4]/10 +
     ///     L*A*rho*c_p*T[5]/10 + L*A*rho*c_p*T[6]/10 + L*A*rho*c_p*T[7]/10 + L*A*rho*c_p*T[8]/10 + L*A*rho*c_p*T[9]/10
@@ -749,7 +749,7 @@ public:
         return e2 + T_0 * ((Scalar(1) / Scalar(20)) * e1);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 1 + or -, 4 *, 1 /
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar T_L = u[1];
@@ -757,14 +757,14 @@ public:
         return (T_L - T_9) * (Scalar(10) * p_.A * p_.lambda / p_.L);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar a;  ///< lambda/(rho*c_p)
         Scalar dx;  ///< L/10

@@ -7,7 +7,7 @@
 //     dalembert generate tube_reactor.toml --scene thin
 // Scene thin: a thin outer tube that radiates and conducts
 // Effects in: none
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     outer_stores (the outer tube stores heat; without it, its temperature follows from that of the inner one): adds 1 state
 //
 // Proven as identities:
@@ -25,8 +25,8 @@
 //   internal_energy        0      2     0        0      0
 //   exchanged_power        4     10     0        0      1
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef TUBE_REACTOR_THIN_HPP
 #define TUBE_REACTOR_THIN_HPP
@@ -57,7 +57,7 @@ inline constexpr std::size_t output_count = 5;
 inline constexpr std::size_t parameter_count = 9;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { T_1 = 0 }; };
 struct input { enum : std::size_t { load = 0 }; };
 struct output { enum : std::size_t { T_outer = 0, limit = 1, T_1steady = 2, Q_vacuum = 3, Q_loss = 4 }; };
@@ -97,8 +97,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"C_1", "J/(m*K)", "heat capacity of the inner tube and what is in it, by length", 10, 1000000},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -176,7 +176,7 @@ struct Parameters {
     Scalar C_1 = Scalar(6000);  ///< J/(m*K), heat capacity of the inner tube and what is in it, by length
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -195,7 +195,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -210,7 +210,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 13 + or -, 56 *, 7 /, 1 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -281,7 +281,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = p_.T_inf;
@@ -449,7 +449,7 @@ public:
         J[0] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -519,14 +519,14 @@ public:
         D[4] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -540,20 +540,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 2 *
     ///     E = H*C_1*T_1
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -561,7 +561,7 @@ public:
         return T_1 * (p_.H * p_.C_1);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 4 + or -, 10 *, 1 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar T_1 = x[0];
@@ -571,14 +571,14 @@ public:
         return c_.k9 - radiant_temperature_1 * (c_.k10 + e2) + load * (p_.H * c_.q_max);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar F;  ///< -1/(d/D - d/(D*eps_2) - 1/eps_1)
         Scalar q_max;  ///< -D*pi*(stefan_boltzmann*eps_2*T_inf^4 - stefan_boltzmann*eps_2*T_2max^4 + alpha*T_inf - ...

@@ -17,7 +17,7 @@
 //     d(T + V + E)/dt = supplied - dissipated + exchanged + prescribed: proven
 //     this code = the derivation: 72 of 72 functions
 //
-// Of each function, in the mode that needs most:
+// Each function in its most expensive mode:
 // Operations          +,-      *     /  sin,cos  other
 //   update                 4     20     4        0      0
 //   rhs                   18     26     4        0      8
@@ -38,8 +38,8 @@
 //   conditions             0      1     0        0      0
 //   resets                 1      1     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef CYLINDER_STOPS_FULL_HPP
 #define CYLINDER_STOPS_FULL_HPP
@@ -70,7 +70,7 @@ inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 14;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s_k = 0, s_k_dot = 1, p_1 = 2, p_2 = 3 }; };
 struct input { enum : std::size_t { x_v = 0 }; };
 struct output { enum : std::size_t { f_h = 0, f_a = 1, f_b = 2 }; };
@@ -117,8 +117,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"k_v", "m^3/(s*Pa)", "conductance of the lines, laminar", 1e-12, 1e-09},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -127,12 +127,12 @@ struct Guard {
 
 inline constexpr std::array<Guard, guard_count> guard_list{};
 
-/// The ways in which the machine can be.
+/// The modes of the machine.
 enum class Mode : unsigned { inner_open_and_outer_open, inner_open_and_outer_closed, inner_closed_and_outer_open };
 inline constexpr std::size_t mode_count = 3;
 inline constexpr std::array<const char*, mode_count> mode_names{"inner_open_and_outer_open", "inner_open_and_outer_closed", "inner_closed_and_outer_open"};
 
-/// What happens where a guard falls through zero, and changes the mode or the state.
+/// Events: each happens where its guard falls through zero, and changes the mode or the state.
 struct event { enum : std::size_t { inner_hits = 0, inner_opens = 1, outer_hits = 2, outer_opens = 3, limit_4_ = 4, limit_5_ = 5, limit_6_ = 6, limit_7_ = 7 }; };
 inline constexpr std::size_t event_count = 8;
 inline constexpr std::array<const char*, event_count> event_names{"inner_hits", "inner_opens", "outer_hits", "outer_opens", "chamber_1", "chamber_1", "chamber_2", "chamber_2"};
@@ -145,8 +145,8 @@ struct Modes {
     constexpr const Mode* end() const noexcept { return modes.data() + count; }
 };
 
-/// Of each event in each mode: whether it is watched there, and where it leads, once (else `beside`, where what it resets drives other
-/// parts out of their modes) or after infinitely many of it. None: the run ends.
+/// For each event in each mode: whether the mode watches it, and the modes that may follow: `next` after one event, `beside` if its reset
+/// drives other parts out of their modes, `rest` after infinitely many. None: the run ends.
 struct Transition {
     bool is_watched;
     Modes next, beside, rest;
@@ -200,7 +200,7 @@ inline constexpr std::array<double, state_count> start_values{0.05, 0, 3060000, 
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 4> nonzero{0xc, 0xf, 0x6, 0xa};
 };
 
@@ -300,7 +300,7 @@ struct Parameters {
     Scalar k_v = Scalar(1) / (Scalar(20) * Scalar(1000000000));  ///< m^3/(s*Pa), conductance of the lines, laminar
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -319,7 +319,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -332,7 +332,7 @@ public:
 
     static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
-    // What generic code asks a system for that switches.
+    // Queries for generic code about modes and events.
     using Mode = cylinder_stops::full::Mode;
     using Events = std::array<Scalar, event_count>;
     using Kinks = Guards;
@@ -345,7 +345,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: inner_open_and_outer_open: 4 + or -, 20 *, 4 /; inner_open_and_outer_closed: 4 + or -, 20 *, 3 /; inner_closed_and_outer_open: 4 + or -, 20 *, 3 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -383,7 +383,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = (Scalar(1) / Scalar(2)) * p_.h;
@@ -943,7 +943,7 @@ public:
         J[3] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[s_k, s_k] = m_k
     void mass_matrix(Mode /*mode*/, const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -1077,7 +1077,7 @@ public:
         D[2] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 3 *
     ///     T = m_k*dot(s_k)^2/2
     Scalar kinetic_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
@@ -1085,7 +1085,7 @@ public:
         return s_k_dot * s_k_dot * ((Scalar(1) / Scalar(2)) * p_.m_k);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(Mode /*mode*/, const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -1099,7 +1099,7 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: 2 *
     ///     dissipated = d_k*dot(s_k)^2
     Scalar dissipated_power(Mode /*mode*/, const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
@@ -1107,13 +1107,13 @@ public:
         return p_.d_k * s_k_dot * s_k_dot;
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 14 + or -, 26 *, 2 /, 4 other functions
     ///     E = A_1*density[chamber_1]*specific_energy[chamber_1]*s_k - A_2*density[chamber_2]*specific_energy[chamber_2]*s_k +
     ///     A_1*l_1*density[chamber_1]*specific_energy[chamber_1] + A_2*(l_2 + h)*density[chamber_2]*specific_energy[chamber_2]
@@ -1142,7 +1142,7 @@ public:
             * (inverse_10 * (e11 * e15) - e15 * e13);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 23 + or -, 33 *, 4 /, 10 other functions
     Scalar exchanged_power(Mode /*mode*/, const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
@@ -1176,7 +1176,7 @@ public:
             / exp_23 * (e18 + exp_16 * e19);
     }
 
-    /// Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.
+    /// Event e happens where g[e] falls through zero. Entries of events that the mode does not watch stay as they are.
     /// Operations: inner_open_and_outer_open: 4 + or -, 4 *; inner_open_and_outer_closed: 5 + or -, 7 *; inner_closed_and_outer_open: 6 + or -, 7 *
     ///     inner_hits: s_k in the mode inner_open_and_outer_open
     ///     inner_opens: d_k*dot(s_k) - A_1*p_1 + A_2*p_2 in the mode inner_closed_and_outer_open
@@ -1343,7 +1343,7 @@ public:
         }
     }
 
-    /// Whether what the mode holds is as it holds it, but for roundings.
+    /// Whether the state meets the conditions of the mode, up to roundings.
     /// Operations: inner_open_and_outer_open: none; inner_open_and_outer_closed: 1 *; inner_closed_and_outer_open: none
     bool holds(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
@@ -1360,7 +1360,7 @@ public:
         }
     }
 
-    /// What the event changes where it happens.
+    /// Changes the state as the event does.
     void reset(std::size_t event_number, Mode mode, State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
             case Mode::inner_open_and_outer_open: {
@@ -1395,7 +1395,7 @@ public:
         }
     }
 
-    /// What changes where the event has happened infinitely often.
+    /// Changes the state as infinitely many of the event do.
     void settle(std::size_t event_number, Mode mode, State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
             case Mode::inner_open_and_outer_open: {
@@ -1436,7 +1436,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< beta*k_v/(2*A_1)

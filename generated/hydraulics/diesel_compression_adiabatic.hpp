@@ -27,8 +27,8 @@
 //   internal_energy       12     28     1        1      2
 //   guards                 1      2     0        1      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef DIESEL_COMPRESSION_ADIABATIC_HPP
 #define DIESEL_COMPRESSION_ADIABATIC_HPP
@@ -59,7 +59,7 @@ inline constexpr std::size_t output_count = 7;
 inline constexpr std::size_t parameter_count = 9;
 inline constexpr std::size_t guard_count = 3;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { p = 0, T = 1 }; };
 struct input {};
 struct output { enum : std::size_t { rho = 0, e_i = 1, V = 2, m = 3, r_T = 4, e_T = 5, T_p = 6 }; };
@@ -100,8 +100,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"tau", "s", "duration of compression and release", 0.001, 1000},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -232,7 +232,7 @@ struct Parameters {
     Scalar tau = Scalar(1);  ///< s, duration of compression and release
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -251,7 +251,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -266,7 +266,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 7 + or -, 65 *, 4 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -335,7 +335,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = p_.p_0;
@@ -486,7 +486,7 @@ public:
         J[1] = c_.k13 * e8 + c_.k14 * e9;
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -588,14 +588,14 @@ public:
     void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -609,14 +609,14 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: 6 *, 1 /, 1 sin or cos
     Scalar prescribed_power(const State& x, const Input& /*u*/, Scalar t) const noexcept {
         using std::sin;
@@ -625,7 +625,7 @@ public:
         return p_value * sin_1 * (p_.V_0 * p_.delta * detail::pi<Scalar>() / p_.tau);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 12 + or -, 28 *, 1 /, 1 sin or cos, 2 other functions
     ///     E = V_0*(1 - delta/2)*density[cylinder]*specific_energy[cylinder] +
     ///     V_0*delta*density[cylinder]*specific_energy[cylinder]*cos(2*pi*t/tau)/2
@@ -651,13 +651,13 @@ public:
         return -e12 - cos_10 * inverse_4 * e13;
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: 1 + or -, 2 *, 1 sin or cos
     void guards(const State& x, const Input& /*u*/, Scalar t, Guards& g) const noexcept {
         using std::cos;
@@ -671,7 +671,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< 2*beta^2*alpha^2*delta*pi/(c_v*rho_0*tau)
         Scalar k1;  ///< 2*beta*delta*pi/tau

@@ -34,8 +34,8 @@
 //   guards                 8      7     0        0      2
 //   start_state            2      5     3        0      2
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef HYDRAULIC_CYLINDER_DENSITY_REAL_HPP
 #define HYDRAULIC_CYLINDER_DENSITY_REAL_HPP
@@ -66,7 +66,7 @@ inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 14;
 inline constexpr std::size_t guard_count = 4;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s = 0, s_dot = 1, rho_1 = 2, rho_2 = 3 }; };
 struct input { enum : std::size_t { m_1 = 0, m_2 = 1, f_l = 2 }; };
 struct output { enum : std::size_t { p_1 = 0, p_2 = 1, m_12 = 2 }; };
@@ -115,8 +115,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"d_k", "N*s/m", "viscous friction of the piston", 1, 100000},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -136,7 +136,7 @@ inline constexpr std::array<double, state_count> start_values{0.25, 0, 851.90344
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 4> nonzero{0xc, 0xf, 0xe, 0xe};
 };
 
@@ -227,7 +227,7 @@ struct Parameters {
     Scalar d_k = Scalar(5000);  ///< N*s/m, viscous friction of the piston
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -246,7 +246,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -261,7 +261,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 2 + or -, 8 *, 4 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -286,7 +286,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         using std::exp;
@@ -542,7 +542,7 @@ public:
         J[3] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[s, s] = m_k
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -635,7 +635,7 @@ public:
         D[8] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 3 *
     ///     T = m_k*dot(s)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -643,7 +643,7 @@ public:
         return s_dot * s_dot * ((Scalar(1) / Scalar(2)) * p_.m_k);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -659,7 +659,7 @@ public:
         return -f_l * s_dot;
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: 2 *
     ///     dissipated = d_k*dot(s)^2
     Scalar dissipated_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
@@ -667,13 +667,13 @@ public:
         return p_.d_k * s_dot * s_dot;
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 10 + or -, 19 *, 1 /, 4 other functions
     ///     E = A_1*rho_1*specific_energy[chamber_1]*s - A_2*rho_2*specific_energy[chamber_2]*s + A_2*(l -
     ///     d)*rho_2*specific_energy[chamber_2]
@@ -699,7 +699,7 @@ public:
         return s * e14 - e6 * (e13 * e8) + e13 * e9 * e12;
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 24 + or -, 35 *, 3 /, 6 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::log1p;
@@ -734,7 +734,7 @@ public:
             * (m_1 * compression_19 + m_2 * compression_20) - e21;
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: 8 + or -, 7 *, 2 other functions
     void guards(const State& x, const Input& /*u*/, Scalar /*t*/, Guards& g) const noexcept {
         using std::log1p;
@@ -751,7 +751,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< p_0*(A_1 - A_2)

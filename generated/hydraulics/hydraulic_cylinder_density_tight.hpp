@@ -7,7 +7,7 @@
 //     dalembert generate hydraulic_cylinder_density.toml --scene tight
 // Scene tight: without leakage and friction
 // Effects in: none
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     leakage (laminar leakage around the piston): changes dot(rho_1) by 100 %
 //     friction (viscous friction of the piston): changes nothing
 //
@@ -35,8 +35,8 @@
 //   guards                 8      7     0        0      2
 //   start_state            2      5     3        0      2
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef HYDRAULIC_CYLINDER_DENSITY_TIGHT_HPP
 #define HYDRAULIC_CYLINDER_DENSITY_TIGHT_HPP
@@ -67,7 +67,7 @@ inline constexpr std::size_t output_count = 2;
 inline constexpr std::size_t parameter_count = 12;
 inline constexpr std::size_t guard_count = 4;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s = 0, s_dot = 1, rho_1 = 2, rho_2 = 3 }; };
 struct input { enum : std::size_t { m_1 = 0, m_2 = 1, f_l = 2 }; };
 struct output { enum : std::size_t { p_1 = 0, p_2 = 1 }; };
@@ -113,8 +113,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"p_20", "Pa", "pressure in chamber 2 at the start", 10000, 40000000},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -134,7 +134,7 @@ inline constexpr std::array<double, state_count> start_values{0.25, 0, 851.90344
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 4> nonzero{0xc, 0xd, 0x6, 0xa};
 };
 
@@ -217,7 +217,7 @@ struct Parameters {
     Scalar p_20 = Scalar(5000000);  ///< Pa, pressure in chamber 2 at the start
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -236,7 +236,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -251,7 +251,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 2 + or -, 6 *, 4 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -272,7 +272,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         using std::exp;
@@ -478,7 +478,7 @@ public:
         J[3] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[s, s] = m_k
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -545,7 +545,7 @@ public:
         D[5] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 3 *
     ///     T = m_k*dot(s)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -553,7 +553,7 @@ public:
         return s_dot * s_dot * ((Scalar(1) / Scalar(2)) * p_.m_k);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -569,20 +569,20 @@ public:
         return -f_l * s_dot;
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 10 + or -, 18 *, 1 /, 4 other functions
     ///     E = A_1*rho_1*specific_energy[chamber_1]*s - A_2*rho_2*specific_energy[chamber_2]*s + A_2*(l -
     ///     d)*rho_2*specific_energy[chamber_2]
@@ -605,7 +605,7 @@ public:
         return s * e11 - e6 * (e5 * e10) + p_.beta * inverse_4 * e10 * e9;
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 11 + or -, 14 *, 3 /, 4 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::log1p;
@@ -624,7 +624,7 @@ public:
             + c_.k10 * (m_1 * compression_6 + m_2 * compression_7);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: 8 + or -, 7 *, 2 other functions
     void guards(const State& x, const Input& /*u*/, Scalar /*t*/, Guards& g) const noexcept {
         using std::log1p;
@@ -641,7 +641,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< p_0*(A_1 - A_2)

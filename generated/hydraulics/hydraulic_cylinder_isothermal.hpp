@@ -7,7 +7,7 @@
 //     dalembert generate hydraulic_cylinder.toml --scene isothermal
 // Scene isothermal: the machine of (3.167)
 // Effects in: compressible (the oil is compressible and the piston has mass; without it the piston follows the flow)
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     thermal (the temperatures of the chambers follow from the energy balance, without heat through the walls): adds 2 states
 //     leakage (laminar leakage around the piston): changes dot(p_1) by 100 %
 //     friction (viscous friction of the piston): changes nothing
@@ -37,8 +37,8 @@
 //   exchanged_power       15     19     2        0      4
 //   guards                 1      2     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef HYDRAULIC_CYLINDER_ISOTHERMAL_HPP
 #define HYDRAULIC_CYLINDER_ISOTHERMAL_HPP
@@ -69,7 +69,7 @@ inline constexpr std::size_t output_count = 4;
 inline constexpr std::size_t parameter_count = 14;
 inline constexpr std::size_t guard_count = 4;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s_k = 0, s_k_dot = 1, p_1 = 2, p_2 = 3 }; };
 struct input { enum : std::size_t { q_1 = 0, q_2 = 1, f_l = 2 }; };
 struct output { enum : std::size_t { f_h = 0, E_g = 1, V_k = 2, Q_1 = 3 }; };
@@ -119,8 +119,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"p_t", "Pa", "pressure of the tank", 10000, 1000000},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -140,7 +140,7 @@ inline constexpr std::array<double, state_count> start_values{0.25, 0, 3000000, 
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 4> nonzero{0xc, 0xd, 0x2, 0x2};
 };
 
@@ -237,7 +237,7 @@ struct Parameters {
     Scalar p_t = Scalar(200000);  ///< Pa, pressure of the tank
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -256,7 +256,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -271,7 +271,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 15 + or -, 33 *, 6 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -330,7 +330,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = Scalar(1) / Scalar(4);
@@ -530,7 +530,7 @@ public:
         J[3] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[s_k, s_k] = m_k
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -667,7 +667,7 @@ public:
         D[11] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 2 *
     ///     T = m_k*dot(s_k)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -675,7 +675,7 @@ public:
         return c_.k10 * s_k_dot * s_k_dot;
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -691,20 +691,20 @@ public:
         return -f_l * s_k_dot;
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 11 + or -, 15 *, 2 /, 4 other functions
     ///     E = A_1*density[chamber_1]*specific_energy[chamber_1]*s_k - A_2*density[chamber_2]*specific_energy[chamber_2]*s_k +
     ///     A_2*(l - d)*density[chamber_2]*specific_energy[chamber_2]
@@ -726,7 +726,7 @@ public:
             * (c_.k12 * inverse_4 - c_.k9 * e5) + e9;
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 15 + or -, 19 *, 2 /, 4 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
@@ -748,7 +748,7 @@ public:
             + s_k_dot * (p_.T_0 * (p_.beta * p_.alpha) * (p_.A_1 - p_.A_2));
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: 1 + or -, 2 *
     void guards(const State& x, const Input& /*u*/, Scalar /*t*/, Guards& g) const noexcept {
         const Scalar s_k = x[0];
@@ -762,7 +762,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< beta/A_1

@@ -37,8 +37,8 @@
 //   exchanged_power       19     24     2        0      8
 //   guards                 1      2     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef HYDRAULIC_CYLINDER_REAL_HPP
 #define HYDRAULIC_CYLINDER_REAL_HPP
@@ -69,7 +69,7 @@ inline constexpr std::size_t output_count = 4;
 inline constexpr std::size_t parameter_count = 19;
 inline constexpr std::size_t guard_count = 6;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s_k = 0, s_k_dot = 1, p_1 = 2, p_2 = 3, T_1 = 4, T_2 = 5 }; };
 struct input { enum : std::size_t { q_1 = 0, q_2 = 1, f_l = 2 }; };
 struct output { enum : std::size_t { f_h = 0, E_g = 1, V_k = 2, q_l = 3 }; };
@@ -126,8 +126,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"s_l", "m", "position at which the load is relaxed", 0, 1},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -149,7 +149,7 @@ inline constexpr std::array<double, state_count> start_values{0.25, 0, 3000000, 
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 6> nonzero{0x3e, 0x3f, 0x3e, 0x3e, 0x3c, 0x3c};
 };
 
@@ -257,7 +257,7 @@ struct Parameters {
     Scalar s_l = Scalar(1) / Scalar(4);  ///< m, position at which the load is relaxed
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -276,7 +276,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -291,7 +291,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 22 + or -, 80 *, 7 /, 4 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -410,7 +410,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = Scalar(1) / Scalar(4);
@@ -1217,7 +1217,7 @@ public:
         J[5] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[s_k, s_k] = m_k + m_l
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -1365,7 +1365,7 @@ public:
         D[11] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 2 *
     ///     T = (m_k + m_l)*dot(s_k)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -1373,7 +1373,7 @@ public:
         return c_.k45 * s_k_dot * s_k_dot;
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: 1 + or -, 3 *
     ///     V = c_l*(s_l - s_k)^2/2
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -1391,7 +1391,7 @@ public:
         return -f_l * s_k_dot;
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: 2 *
     ///     dissipated = d_k*dot(s_k)^2
     Scalar dissipated_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
@@ -1399,13 +1399,13 @@ public:
         return p_.d_k * s_k_dot * s_k_dot;
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 18 + or -, 20 *, 2 /, 4 other functions
     ///     E = A_1*density[chamber_1]*specific_energy[chamber_1]*s_k - A_2*density[chamber_2]*specific_energy[chamber_2]*s_k +
     ///     A_2*(l - d)*density[chamber_2]*specific_energy[chamber_2]
@@ -1431,7 +1431,7 @@ public:
             * (c_.k46 * e1 - c_.k47 * compression_5 - c_.k48 * e6) - s_k / exp_9 * e11;
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 19 + or -, 24 *, 2 /, 8 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
@@ -1460,7 +1460,7 @@ public:
         return min_5 * e15 + min_11 * e16 + c_.k37 * max_13 + c_.k35 * max_14;
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: 1 + or -, 2 *
     void guards(const State& x, const Input& /*u*/, Scalar /*t*/, Guards& g) const noexcept {
         const Scalar s_k = x[0];
@@ -1478,7 +1478,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< c_l*s_l

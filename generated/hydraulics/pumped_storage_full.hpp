@@ -27,8 +27,8 @@
 //   exchanged_power        7     10     0        0      2
 //   guards                 0      2     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef PUMPED_STORAGE_FULL_HPP
 #define PUMPED_STORAGE_FULL_HPP
@@ -59,7 +59,7 @@ inline constexpr std::size_t output_count = 4;
 inline constexpr std::size_t parameter_count = 8;
 inline constexpr std::size_t guard_count = 2;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { h_o = 0, h_u = 1 }; };
 struct input { enum : std::size_t { q = 0 }; };
 struct output { enum : std::size_t { z_1 = 0, z_2 = 1, v = 2, P = 3 }; };
@@ -98,8 +98,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"p_0", "Pa", "ambient pressure", 10000, 1000000},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -117,7 +117,7 @@ inline constexpr std::array<double, state_count> start_values{30, 20};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 2> nonzero{0x0, 0x0};
 };
 
@@ -159,7 +159,7 @@ struct Parameters {
     Scalar p_0 = Scalar(100000);  ///< Pa, ambient pressure
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -178,7 +178,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -193,7 +193,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 1 + or -, 2 *, 3 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -207,7 +207,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = Scalar(30);
@@ -287,7 +287,7 @@ public:
         J[1] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -344,14 +344,14 @@ public:
         D[3] = c_.k4 * (h_o - h_u) + c_.k3;
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -365,20 +365,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 3 + or -, 11 *
     ///     E = A_o*z_o*rho*g*h_o + A_o*rho*g*h_o^2/2 + A_u*z_u*rho*g*h_u + A_u*rho*g*h_u^2/2
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -391,7 +391,7 @@ public:
             * (p_.z_u * e3 + h_u * ((Scalar(1) / Scalar(2)) * e3));
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 7 + or -, 10 *, 2 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar q = u[0];
@@ -405,7 +405,7 @@ public:
         return -q * (Scalar(2) * (e1 * (p_.z_o - p_.z_u)) - c_.k3 * e5) - q * (h_o - h_u) * (Scalar(2) * e1 - c_.k4 * e5);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: 2 *
     void guards(const State& x, const Input& /*u*/, Scalar /*t*/, Guards& g) const noexcept {
         const Scalar h_o = x[0];
@@ -416,7 +416,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< 1/A_o
         Scalar k1;  ///< 1/A_u

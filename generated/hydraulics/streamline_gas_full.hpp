@@ -28,8 +28,8 @@
 //   potential_energy       1      1     0        0      0
 //   supplied_power         1      3     1        0      1
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef STREAMLINE_GAS_FULL_HPP
 #define STREAMLINE_GAS_FULL_HPP
@@ -60,7 +60,7 @@ inline constexpr std::size_t output_count = 5;
 inline constexpr std::size_t parameter_count = 10;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { xi = 0, xi_dot = 1 }; };
 struct input {};
 struct output { enum : std::size_t { v = 0, p_p = 1, r_p = 2, v_s = 3, B = 4 }; };
@@ -100,8 +100,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"v_1", "m/s", "velocity at the beginning", 1, 300},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -116,7 +116,7 @@ inline constexpr std::array<double, state_count> start_values{0, 50};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 2> nonzero{0x2, 0x1};
 };
 
@@ -182,7 +182,7 @@ struct Parameters {
     Scalar v_1 = Scalar(50);  ///< m/s, velocity at the beginning
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -201,7 +201,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     static constexpr bool is_separable = true;  // accelerations depend on coordinates alone
@@ -217,7 +217,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 9 + or -, 31 *, 6 /, 1 sin or cos
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -264,7 +264,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[1] = p_.v_1;
@@ -377,7 +377,7 @@ public:
         J[1] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[xi, xi] = m
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -458,7 +458,7 @@ public:
     void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 3 *
     ///     T = m*dot(xi)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -466,7 +466,7 @@ public:
         return xi_dot * xi_dot * ((Scalar(1) / Scalar(2)) * p_.m);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: 1 + or -, 1 *
     ///     V = -m*g*sin(phi)*xi
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -485,40 +485,40 @@ public:
         return c_.k2 * xi_dot / power_1;
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< m*g*sin(phi)

@@ -7,7 +7,7 @@
 //     dalembert generate switched_tank.toml --scene emptying
 // Scene emptying: without inflow the tank runs empty
 // Effects in: none
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     switched (a float switch opens an inflow where the level is low, and shuts it where it is high): changes nothing
 // Modes: tank_filled, tank_empty
 //
@@ -16,7 +16,7 @@
 //     d(T + V + E)/dt = supplied - dissipated + exchanged + prescribed: proven
 //     this code = the derivation: 34 of 34 functions
 //
-// Of each function, in the mode that needs most:
+// Each function in its most expensive mode:
 // Operations          +,-      *     /  sin,cos  other
 //   update                 0     12     4        0      4
 //   rhs                    1      1     0        0      1
@@ -29,8 +29,8 @@
 //   start_state            0      0     0        0      1
 //   event_rates            1      1     0        0      1
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef SWITCHED_TANK_EMPTYING_HPP
 #define SWITCHED_TANK_EMPTYING_HPP
@@ -61,7 +61,7 @@ inline constexpr std::size_t output_count = 4;
 inline constexpr std::size_t parameter_count = 6;
 inline constexpr std::size_t guard_count = 1;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { h_root = 0 }; };
 struct input {};
 struct output { enum : std::size_t { level = 0, q_a = 1, h_s = 2, t_1 = 3 }; };
@@ -95,8 +95,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"p_0", "Pa", "ambient pressure", 10000, 1000000},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -107,12 +107,12 @@ inline constexpr std::array<Guard, guard_count> guard_list{
     Guard{"opening", "flow opening ends, h is zero", false},
 };
 
-/// The ways in which the machine can be.
+/// The modes of the machine.
 enum class Mode : unsigned { tank_filled, tank_empty };
 inline constexpr std::size_t mode_count = 2;
 inline constexpr std::array<const char*, mode_count> mode_names{"tank_filled", "tank_empty"};
 
-/// What happens where a guard falls through zero, and changes the mode or the state.
+/// Events: each happens where its guard falls through zero, and changes the mode or the state.
 struct event { enum : std::size_t { tank_runs_empty = 0 }; };
 inline constexpr std::size_t event_count = 1;
 inline constexpr std::array<const char*, event_count> event_names{"tank_runs_empty"};
@@ -125,8 +125,8 @@ struct Modes {
     constexpr const Mode* end() const noexcept { return modes.data() + count; }
 };
 
-/// Of each event in each mode: whether it is watched there, and where it leads, once (else `beside`, where what it resets drives other
-/// parts out of their modes) or after infinitely many of it. None: the run ends.
+/// For each event in each mode: whether the mode watches it, and the modes that may follow: `next` after one event, `beside` if its reset
+/// drives other parts out of their modes, `rest` after infinitely many. None: the run ends.
 struct Transition {
     bool is_watched;
     Modes next, beside, rest;
@@ -144,7 +144,7 @@ inline constexpr std::array<double, state_count> start_values{1};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 1> nonzero{0x0};
 };
 
@@ -190,7 +190,7 @@ struct Parameters {
     Scalar p_0 = Scalar(100000);  ///< Pa, ambient pressure
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -209,7 +209,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -222,7 +222,7 @@ public:
 
     static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
-    // What generic code asks a system for that switches.
+    // Queries for generic code about modes and events.
     using Mode = switched_tank::emptying::Mode;
     using Events = std::array<Scalar, event_count>;
     using Kinks = Guards;
@@ -235,7 +235,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: tank_filled: 12 *, 4 /, 4 other functions; tank_empty: 9 *, 4 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -257,7 +257,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         using std::sqrt;
@@ -364,7 +364,7 @@ public:
         J[0] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(Mode /*mode*/, const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -446,14 +446,14 @@ public:
     void output_jacobian_u(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(Mode /*mode*/, const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(Mode /*mode*/, const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -467,20 +467,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 7 *
     ///     E = A_1*g*rho*sqrt(h)^4/2
     Scalar internal_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
@@ -488,7 +488,7 @@ public:
         return h_root * h_root * h_root * h_root * ((Scalar(1) / Scalar(2)) * p_.A_1 * p_.g * p_.rho);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: tank_filled: 1 + or -, 8 *, 3 other functions; tank_empty: none
     Scalar exchanged_power(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
@@ -508,7 +508,7 @@ public:
         }
     }
 
-    /// Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.
+    /// Event e happens where g[e] falls through zero. Entries of events that the mode does not watch stay as they are.
     /// Operations: none
     ///     tank_runs_empty: sqrt(h) in the mode tank_filled
     void guards(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/, Events& g) const noexcept {
@@ -542,13 +542,13 @@ public:
         }
     }
 
-    /// Whether what the mode holds is as it holds it, but for roundings.
+    /// Whether the state meets the conditions of the mode, up to roundings.
     /// Operations: none
     bool holds(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return true;
     }
 
-    /// What the event changes where it happens.
+    /// Changes the state as the event does.
     void reset(std::size_t event_number, Mode mode, State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
             case Mode::tank_filled: {
@@ -564,7 +564,7 @@ public:
         }
     }
 
-    /// What changes where the event has happened infinitely often.
+    /// Changes the state as infinitely many of the event do.
     void settle(std::size_t event_number, Mode /*mode*/, State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         (void)event_number;
     }
@@ -588,7 +588,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< A_2*sqrt(2)*sqrt(g)/(2*A_1)
         Scalar k1;  ///< A_2*sqrt(2)*sqrt(g)

@@ -7,7 +7,7 @@
 //     dalembert generate torricelli.toml --scene book
 // Scene book: the velocity of the surface is neglected, as in the book
 // Effects in: none
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     moving_surface (the velocity of the surface counts in the Bernoulli equation; the book neglects it, since A_1 is much larger
 //         than A_2): changes dot(sqrt(h)) by 5e-05 %
 //
@@ -27,8 +27,8 @@
 //   exchanged_power        1      8     0        0      3
 //   start_state            0      0     0        0      1
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef TORRICELLI_BOOK_HPP
 #define TORRICELLI_BOOK_HPP
@@ -59,7 +59,7 @@ inline constexpr std::size_t output_count = 4;
 inline constexpr std::size_t parameter_count = 7;
 inline constexpr std::size_t guard_count = 1;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { h_root = 0 }; };
 struct input {};
 struct output { enum : std::size_t { q_2 = 0, z_1 = 1, h_s = 2, t_1 = 3 }; };
@@ -94,8 +94,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"z_2", "m", "geodetic height of the opening", 0, 1000},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -112,7 +112,7 @@ inline constexpr std::array<double, state_count> start_values{2.23606797749979};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 1> nonzero{0x0};
 };
 
@@ -159,7 +159,7 @@ struct Parameters {
     Scalar z_2 = Scalar(2);  ///< m, geodetic height of the opening
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -178,7 +178,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -193,7 +193,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 12 *, 4 /, 4 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -213,7 +213,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         using std::sqrt;
@@ -282,7 +282,7 @@ public:
         J[0] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -329,14 +329,14 @@ public:
     void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -350,20 +350,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 7 *
     ///     E = A_1*g*rho*sqrt(h)^4/2
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -371,7 +371,7 @@ public:
         return h_root * h_root * h_root * h_root * ((Scalar(1) / Scalar(2)) * p_.A_1 * p_.g * p_.rho);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 1 + or -, 8 *, 3 other functions
     Scalar exchanged_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         using std::sqrt;
@@ -383,7 +383,7 @@ public:
         return -e2;
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& x, const Input& /*u*/, Scalar /*t*/, Guards& g) const noexcept {
         const Scalar h_root = x[0];
@@ -392,7 +392,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< A_2*sqrt(2)*sqrt(g)/(2*A_1)
         Scalar k1;  ///< A_2*sqrt(2)*sqrt(g)

@@ -35,8 +35,8 @@
 //   exchanged_power       41     60     3        0     25
 //   guards                 2      3     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef VALVE_CYLINDER_SMOOTH_HPP
 #define VALVE_CYLINDER_SMOOTH_HPP
@@ -67,7 +67,7 @@ inline constexpr std::size_t output_count = 5;
 inline constexpr std::size_t parameter_count = 15;
 inline constexpr std::size_t guard_count = 5;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s_k = 0, s_k_dot = 1, p_1 = 2, p_2 = 3 }; };
 struct input { enum : std::size_t { x_v = 0, f_l = 1 }; };
 struct output { enum : std::size_t { v_k = 0, f_h = 1, m_1 = 2, m_2 = 3, q_s = 4 }; };
@@ -118,8 +118,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"d_k", "N*s/m", "viscous friction of the piston", 1, 100000},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -140,7 +140,7 @@ inline constexpr std::array<double, state_count> start_values{0.25, 0, 4000000, 
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 4> nonzero{0xc, 0xf, 0xe, 0xe};
 };
 
@@ -238,7 +238,7 @@ struct Parameters {
     Scalar d_k = Scalar(5000);  ///< N*s/m, viscous friction of the piston
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -257,7 +257,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -272,7 +272,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 3 + or -, 34 *, 7 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -326,7 +326,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = Scalar(1) / Scalar(4);
@@ -802,7 +802,7 @@ public:
         J[3] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[s_k, s_k] = m_k
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -1040,7 +1040,7 @@ public:
         D[9] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 3 *
     ///     T = m_k*dot(s_k)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -1048,7 +1048,7 @@ public:
         return s_k_dot * s_k_dot * ((Scalar(1) / Scalar(2)) * p_.m_k);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -1064,7 +1064,7 @@ public:
         return -f_l * s_k_dot;
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: 2 *
     ///     dissipated = d_k*dot(s_k)^2
     Scalar dissipated_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
@@ -1072,13 +1072,13 @@ public:
         return p_.d_k * s_k_dot * s_k_dot;
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 12 + or -, 21 *, 2 /, 4 other functions
     ///     E = A_1*density[chamber_1]*specific_energy[chamber_1]*s_k - A_2*density[chamber_2]*specific_energy[chamber_2]*s_k +
     ///     A_2*(l - d)*density[chamber_2]*specific_energy[chamber_2]
@@ -1103,7 +1103,7 @@ public:
             * (inverse_4 * (e5 * e8) - e8 * e7) + s_k / exp_10 * e12;
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 41 + or -, 60 *, 3 /, 25 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
@@ -1167,7 +1167,7 @@ public:
             * (compression_17 - compression_45) + p_.p_0 * p_.k_l * e47 * (e21 - e46);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: 2 + or -, 3 *
     void guards(const State& x, const Input& u, Scalar /*t*/, Guards& g) const noexcept {
         const Scalar s_k = x[0];
@@ -1183,7 +1183,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< 1/beta

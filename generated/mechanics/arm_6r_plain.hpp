@@ -6,7 +6,7 @@
 //     dalembert generate arm_6r.toml --scene plain
 // Scene plain
 // Effects in: none
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     servos (simple servos in the joints: springs and dampers about their target angles): changes ddot(q_3) by 153 %
 //
 // Proven as identities:
@@ -29,8 +29,8 @@
 //   potential_energy      20     38     0       10      0
 //   supplied_power         5      6     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef ARM_6R_PLAIN_HPP
 #define ARM_6R_PLAIN_HPP
@@ -61,7 +61,7 @@ inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 13;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { q_1 = 0, q_2 = 1, q_3 = 2, q_4 = 3, q_5 = 4, q_6 = 5, q_1_dot = 6, q_2_dot = 7, q_3_dot = 8,
     q_4_dot = 9, q_5_dot = 10, q_6_dot = 11 }; };
 struct input { enum : std::size_t { tau_1 = 0, tau_2 = 1, tau_3 = 2, tau_4 = 3, tau_5 = 4, tau_6 = 5 }; };
@@ -121,8 +121,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"g", "m/s^2", "gravity", 0.1, 30},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -137,7 +137,7 @@ inline constexpr std::array<double, state_count> start_values{0.1, -0.4, 0.3, 0.
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 12> nonzero{0xfc0, 0xfc0, 0xfc0, 0xfc0, 0xfc0, 0xfc0, 0xfc1, 0xfc2, 0xfc4, 0xfc8, 0xfd0, 0xfe0};
 };
 
@@ -194,7 +194,7 @@ struct Parameters {
     Scalar g = Scalar(981) / Scalar(100);  ///< m/s^2, gravity
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -213,7 +213,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -228,7 +228,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 24 + or -, 108 *, 1 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -368,7 +368,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = Scalar(1) / Scalar(10);
@@ -3216,7 +3216,7 @@ public:
         J[11] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: 135 + or -, 207 *, 10 sin or cos
     /// (Too long to be printed here; `dalembert derive` prints the equations.)
     void mass_matrix(const State& x, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -3714,7 +3714,7 @@ public:
         D[17] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 80 + or -, 164 *, 10 sin or cos
     /// (Too long to be printed here; `dalembert derive` prints the equations.)
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -3811,7 +3811,7 @@ public:
             * (e51 + (Scalar(1) / Scalar(200)) * e52) + e34 * e34 * e50 + e61 * e19 + e9 * e53 * e49;
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: 20 + or -, 38 *, 10 sin or cos
     ///     V = -a_2*m_2*g*sin(q_2)/3 - m_4*g*(cos(q_2)*(5*a_3*sin(q_3) + 4*d_4*cos(q_3)) + sin(q_2)*(5*a_2 + 5*a_3*cos(q_3) -
     ///     4*d_4*sin(q_3)))/5 - m_3*g*(cos(q_2)*(6*a_3*sin(q_3) - d_4*cos(q_3)) + sin(q_2)*(6*a_2 + 6*a_3*cos(q_3) +
@@ -3866,40 +3866,40 @@ public:
         return tau_1 * q_1_dot + tau_2 * q_2_dot + tau_3 * q_3_dot + tau_4 * q_4_dot + tau_5 * q_5_dot + tau_6 * q_6_dot;
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< a_2^2*m_2/100 + d_3^2*m_2/4 + J_1
         Scalar k1;  ///< d_4^2*m_4/25

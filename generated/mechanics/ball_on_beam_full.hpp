@@ -27,8 +27,8 @@
 //   potential_energy       1      3     0        1      1
 //   supplied_power         0      1     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef BALL_ON_BEAM_FULL_HPP
 #define BALL_ON_BEAM_FULL_HPP
@@ -59,7 +59,7 @@ inline constexpr std::size_t output_count = 0;
 inline constexpr std::size_t parameter_count = 4;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { phi_1 = 0, r = 1, phi_1_dot = 2, r_dot = 3 }; };
 struct input { enum : std::size_t { tau_e = 0 }; };
 struct output {};
@@ -91,8 +91,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"g", "m/s^2", "gravity", 0.1, 30},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -107,7 +107,7 @@ inline constexpr std::array<double, state_count> start_values{0, 0.21, 0, 0};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 4> nonzero{0xc, 0xc, 0xd, 0xe};
 };
 
@@ -163,7 +163,7 @@ struct Parameters {
     Scalar g = Scalar(981) / Scalar(100);  ///< m/s^2, gravity
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -182,7 +182,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -197,7 +197,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 4 + or -, 8 *, 2 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -218,7 +218,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[1] = Scalar(21) / Scalar(100);
@@ -227,10 +227,9 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 9 + or -, 16 *, 1 /, 2 sin or cos
-    ///     -(m_K*r_K + theta_K/r_K)*ddot(phi_1) + (m_K + theta_K/r_K^2)*ddot(r) - m_K*r*dot(phi_1)^2 + tau_e + m_K*g*sin(phi_1) =
-    ///     tau_e
-    ///     ((m_K*r_K^2 + theta_B + theta_K) + m_K*r^2)*ddot(phi_1) - (m_K*r_K + theta_K/r_K)*ddot(r) + 2*m_K*r*dot(phi_1)*dot(r) -
-    ///     tau_e + m_K*g*r*cos(phi_1) - m_K*r_K*g*sin(phi_1) = 0
+    ///     ((m_K*r_K^2 + theta_B + theta_K) + m_K*r^2)*ddot(phi_1) - (m_K*r_K + theta_K/r_K)*ddot(r) + 2*m_K*r*dot(phi_1)*dot(r) +
+    ///     m_K*g*r*cos(phi_1) - m_K*r_K*g*sin(phi_1) = tau_e
+    ///     -(m_K*r_K + theta_K/r_K)*ddot(phi_1) + (m_K + theta_K/r_K^2)*ddot(r) - m_K*r*dot(phi_1)^2 + m_K*g*sin(phi_1) = 0
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar tau_e = u[0];
         const Scalar r = x[1];
@@ -386,7 +385,7 @@ public:
         J[3] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: 2 + or -, 2 *
     ///     M[phi_1, phi_1] = (m_K*r_K^2 + theta_B + theta_K) + m_K*r^2
     ///     M[phi_1, r] = -(m_K*r_K + theta_K/r_K)
@@ -440,7 +439,7 @@ public:
     void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 6 + or -, 15 *, 1 /
     ///     T = -m_K*r_K*dot(phi_1)*dot(r) + ((m_K*r_K^2 + theta_B) + m_K*r^2)*dot(phi_1)^2/2 + m_K*dot(r)^2/2 +
     ///     theta_K*(-dot(phi_1) + dot(r)/r_K)^2/2
@@ -455,7 +454,7 @@ public:
         return e4 - r_dot * (phi_1_dot * e2 - r_dot * e1) + e3 * e3 * ((Scalar(1) / Scalar(2)) * c_.theta_K);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: 1 + or -, 3 *, 1 sin or cos, 1 other functions
     ///     V = -m_K*r_K*g + m_K*g*r*sin(phi_1) + m_K*r_K*g*cos(phi_1)
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -476,40 +475,40 @@ public:
         return tau_e * phi_1_dot;
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar theta_K;  ///< 2*m_K*r_K^2/5
         Scalar k0;  ///< m_K + theta_K/r_K^2

@@ -7,7 +7,7 @@
 //     dalembert generate belt_brake.toml --scene sum
 // Scene sum
 // Effects in: sum (f pulls both ends by one lever: the brake is the same in both directions)
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     simple (f pulls one end, the other end is fixed: the brake reinforces itself forwards): contradicts effects that are in
 // Modes: sum_belt_sticks, sum_belt_slides_forwards, sum_belt_slides_backwards
 //
@@ -17,7 +17,7 @@
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
 //     this code = the derivation: 68 of 68 functions
 //
-// Of each function, in the mode that needs most:
+// Each function in its most expensive mode:
 // Operations          +,-      *     /  sin,cos  other
 //   update                 1      9     1        0      2
 //   rhs                    1      2     0        0      0
@@ -34,8 +34,8 @@
 //   events                 2      1     0        0      0
 //   event_rates            1      0     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef BELT_BRAKE_SUM_HPP
 #define BELT_BRAKE_SUM_HPP
@@ -66,7 +66,7 @@ inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 8;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { phi = 0, phi_dot = 1 }; };
 struct input { enum : std::size_t { f = 0 }; };
 struct output { enum : std::size_t { tau = 0, most = 1, z = 2 }; };
@@ -104,8 +104,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"w_0", "rad/s", "angular velocity at the start", -50, 50},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -114,12 +114,12 @@ struct Guard {
 
 inline constexpr std::array<Guard, guard_count> guard_list{};
 
-/// The ways in which the machine can be.
+/// The modes of the machine.
 enum class Mode : unsigned { sum_belt_sticks, sum_belt_slides_forwards, sum_belt_slides_backwards };
 inline constexpr std::size_t mode_count = 3;
 inline constexpr std::array<const char*, mode_count> mode_names{"sum_belt_sticks", "sum_belt_slides_forwards", "sum_belt_slides_backwards"};
 
-/// What happens where a guard falls through zero, and changes the mode or the state.
+/// Events: each happens where its guard falls through zero, and changes the mode or the state.
 struct event { enum : std::size_t { sum_belt_breaks_forwards = 0, sum_belt_breaks_backwards = 1, sum_belt_stops_forwards = 2, sum_belt_stops_backwards = 3, sum_belt_parts = 4 }; };
 inline constexpr std::size_t event_count = 5;
 inline constexpr std::array<const char*, event_count> event_names{"sum_belt_breaks_forwards", "sum_belt_breaks_backwards", "sum_belt_stops_forwards", "sum_belt_stops_backwards", "sum_belt_parts"};
@@ -132,8 +132,8 @@ struct Modes {
     constexpr const Mode* end() const noexcept { return modes.data() + count; }
 };
 
-/// Of each event in each mode: whether it is watched there, and where it leads, once (else `beside`, where what it resets drives other
-/// parts out of their modes) or after infinitely many of it. None: the run ends.
+/// For each event in each mode: whether the mode watches it, and the modes that may follow: `next` after one event, `beside` if its reset
+/// drives other parts out of their modes, `rest` after infinitely many. None: the run ends.
 struct Transition {
     bool is_watched;
     Modes next, beside, rest;
@@ -172,7 +172,7 @@ inline constexpr std::array<double, state_count> start_values{0, 8};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 2> nonzero{0x0, 0x1};
 };
 
@@ -223,7 +223,7 @@ struct Parameters {
     Scalar w_0 = Scalar(8);  ///< rad/s, angular velocity at the start
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -242,7 +242,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -255,7 +255,7 @@ public:
 
     static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
-    // What generic code asks a system for that switches.
+    // Queries for generic code about modes and events.
     using Mode = belt_brake::sum::Mode;
     using Events = std::array<Scalar, event_count>;
     using Kinks = Guards;
@@ -268,7 +268,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: sum_belt_sticks: 1 + or -, 6 *, 1 other functions; sum_belt_slides_forwards: 1 + or -, 9 *, 1 /, 2 other functions; sum_belt_slides_backwards: 1 + or -, 9 *, 1 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -290,7 +290,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[1] = p_.w_0;
@@ -485,7 +485,7 @@ public:
         J[1] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[phi, phi] = theta + m*r^2
     void mass_matrix(Mode /*mode*/, const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -608,7 +608,7 @@ public:
         }
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 1 + or -, 5 *
     ///     T = (theta + m*r^2)*dot(phi)^2/2
     Scalar kinetic_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
@@ -616,7 +616,7 @@ public:
         return phi_dot * phi_dot * ((Scalar(1) / Scalar(2)) * (p_.theta + p_.m * p_.r * p_.r));
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: 1 + or -, 1 *
     ///     V = -m*g*r*phi
     Scalar potential_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
@@ -631,7 +631,7 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: sum_belt_sticks: none; sum_belt_slides_forwards: 2 *; sum_belt_slides_backwards: 1 + or -, 2 *
     ///     In the mode sum_belt_sticks:
     ///     dissipated = 0
@@ -658,26 +658,26 @@ public:
         }
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(Mode /*mode*/, const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.
+    /// Event e happens where g[e] falls through zero. Entries of events that the mode does not watch stay as they are.
     /// Operations: sum_belt_sticks: 2 + or -, 1 *; sum_belt_slides_forwards: none; sum_belt_slides_backwards: 1 + or -
     ///     sum_belt_breaks_forwards: -m*g*r + r*tanh(alpha*mu_H/2)*f in the mode sum_belt_sticks
     ///     sum_belt_breaks_backwards: m*g*r + r*tanh(alpha*mu_H/2)*f in the mode sum_belt_sticks
@@ -740,7 +740,7 @@ public:
         }
     }
 
-    /// Whether what the mode holds is as it holds it, but for roundings.
+    /// Whether the state meets the conditions of the mode, up to roundings.
     /// Operations: none
     bool holds(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
@@ -755,7 +755,7 @@ public:
         }
     }
 
-    /// What the event changes where it happens.
+    /// Changes the state as the event does.
     void reset(std::size_t event_number, Mode mode, State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
             case Mode::sum_belt_sticks: {
@@ -777,7 +777,7 @@ public:
         }
     }
 
-    /// What changes where the event has happened infinitely often.
+    /// Changes the state as infinitely many of the event do.
     void settle(std::size_t event_number, Mode /*mode*/, State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         (void)event_number;
     }
@@ -789,7 +789,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< theta + m*r^2
         Scalar k1;  ///< m*g*r

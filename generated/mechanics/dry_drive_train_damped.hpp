@@ -22,7 +22,7 @@
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
 //     this code = the derivation: 345 of 345 functions
 //
-// Of each function, in the mode that needs most:
+// Each function in its most expensive mode:
 // Operations          +,-      *     /  sin,cos  other
 //   update                 2      3     2        0      0
 //   rhs                    6      5     0        0      0
@@ -40,8 +40,8 @@
 //   events                 9      4     0        0      0
 //   event_rates            5      2     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef DRY_DRIVE_TRAIN_DAMPED_HPP
 #define DRY_DRIVE_TRAIN_DAMPED_HPP
@@ -72,7 +72,7 @@ inline constexpr std::size_t output_count = 2;
 inline constexpr std::size_t parameter_count = 9;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { phi_1 = 0, phi_2 = 1, phi_1_dot = 2, phi_2_dot = 3 }; };
 struct input { enum : std::size_t { tau_m = 0 }; };
 struct output { enum : std::size_t { twist = 0, tau_r = 1 }; };
@@ -113,8 +113,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"tau_H", "N*m", "static friction of the load", 0.01, 10000},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -123,12 +123,12 @@ struct Guard {
 
 inline constexpr std::array<Guard, guard_count> guard_list{};
 
-/// The ways in which the machine can be.
+/// The modes of the machine.
 enum class Mode : unsigned { load_sticks_and_damped_shaft_slack, load_sticks_and_damped_shaft_taut, load_sticks_and_damped_shaft_released, load_sticks_and_damped_shaft_taut_back, load_sticks_and_damped_shaft_released_back, load_slides_forwards_and_damped_shaft_slack, load_slides_forwards_and_damped_shaft_taut, load_slides_forwards_and_damped_shaft_released, load_slides_forwards_and_damped_shaft_taut_back, load_slides_forwards_and_damped_shaft_released_back, load_slides_backwards_and_damped_shaft_slack, load_slides_backwards_and_damped_shaft_taut, load_slides_backwards_and_damped_shaft_released, load_slides_backwards_and_damped_shaft_taut_back, load_slides_backwards_and_damped_shaft_released_back };
 inline constexpr std::size_t mode_count = 15;
 inline constexpr std::array<const char*, mode_count> mode_names{"load_sticks_and_damped_shaft_slack", "load_sticks_and_damped_shaft_taut", "load_sticks_and_damped_shaft_released", "load_sticks_and_damped_shaft_taut_back", "load_sticks_and_damped_shaft_released_back", "load_slides_forwards_and_damped_shaft_slack", "load_slides_forwards_and_damped_shaft_taut", "load_slides_forwards_and_damped_shaft_released", "load_slides_forwards_and_damped_shaft_taut_back", "load_slides_forwards_and_damped_shaft_released_back", "load_slides_backwards_and_damped_shaft_slack", "load_slides_backwards_and_damped_shaft_taut", "load_slides_backwards_and_damped_shaft_released", "load_slides_backwards_and_damped_shaft_taut_back", "load_slides_backwards_and_damped_shaft_released_back"};
 
-/// What happens where a guard falls through zero, and changes the mode or the state.
+/// Events: each happens where its guard falls through zero, and changes the mode or the state.
 struct event { enum : std::size_t { load_breaks_forwards = 0, load_breaks_backwards = 1, load_stops_forwards = 2, load_stops_backwards = 3, damped_shaft_tightens = 4, damped_shaft_slackens = 5, damped_shaft_releases = 6, damped_shaft_pulls_again = 7, damped_shaft_relaxes = 8, damped_shaft_tightens_back = 9, damped_shaft_slackens_back = 10, damped_shaft_releases_back = 11, damped_shaft_pulls_again_back = 12, damped_shaft_relaxes_back = 13 }; };
 inline constexpr std::size_t event_count = 14;
 inline constexpr std::array<const char*, event_count> event_names{"load_breaks_forwards", "load_breaks_backwards", "load_stops_forwards", "load_stops_backwards", "damped_shaft_tightens", "damped_shaft_slackens", "damped_shaft_releases", "damped_shaft_pulls_again", "damped_shaft_relaxes", "damped_shaft_tightens_back", "damped_shaft_slackens_back", "damped_shaft_releases_back", "damped_shaft_pulls_again_back", "damped_shaft_relaxes_back"};
@@ -141,8 +141,8 @@ struct Modes {
     constexpr const Mode* end() const noexcept { return modes.data() + count; }
 };
 
-/// Of each event in each mode: whether it is watched there, and where it leads, once (else `beside`, where what it resets drives other
-/// parts out of their modes) or after infinitely many of it. None: the run ends.
+/// For each event in each mode: whether the mode watches it, and the modes that may follow: `next` after one event, `beside` if its reset
+/// drives other parts out of their modes, `rest` after infinitely many. None: the run ends.
 struct Transition {
     bool is_watched;
     Modes next, beside, rest;
@@ -394,7 +394,7 @@ inline constexpr std::array<double, state_count> start_values{0, 0, 0, 0};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 4> nonzero{0xc, 0xc, 0xd, 0xe};
 };
 
@@ -434,7 +434,7 @@ struct Parameters {
     Scalar tau_H = Scalar(4);  ///< N*m, static friction of the load
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -453,7 +453,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -466,7 +466,7 @@ public:
 
     static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
-    // What generic code asks a system for that switches.
+    // Queries for generic code about modes and events.
     using Mode = dry_drive_train::damped::Mode;
     using Events = std::array<Scalar, event_count>;
     using Kinks = Guards;
@@ -479,7 +479,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: load_sticks_and_damped_shaft_slack: 1 + or -, 2 *, 1 /; load_sticks_and_damped_shaft_taut: 1 + or -, 3 *, 1 /; load_sticks_and_damped_shaft_released: 1 + or -, 2 *, 1 /; load_sticks_and_damped_shaft_taut_back: 1 + or -, 3 *, 1 /; load_sticks_and_damped_shaft_released_back: 1 + or -, 2 *, 1 /; ...
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -504,7 +504,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         return x;
@@ -1458,7 +1458,7 @@ public:
         J[3] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[phi_1, phi_1] = theta_m*i_g^2 + theta_1
     ///     M[phi_1, phi_2] = 0
@@ -1768,7 +1768,7 @@ public:
         D[1] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 2 + or -, 8 *
     ///     T = (theta_m*i_g^2 + theta_1)*dot(phi_1)^2/2 + theta_2*dot(phi_2)^2/2
     Scalar kinetic_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
@@ -1778,7 +1778,7 @@ public:
         return e1 + phi_2_dot * phi_2_dot * ((Scalar(1) / Scalar(2)) * p_.theta_2);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: load_sticks_and_damped_shaft_slack: none; load_sticks_and_damped_shaft_taut: 2 + or -, 3 *; load_sticks_and_damped_shaft_released: 2 + or -, 3 *; load_sticks_and_damped_shaft_taut_back: 2 + or -, 3 *; load_sticks_and_damped_shaft_released_back: 2 + or -, 3 *; ...
     ///     In the mode load_sticks_and_damped_shaft_slack:
     ///     V = 0
@@ -1852,7 +1852,7 @@ public:
         return p_.i_g * tau_m * phi_1_dot;
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: load_sticks_and_damped_shaft_slack: none; load_sticks_and_damped_shaft_taut: 1 + or -, 2 *; load_sticks_and_damped_shaft_released: 3 + or -, 4 *; load_sticks_and_damped_shaft_taut_back: 1 + or -, 2 *; load_sticks_and_damped_shaft_released_back: 3 + or -, 4 *; ...
     ///     In the mode load_sticks_and_damped_shaft_slack:
     ///     dissipated = 0
@@ -1974,26 +1974,26 @@ public:
         }
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(Mode /*mode*/, const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.
+    /// Event e happens where g[e] falls through zero. Entries of events that the mode does not watch stay as they are.
     /// Operations: load_sticks_and_damped_shaft_slack: 3 + or -; load_sticks_and_damped_shaft_taut: 9 + or -, 4 *; load_sticks_and_damped_shaft_released: 5 + or -, 3 *; load_sticks_and_damped_shaft_taut_back: 9 + or -, 4 *; load_sticks_and_damped_shaft_released_back: 5 + or -, 3 *; ...
     ///     load_breaks_forwards: tau_H in the mode load_sticks_and_damped_shaft_slack
     ///     load_breaks_backwards: tau_H in the mode load_sticks_and_damped_shaft_slack
@@ -2368,7 +2368,7 @@ public:
         }
     }
 
-    /// Whether what the mode holds is as it holds it, but for roundings.
+    /// Whether the state meets the conditions of the mode, up to roundings.
     /// Operations: none
     bool holds(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
@@ -2395,7 +2395,7 @@ public:
         }
     }
 
-    /// What the event changes where it happens.
+    /// Changes the state as the event does.
     void reset(std::size_t event_number, Mode mode, State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
             case Mode::load_sticks_and_damped_shaft_slack:
@@ -2429,7 +2429,7 @@ public:
         }
     }
 
-    /// What changes where the event has happened infinitely often.
+    /// Changes the state as infinitely many of the event do.
     void settle(std::size_t event_number, Mode /*mode*/, State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         (void)event_number;
     }
@@ -2441,7 +2441,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< theta_m*i_g^2 + theta_1

@@ -32,8 +32,8 @@
 //   constraint_jacobian     3      6     0        6      0
 //   correction            24     41     5        6      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef FOUR_BAR_FULL_HPP
 #define FOUR_BAR_FULL_HPP
@@ -64,7 +64,7 @@ inline constexpr std::size_t output_count = 2;
 inline constexpr std::size_t parameter_count = 8;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { alpha = 0, beta = 1, gamma = 2, alpha_dot = 3, beta_dot = 4, gamma_dot = 5 }; };
 struct input {};
 struct output { enum : std::size_t { f_x = 0, f_y = 1 }; };
@@ -103,8 +103,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"g", "m/s^2", "gravity", 0.1, 30},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -113,10 +113,10 @@ struct Guard {
 
 inline constexpr std::array<Guard, guard_count> guard_list{};
 
-/// A rate that is held at zero, with the position whose rate it is. It acts on the machine along the rate: its power is its force times the rate.
+/// A constraint: it holds a rate at zero, and the position whose rate it is, if any. Its force acts along the rate: its power is force times rate.
 struct Constraint {
     const char* name;
-    const char* unit;  ///< of the position, or of the rate where there is none
+    const char* unit;  ///< of the position, or of the rate if there is no position
     const char* description;
     bool has_position;
 };
@@ -134,7 +134,7 @@ inline constexpr std::array<double, state_count> start_values{1, 0.4739111750664
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 6> nonzero{0x38, 0x38, 0x38, 0x39, 0x3a, 0x3c};
 };
 
@@ -200,7 +200,7 @@ struct Parameters {
     Scalar g = Scalar(981) / Scalar(100);  ///< m/s^2, gravity
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -219,7 +219,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -239,7 +239,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 2 + or -, 24 *, 3 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -267,7 +267,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = Scalar(1);
@@ -690,7 +690,7 @@ public:
         J[5] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: 1 + or -, 3 *, 4 sin or cos
     ///     M[alpha, alpha] = a^2*(m_a/3 + m_b)
     ///     M[alpha, beta] = a*b*m_b*cos(alpha - beta)/2
@@ -920,7 +920,7 @@ public:
     void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 5 + or -, 21 *, 4 sin or cos
     ///     T = a*b*m_b*cos(alpha - beta)*dot(alpha)*dot(beta)/2 + a^2*(m_a/6 + m_b/2)*dot(alpha)^2 + b^2*m_b*dot(beta)^2/6 +
     ///     c^2*m_c*dot(gamma)^2/6
@@ -940,7 +940,7 @@ public:
         return e1 + alpha_dot * alpha_dot * e2 + beta_dot * beta_dot * ((Scalar(1) / Scalar(6)) * p_.b * p_.b * p_.m_b) + e3;
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: 2 + or -, 3 *, 3 sin or cos
     ///     V = a*g*(m_a/2 + m_b)*sin(alpha) + b*m_b*g*sin(beta)/2 + c*m_c*g*sin(gamma)/2
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -961,38 +961,38 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
-    /// Positions that constraints hold at zero, in the order of constraint_table(); zero where there is none.
+    /// Positions that constraints hold at zero, in the order of constraint_table(); zero for a constraint of a rate alone.
     /// Operations: 5 + or -, 6 *, 6 sin or cos
     ///     loop_x: -d + a*cos(alpha) + b*cos(beta) - c*cos(gamma) = 0
     ///     loop_y: a*sin(alpha) + b*sin(beta) - c*sin(gamma) = 0
@@ -1054,7 +1054,7 @@ public:
         A[5] = -p_.c * cos_gamma;
     }
 
-    /// Forces of the constraints along their rates, on the machine; of one that follows from those before it, zero.
+    /// Forces of the constraints on the machine, along their rates; zero for a constraint that follows from those before it.
     /// Operations: 33 + or -, 59 *, 3 /, 6 sin or cos
     void constraint_forces(const State& x, const Input& /*u*/, Scalar /*t*/, Constraints& force) const noexcept {
         const Scalar gamma = x[2];
@@ -1119,7 +1119,7 @@ public:
         x[2] -= step[2];
     }
 
-    /// The least step, measured with M, that takes residuals of positions (move back by it) or rates (subtract it from the velocities) away:
+    /// The smallest step, measured with M, that removes residuals of positions (move back by it) or of rates (subtract it from the velocities):
     /// M^-1 A' (A M^-1 A')^-1 residual.
     /// Operations: 24 + or -, 41 *, 5 /, 6 sin or cos
     void correction(const State& x, Scalar /*t*/, const Constraints& residual, Generalised& step) const noexcept {
@@ -1167,8 +1167,8 @@ public:
         step[2] = -e12 * e28 - e24 * e27;
     }
 
-    /// Start values that the model leaves out or guesses become those that the constraints ask for, by the least changes; what it writes stays.
-    /// Where no start meets them, as with lengths that do not close, those are no numbers.
+    /// Finds the start values that the model leaves out or guesses from the constraints, by the smallest changes. Written values stay.
+    /// If no start meets the constraints, as with lengths that do not close, the values found are NaN.
     void meet_constraints(State& x) const noexcept {
         constexpr std::size_t n = degrees_of_freedom, m = constraint_count;
         constexpr std::array<bool, 2 * n> is_found{false, true, true, false, true, true};
@@ -1225,7 +1225,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< a^2*(m_a/3 + m_b)
         Scalar k1;  ///< a*b*m_b/2

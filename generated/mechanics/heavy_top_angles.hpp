@@ -7,7 +7,7 @@
 //     dalembert generate heavy_top.toml --scene angles
 // Scene angles
 // Effects in: none
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     quaternion (the orientation by a unit quaternion, which has no singular position, instead of Euler angles): adds 4 states
 //
 // Proven as identities:
@@ -28,8 +28,8 @@
 //   kinetic_energy         5     15     0        2      0
 //   potential_energy       0      1     0        1      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef HEAVY_TOP_ANGLES_HPP
 #define HEAVY_TOP_ANGLES_HPP
@@ -60,7 +60,7 @@ inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 5;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { psi = 0, theta = 1, phi = 2, psi_dot = 3, theta_dot = 4, phi_dot = 5 }; };
 struct input {};
 struct output { enum : std::size_t { x = 0, y = 1, z = 2 }; };
@@ -97,8 +97,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"g", "m/s^2", "gravity", 0.1, 30},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -113,7 +113,7 @@ inline constexpr std::array<double, state_count> start_values{0, 1, 0, 0, 0, 150
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 6> nonzero{0x0, 0x38, 0x0, 0x39, 0x3a, 0x3c};
 };
 
@@ -162,7 +162,7 @@ struct Parameters {
     Scalar g = Scalar(981) / Scalar(100);  ///< m/s^2, gravity
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -181,7 +181,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -196,7 +196,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 4 + or -, 4 *, 2 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -215,7 +215,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[1] = Scalar(1);
@@ -225,11 +225,11 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 7 + or -, 24 *, 1 /, 2 sin or cos
+    ///     (J_z*cos(theta)^2 + (m*l^2 + J)*sin(theta)^2)*ddot(psi) + J_z*cos(theta)*ddot(phi) + 2*(m*l^2 + J -
+    ///     J_z)*cos(theta)*sin(theta)*dot(psi)*dot(theta) - J_z*sin(theta)*dot(theta)*dot(phi) = 0
     ///     (m*l^2 + J)*ddot(theta) + J_z*sin(theta)*dot(psi)*dot(phi) - (m*l^2 + J - J_z)*cos(theta)*sin(theta)*dot(psi)^2 -
     ///     m*l*g*sin(theta) = 0
     ///     J_z*cos(theta)*ddot(psi) + J_z*ddot(phi) - J_z*sin(theta)*dot(psi)*dot(theta) = 0
-    ///     (J_z*cos(theta)^2 + (m*l^2 + J)*sin(theta)^2)*ddot(psi) + J_z*cos(theta)*ddot(phi) + 2*(m*l^2 + J -
-    ///     J_z)*cos(theta)*sin(theta)*dot(psi)*dot(theta) - J_z*sin(theta)*dot(theta)*dot(phi) = 0
     void rhs(const State& x, const Input& /*u*/, Scalar /*t*/, State& dxdt) const noexcept {
         const Scalar phi_dot = x[5];
         const Scalar theta = x[1];
@@ -426,7 +426,7 @@ public:
         J[5] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: 1 + or -, 4 *, 2 sin or cos
     ///     M[psi, psi] = J_z*cos(theta)^2 + (m*l^2 + J)*sin(theta)^2
     ///     M[psi, theta] = 0
@@ -535,7 +535,7 @@ public:
     void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 5 + or -, 15 *, 2 sin or cos
     ///     T = J_z*cos(theta)*dot(psi)*dot(phi) + (J_z*cos(theta)^2 + (m*l^2 + J)*sin(theta)^2)*dot(psi)^2/2 + (m*l^2 +
     ///     J)*dot(theta)^2/2 + J_z*dot(phi)^2/2
@@ -553,7 +553,7 @@ public:
         return phi_dot * (phi_dot * e1 + p_.J_z * e2) + e3 + e1 * e2 * e2;
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: 1 *, 1 sin or cos
     ///     V = m*l*g*cos(theta)
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -570,40 +570,40 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< m*l^2 + J
         Scalar k1;  ///< m*l^2 + J - J_z

@@ -27,8 +27,8 @@
 //   potential_energy       3      7     0        0      0
 //   start_state            0      0     0        2      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef HEAVY_TOP_ATTITUDE_HPP
 #define HEAVY_TOP_ATTITUDE_HPP
@@ -59,7 +59,7 @@ inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 5;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { e_x_dot = 0, e_y_dot = 1, e_z_dot = 2, e_0 = 3, e_1 = 4, e_2 = 5, e_3 = 6 }; };
 struct input {};
 struct output { enum : std::size_t { x_q = 0, y_q = 1, z_q = 2 }; };
@@ -97,8 +97,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"g", "m/s^2", "gravity", 0.1, 30},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -107,10 +107,10 @@ struct Guard {
 
 inline constexpr std::array<Guard, guard_count> guard_list{};
 
-/// A rate that is held at zero, with the position whose rate it is. It acts on the machine along the rate: its power is its force times the rate.
+/// A constraint: it holds a rate at zero, and the position whose rate it is, if any. Its force acts along the rate: its power is force times rate.
 struct Constraint {
     const char* name;
-    const char* unit;  ///< of the position, or of the rate where there is none
+    const char* unit;  ///< of the position, or of the rate if there is no position
     const char* description;
     bool has_position;
 };
@@ -125,7 +125,7 @@ inline constexpr std::array<double, state_count> start_values{0, 0, 150, 0.87758
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 7> nonzero{0x7f, 0x7f, 0x7f, 0x77, 0x6f, 0x5f, 0x3f};
 };
 
@@ -185,7 +185,7 @@ struct Parameters {
     Scalar g = Scalar(981) / Scalar(100);  ///< m/s^2, gravity
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -204,7 +204,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -224,7 +224,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 2 + or -, 5 *, 2 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -242,7 +242,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         Scalar sin_1, cos_2;
@@ -455,7 +455,7 @@ public:
         J[6] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[e_x, e_x] = m*l^2 + J
     ///     M[e_x, e_y] = 0
@@ -564,7 +564,7 @@ public:
     void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 3 + or -, 9 *
     ///     T = (m*l^2 + J)*dot(e_x)^2/2 + (m*l^2 + J)*dot(e_y)^2/2 + J_z*dot(e_z)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -575,7 +575,7 @@ public:
         return e1 + e_z_dot * e_z_dot * ((Scalar(1) / Scalar(2)) * p_.J_z);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: 3 + or -, 7 *
     ///     V = m*l*g*e_0^2 - m*l*g*e_1^2 - m*l*g*e_2^2 + m*l*g*e_3^2
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -593,38 +593,38 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
-    /// Positions that constraints hold at zero, in the order of constraint_table(); zero where there is none.
+    /// Positions that constraints hold at zero, in the order of constraint_table(); zero for a constraint of a rate alone.
     /// Operations: none
     void constraint_positions(const State& /*x*/, Scalar /*t*/, Constraints& /*f*/) const noexcept {
     }
@@ -639,7 +639,7 @@ public:
     void constraint_jacobian(const State& /*x*/, Scalar /*t*/, ConstraintJacobian& /*A*/) const noexcept {
     }
 
-    /// Forces of the constraints along their rates, on the machine; of one that follows from those before it, zero.
+    /// Forces of the constraints on the machine, along their rates; zero for a constraint that follows from those before it.
     /// Operations: none
     void constraint_forces(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Constraints& /*force*/) const noexcept {
     }
@@ -649,7 +649,7 @@ public:
         detail::turn_back<Scalar>(x.data() + 3, step[0], step[1], step[2]);
     }
 
-    /// The least step, measured with M, that takes residuals of positions (move back by it) or rates (subtract it from the velocities) away:
+    /// The smallest step, measured with M, that removes residuals of positions (move back by it) or of rates (subtract it from the velocities):
     /// M^-1 A' (A M^-1 A')^-1 residual.
     /// Operations: none
     void correction(const State& /*x*/, Scalar /*t*/, const Constraints& /*residual*/, Generalised& step) const noexcept {
@@ -658,7 +658,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< of the factorisation of M

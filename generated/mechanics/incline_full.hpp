@@ -16,7 +16,7 @@
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
 //     this code = the derivation: 71 of 71 functions
 //
-// Of each function, in the mode that needs most:
+// Each function in its most expensive mode:
 // Operations          +,-      *     /  sin,cos  other
 //   update                 7     10     2        6      0
 //   rhs                    1      2     0        0      0
@@ -34,8 +34,8 @@
 //   events                 9     10     0        5      0
 //   event_rates            1      0     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef INCLINE_FULL_HPP
 #define INCLINE_FULL_HPP
@@ -66,7 +66,7 @@ inline constexpr std::size_t output_count = 4;
 inline constexpr std::size_t parameter_count = 6;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s = 0, s_dot = 1 }; };
 struct input { enum : std::size_t { f_S = 0 }; };
 struct output { enum : std::size_t { f_r = 0, f_H = 1, moves = 2, rope = 3 }; };
@@ -103,8 +103,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"mu_H", "1", "coefficient of static friction, oak on oak (table 2.1)", 0.01, 1},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -113,12 +113,12 @@ struct Guard {
 
 inline constexpr std::array<Guard, guard_count> guard_list{};
 
-/// The ways in which the machine can be.
+/// The modes of the machine.
 enum class Mode : unsigned { incline_sticks, incline_slides_forwards, incline_slides_backwards };
 inline constexpr std::size_t mode_count = 3;
 inline constexpr std::array<const char*, mode_count> mode_names{"incline_sticks", "incline_slides_forwards", "incline_slides_backwards"};
 
-/// What happens where a guard falls through zero, and changes the mode or the state.
+/// Events: each happens where its guard falls through zero, and changes the mode or the state.
 struct event { enum : std::size_t { incline_breaks_forwards = 0, incline_breaks_backwards = 1, incline_stops_forwards = 2, incline_stops_backwards = 3, incline_parts = 4 }; };
 inline constexpr std::size_t event_count = 5;
 inline constexpr std::array<const char*, event_count> event_names{"incline_breaks_forwards", "incline_breaks_backwards", "incline_stops_forwards", "incline_stops_backwards", "incline_parts"};
@@ -131,8 +131,8 @@ struct Modes {
     constexpr const Mode* end() const noexcept { return modes.data() + count; }
 };
 
-/// Of each event in each mode: whether it is watched there, and where it leads, once (else `beside`, where what it resets drives other
-/// parts out of their modes) or after infinitely many of it. None: the run ends.
+/// For each event in each mode: whether the mode watches it, and the modes that may follow: `next` after one event, `beside` if its reset
+/// drives other parts out of their modes, `rest` after infinitely many. None: the run ends.
 struct Transition {
     bool is_watched;
     Modes next, beside, rest;
@@ -171,7 +171,7 @@ inline constexpr std::array<double, state_count> start_values{0, 0};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 2> nonzero{0x0, 0x1};
 };
 
@@ -242,7 +242,7 @@ struct Parameters {
     Scalar mu_H = Scalar(27) / Scalar(50);  ///< 1, coefficient of static friction, oak on oak (table 2.1)
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -261,7 +261,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -274,7 +274,7 @@ public:
 
     static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
-    // What generic code asks a system for that switches.
+    // Queries for generic code about modes and events.
     using Mode = incline::full::Mode;
     using Events = std::array<Scalar, event_count>;
     using Kinks = Guards;
@@ -287,7 +287,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: incline_sticks: 5 + or -, 9 *, 1 /, 6 sin or cos; incline_slides_forwards: 7 + or -, 10 *, 2 /, 6 sin or cos; incline_slides_backwards: 7 + or -, 10 *, 2 /, 6 sin or cos
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -339,7 +339,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         return x;
@@ -535,7 +535,7 @@ public:
         J[1] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[s, s] = m
     void mass_matrix(Mode /*mode*/, const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -667,7 +667,7 @@ public:
         }
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 3 *
     ///     T = m*dot(s)^2/2
     Scalar kinetic_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
@@ -675,7 +675,7 @@ public:
         return s_dot * s_dot * ((Scalar(1) / Scalar(2)) * p_.m);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: incline_sticks: 1 *; incline_slides_forwards: 3 *, 1 sin or cos; incline_slides_backwards: 3 *, 1 sin or cos
     ///     V = m*g*sin(alpha)*s
     Scalar potential_energy(Mode mode, const State& x, Scalar /*t*/) const noexcept {
@@ -704,7 +704,7 @@ public:
         return c_.k1 * f_S * s_dot;
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: incline_sticks: none; incline_slides_forwards: 1 + or -, 2 *; incline_slides_backwards: 2 + or -, 2 *
     ///     In the mode incline_sticks:
     ///     dissipated = 0
@@ -731,26 +731,26 @@ public:
         }
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(Mode /*mode*/, const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.
+    /// Event e happens where g[e] falls through zero. Entries of events that the mode does not watch stay as they are.
     /// Operations: incline_sticks: 9 + or -, 10 *, 5 sin or cos; incline_slides_forwards: 2 + or -, 3 *, 2 sin or cos; incline_slides_backwards: 3 + or -, 3 *, 2 sin or cos
     ///     incline_breaks_forwards: m*g*(mu_H*cos(alpha) + sin(alpha)) + (mu_H*sin(alpha - beta) - cos(alpha - beta))*f_S in the
     ///     mode incline_sticks
@@ -834,7 +834,7 @@ public:
         }
     }
 
-    /// Whether what the mode holds is as it holds it, but for roundings.
+    /// Whether the state meets the conditions of the mode, up to roundings.
     /// Operations: none
     bool holds(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
@@ -849,7 +849,7 @@ public:
         }
     }
 
-    /// What the event changes where it happens.
+    /// Changes the state as the event does.
     void reset(std::size_t event_number, Mode mode, State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
             case Mode::incline_sticks: {
@@ -871,7 +871,7 @@ public:
         }
     }
 
-    /// What changes where the event has happened infinitely often.
+    /// Changes the state as infinitely many of the event do.
     void settle(std::size_t event_number, Mode /*mode*/, State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         (void)event_number;
     }
@@ -883,7 +883,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar f_0;  ///< -m*g*(mu_H*cos(alpha) + sin(alpha))/(mu_H*sin(alpha - beta) - cos(alpha - beta))
         Scalar k0;  ///< m*g*sin(alpha)

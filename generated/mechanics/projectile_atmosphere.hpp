@@ -7,7 +7,7 @@
 //     dalembert generate projectile.toml --scene atmosphere
 // Scene atmosphere
 // Effects in: air (resistance of the air, proportional to the square of the speed (2.94))
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     ground (a run ends where the ball reaches the ground): changes nothing
 //
 // Proven as identities:
@@ -29,8 +29,8 @@
 //   dissipated_power       1      4     0        0      1
 //   start_state            0      2     0        2      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef PROJECTILE_ATMOSPHERE_HPP
 #define PROJECTILE_ATMOSPHERE_HPP
@@ -61,7 +61,7 @@ inline constexpr std::size_t output_count = 1;
 inline constexpr std::size_t parameter_count = 8;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { x = 0, z = 1, x_dot = 2, z_dot = 3 }; };
 struct input {};
 struct output { enum : std::size_t { speed = 0 }; };
@@ -97,8 +97,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"rho_f", "kg/m^3", "density of the air", 0.01, 1200},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -113,7 +113,7 @@ inline constexpr std::array<double, state_count> start_values{0, 1.8, 19.1511110
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 4> nonzero{0x0, 0x0, 0xd, 0xe};
 };
 
@@ -191,7 +191,7 @@ struct Parameters {
     Scalar rho_f = Scalar(6) / Scalar(5);  ///< kg/m^3, density of the air
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -210,7 +210,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -225,7 +225,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 4 *, 1 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -238,7 +238,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         Scalar sin_alpha, cos_alpha;
@@ -378,7 +378,7 @@ public:
         J[3] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[x, x] = m
     ///     M[x, z] = 0
@@ -443,7 +443,7 @@ public:
     void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 1 + or -, 4 *
     ///     T = m*dot(x)^2/2 + m*dot(z)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -452,7 +452,7 @@ public:
         return (Scalar(1) / Scalar(2)) * p_.m * (x_dot * x_dot + z_dot * z_dot);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: 1 *
     ///     V = m*g*z
     Scalar potential_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -467,7 +467,7 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: 1 + or -, 4 *, 1 other functions
     ///     dissipated = c_W*A*rho_f*sqrt(dot(x)^2 + dot(z)^2)*dot(x)^2/2 + c_W*A*rho_f*sqrt(dot(x)^2 + dot(z)^2)*dot(z)^2/2
     Scalar dissipated_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
@@ -479,33 +479,33 @@ public:
         return c_.k2 * sqrt_2 * e1;
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< of the factorisation of M

@@ -29,8 +29,8 @@
 //   dissipated_power       1      4     0        0      1
 //   start_state            0      2     0        2      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef PROJECTILE_FLIGHT_HPP
 #define PROJECTILE_FLIGHT_HPP
@@ -61,7 +61,7 @@ inline constexpr std::size_t output_count = 2;
 inline constexpr std::size_t parameter_count = 8;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { x = 0, z = 1, x_dot = 2, z_dot = 3 }; };
 struct input {};
 struct output { enum : std::size_t { speed = 0, distance = 1 }; };
@@ -98,8 +98,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"rho_f", "kg/m^3", "density of the air", 0.01, 1200},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -108,12 +108,12 @@ struct Guard {
 
 inline constexpr std::array<Guard, guard_count> guard_list{};
 
-/// The ways in which the machine can be.
+/// The modes of the machine.
 enum class Mode : unsigned { always };
 inline constexpr std::size_t mode_count = 1;
 inline constexpr std::array<const char*, mode_count> mode_names{"always"};
 
-/// What happens where a guard falls through zero, and changes the mode or the state.
+/// Events: each happens where its guard falls through zero, and changes the mode or the state.
 struct event { enum : std::size_t { ground = 0 }; };
 inline constexpr std::size_t event_count = 1;
 inline constexpr std::array<const char*, event_count> event_names{"ground"};
@@ -126,8 +126,8 @@ struct Modes {
     constexpr const Mode* end() const noexcept { return modes.data() + count; }
 };
 
-/// Of each event in each mode: whether it is watched there, and where it leads, once (else `beside`, where what it resets drives other
-/// parts out of their modes) or after infinitely many of it. None: the run ends.
+/// For each event in each mode: whether the mode watches it, and the modes that may follow: `next` after one event, `beside` if its reset
+/// drives other parts out of their modes, `rest` after infinitely many. None: the run ends.
 struct Transition {
     bool is_watched;
     Modes next, beside, rest;
@@ -144,7 +144,7 @@ inline constexpr std::array<double, state_count> start_values{0, 1.8, 19.1511110
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 4> nonzero{0x0, 0x0, 0xd, 0xe};
 };
 
@@ -222,7 +222,7 @@ struct Parameters {
     Scalar rho_f = Scalar(6) / Scalar(5);  ///< kg/m^3, density of the air
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -241,7 +241,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -254,7 +254,7 @@ public:
 
     static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
-    // What generic code asks a system for that switches.
+    // Queries for generic code about modes and events.
     using Mode = projectile::flight::Mode;
     using Events = std::array<Scalar, event_count>;
     using Kinks = Guards;
@@ -267,7 +267,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 4 *, 1 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -280,7 +280,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         Scalar sin_alpha, cos_alpha;
@@ -420,7 +420,7 @@ public:
         J[3] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[x, x] = m
     ///     M[x, z] = 0
@@ -492,7 +492,7 @@ public:
     void output_jacobian_u(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 1 + or -, 4 *
     ///     T = m*dot(x)^2/2 + m*dot(z)^2/2
     Scalar kinetic_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
@@ -501,7 +501,7 @@ public:
         return (Scalar(1) / Scalar(2)) * p_.m * (x_dot * x_dot + z_dot * z_dot);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: 1 *
     ///     V = m*g*z
     Scalar potential_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
@@ -516,7 +516,7 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: 1 + or -, 4 *, 1 other functions
     ///     dissipated = c_W*A*rho_f*sqrt(dot(x)^2 + dot(z)^2)*dot(x)^2/2 + c_W*A*rho_f*sqrt(dot(x)^2 + dot(z)^2)*dot(z)^2/2
     Scalar dissipated_power(Mode /*mode*/, const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
@@ -528,26 +528,26 @@ public:
         return c_.k2 * sqrt_2 * e1;
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(Mode /*mode*/, const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.
+    /// Event e happens where g[e] falls through zero. Entries of events that the mode does not watch stay as they are.
     /// Operations: none
     ///     ground: z in the mode always
     void guards(Mode /*mode*/, const State& x, const Input& /*u*/, Scalar /*t*/, Events& g) const noexcept {
@@ -562,18 +562,18 @@ public:
         rates[0] = z_dot;
     }
 
-    /// Whether what the mode holds is as it holds it, but for roundings.
+    /// Whether the state meets the conditions of the mode, up to roundings.
     /// Operations: none
     bool holds(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return true;
     }
 
-    /// What the event changes where it happens.
+    /// Changes the state as the event does.
     void reset(std::size_t event_number, Mode /*mode*/, State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         (void)event_number;
     }
 
-    /// What changes where the event has happened infinitely often.
+    /// Changes the state as infinitely many of the event do.
     void settle(std::size_t event_number, Mode /*mode*/, State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         (void)event_number;
     }
@@ -585,7 +585,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< of the factorisation of M

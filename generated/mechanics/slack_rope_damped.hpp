@@ -16,7 +16,7 @@
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
 //     this code = the derivation: 63 of 63 functions
 //
-// Of each function, in the mode that needs most:
+// Each function in its most expensive mode:
 // Operations          +,-      *     /  sin,cos  other
 //   update                 1      2     1        0      0
 //   rhs                    2      3     0        0      0
@@ -33,8 +33,8 @@
 //   events                 3      3     0        0      0
 //   event_rates            1      2     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef SLACK_ROPE_DAMPED_HPP
 #define SLACK_ROPE_DAMPED_HPP
@@ -65,7 +65,7 @@ inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 6;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s = 0, s_dot = 1 }; };
 struct input {};
 struct output { enum : std::size_t { z = 0, z_l = 1, f_S = 2 }; };
@@ -99,8 +99,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"v_0", "m/s", "speed with which the load is thrown upwards", 0.01, 6},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -109,12 +109,12 @@ struct Guard {
 
 inline constexpr std::array<Guard, guard_count> guard_list{};
 
-/// The ways in which the machine can be.
+/// The modes of the machine.
 enum class Mode : unsigned { damped_rope_slack, damped_rope_taut, damped_rope_released };
 inline constexpr std::size_t mode_count = 3;
 inline constexpr std::array<const char*, mode_count> mode_names{"damped_rope_slack", "damped_rope_taut", "damped_rope_released"};
 
-/// What happens where a guard falls through zero, and changes the mode or the state.
+/// Events: each happens where its guard falls through zero, and changes the mode or the state.
 struct event { enum : std::size_t { damped_rope_tightens = 0, damped_rope_slackens = 1, damped_rope_releases = 2, damped_rope_pulls_again = 3, damped_rope_relaxes = 4 }; };
 inline constexpr std::size_t event_count = 5;
 inline constexpr std::array<const char*, event_count> event_names{"damped_rope_tightens", "damped_rope_slackens", "damped_rope_releases", "damped_rope_pulls_again", "damped_rope_relaxes"};
@@ -127,8 +127,8 @@ struct Modes {
     constexpr const Mode* end() const noexcept { return modes.data() + count; }
 };
 
-/// Of each event in each mode: whether it is watched there, and where it leads, once (else `beside`, where what it resets drives other
-/// parts out of their modes) or after infinitely many of it. None: the run ends.
+/// For each event in each mode: whether the mode watches it, and the modes that may follow: `next` after one event, `beside` if its reset
+/// drives other parts out of their modes, `rest` after infinitely many. None: the run ends.
 struct Transition {
     bool is_watched;
     Modes next, beside, rest;
@@ -167,7 +167,7 @@ inline constexpr std::array<double, state_count> start_values{2.024525, -3};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 2> nonzero{0x2, 0x3};
 };
 
@@ -195,7 +195,7 @@ struct Parameters {
     Scalar v_0 = Scalar(3);  ///< m/s, speed with which the load is thrown upwards
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -214,7 +214,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -227,7 +227,7 @@ public:
 
     static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
-    // What generic code asks a system for that switches.
+    // Queries for generic code about modes and events.
     using Mode = slack_rope::damped::Mode;
     using Events = std::array<Scalar, event_count>;
     using Kinks = Guards;
@@ -240,7 +240,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: damped_rope_slack: 1 *, 1 /; damped_rope_taut: 1 + or -, 2 *, 1 /; damped_rope_released: 1 *, 1 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -255,7 +255,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = p_.m * p_.g / p_.c + p_.l;
@@ -389,7 +389,7 @@ public:
         J[1] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[s, s] = m
     void mass_matrix(Mode /*mode*/, const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -461,7 +461,7 @@ public:
     void output_jacobian_u(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 3 *
     ///     T = m*dot(s)^2/2
     Scalar kinetic_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
@@ -469,7 +469,7 @@ public:
         return s_dot * s_dot * ((Scalar(1) / Scalar(2)) * p_.m);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: damped_rope_slack: 1 + or -, 1 *; damped_rope_taut: 2 + or -, 4 *; damped_rope_released: 2 + or -, 4 *
     ///     In the mode damped_rope_slack:
     ///     V = -m*g*s
@@ -500,7 +500,7 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: damped_rope_slack: none; damped_rope_taut: 2 *; damped_rope_released: 2 + or -, 3 *
     ///     In the mode damped_rope_slack:
     ///     dissipated = 0
@@ -526,26 +526,26 @@ public:
         }
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(Mode /*mode*/, const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.
+    /// Event e happens where g[e] falls through zero. Entries of events that the mode does not watch stay as they are.
     /// Operations: damped_rope_slack: 1 + or -; damped_rope_taut: 3 + or -, 3 *; damped_rope_released: 3 + or -, 3 *
     ///     damped_rope_tightens: l - s in the mode damped_rope_slack
     ///     damped_rope_slackens: -l + s in the mode damped_rope_taut
@@ -606,18 +606,18 @@ public:
         }
     }
 
-    /// Whether what the mode holds is as it holds it, but for roundings.
+    /// Whether the state meets the conditions of the mode, up to roundings.
     /// Operations: none
     bool holds(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return true;
     }
 
-    /// What the event changes where it happens.
+    /// Changes the state as the event does.
     void reset(std::size_t event_number, Mode /*mode*/, State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         (void)event_number;
     }
 
-    /// What changes where the event has happened infinitely often.
+    /// Changes the state as infinitely many of the event do.
     void settle(std::size_t event_number, Mode /*mode*/, State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         (void)event_number;
     }
@@ -629,7 +629,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< m*g

@@ -34,8 +34,8 @@
 //   constraint_jacobian     2      4     0        4      0
 //   correction            20     33     5        4      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef SLIDER_CRANK_FULL_HPP
 #define SLIDER_CRANK_FULL_HPP
@@ -66,7 +66,7 @@ inline constexpr std::size_t output_count = 4;
 inline constexpr std::size_t parameter_count = 7;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { phi = 0, psi = 1, s = 2, phi_dot = 3, psi_dot = 4, s_dot = 5 }; };
 struct input { enum : std::size_t { tau = 0 }; };
 struct output { enum : std::size_t { f_x = 0, f_y = 1, f_c = 2, f_p = 3 }; };
@@ -108,8 +108,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"d_s", "N*s/m", "viscous friction of the slider", 0, 1000},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -118,10 +118,10 @@ struct Guard {
 
 inline constexpr std::array<Guard, guard_count> guard_list{};
 
-/// A rate that is held at zero, with the position whose rate it is. It acts on the machine along the rate: its power is its force times the rate.
+/// A constraint: it holds a rate at zero, and the position whose rate it is, if any. Its force acts along the rate: its power is force times rate.
 struct Constraint {
     const char* name;
-    const char* unit;  ///< of the position, or of the rate where there is none
+    const char* unit;  ///< of the position, or of the rate if there is no position
     const char* description;
     bool has_position;
 };
@@ -139,7 +139,7 @@ inline constexpr std::array<double, state_count> start_values{0.5, -0.1604966697
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 6> nonzero{0x38, 0x38, 0x0, 0x39, 0x3a, 0x3c};
 };
 
@@ -204,7 +204,7 @@ struct Parameters {
     Scalar d_s = Scalar(5);  ///< N*s/m, viscous friction of the slider
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -223,7 +223,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -243,7 +243,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 3 + or -, 25 *
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -284,7 +284,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = Scalar(1) / Scalar(2);
@@ -672,7 +672,7 @@ public:
         J[5] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: 1 + or -, 3 *, 4 sin or cos
     ///     M[phi, phi] = a^2*m_l + J_a
     ///     M[phi, psi] = a*l*m_l*cos(phi - psi)/2
@@ -924,7 +924,7 @@ public:
         D[3] = p_.m_s * ((-p_.a * sin_phi) * e14 + (-p_.l * sin_psi) * e13);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 6 + or -, 19 *, 4 sin or cos
     ///     T = a*l*m_l*cos(phi - psi)*dot(phi)*dot(psi)/2 + (a^2*m_l + J_a)*dot(phi)^2/2 + (l^2*m_l/8 + J_l/2)*dot(psi)^2 +
     ///     m_s*dot(s)^2/2
@@ -944,7 +944,7 @@ public:
             * s_dot * ((Scalar(1) / Scalar(2)) * p_.m_s);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -960,7 +960,7 @@ public:
         return tau * phi_dot;
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: 2 *
     ///     dissipated = d_s*dot(s)^2
     Scalar dissipated_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
@@ -968,31 +968,31 @@ public:
         return p_.d_s * s_dot * s_dot;
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
-    /// Positions that constraints hold at zero, in the order of constraint_table(); zero where there is none.
+    /// Positions that constraints hold at zero, in the order of constraint_table(); zero for a constraint of a rate alone.
     /// Operations: 3 + or -, 4 *, 4 sin or cos
     ///     pin_x: -s + a*cos(phi) + l*cos(psi) = 0
     ///     pin_y: a*sin(phi) + l*sin(psi) = 0
@@ -1045,7 +1045,7 @@ public:
         A[5] = Scalar(0);
     }
 
-    /// Forces of the constraints along their rates, on the machine; of one that follows from those before it, zero.
+    /// Forces of the constraints on the machine, along their rates; zero for a constraint that follows from those before it.
     /// Operations: 26 + or -, 50 *, 3 /, 4 sin or cos
     void constraint_forces(const State& x, const Input& u, Scalar /*t*/, Constraints& force) const noexcept {
         const Scalar tau = u[0];
@@ -1095,7 +1095,7 @@ public:
         x[2] -= step[2];
     }
 
-    /// The least step, measured with M, that takes residuals of positions (move back by it) or rates (subtract it from the velocities) away:
+    /// The smallest step, measured with M, that removes residuals of positions (move back by it) or of rates (subtract it from the velocities):
     /// M^-1 A' (A M^-1 A')^-1 residual.
     /// Operations: 20 + or -, 33 *, 5 /, 4 sin or cos
     void correction(const State& x, Scalar /*t*/, const Constraints& residual, Generalised& step) const noexcept {
@@ -1134,8 +1134,8 @@ public:
         step[2] = -inverse_10 * e23;
     }
 
-    /// Start values that the model leaves out or guesses become those that the constraints ask for, by the least changes; what it writes stays.
-    /// Where no start meets them, as with lengths that do not close, those are no numbers.
+    /// Finds the start values that the model leaves out or guesses from the constraints, by the smallest changes. Written values stay.
+    /// If no start meets the constraints, as with lengths that do not close, the values found are NaN.
     void meet_constraints(State& x) const noexcept {
         constexpr std::size_t n = degrees_of_freedom, m = constraint_count;
         constexpr std::array<bool, 2 * n> is_found{false, true, true, false, true, true};
@@ -1192,7 +1192,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< a^2*m_l + J_a
         Scalar k1;  ///< a*m_l/2

@@ -24,8 +24,8 @@
 //   kinetic_energy         1      6     0        0      0
 //   supplied_power         0      1     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef SOLIDS_FULL_HPP
 #define SOLIDS_FULL_HPP
@@ -56,7 +56,7 @@ inline constexpr std::size_t output_count = 9;
 inline constexpr std::size_t parameter_count = 14;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { phi = 0, phi_dot = 1 }; };
 struct input { enum : std::size_t { tau_m = 0 }; };
 struct output { enum : std::size_t { x_angle = 0, y_angle = 1, z_angle = 2, z_half = 3, J_cylinder = 4, J_ball = 5, J_rotor = 6,
@@ -108,8 +108,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"g", "m/s^2", "gravity", 0.1, 30},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -124,7 +124,7 @@ inline constexpr std::array<double, state_count> start_values{0, 1};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 2> nonzero{0x0, 0x1};
 };
 
@@ -172,7 +172,7 @@ struct Parameters {
     Scalar g = Scalar(981) / Scalar(100);  ///< m/s^2, gravity
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -191,7 +191,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -206,7 +206,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 5 + or -, 23 *, 2 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -228,7 +228,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[1] = Scalar(1);
@@ -314,7 +314,7 @@ public:
         J[1] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[phi, phi] = m*(2*R_c^2 + 4*H^2)
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -396,7 +396,7 @@ public:
         D[8] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 1 + or -, 6 *
     ///     T = m*(R_c^2 + 2*H^2)*dot(phi)^2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -404,7 +404,7 @@ public:
         return phi_dot * phi_dot * (p_.m * (p_.R_c * p_.R_c + Scalar(2) * p_.H * p_.H));
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -420,40 +420,40 @@ public:
         return tau_m * phi_dot;
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar f_S;  ///< g*(m_1 + m_2 + m_3)
         Scalar k0;  ///< of the factorisation of M

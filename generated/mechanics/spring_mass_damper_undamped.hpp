@@ -7,7 +7,7 @@
 //     dalembert generate spring_mass_damper.toml --scene undamped
 // Scene undamped
 // Effects in: none
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     damping (viscous dampers): changes nothing
 //
 // Proven as identities:
@@ -28,8 +28,8 @@
 //   potential_energy      12     18     0        0      0
 //   supplied_power         1      1     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef SPRING_MASS_DAMPER_UNDAMPED_HPP
 #define SPRING_MASS_DAMPER_UNDAMPED_HPP
@@ -60,7 +60,7 @@ inline constexpr std::size_t output_count = 0;
 inline constexpr std::size_t parameter_count = 12;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s_1 = 0, s_2 = 1, s_3 = 2, s_1_dot = 3, s_2_dot = 4, s_3_dot = 5 }; };
 struct input { enum : std::size_t { f_L = 0 }; };
 struct output {};
@@ -103,8 +103,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"g", "m/s^2", "gravity", 0, 30},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -119,7 +119,7 @@ inline constexpr std::array<double, state_count> start_values{15, 15, 30, 0, 0, 
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 6> nonzero{0x38, 0x38, 0x38, 0x1, 0x2, 0x4};
 };
 
@@ -153,7 +153,7 @@ struct Parameters {
     Scalar g = Scalar(981) / Scalar(100);  ///< m/s^2, gravity
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -172,7 +172,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -187,7 +187,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 9 + or -, 7 *, 3 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -206,7 +206,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = Scalar(15);
@@ -410,7 +410,7 @@ public:
         J[5] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[s_1, s_1] = m_1
     ///     M[s_1, s_2] = 0
@@ -471,7 +471,7 @@ public:
     void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 2 + or -, 9 *
     ///     T = m_1*dot(s_1)^2/2 + m_2*dot(s_2)^2/2 + m_3*dot(s_3)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -482,7 +482,7 @@ public:
             + s_3_dot * s_3_dot * ((Scalar(1) / Scalar(2)) * p_.m_3);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: 12 + or -, 18 *
     ///     V = m_1*g*s_1 + m_2*g*s_2 + m_3*g*s_3 + c_11*(s_011 - s_1)^2/2 + c_22*(s_022 - s_2)^2/2 + c_13*(s_013 + s_1 - s_3)^2/2 +
     ///     c_23*(s_023 + s_2 - s_3)^2/2
@@ -508,40 +508,40 @@ public:
         return -f_L * s_3_dot;
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< of the factorisation of M

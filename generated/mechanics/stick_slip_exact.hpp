@@ -7,7 +7,7 @@
 //     dalembert generate stick_slip.toml --scene exact
 // Scene exact
 // Effects in: exact (the block sticks and slides (2.99))
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     smooth (the sign of the speed in (2.98) as a steep curve with a peak, and nothing that holds): contradicts effects that are
 //         in
 // Modes: floor_sticks, floor_slides_forwards, floor_slides_backwards
@@ -18,7 +18,7 @@
 //     d(T + V)/dt = supplied - dissipated + prescribed: proven
 //     this code = the derivation: 65 of 65 functions
 //
-// Of each function, in the mode that needs most:
+// Each function in its most expensive mode:
 // Operations          +,-      *     /  sin,cos  other
 //   update                 0      3     1        0      0
 //   rhs                    2      3     0        0      0
@@ -35,8 +35,8 @@
 //   events                 3      4     0        0      0
 //   event_rates            2      1     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef STICK_SLIP_EXACT_HPP
 #define STICK_SLIP_EXACT_HPP
@@ -67,7 +67,7 @@ inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 6;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { x = 0, x_dot = 1 }; };
 struct input {};
 struct output { enum : std::size_t { f_e = 0, f_r = 1, x_e = 2 }; };
@@ -101,8 +101,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"mu_H", "1", "coefficient of static friction, oak on oak (table 2.1)", 0.01, 1},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -111,12 +111,12 @@ struct Guard {
 
 inline constexpr std::array<Guard, guard_count> guard_list{};
 
-/// The ways in which the machine can be.
+/// The modes of the machine.
 enum class Mode : unsigned { floor_sticks, floor_slides_forwards, floor_slides_backwards };
 inline constexpr std::size_t mode_count = 3;
 inline constexpr std::array<const char*, mode_count> mode_names{"floor_sticks", "floor_slides_forwards", "floor_slides_backwards"};
 
-/// What happens where a guard falls through zero, and changes the mode or the state.
+/// Events: each happens where its guard falls through zero, and changes the mode or the state.
 struct event { enum : std::size_t { floor_breaks_forwards = 0, floor_breaks_backwards = 1, floor_stops_forwards = 2, floor_stops_backwards = 3 }; };
 inline constexpr std::size_t event_count = 4;
 inline constexpr std::array<const char*, event_count> event_names{"floor_breaks_forwards", "floor_breaks_backwards", "floor_stops_forwards", "floor_stops_backwards"};
@@ -129,8 +129,8 @@ struct Modes {
     constexpr const Mode* end() const noexcept { return modes.data() + count; }
 };
 
-/// Of each event in each mode: whether it is watched there, and where it leads, once (else `beside`, where what it resets drives other
-/// parts out of their modes) or after infinitely many of it. None: the run ends.
+/// For each event in each mode: whether the mode watches it, and the modes that may follow: `next` after one event, `beside` if its reset
+/// drives other parts out of their modes, `rest` after infinitely many. None: the run ends.
 struct Transition {
     bool is_watched;
     Modes next, beside, rest;
@@ -164,7 +164,7 @@ inline constexpr std::array<double, state_count> start_values{0, 0};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 2> nonzero{0x2, 0x1};
 };
 
@@ -201,7 +201,7 @@ struct Parameters {
     Scalar mu_H = Scalar(27) / Scalar(50);  ///< 1, coefficient of static friction, oak on oak (table 2.1)
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -220,7 +220,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -233,7 +233,7 @@ public:
 
     static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
-    // What generic code asks a system for that switches.
+    // Queries for generic code about modes and events.
     using Mode = stick_slip::exact::Mode;
     using Events = std::array<Scalar, event_count>;
     using Kinks = Guards;
@@ -246,7 +246,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: floor_sticks: 1 *; floor_slides_forwards: 3 *, 1 /; floor_slides_backwards: 3 *, 1 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -261,7 +261,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         return x;
@@ -431,7 +431,7 @@ public:
         }
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[x, x] = m
     void mass_matrix(Mode /*mode*/, const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -549,7 +549,7 @@ public:
     void output_jacobian_u(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 3 *
     ///     T = m*dot(x)^2/2
     Scalar kinetic_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
@@ -557,7 +557,7 @@ public:
         return x_dot * x_dot * ((Scalar(1) / Scalar(2)) * p_.m);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: 1 + or -, 4 *
     ///     V = c*(v_0*t - x)^2/2
     Scalar potential_energy(Mode /*mode*/, const State& x, Scalar t) const noexcept {
@@ -573,7 +573,7 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: floor_sticks: none; floor_slides_forwards: 1 *; floor_slides_backwards: 1 + or -, 1 *
     ///     In the mode floor_sticks:
     ///     dissipated = 0
@@ -598,27 +598,27 @@ public:
         }
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: 1 + or -, 4 *
     Scalar prescribed_power(Mode /*mode*/, const State& x, const Input& /*u*/, Scalar t) const noexcept {
         const Scalar x_value = x[0];
         return t * (p_.c * p_.v_0 * p_.v_0) - c_.k0 * x_value;
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(Mode /*mode*/, const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.
+    /// Event e happens where g[e] falls through zero. Entries of events that the mode does not watch stay as they are.
     /// Operations: floor_sticks: 3 + or -, 4 *; floor_slides_forwards: none; floor_slides_backwards: 1 + or -
     ///     floor_breaks_forwards: m*g*mu_H - c*v_0*t + c*x in the mode floor_sticks
     ///     floor_breaks_backwards: m*g*mu_H + c*v_0*t - c*x in the mode floor_sticks
@@ -675,7 +675,7 @@ public:
         }
     }
 
-    /// Whether what the mode holds is as it holds it, but for roundings.
+    /// Whether the state meets the conditions of the mode, up to roundings.
     /// Operations: none
     bool holds(Mode mode, const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
@@ -690,7 +690,7 @@ public:
         }
     }
 
-    /// What the event changes where it happens.
+    /// Changes the state as the event does.
     void reset(std::size_t event_number, Mode mode, State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         switch (mode) {
             case Mode::floor_sticks: {
@@ -712,7 +712,7 @@ public:
         }
     }
 
-    /// What changes where the event has happened infinitely often.
+    /// Changes the state as infinitely many of the event do.
     void settle(std::size_t event_number, Mode /*mode*/, State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         (void)event_number;
     }
@@ -724,7 +724,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< c*v_0
         Scalar k1;  ///< of the factorisation of M

@@ -7,7 +7,7 @@
 //     dalembert generate stick_slip.toml --scene smooth
 // Scene smooth
 // Effects in: smooth (the sign of the speed in (2.98) as a steep curve with a peak, and nothing that holds)
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     exact (the block sticks and slides (2.99)): contradicts effects that are in
 //
 // Proven as identities:
@@ -30,8 +30,8 @@
 //   dissipated_power       2      6     1        0      2
 //   prescribed_power       1      4     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef STICK_SLIP_SMOOTH_HPP
 #define STICK_SLIP_SMOOTH_HPP
@@ -62,7 +62,7 @@ inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 8;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { x = 0, x_dot = 1 }; };
 struct input {};
 struct output { enum : std::size_t { f_e = 0, f_t = 1, x_e = 2 }; };
@@ -98,8 +98,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"v_s", "m/s", "speed at which the peak of smooth friction is gone, some times w_s", 1e-06, 0.1},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -114,7 +114,7 @@ inline constexpr std::array<double, state_count> start_values{0, 0};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 2> nonzero{0x2, 0x3};
 };
 
@@ -144,7 +144,7 @@ struct Parameters {
     Scalar v_s = Scalar(1) / Scalar(1000);  ///< m/s, speed at which the peak of smooth friction is gone, some times w_s
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -163,7 +163,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -178,7 +178,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 1 + or -, 9 *, 3 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -201,7 +201,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         return x;
@@ -307,7 +307,7 @@ public:
         J[1] = c_.k1 * c_.k0;
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[x, x] = m
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -374,7 +374,7 @@ public:
     void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 3 *
     ///     T = m*dot(x)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -382,7 +382,7 @@ public:
         return x_dot * x_dot * ((Scalar(1) / Scalar(2)) * p_.m);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: 1 + or -, 4 *
     ///     V = c*(v_0*t - x)^2/2
     Scalar potential_energy(const State& x, Scalar t) const noexcept {
@@ -398,7 +398,7 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: 2 + or -, 6 *, 1 /, 2 other functions
     ///     dissipated = -m*g*(-mu_C + (mu_C - mu_H)/exp(dot(x)^2/v_s^2))*tanh(dot(x)/w_s)*dot(x)
     Scalar dissipated_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
@@ -410,34 +410,34 @@ public:
         return -x_dot * tanh_1 * (c_.k2 / exp_2 - c_.k3);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: 1 + or -, 4 *
     Scalar prescribed_power(const State& x, const Input& /*u*/, Scalar t) const noexcept {
         const Scalar x_value = x[0];
         return t * (p_.c * p_.v_0 * p_.v_0) - c_.k1 * x_value;
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< c*v_0

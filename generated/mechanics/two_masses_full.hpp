@@ -29,8 +29,8 @@
 //   kinetic_energy         5     13     0        2      0
 //   supplied_power         5      7     0        2      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef TWO_MASSES_FULL_HPP
 #define TWO_MASSES_FULL_HPP
@@ -61,7 +61,7 @@ inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 5;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { x = 0, y = 1, phi = 2, x_dot = 3, y_dot = 4, phi_dot = 5 }; };
 struct input { enum : std::size_t { f_ix = 0, f_iy = 1, f_jx = 2, f_jy = 3 }; };
 struct output { enum : std::size_t { f_S = 0, centre_x = 1, centre_y = 2 }; };
@@ -103,8 +103,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"t_0", "s", "its time", 0.01, 100},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -119,7 +119,7 @@ inline constexpr std::array<double, state_count> start_values{0, 0, 0, 0, 0, 3};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 6> nonzero{0x0, 0x0, 0x38, 0x1, 0x2, 0x3c};
 };
 
@@ -168,7 +168,7 @@ struct Parameters {
     Scalar t_0 = Scalar(1);  ///< s, its time
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -187,7 +187,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -202,7 +202,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 1 + or -, 5 *, 1 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -220,7 +220,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[5] = Scalar(3);
@@ -464,7 +464,7 @@ public:
         J[5] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: 1 + or -, 2 *, 2 sin or cos
     ///     M[x, x] = m_i + m_j
     ///     M[x, y] = 0
@@ -596,7 +596,7 @@ public:
         D[11] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 5 + or -, 13 *, 2 sin or cos
     ///     T = -m_j*l*sin(phi)*dot(x)*dot(phi) + (m_i + m_j)*dot(x)^2/2 + m_j*l*cos(phi)*dot(y)*dot(phi) + (m_i + m_j)*dot(y)^2/2 +
     ///     m_j*l^2*dot(phi)^2/2
@@ -613,7 +613,7 @@ public:
             * ((Scalar(1) / Scalar(2)) * p_.m_j * p_.l * p_.l);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -638,40 +638,40 @@ public:
         return f_jx * (x_dot - sin_phi * e1) + f_jy * (y_dot + cos_phi * e1) + f_ix * x_dot + f_iy * y_dot;
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: none
     ///     E = 0
     Scalar internal_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Guards& /*g*/) const noexcept {
     }
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< m_i + m_j
         Scalar k1;  ///< m_j*l

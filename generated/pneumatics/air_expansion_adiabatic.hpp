@@ -28,8 +28,8 @@
 //   internal_energy        1      2     0        0      0
 //   guards                 1      1     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef AIR_EXPANSION_ADIABATIC_HPP
 #define AIR_EXPANSION_ADIABATIC_HPP
@@ -60,7 +60,7 @@ inline constexpr std::size_t output_count = 5;
 inline constexpr std::size_t parameter_count = 8;
 inline constexpr std::size_t guard_count = 3;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { p = 0, T = 1 }; };
 struct input {};
 struct output { enum : std::size_t { air_temperature = 0, air_volume = 1, energy = 2, heat_in = 3, end_temperature = 4 }; };
@@ -98,8 +98,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"t_e", "s", "time in which the volume grows by what it was at the start", 0.1, 1000},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -118,7 +118,7 @@ inline constexpr std::array<double, state_count> start_values{1000000, 293.15};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 2> nonzero{0x1, 0x2};
 };
 
@@ -148,7 +148,7 @@ struct Parameters {
     Scalar t_e = Scalar(10);  ///< s, time in which the volume grows by what it was at the start
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -167,7 +167,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -182,7 +182,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 3 + or -, 16 *, 6 /, 1 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -209,7 +209,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = p_.p_1;
@@ -302,7 +302,7 @@ public:
         J[1] = c_.k4 * T * inverse_1_squared;
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -354,14 +354,14 @@ public:
     void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& /*D*/) const noexcept {
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -375,21 +375,21 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: 1 + or -, 1 *
     Scalar prescribed_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         const Scalar p_value = x[0];
         return -c_.k5 * p_value;
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 1 + or -, 2 *
     ///     E = V_1*t*density[cylinder]*specific_energy[cylinder]/t_e + V_1*density[cylinder]*specific_energy[cylinder]
     Scalar internal_energy(const State& x, Scalar t) const noexcept {
@@ -397,13 +397,13 @@ public:
         return p_value * (c_.k6 * t + c_.k7);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: none
     Scalar exchanged_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: 1 + or -, 1 *
     void guards(const State& x, const Input& /*u*/, Scalar t, Guards& g) const noexcept {
         const Scalar p_value = x[0];
@@ -415,7 +415,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar R_s;  ///< c_v*(-1 + kappa)
         Scalar V_1;  ///< m*T_1*R_s/p_1

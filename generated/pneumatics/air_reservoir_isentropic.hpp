@@ -7,7 +7,7 @@
 //     dalembert generate air_reservoir.toml --scene isentropic
 // Scene isentropic: quick: the air stays on the isentrope through p_0, T_0
 // Effects in: none
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     isothermal (slow changes at ambient temperature; otherwise the air in the reservoir stays on one isentrope): changes nothing
 //
 // Proven as identities:
@@ -28,8 +28,8 @@
 //   internal_energy        0      3     1        0      0
 //   exchanged_power        1      5     0        0      1
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef AIR_RESERVOIR_ISENTROPIC_HPP
 #define AIR_RESERVOIR_ISENTROPIC_HPP
@@ -60,7 +60,7 @@ inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 6;
 inline constexpr std::size_t guard_count = 1;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { p = 0 }; };
 struct input { enum : std::size_t { charge = 0, consume = 1 }; };
 struct output { enum : std::size_t { quick_mass = 0, quick_heat = 1, quick_temperature = 2 }; };
@@ -96,8 +96,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"p_S", "Pa", "pressure of the compressor", 500000, 2000000},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -164,7 +164,7 @@ struct Parameters {
     Scalar p_S = Scalar(1000000);  ///< Pa, pressure of the compressor
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -183,7 +183,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -198,7 +198,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 6 + or -, 20 *, 6 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -230,7 +230,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = p_.p_0;
@@ -327,7 +327,7 @@ public:
         J[0] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -400,14 +400,14 @@ public:
         D[5] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -421,20 +421,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 3 *, 1 /
     ///     E = V*density[quick_tank]*specific_energy[quick_tank]
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -442,7 +442,7 @@ public:
         return p_value * (p_.V * p_.c_v / p_.R_s);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 1 + or -, 5 *, 1 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::pow;
@@ -453,7 +453,7 @@ public:
         return power_1 * (p_.c_v * p_.T_0 * c_.kappa) * (charge - consume);
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: none
     void guards(const State& x, const Input& /*u*/, Scalar /*t*/, Guards& g) const noexcept {
         const Scalar p_value = x[0];
@@ -462,7 +462,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar kappa;  ///< 1 + R_s/c_v
         Scalar k0;  ///< R_s*T_0*kappa/V

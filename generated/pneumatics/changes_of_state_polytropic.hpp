@@ -7,7 +7,7 @@
 //     dalembert generate changes_of_state.toml --scene polytropic
 // Scene polytropic: the change of state is given: n = 1 isothermal, n = kappa isentropic
 // Effects in: none
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     thermal (energy balance of the air with the heat that is supplied; otherwise the change of state is polytropic): adds 1 state
 //
 // Proven as identities:
@@ -34,8 +34,8 @@
 //   exchanged_power        1      2     0        0      0
 //   guards                 0      1     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef CHANGES_OF_STATE_POLYTROPIC_HPP
 #define CHANGES_OF_STATE_POLYTROPIC_HPP
@@ -66,7 +66,7 @@ inline constexpr std::size_t output_count = 5;
 inline constexpr std::size_t parameter_count = 9;
 inline constexpr std::size_t guard_count = 2;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s = 0, s_dot = 1, p = 2 }; };
 struct input { enum : std::size_t { f = 0 }; };
 struct output { enum : std::size_t { air_temperature = 0, air_density = 1, heat_in = 2, entropy = 3, exponent = 4 }; };
@@ -108,8 +108,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"T_0", "K", "ambient temperature", 250, 350},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -127,7 +127,7 @@ inline constexpr std::array<double, state_count> start_values{0.5, 0, 101325};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 3> nonzero{0x4, 0x7, 0x6};
 };
 
@@ -158,7 +158,7 @@ struct Parameters {
     Scalar T_0 = Scalar(5863) / Scalar(20);  ///< K, ambient temperature
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -177,7 +177,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -192,7 +192,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 10 + or -, 14 *, 6 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -226,7 +226,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = p_.s_0;
@@ -343,7 +343,7 @@ public:
         J[2] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[s, s] = m_K
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -437,7 +437,7 @@ public:
         D[4] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 3 *
     ///     T = m_K*dot(s)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -445,7 +445,7 @@ public:
         return s_dot * s_dot * ((Scalar(1) / Scalar(2)) * p_.m_K);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -461,7 +461,7 @@ public:
         return -s_dot * (f + c_.k1);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: 2 *
     ///     dissipated = d*dot(s)^2
     Scalar dissipated_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
@@ -469,13 +469,13 @@ public:
         return p_.d * s_dot * s_dot;
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 4 *, 1 /
     ///     E = A*density[gas]*specific_energy[gas]*s
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -484,7 +484,7 @@ public:
         return s * p_value * (p_.c_v * p_.A / p_.R_s);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 1 + or -, 2 *
     Scalar exchanged_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         const Scalar s_dot = x[1];
@@ -492,7 +492,7 @@ public:
         return -c_.k3 * s_dot * p_value;
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: 1 *
     void guards(const State& x, const Input& /*u*/, Scalar /*t*/, Guards& g) const noexcept {
         const Scalar s = x[0];
@@ -503,7 +503,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar kappa;  ///< 1 + R_s/c_v
         Scalar k0;  ///< of the factorisation of M

@@ -16,7 +16,7 @@
 //     d(T + V + E)/dt = supplied - dissipated + exchanged + prescribed: proven
 //     this code = the derivation: 38 of 38 functions
 //
-// Of each function, in the mode that needs most:
+// Each function in its most expensive mode:
 // Operations          +,-      *     /  sin,cos  other
 //   update                 0      7     3        0      0
 //   rhs                    2      2     0        0      0
@@ -31,8 +31,8 @@
 //   events                 1      0     0        0      0
 //   event_rates            3      2     0        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef CHECK_VALVE_FULL_HPP
 #define CHECK_VALVE_FULL_HPP
@@ -63,7 +63,7 @@ inline constexpr std::size_t output_count = 3;
 inline constexpr std::size_t parameter_count = 8;
 inline constexpr std::size_t guard_count = 0;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { p = 0 }; };
 struct input { enum : std::size_t { p_s = 0 }; };
 struct output { enum : std::size_t { m_v = 0, air = 1, heat_in = 2 }; };
@@ -100,8 +100,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"m_c", "kg/s", "mass flow to the consumers", 0, 0.1},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -110,12 +110,12 @@ struct Guard {
 
 inline constexpr std::array<Guard, guard_count> guard_list{};
 
-/// The ways in which the machine can be.
+/// The modes of the machine.
 enum class Mode : unsigned { valve_shut, valve_open };
 inline constexpr std::size_t mode_count = 2;
 inline constexpr std::array<const char*, mode_count> mode_names{"valve_shut", "valve_open"};
 
-/// What happens where a guard falls through zero, and changes the mode or the state.
+/// Events: each happens where its guard falls through zero, and changes the mode or the state.
 struct event { enum : std::size_t { valve_opens = 0, valve_shuts = 1, limit_2_ = 2 }; };
 inline constexpr std::size_t event_count = 3;
 inline constexpr std::array<const char*, event_count> event_names{"valve_opens", "valve_shuts", "vessel"};
@@ -128,8 +128,8 @@ struct Modes {
     constexpr const Mode* end() const noexcept { return modes.data() + count; }
 };
 
-/// Of each event in each mode: whether it is watched there, and where it leads, once (else `beside`, where what it resets drives other
-/// parts out of their modes) or after infinitely many of it. None: the run ends.
+/// For each event in each mode: whether the mode watches it, and the modes that may follow: `next` after one event, `beside` if its reset
+/// drives other parts out of their modes, `rest` after infinitely many. None: the run ends.
 struct Transition {
     bool is_watched;
     Modes next, beside, rest;
@@ -183,7 +183,7 @@ struct Parameters {
     Scalar m_c = Scalar(7) / Scalar(10000);  ///< kg/s, mass flow to the consumers
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -202,7 +202,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -215,7 +215,7 @@ public:
 
     static constexpr const std::array<Guard, guard_count>& guard_table() noexcept { return guard_list; }
 
-    // What generic code asks a system for that switches.
+    // Queries for generic code about modes and events.
     using Mode = check_valve::full::Mode;
     using Events = std::array<Scalar, event_count>;
     using Kinks = Guards;
@@ -228,7 +228,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: valve_shut: 5 *, 3 /; valve_open: 7 *, 3 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -246,7 +246,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = p_.p_a;
@@ -382,7 +382,7 @@ public:
         J[0] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(Mode /*mode*/, const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -473,14 +473,14 @@ public:
         }
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(Mode /*mode*/, const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(Mode /*mode*/, const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -494,20 +494,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 3 *, 1 /
     ///     E = V*density[vessel]*specific_energy[vessel]
     Scalar internal_energy(Mode /*mode*/, const State& x, Scalar /*t*/) const noexcept {
@@ -515,7 +515,7 @@ public:
         return p_value * (p_.V * p_.c_v / p_.R_s);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: valve_shut: 1 + or -, 2 *; valve_open: 2 + or -, 6 *, 1 /
     Scalar exchanged_power(Mode mode, const State& x, const Input& u, Scalar /*t*/) const noexcept {
         switch (mode) {
@@ -531,7 +531,7 @@ public:
         }
     }
 
-    /// Event e happens where g[e] falls through zero, where it is watched; the others are left as they are.
+    /// Event e happens where g[e] falls through zero. Entries of events that the mode does not watch stay as they are.
     /// Operations: 1 + or -
     ///     valve_opens: -p_s + p in the mode valve_shut
     ///     valve_shuts: p_s - p in the mode valve_open
@@ -578,18 +578,18 @@ public:
         }
     }
 
-    /// Whether what the mode holds is as it holds it, but for roundings.
+    /// Whether the state meets the conditions of the mode, up to roundings.
     /// Operations: none
     bool holds(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return true;
     }
 
-    /// What the event changes where it happens.
+    /// Changes the state as the event does.
     void reset(std::size_t event_number, Mode /*mode*/, State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         (void)event_number;
     }
 
-    /// What changes where the event has happened infinitely often.
+    /// Changes the state as infinitely many of the event do.
     void settle(std::size_t event_number, Mode /*mode*/, State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         (void)event_number;
     }
@@ -601,7 +601,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar k0;  ///< R_s*T_0*m_c/V
         Scalar k1;  ///< V/(R_s*T_0)

@@ -8,7 +8,7 @@
 // Scene thermal: the temperatures follow from the energy balances
 // Effects in: dry_friction (dry friction of the seals), thermal (energy balance of each chamber, with heat to the walls; otherwise
 //     the air is polytropic)
-// Effects out, and what each would do to the rates at the start values:
+// Effects out, and how each would change the rates at the start values:
 //     leakage (air that passes the piston): changes dot(T_1) by 100 %
 //     smooth (valve edges with a finite slope at equal pressures): changes nothing
 //
@@ -37,8 +37,8 @@
 //   exchanged_power       26     39     6        0     36
 //   guards                15      9     3        0      9
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef PNEUMATIC_CYLINDER_THERMAL_HPP
 #define PNEUMATIC_CYLINDER_THERMAL_HPP
@@ -69,7 +69,7 @@ inline constexpr std::size_t output_count = 6;
 inline constexpr std::size_t parameter_count = 18;
 inline constexpr std::size_t guard_count = 15;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { s = 0, s_dot = 1, p_1 = 2, p_2 = 3, T_1 = 4, T_2 = 5 }; };
 struct input { enum : std::size_t { u = 0, f_L = 1 }; };
 struct output { enum : std::size_t { pressure_force = 0, temperature_1 = 1, temperature_2 = 2, inflow_1 = 3, inflow_2 = 4,
@@ -127,8 +127,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"k_W", "W/K", "heat transfer between the air of a chamber and its walls", 0, 100},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -159,7 +159,7 @@ inline constexpr std::array<double, state_count> start_values{0.07, 0, 436000, 5
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 6> nonzero{0x3c, 0x3f, 0x16, 0x2a, 0x14, 0x28};
 };
 
@@ -350,7 +350,7 @@ struct Parameters {
     Scalar k_W = Scalar(3);  ///< W/K, heat transfer between the air of a chamber and its walls
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -369,7 +369,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -384,7 +384,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 6 + or -, 22 *, 6 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -432,7 +432,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = Scalar(7) / Scalar(100);
@@ -1358,7 +1358,7 @@ public:
         J[5] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     ///     M[s, s] = m_K
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
@@ -1643,7 +1643,7 @@ public:
         D[11] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: 3 *
     ///     T = m_K*dot(s)^2/2
     Scalar kinetic_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -1651,7 +1651,7 @@ public:
         return s_dot * s_dot * ((Scalar(1) / Scalar(2)) * p_.m_K);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -1667,7 +1667,7 @@ public:
         return -s_dot * (f_L + c_.k20);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: 1 + or -, 4 *, 1 other functions
     ///     dissipated = f_C*tanh(dot(s)/v_C)*dot(s) + d*dot(s)^2
     Scalar dissipated_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
@@ -1677,13 +1677,13 @@ public:
         return s_dot * (p_.f_C * tanh_1 + p_.d * s_dot);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 4 + or -, 10 *, 1 /
     ///     E = A_1*density[chamber_1]*specific_energy[chamber_1]*s - A_2*density[chamber_2]*specific_energy[chamber_2]*s +
     ///     V_d*density[chamber_1]*specific_energy[chamber_1] + (A_2*l + V_d)*density[chamber_2]*specific_energy[chamber_2]
@@ -1697,7 +1697,7 @@ public:
         return s * (p_1 * (p_.A_1 * e1) - p_2 * e2) + p_1 * e3 + p_2 * (p_.l * e2 + e3);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 26 + or -, 39 *, 6 /, 36 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::abs;
@@ -1760,7 +1760,7 @@ public:
             * e1 * (max_42 - min_43) + Scalar(2) * p_.T_0 * p_.k_W;
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: 15 + or -, 9 *, 3 /, 9 other functions
     void guards(const State& x, const Input& u, Scalar /*t*/, Guards& g) const noexcept {
         using std::abs;
@@ -1804,7 +1804,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar c_v;  ///< -R_s/(1 - kappa)
         Scalar k0;  ///< of the factorisation of M

@@ -28,8 +28,8 @@
 //   guards                 0      1     0        0      0
 //   start_state            1      2     1        0      0
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef PNEUMATIC_ISOBARIC_FULL_HPP
 #define PNEUMATIC_ISOBARIC_FULL_HPP
@@ -60,7 +60,7 @@ inline constexpr std::size_t output_count = 2;
 inline constexpr std::size_t parameter_count = 8;
 inline constexpr std::size_t guard_count = 3;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { h = 0, T = 1, p_V = 2, T_V = 3 }; };
 struct input { enum : std::size_t { Q = 0 }; };
 struct output { enum : std::size_t { lift_power = 0, ratio = 1 }; };
@@ -99,8 +99,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"V", "m^3", "volume of the rigid vessel", 0.0001, 1},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -119,7 +119,7 @@ inline constexpr std::array<double, state_count> start_values{0.5, 293.15, 12094
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 4> nonzero{0x2, 0x2, 0x8, 0x8};
 };
 
@@ -149,7 +149,7 @@ struct Parameters {
     Scalar V = Scalar(1) / Scalar(200);  ///< m^3, volume of the rigid vessel
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -168,7 +168,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -183,7 +183,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 2 + or -, 8 *, 5 /
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -198,7 +198,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = Scalar(1) / Scalar(2);
@@ -363,7 +363,7 @@ public:
         J[3] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -413,14 +413,14 @@ public:
         D[1] = Scalar(0);
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -434,20 +434,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 2 + or -, 7 *, 1 /
     ///     E = A*h*density[cylinder]*specific_energy[cylinder] + V*density[vessel]*specific_energy[vessel]
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -457,14 +457,14 @@ public:
         return h * (e1 * (p_.A * p_.p_0 + p_.m_K * p_.g)) + p_V * (p_.V * e1);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 2 + or -, 2 *, 1 /
     Scalar exchanged_power(const State& /*x*/, const Input& u, Scalar /*t*/) const noexcept {
         const Scalar Q_value = u[0];
         return Q_value * (Scalar(2) - p_.R_s / (p_.R_s + p_.c_v));
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: 1 *
     void guards(const State& x, const Input& /*u*/, Scalar /*t*/, Guards& g) const noexcept {
         const Scalar h = x[0];
@@ -477,7 +477,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar p_K;  ///< m_K*g/A + p_0
         Scalar k0;  ///< R_s/(A*(R_s + c_v)*(m_K*g/A + p_0))

@@ -27,8 +27,8 @@
 //   exchanged_power        4     10     2        0      7
 //   guards                 6      4     3        0      3
 //
-// The generator is free software under the GPL. What it generates is not covered by that licence but by the Boost Software
-// License 1.0, <https://www.boost.org/LICENSE_1_0.txt>: it may be used in closed programs.
+// The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
+// <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
 
 #ifndef PNEUMATIC_ORIFICE_FULL_HPP
 #define PNEUMATIC_ORIFICE_FULL_HPP
@@ -59,7 +59,7 @@ inline constexpr std::size_t output_count = 5;
 inline constexpr std::size_t parameter_count = 7;
 inline constexpr std::size_t guard_count = 3;
 
-// Where everything stands in its vector. The state is x = [q; dq/dt; z].
+// The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { V_b = 0 }; };
 struct input { enum : std::size_t { p_1 = 0 }; };
 struct output { enum : std::size_t { flow = 0, ratio = 1, Psi = 2, critical_ratio = 3, pipe_speed = 4 }; };
@@ -97,8 +97,8 @@ inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"alpha_d", "1", "contraction coefficient", 0.3, 1},
 };
 
-/// A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has
-/// a kink, jump or infinite slope where its sign changes.
+/// A function whose sign an integrator must watch. `ends`: the model is valid only while it is not negative. Otherwise the right-hand
+/// side has a kink, a jump or an infinite slope where the sign changes.
 struct Guard {
     const char* name;
     const char* doc;
@@ -117,7 +117,7 @@ inline constexpr std::array<double, state_count> start_values{0.001};
 /// df/dx: all entries are stored.
 struct jacobian_x_pattern {
     static constexpr bool is_sparse = false;
-    /// Bit i of number j: whether entry (i, j) is other than zero for some motion.
+    /// Bit i of number j: whether entry (i, j) can be other than zero.
     static constexpr std::array<unsigned, 1> nonzero{0x0};
 };
 
@@ -291,7 +291,7 @@ struct Parameters {
     Scalar alpha_d = Scalar(7) / Scalar(10);  ///< 1, contraction coefficient
 };
 
-/// The equations of motion. Holds the parameters and what depends on them alone; nothing else, no heap, no exceptions.
+/// The equations of motion. Holds the parameters and the constants computed from them. No heap, no exceptions.
 /// Matrices are flat arrays, column by column. No argument may be the same object as a result.
 template <class Scalar>
 class System {
@@ -310,7 +310,7 @@ public:
     using OutputJacobianX = std::array<Scalar, output_count * state_count>;
     using OutputJacobianU = std::array<Scalar, output_count * input_count>;
 
-    // What generic code asks a system for.
+    // Queries for generic code.
     static constexpr int api = api_version;
     static constexpr std::size_t degrees = degrees_of_freedom;
     using PatternX = jacobian_x_pattern;
@@ -325,7 +325,7 @@ public:
 
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
-    /// Sets the parameters and computes what depends on them alone.
+    /// Sets the parameters and computes the constants that depend on them.
     /// Operations: 5 + or -, 18 *, 10 /, 5 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
@@ -359,7 +359,7 @@ public:
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
 
-    /// Start values for the parameters that are set.
+    /// Start values of the state, for the current parameters.
     State start_state() const noexcept {
         State x{};
         x[0] = Scalar(1) / Scalar(1000);
@@ -481,7 +481,7 @@ public:
         J[0] = Scalar(0);
     }
 
-    /// M(q, t), symmetric.
+    /// Mass matrix M(q, t), symmetric.
     /// Operations: none
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& /*M*/) const noexcept {
     }
@@ -563,14 +563,14 @@ public:
         D[4] = c_.k8 * e15 + c_.k5 * e16;
     }
 
-    /// T in joules.
+    /// Kinetic energy T in joules.
     /// Operations: none
     ///     T = 0
     Scalar kinetic_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// V in joules.
+    /// Potential energy V in joules.
     /// Operations: none
     ///     V = 0
     Scalar potential_energy(const State& /*x*/, Scalar /*t*/) const noexcept {
@@ -584,20 +584,20 @@ public:
         return Scalar(0);
     }
 
-    /// Power in watts that dampers dissipate; not negative for laws that resist.
+    /// Power in watts that dampers dissipate; not negative if every law resists the motion.
     /// Operations: none
     ///     dissipated = 0
     Scalar dissipated_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// Power in watts of what moves in a prescribed way; zero where kinematics do not depend on time.
+    /// Power in watts of prescribed motion; zero if the kinematics do not depend on time.
     /// Operations: none
     Scalar prescribed_power(const State& /*x*/, const Input& /*u*/, Scalar /*t*/) const noexcept {
         return Scalar(0);
     }
 
-    /// E in joules, what fluids store: internal energy, potential energy of columns, kinetic energy of streams.
+    /// Energy E in joules that fluids and heated bodies store: internal energy, potential energy of columns, kinetic energy of streams.
     /// Operations: 3 *, 1 /
     ///     E = V_b*density[bag]*specific_energy[bag]
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
@@ -605,7 +605,7 @@ public:
         return V_b * (p_.p_2 * c_.c_v / p_.R_s);
     }
 
-    /// Power in watts over the border of the model: enthalpy flows, heat, shafts.
+    /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
     /// Operations: 4 + or -, 10 *, 2 /, 7 other functions
     Scalar exchanged_power(const State& /*x*/, const Input& u, Scalar /*t*/) const noexcept {
         using std::abs;
@@ -624,7 +624,7 @@ public:
         return -e7;
     }
 
-    /// Functions whose sign matters, in the order of guard_table().
+    /// Functions whose sign an integrator must watch, in the order of guard_table().
     /// Operations: 6 + or -, 4 *, 3 /, 3 other functions
     void guards(const State& x, const Input& u, Scalar /*t*/, Guards& g) const noexcept {
         using std::abs;
@@ -642,7 +642,7 @@ public:
 
 private:
     Parameters<Scalar> p_;
-    /// What depends on parameters alone.
+    /// Constants computed from the parameters.
     struct Cached {
         Scalar c_v;  ///< -R_s/(1 - kappa)
         Scalar Pi_c;  ///< (2/(1 + kappa))^(-kappa/(1 - kappa))
