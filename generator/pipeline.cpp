@@ -53,7 +53,7 @@ auto guarded(const Model& model, Work work) {
     } catch (const TooManyTerms&) {
         throw Failure(Diagnostic{Id::too_large, model.name_span,
                                  fmt::format("an expression in the code of model '{}', or a derivative of one, takes more than {:g} "
-                                             "products of terms; shorter expressions, or a lower degree, need less",
+                                             "products of terms; use shorter expressions or a lower degree",
                                              model.name, budget::code_work)});
     } catch (const std::bad_alloc&) {
         throw Failure(Diagnostic{Id::too_large, model.name_span,
@@ -133,7 +133,7 @@ void stop_on_failed_audit(const System& system, const Audit& audit) {
         const Variable& q = system.symbols.all(SymbolKind::coordinate)[*j];
         throw Failure(Diagnostic{Id::singular_mass, q.declared->span,
                                  fmt::format("the mass matrix is singular: the acceleration of '{}' is not determined by the others; give "
-                                             "what moves with it mass or inertia{}",
+                                             "the parts that move with it mass or inertia{}",
                                              q.name, system.constraints.empty() ? "" : ", or constraints that determine it")});
     }
 }
@@ -220,15 +220,15 @@ void keep_series(Machine& machine, const std::vector<Code*>& modes, SeriesWish w
     std::optional<Diagnostic> why;
     if (machine.fields)
         why = Diagnostic{Id::no_series, machine.loaded->model.name_span,
-                         "no series are made of rods whose cells are computed in loops; a smaller size has code for each of them"};
+                         "cells of rods that loops compute have no Taylor series; a smaller size has code for each cell"};
     for (const Code* code : modes) {
         if (why) break;
         if (const auto missing = missing_series(*code)) why = *missing;
         else if (wish == SeriesWish::if_possible && code->count(Function::rhs).total() > most_operations)
-            why = Diagnostic{Id::too_large,
-                             {},
-                             fmt::format("its right-hand side has more than {} operations, and series of it would take long to compile",
-                                         most_operations)};
+            why = Diagnostic{
+                Id::too_large,
+                {},
+                fmt::format("its right-hand side has more than {} operations, and its series would take long to compile", most_operations)};
     }
     if (!why) return;
     if (wish == SeriesWish::wanted) throw Failure(*why);
@@ -260,7 +260,7 @@ Machine derive_machine(std::shared_ptr<const LoadedModel> loaded, const std::str
         enter_stage(fmt::format("the proof of scene '{}'", first.scene.name));
         prove(machine, loaded, std::move(modes.front()));
         for (std::size_t i = 1; i < modes.size(); ++i) prove(machine.other_modes.emplace_back(), loaded, std::move(modes[i]));
-        watch.lap("prove", all_derivations_proven(machine) ? "everything proven" : "something only numerically equal");
+        watch.lap("prove", all_derivations_proven(machine) ? "everything proven" : "some parts only numerically equal");
         return machine;
     });
 }
@@ -327,11 +327,11 @@ Header generate(Machine& machine, SeriesWish wish) {
         if (wish != SeriesWish::none) keep_series(machine, all, wish);
         if (machine.together && machine.fields)
             throw Failure(Diagnostic{Id::bad_option, machine.loaded->model.name_span,
-                                     fmt::format("--together: '{}' has rods whose cells are computed in loops, one function after the "
-                                                 "other; a smaller size has code for each of them",
+                                     fmt::format("--together: '{}' has rods with cells in loops, and each function has a loop of its own; "
+                                                 "a smaller size has code for each cell",
                                                  machine.loaded->model.name)});
         const Proofs proofs = proofs_of(machine);
-        watch.lap("prove code", proofs.all_proven() ? "everything proven" : "something only numerically equal");
+        watch.lap("prove code", proofs.all_proven() ? "everything proven" : "some parts only numerically equal");
         const auto effects_out =
             sizes_of_effects_out(*machine.system, {machine.system->scene.sizes.begin(), machine.system->scene.sizes.end()});
         if (!effects_out.empty()) watch.lap("effects out", fmt::format("{} compared at the start", effects_out.size()));

@@ -55,8 +55,8 @@ private:
         if (scene_.thermal_media.contains(item.medium.name))
             throw Failure(Diagnostic{
                 Id::not_allowed_here, item.span,
-                fmt::format("junction '{}' holds '{}', whose temperature scene '{}' gives or balances somewhere; this version does not mix "
-                            "in junctions. Leave the temperatures out, or make the junction a small volume with a temperature",
+                fmt::format("junction '{}' holds '{}', and scene '{}' has temperatures of this medium; this version does not mix "
+                            "temperatures in junctions. Leave the temperatures out, or make the junction a small volume with a temperature",
                             member.name(), item.medium.name, scene_.name)});
         JunctionState j{member, result_.find_medium(item.medium.name), symbols_.letter("pressure[" + member.name() + "]"), {}};
         j.fluid.temperature = j.medium->reference_temperature(item);
@@ -86,18 +86,17 @@ private:
         v.size = translate_(item.volume, indices);
         if (v.size.expand().is_zero())
             throw Failure(Diagnostic{Id::value_out_of_range, item.volume->span,
-                                     fmt::format("the size of volume '{}' is zero whatever the parameters are", v.member.name())});
+                                     fmt::format("the size of volume '{}' is zero for all parameters", v.member.name())});
         check_size(v);
 
         std::optional<ex> T;
         if (scene_.has_temperature(item, translate_.names())) {
             if (!item_has_heat(v.medium->item()))
-                throw Failure(
-                    Diagnostic{Id::missing_key,
-                               v.medium->item().span,
-                               fmt::format("the temperature of volume '{}' is a state, which needs the isochoric_heat of medium '{}'",
-                                           v.member.name(), v.medium->item().name),
-                               {{item.temperature->span, "the temperature stands here"}}});
+                throw Failure(Diagnostic{Id::missing_key,
+                                         v.medium->item().span,
+                                         fmt::format("the temperature of volume '{}' is a state, so medium '{}' needs an isochoric_heat",
+                                                     v.member.name(), v.medium->item().name),
+                                         {{item.temperature->span, "the temperature stands here"}}});
             v.temperature_state = state(item.temperature, indices);
             T = translate_(item.temperature, indices);
         } else if (!item.polytropic) {
@@ -127,11 +126,10 @@ private:
     ex surface_pressure(const ControlVolume& v, const Indices& indices) const {
         ex pressure = translate_(v.member.item->pressure, indices);
         if (v.medium->is_compressible() && !symbols_.is_constant(pressure))
-            throw Failure(Diagnostic{
-                Id::not_allowed_here, v.member.item->pressure->span,
-                fmt::format(
-                    "volume '{}' follows its filling and holds '{}', which is compressible: its pressure must be constant, but '{}' is not",
-                    v.member.name(), v.medium->item().name, v.member.item->pressure->written())});
+            throw Failure(Diagnostic{Id::not_allowed_here, v.member.item->pressure->span,
+                                     fmt::format("volume '{}' follows its filling and holds the compressible medium '{}': its pressure "
+                                                 "must be constant, but '{}' is not",
+                                                 v.member.name(), v.medium->item().name, v.member.item->pressure->written())});
         return pressure;
     }
 
@@ -191,7 +189,7 @@ private:
         if (!energy)
             throw Failure(
                 Diagnostic{Id::cannot_integrate, item.head->span,
-                           fmt::format("the potential energy of the column in volume '{}' is an integral that the program cannot find",
+                           fmt::format("the program cannot find the integral for the potential energy of the column in volume '{}'",
                                        v.member.name())});
         v.column = *energy - energy->subs(filling == 0, GiNaC::subs_options::no_pattern);
     }

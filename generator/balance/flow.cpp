@@ -80,8 +80,8 @@ private:
             case Flow::Law::pneumatic_orifice: break;  // was refused
             case Flow::Law::relief_valve:
                 throw Failure(Diagnostic{Id::not_allowed_here, item.span,
-                                         fmt::format("relief valve '{}' ends at a junction, whose pressure this version does not solve "
-                                                     "with one; make the junction a small volume",
+                                         fmt::format("relief valve '{}' ends at a junction, but this version cannot solve the pressure "
+                                                     "there with a relief valve; make the junction a small volume",
                                                      f.member.name())});
         }
         if (!f.law_at_junction) return f;
@@ -135,8 +135,8 @@ private:
             if (!z.is_root || square.has(z.symbol)) continue;
             if (!square.info(GiNaC::info_flags::positive))
                 throw Failure(Diagnostic{Id::not_allowed_here, f.member.item->span,
-                                         fmt::format("flow '{}' goes like the root of '{}', which is integrated as its root; that needs "
-                                                     "ranges by which density and gravity are positive",
+                                         fmt::format("flow '{}' is proportional to the root of '{}', and the program integrates this root; "
+                                                     "density and gravity need ranges that make them positive",
                                                      f.member.name(), z.base)});
             edge(f, fmt::format("ends, {} is zero", z.base).c_str(), z.symbol);
             return GiNaC::sqrt(square) * z.symbol * unit_step(unlocated(z.symbol));
@@ -189,7 +189,7 @@ private:
         const Flow& item = *f.member.item;
         if (!(f.from->potential - f.to->potential).expand().is_zero())
             throw Failure(Diagnostic{Id::not_allowed_here, item.span,
-                                     fmt::format("the law of the pneumatic orifice '{}' knows no height, but the potentials of '{}' and "
+                                     fmt::format("the law of the pneumatic orifice '{}' contains no height, but the potentials of '{}' and "
                                                  "'{}' differ; give both ends the same potential",
                                                  f.member.name(), std::string(item.from.span.text()), std::string(item.to.span.text()))});
         const MediumModel& gas = *(f.from_volume != nullptr ? f.from_volume->medium : reservoir_medium(item.from));
@@ -352,9 +352,8 @@ void share_inflows(std::vector<FlowState>& flows, const Scene& scene, const Symb
             const Volume& one = *pending.front()->member.item;
             throw Failure(Diagnostic{
                 Id::undetermined, one.span,
-                fmt::format(
-                    "in mode '{}' volume '{}' and volumes that feed it in a ring are all empty, so that nothing determines what flows",
-                    scene.modes[*scene.mode].name, one.name)});
+                fmt::format("in mode '{}' volume '{}' and the volumes that feed it in a ring are all empty, so nothing determines the flow",
+                            scene.modes[*scene.mode].name, one.name)});
         }
         share_inflow(flows, **next, symbols);
         pending.erase(next);

@@ -122,7 +122,7 @@ BoilingState boiling_of(const HeatNode& item, const NodeState& node, const Scene
                 Id::not_allowed_here, item.capacity->span,
                 fmt::format("the capacity of node '{}' may depend on its mass '{}' and on no other state, but it depends on '{}'{}",
                             item.name, mass->name, state.name,
-                            state.position == *node.state ? "; of the temperature it is a law, \"T -> ...\"" : "")});
+                            state.position == *node.state ? "; write a function of the temperature as a law, \"T -> ...\"" : "")});
     }
     return {mass->position, translate(item.boiling->enthalpy, {}), scene.modes[*scene.mode].is_in(item.name + "_boiling")};
 }
@@ -289,9 +289,9 @@ HeatNetwork make_nodes(const Scene& scene, const Translator& translate, Symbols&
     for (const auto& member : scene.nodes) {
         const bool is_sought = !member.item->is_held() && !scene.has_capacity(*member.item, translate.names());
         if (is_sought && member.item->boiling)
-            throw Failure(Diagnostic{Id::needs_absent, member.item->span,
-                                     fmt::format("node '{}' boils, but scene '{}' leaves out the state that is its temperature",
-                                                 member.item->name, scene.name)});
+            throw Failure(Diagnostic{
+                Id::needs_absent, member.item->span,
+                fmt::format("node '{}' boils, but scene '{}' leaves out the state of its temperature", member.item->name, scene.name)});
         if (is_sought) add_sought(network, member.name(), *member.item, member.item->span, symbols);
         else network.nodes.push_back(node_of(member, scene, translate, symbols));
     }

@@ -95,7 +95,7 @@ private:
     [[noreturn]] void fail(std::size_t k, const std::string& why) const {
         const std::string mode = scene_.mode ? fmt::format("in mode '{}' ", scene_.modes[*scene_.mode].name) : "";
         throw Failure(Diagnostic{Id::undetermined, rows_[k].state->member.item->span,
-                                 fmt::format("junction '{}' stores nothing, so that its pressure follows from its flows; {}{}",
+                                 fmt::format("junction '{}' stores nothing, so its flows determine its pressure; but {}{}",
                                              rows_[k].state->member.name(), mode, why)});
     }
 
@@ -105,9 +105,10 @@ private:
             if (arm.other().junction) others.push_back(rows_[*arm.other().junction].state->member.name());
         std::sort(others.begin(), others.end());
         others.erase(std::unique(others.begin(), others.end()), others.end());
-        fail(k, fmt::format("but orifices join it to {}, too, and both have more flows than this version solves at once. Give one of them "
-                            "a small volume",
-                            quoted_list(others)));
+        fail(k,
+             fmt::format(
+                 "orifices join it to {}, and both have more flows than this version can solve together. Give one of them a small volume",
+                 quoted_list(others)));
     }
 
     std::optional<std::size_t> row_of(const JunctionState* junction) const {
@@ -144,8 +145,8 @@ private:
 
     [[noreturn]] void fail_dependent(const FlowState& f) const {
         throw Failure(Diagnostic{Id::undetermined, f.member.item->span,
-                                 fmt::format("the law of flow '{}' depends on the pressure of a junction otherwise than by the pressures "
-                                             "at its ends; the pressure of a junction follows from the flows, so that it cannot",
+                                 fmt::format("the law of flow '{}' depends on the pressure of a junction, which follows from the flows; a "
+                                             "law may contain such a pressure only at the ends of its flow",
                                              f.member.name())});
     }
 
@@ -163,11 +164,11 @@ private:
         std::vector<std::string> names;
         for (const FlowState& f : flows_)
             if (f.from_junction == rows_[k].state || f.to_junction == rows_[k].state) names.push_back(f.member.name());
-        if (names.empty()) fail(k, "but no flow ends there");
-        if (names.size() == 1) fail(k, fmt::format("but '{}' is the only one that ends there, through which nothing can flow", names[0]));
+        if (names.empty()) fail(k, "no flow ends there");
+        if (names.size() == 1) fail(k, fmt::format("only '{}' ends there, so nothing can flow through it", names[0]));
         if (arms_of(k).empty())
-            fail(k, fmt::format("but {} are all given, of pumps, pipes or shut valves, whose flows no pressure changes at once. Put an "
-                                "orifice or laminar flow beside them, or make it a small volume",
+            fail(k, fmt::format("{} are given flows, pumps, pipes or shut valves, and no pressure changes their flow at once. Add an "
+                                "orifice or a laminar flow, or make it a small volume",
                                 quoted_list(names)));
     }
 
@@ -176,7 +177,7 @@ private:
         for (std::size_t k = 0; k < rows_.size(); ++k) {
             if (rows_[k].is_done) continue;
             const std::vector<Arm> arms = arms_of(k);
-            if (arms.empty()) fail(k, "but nothing joins it to a place of known pressure. Add a flow to one, or make it a small volume");
+            if (arms.empty()) fail(k, "no flow joins it to a place of known pressure. Add such a flow, or make it a small volume");
             const bool is_linear = std::none_of(arms.begin(), arms.end(), [](const Arm& arm) { return arm.edge->is_root; });
             const bool is_known = std::none_of(arms.begin(), arms.end(), [](const Arm& arm) { return arm.other().junction.has_value(); });
             Step step{k, arms};

@@ -140,7 +140,7 @@ void MediumModel::integrate_energy(const ex& p_0, const ex& T_0) {
             if (const auto found = integrate(form, GiNaC::ex_to<GiNaC::symbol>(letter))) return *found;
         throw Failure(Diagnostic{
             Id::cannot_integrate, item_->density->span,
-            fmt::format("the internal energy of medium '{}' needs an integral over the {} that the program cannot find; give its energy",
+            fmt::format("the program cannot find the integral over the {1} for the internal energy of medium '{0}'; give its energy",
                         item_->name, of)});
     };
     const ex heating = primitive(by_temperature, T_, "temperature");
@@ -168,11 +168,10 @@ MediumState MediumModel::at_density(const ex& rho, const ex& T) const { return s
 std::optional<ex> MediumModel::reference_temperature(const Item& asking) const {
     const bool matters = law_.density.has(T_) || law_.energy.has(T_) || law_.enthalpy.has(T_);
     if (reference_temperature_ || !matters) return reference_temperature_;
-    throw Failure(
-        Diagnostic{Id::missing_key,
-                   asking.span,
-                   fmt::format("'{}' says no temperature, and medium '{}' has no reference_temperature", asking.name, item_->name),
-                   {{item_->span, fmt::format("medium '{}' is defined here", item_->name)}}});
+    throw Failure(Diagnostic{Id::missing_key,
+                             asking.span,
+                             fmt::format("'{}' has no temperature, and medium '{}' has no reference_temperature", asking.name, item_->name),
+                             {{item_->span, fmt::format("medium '{}' is defined here", item_->name)}}});
 }
 
 ex MediumModel::isentropic_exponent() const {

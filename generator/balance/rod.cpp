@@ -128,8 +128,8 @@ private:
         for (const Variable& state : symbols_.all(SymbolKind::state))
             if (f.source.has(state.symbol))
                 throw Failure(Diagnostic{Id::not_allowed_here, rod_.span,
-                                         fmt::format("rod '{}' has {} cells, which are computed in a loop; what surrounds or heats it must "
-                                                     "not depend on the state '{}' then",
+                                         fmt::format("rod '{}' has {} cells, which a loop computes; its surroundings and heat sources must "
+                                                     "then not depend on the state '{}'",
                                                      rod_.name, geometry_.cells(), state.name)});
         return f;
     }

@@ -64,7 +64,7 @@ private:
     [[noreturn]] static void fail(const NodeState& node, const std::string& why) {
         throw Failure(
             Diagnostic{Id::undetermined, node.place,
-                       fmt::format("node '{}' stores nothing, so that its temperature follows from its balance; {}", node.name, why)});
+                       fmt::format("node '{}' stores nothing, so its heat balance determines its temperature; but {}", node.name, why)});
     }
 
     std::optional<std::size_t> row_of(const NodeState* node) const {
@@ -86,9 +86,9 @@ private:
         if (letter_in(result) == nullptr) return result;
         fail(*at.node,
              &at == &by
-                 ? std::string("but this is neither linear in it nor in its fourth power. Give it a capacity")
+                 ? std::string("the balance is linear neither in the temperature nor in its fourth power. Give the node a capacity")
                  : fmt::format(
-                       "but this is neither linear in the temperature of '{}' nor in its fourth power. Give one of the two a capacity",
+                       "the balance is linear neither in the temperature of '{}' nor in its fourth power. Give one of the two a capacity",
                        by.node->name));
     }
 
@@ -108,9 +108,8 @@ private:
         slope(to, link.heat, from, from.T());
         const ex rest = (link.heat - conduction * (from.T() - to.T()) - radiation * (from.fourth() - to.fourth())).expand();
         if (letter_in(rest) != nullptr)
-            fail(*from.node,
-                 fmt::format("but the heat of '{}' does not vanish where its ends are equally warm. Give one of '{}' and '{}' a capacity",
-                             link.name, from.node->name, to.node->name));
+            fail(*from.node, fmt::format("the heat of '{}' is not zero when its ends are equally warm. Give '{}' or '{}' a capacity",
+                                         link.name, from.node->name, to.node->name));
         join(&Row::conduction, a, b, conduction);
         join(&Row::radiation, a, b, radiation);
         from.source -= rest;
@@ -130,8 +129,8 @@ private:
         Row& row = rows_[i];
         for (const Row& other : rows_)
             if (&other != &row && (heat.has(other.T()) || heat.has(other.fourth())))
-                fail(*row.node, fmt::format("but heat that it takes up depends on the temperature of '{}' without being exchanged with it. "
-                                            "Give one of the two a capacity",
+                fail(*row.node, fmt::format("it takes up heat that depends on the temperature of '{}' and does not come from there. Give "
+                                            "one of the two a capacity",
                                             other.node->name));
         row.conduction.to_known -= slope(row, heat, row, row.T());
         row.radiation.to_known -= slope(row, heat, row, row.fourth());
@@ -144,12 +143,12 @@ private:
         for (std::size_t i = 0; i < rows_.size(); ++i) {
             Row& row = rows_[i];
             if (row.done) continue;
-            if (row.conduction.none() && row.radiation.none()) fail(*row.node, "but nothing links it to a temperature that is known");
+            if (row.conduction.none() && row.radiation.none()) fail(*row.node, "nothing links it to a known temperature");
             if (row.conduction.none() != row.radiation.none()) {
                 const bool conducts = row.radiation.none();
                 const Conductances& own = conducts ? row.conduction : row.radiation;
                 const std::size_t others = own.to_sought.size();
-                if (others == 0 && own.to_known.is_zero()) fail(*row.node, "but nothing links it to a temperature that is known");
+                if (others == 0 && own.to_known.is_zero()) fail(*row.node, "nothing links it to a known temperature");
                 if (others > 0 && connected_to(i).size() > most_written_out) continue;
                 if (others > 2 || (others == 2 && !own.to_known.is_zero())) continue;
                 eliminate(i, conducts);
@@ -257,7 +256,7 @@ private:
         const bool is_known = std::any_of(part.begin(), part.end(), [&](std::size_t i) {
             return !rows_[i].conduction.to_known.is_zero() || !rows_[i].radiation.to_known.is_zero();
         });
-        if (!is_known) fail(*rows_[part[0]].node, "but nothing links it to a temperature that is known");
+        if (!is_known) fail(*rows_[part[0]].node, "nothing links it to a known temperature");
         NetworkData data(part.size());
         for (std::size_t i = 0; i < part.size(); ++i) {
             const Row& row = rows_[part[i]];

@@ -90,7 +90,7 @@ private:
         const char* given = is_complete ? "" : " that are given";
         if (sign > 0)
             fail(Id::wrong_enclosure, row_place(i),
-                 fmt::format("the view factors from {}{} add up to {}, beyond the 1 of (4.47)", name(i), given, shown(*number)));
+                 fmt::format("the view factors from {}{} add up to {}, more than the 1 of (4.47)", name(i), given, shown(*number)));
         if (sign < 0 && is_complete)
             fail(Id::wrong_enclosure, row_place(i),
                  fmt::format("enclosure '{}' is open: the view factors from {} add up to {} instead of 1 (4.47). Leave one out as \"?\", "
@@ -114,7 +114,7 @@ private:
             const auto number = rest.expand().is_zero() ? std::nullopt : value_(rest);
             if (number && sign_of_value(*number) != 0)
                 fail(Id::wrong_enclosure, enclosure_.view_factors.span,
-                     fmt::format("no view factors in the places left out make all rows of enclosure '{}' add up to 1 (4.47) and keep the "
+                     fmt::format("the missing view factors of enclosure '{}' cannot make all rows add up to 1 (4.47) and keep the "
                                  "reciprocity (4.45): {} m^2 are left over",
                                  enclosure_.name, shown(*number)));
         }

@@ -18,7 +18,7 @@ std::shared_ptr<const LoadedModel> CatalogueVerdicts::loaded(const CatalogueEntr
     if (known) return known;
     if (!std::filesystem::is_regular_file(path))
         fail(Id::unreadable_file, entry.model_span,
-             fmt::format("there is no model '{}' beside the catalogue, which entry '{}' is about", entry.model, entry.name));
+             fmt::format("entry '{1}' names the model '{0}', but there is no such file", entry.model, entry.name));
     Diagnostics warnings;
     return known = load(path, warnings);
 }

@@ -118,9 +118,9 @@ Json checked(CatalogueVerdicts& verdicts, const CatalogueEntry& entry) {
     } catch (const Failure& failure) {
         for (const Diagnostic& d : failure.diagnostics()) json["errors"].push_back(as_json(d));
     } catch (const std::bad_alloc&) {
-        json["stopped"] = fmt::format("it needs more than {:.3g} GB of memory, which it may have", entry_bytes() / 1e9);
+        json["stopped"] = fmt::format("it needs more memory than the limit of {:.3g} GB", entry_bytes() / 1e9);
     } catch (const std::exception& error) {
-        json["stopped"] = fmt::format("the program stopped at it, which is a defect of the program: {}", error.what());
+        json["stopped"] = fmt::format("the program stopped at this entry, a defect of the program: {}", error.what());
     }
     return json;
 }
@@ -180,10 +180,9 @@ void set_processor_time(double seconds) {
 std::string why_it_ended(int status) {
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF)
         return fmt::format("it needs more than {:g} s of processor time", entry_seconds());
-    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) return "it was ended from outside, as for lack of memory";
-    if (WIFSIGNALED(status))
-        return fmt::format("the program broke down at it (signal {}), which is a defect of the program", WTERMSIG(status));
-    return "the program ended at it, which is a defect of the program";
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) return "the system ended it, for example for lack of memory";
+    if (WIFSIGNALED(status)) return fmt::format("the program crashed at this entry (signal {}), a defect of the program", WTERMSIG(status));
+    return "the program ended at this entry, a defect of the program";
 }
 
 EntryOutcome outcome_of(const Json& json, Sources& sources) {
@@ -211,7 +210,7 @@ void check_entries(const Catalogue& catalogue, bool for_pages,
             setpgid(child, child);  // here as well: whichever comes first
             Leftovers::all().add_child(child);
         }
-        if (child < 0) fail(Id::tool_failed, {}, "no process can be started in which the entries are checked");
+        if (child < 0) fail(Id::tool_failed, {}, "the process that checks the entries cannot be started");
         close(pipe_ends[1]);
         std::string waiting;
         std::array<char, 65536> buffer;

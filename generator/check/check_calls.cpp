@@ -53,8 +53,8 @@ unsigned ExpressionCheck::call(const Expression& e) {
         // What is known to be a matrix is gone by now, so that something in it is not.
         if (!diagnostics_.has_errors())
             error(Id::wrong_arguments, e.span,
-                  fmt::format("'{}' takes a matrix, and nothing says which one '{}' is; say it by 'with', as in A = \"matrix(row(a, "
-                              "b), row(c, d))\"",
+                  fmt::format("'{}' takes a matrix, but '{}' is not defined as one; define it under 'with', as in A = \"matrix(row(a, b), "
+                              "row(c, d))\"",
                               e.name, e.children.empty() ? e.written() : e.children[0]->written()));
     } else if (function == nullptr) {
         std::vector<std::string> known{"dot", "ddot", "sum"};
@@ -94,8 +94,7 @@ unsigned ExpressionCheck::derivative(const Expression& e) {
 unsigned ExpressionCheck::partial(const Expression& e) {
     if (!derived_allowed(e)) return 0;
     if (e.children.size() != 2) {
-        error(Id::wrong_arguments, e.span,
-              "'diff' takes an expression and what to differentiate by, as in 'diff(kinetic_energy, dot(phi))'");
+        error(Id::wrong_arguments, e.span, "'diff' takes an expression and a variable, as in 'diff(kinetic_energy, dot(phi))'");
         return 0;
     }
     return visit(*e.children[0]) | visit(*e.children[1]);
@@ -140,10 +139,9 @@ unsigned ExpressionCheck::at_place(const Expression& e) {
     const Expression* side = has_side ? e.children[3].get() : nullptr;
     if (side != nullptr && side->kind == Kind::negate) side = side->children[0].get();
     if (side != nullptr && !(side->kind == Kind::number && side->value == 1))
-        error(Id::wrong_arguments, e.children[3]->span, "a limit is from above, 1, or from below, -1");
+        error(Id::wrong_arguments, e.children[3]->span, "the side of a limit is 1, from above, or -1, from below");
     if (variable.kind != Kind::name && !(variable.kind == Kind::call && (variable.name == "dot" || variable.name == "ddot")))
-        error(Id::wrong_arguments, variable.span,
-              fmt::format("'{}' is not a variable that '{}' could be about", variable.written(), e.name));
+        error(Id::wrong_arguments, variable.span, fmt::format("'{}' is not a variable, and '{}' needs one", variable.written(), e.name));
     return visit(*e.children[0]) | visit(variable) | end(*e.children[2], e.name == "limit");
 }
 

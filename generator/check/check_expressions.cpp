@@ -17,7 +17,7 @@ void ExpressionCheck::check(const Site& site) {
     for (const std::string& name : site.bound)
         if (!site.may_shadow && names_.find(name) != nullptr && shadowing_.insert(site.what + name).second)
             error(Id::doubly_defined, site.expression->span,
-                  fmt::format("'{}' is defined already, and again as an index or variable in {}", name, site.what));
+                  fmt::format("'{}' is already defined, but {} uses it again as an index or variable", name, site.what));
     visit(*site.expression);
 }
 
@@ -69,7 +69,7 @@ unsigned ExpressionCheck::name(const Expression& e) {
     }
     if (e.name == "pi" || e.name == "stefan_boltzmann") return 0;
     if (e.name == "infinity") {
-        error(Id::not_allowed_here, e.span, "'infinity' is not a number; limits and integrals may go there");
+        error(Id::not_allowed_here, e.span, "'infinity' is not a number; only limits and bounds of integrals may use it");
         return 0;
     }
     if (find_quantity(e.name) != nullptr) return quantity(e);
@@ -111,7 +111,7 @@ unsigned ExpressionCheck::definition(const Expression& e, const Definition& item
     const unsigned depends = dependence(*item.value, names_);
     if ((depends & ~site_->allowed) != 0 && !reported_)
         error(Id::not_allowed_here, e.span,
-              fmt::format("{} must not depend on '{}', which depends on what is not allowed here", site_->what, e.written()),
+              fmt::format("{} must not depend on '{}': its definition contains a name that is not allowed here", site_->what, e.written()),
               {{item.span, fmt::format("'{}' is defined here", e.name)}});
     return depends;
 }
@@ -150,7 +150,7 @@ unsigned ExpressionCheck::sum(const Expression& e) {
     whole_number(*e.children[0]);
     whole_number(*e.children[1]);
     const bool shadows = bound_.contains(e.name) || names_.find(e.name) != nullptr || e.name == "t" || e.name == "pi";
-    if (shadows) error(Id::doubly_defined, e.span, fmt::format("the index '{}' of the sum means something else here already", e.name));
+    if (shadows) error(Id::doubly_defined, e.span, fmt::format("the index '{}' of the sum already has another meaning here", e.name));
     const auto inserted = bound_.insert(e.name);
     const unsigned result = visit(*e.children[2]);
     if (inserted.second) bound_.erase(inserted.first);

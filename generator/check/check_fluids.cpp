@@ -41,7 +41,8 @@ private:
         const Medium* medium = medium_of(junction.medium);
         if (medium != nullptr && medium->law != Medium::Law::liquid && medium->law != Medium::Law::incompressible)
             wrong(junction.span,
-                  fmt::format("junction '{}' stores nothing, which this version solves for liquids, but '{}' is {}; make it a small volume",
+                  fmt::format("junction '{}' stores nothing; this version solves its pressure only for liquids, but '{}' is {}. Make the "
+                              "junction a small volume",
                               junction.name, medium->name, medium->law == Medium::Law::ideal_gas ? "a gas" : "a medium of given laws"),
                   *medium);
     }
@@ -58,11 +59,11 @@ private:
         if (flow.width)
             refuse(
                 flow.width->span,
-                "whose pressure is solved with the exact root, also at balance; leave the width out, or make the junction a small volume");
+                "which is solved with the exact root, also at equal pressures; leave the width out, or make the junction a small volume");
         if (flow.law == Flow::Law::check_valve && !flow.switches)
             refuse(flow.span,
-                   "whose pressure this version does not solve with a valve of which being open or shut is no mode; give the valve "
-                   "switches = true, or make the junction a small volume");
+                   "and this version solves its pressure only if open and shut are modes of the valve; give the valve switches = true, or "
+                   "make the junction a small volume");
         const Part* volume = names_.find_part(other.name);
         if (volume != nullptr && volume->kind == Part::Kind::volume && static_cast<const Volume*>(volume->item)->empties)
             refuse(other.span, fmt::format("and begins or ends at volume '{}', which may run empty; this version does not solve both at "
@@ -80,37 +81,36 @@ private:
         if (medium == nullptr) return;
         if (medium->law == Medium::Law::incompressible && !volume.filling)
             diagnostics_.error(Id::undetermined, volume.span,
-                               fmt::format("volume '{}' holds '{}', which is incompressible: its pressure follows from no balance, and it "
-                                           "can take up no flow; give it a filling",
+                               fmt::format("volume '{}' holds the incompressible medium '{}': no balance determines its pressure, and it "
+                                           "can store nothing; give it a filling",
                                            volume.name, medium->name),
                                {{medium->span, fmt::format("medium '{}' is defined here", medium->name)}});
         if (volume.polytropic && medium->law != Medium::Law::ideal_gas)
-            wrong(volume.polytropic->span,
-                  fmt::format("volume '{}' follows a polytropic course, which is one of ideal gases, but holds '{}'", volume.name,
-                              medium->name),
-                  *medium);
+            wrong(
+                volume.polytropic->span,
+                fmt::format("volume '{}' follows a polytropic course, which needs an ideal gas, but holds '{}'", volume.name, medium->name),
+                *medium);
         if (volume.empties && volume.temperature)
             diagnostics_.error(
                 Id::not_allowed_here, volume.temperature->span,
-                fmt::format("volume '{}' may run empty, and nothing has no temperature; leave the temperature out, or empties",
+                fmt::format("volume '{}' may run empty, and an empty volume has no temperature; leave out the temperature or empties",
                             volume.name));
         if (volume.empties)
             for (const Flow& flow : model_.flows)
                 if (flow.law == Flow::Law::pipe && flow.from.name == volume.name)
-                    diagnostics_.error(
-                        Id::not_allowed_here, flow.from.span,
-                        fmt::format(
-                            "volume '{}' may run empty, but pipe '{}', whose flow has inertia, leaves it and would have to run empty, too",
-                            volume.name, flow.name),
-                        {{volume.span, fmt::format("'{}' is defined here", volume.name)}});
+                    diagnostics_.error(Id::not_allowed_here, flow.from.span,
+                                       fmt::format("volume '{}' may run empty, but pipe '{}' leaves it; the flow of a pipe has inertia, "
+                                                   "and a pipe cannot run empty",
+                                                   volume.name, flow.name),
+                                       {{volume.span, fmt::format("'{}' is defined here", volume.name)}});
         if (volume.head && medium->law != Medium::Law::incompressible)
             wrong(volume.head->span,
                   fmt::format("volume '{}' has a head, which needs an incompressible medium, but holds '{}'", volume.name, medium->name),
                   *medium);
         if ((volume.density || volume.mass) && medium->law == Medium::Law::given && !medium->pressure)
             wrong(volume.span,
-                  fmt::format("volume '{}' has its {} as state, so medium '{}' must say its pressure as a law \"(rho, T) -> ...\"",
-                              volume.name, volume.density ? "density" : "mass", medium->name),
+                  fmt::format("volume '{}' has its {} as a state, so medium '{}' needs a pressure law \"(rho, T) -> ...\"", volume.name,
+                              volume.density ? "density" : "mass", medium->name),
                   *medium);
     }
 
@@ -129,7 +129,7 @@ private:
     void check(const Flow& flow) {
         if (const State* state = claim(flow.velocity, "velocity", "pipe", flow); state != nullptr && state->root)
             diagnostics_.error(Id::not_allowed_here, flow.velocity->span,
-                               fmt::format("the velocity of pipe '{}' may become negative, so that its root is no state", flow.name),
+                               fmt::format("the velocity of pipe '{}' may become negative, so its root cannot be a state", flow.name),
                                {{state->span, fmt::format("'{}' is declared here", state->name)}});
         const Medium* from = end(flow.from);
         const Medium* to = end(flow.to);
@@ -147,18 +147,20 @@ private:
                                 {to->span, fmt::format("medium '{}' is defined here", to->name)}});
         const bool is_gas = from->law == Medium::Law::ideal_gas;
         if ((flow.law == Flow::Law::hydraulic_orifice || flow.law == Flow::Law::relief_valve) && is_gas)
-            wrong(flow.span, fmt::format("flow '{}' follows the law of a {}, which is one of liquids, but '{}' is a gas{}", flow.name,
-                                         flow.law == Flow::Law::relief_valve ? "relief valve" : "hydraulic orifice", from->name,
-                                         flow.law == Flow::Law::relief_valve ? "" : "; take \"pneumatic_orifice\""), *from);
+            wrong(flow.span,
+                  fmt::format("flow '{}' follows the law of a {}, which holds for liquids, but '{}' is a gas{}", flow.name,
+                              flow.law == Flow::Law::relief_valve ? "relief valve" : "hydraulic orifice", from->name,
+                              flow.law == Flow::Law::relief_valve ? "" : "; take \"pneumatic_orifice\""),
+                  *from);
         if (flow.law == Flow::Law::pneumatic_orifice && !is_gas)
             wrong(flow.span,
-                  fmt::format("flow '{}' follows the law of a pneumatic orifice, which is one of ideal gases, but '{}' is none; take "
+                  fmt::format("flow '{}' follows the law of a pneumatic orifice, which holds for ideal gases, but '{}' is not one; take "
                               "\"hydraulic_orifice\"",
                               flow.name, from->name),
                   *from);
         if (flow.law == Flow::Law::check_valve && flow.area && is_gas)
             wrong(flow.span,
-                  fmt::format("check valve '{}' follows the law of a hydraulic orifice, which is one of liquids, but '{}' is a gas; give "
+                  fmt::format("check valve '{}' follows the law of a hydraulic orifice, which holds for liquids, but '{}' is a gas; give "
                               "it a conductance",
                               flow.name, from->name),
                   *from);
@@ -167,7 +169,7 @@ private:
                   fmt::format("flow '{}' needs the ratio of specific heats of '{}', which has no isochoric_heat", flow.name, from->name),
                   *from);
         if (flow.law == Flow::Law::pipe && from->law != Medium::Law::liquid && from->law != Medium::Law::incompressible)
-            wrong(flow.span, fmt::format("pipe '{}' carries a stream of one density, but '{}' is not a liquid", flow.name, from->name),
+            wrong(flow.span, fmt::format("pipe '{}' needs a medium of constant density, but '{}' is not a liquid", flow.name, from->name),
                   *from);
     }
 

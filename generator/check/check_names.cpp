@@ -169,14 +169,14 @@ public:
         });
     }
     void follow(const Load& load) {
-        visit_once(load, fmt::format("load '{}' needs what follows from it", load.name), [&] {
+        visit_once(load, fmt::format("load '{}' depends on its own unknowns", load.name), [&] {
             std::vector<std::string> own;
             for (const Unknown& unknown : load.unknowns) own.push_back(unknown.name);
             visit(load, [&](const Site& site) { names_in(*site.expression, own); });
         });
     }
     void follow(const Sticking& sticking) {
-        visit_once(sticking, fmt::format("sticking '{}' needs what it says itself", sticking.name),
+        visit_once(sticking, fmt::format("sticking '{}' depends on its own result", sticking.name),
                    [&] { visit(sticking, [&](const Site& site) { names_in(*site.expression, {}); }); });
     }
 
@@ -214,7 +214,7 @@ private:
         constexpr std::size_t deepest = 500;
         if (path_.size() >= deepest) {
             diagnostics_.error(Id::too_large, item.span,
-                               fmt::format("'{}' stands behind more than {} definitions that need each other", item.name, deepest));
+                               fmt::format("'{}' depends on a chain of more than {} definitions", item.name, deepest));
             return;
         }
         path_.push_back(&item);

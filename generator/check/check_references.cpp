@@ -105,9 +105,9 @@ private:
         const Body* base = item.on ? names_.find_body(item.on->name) : nullptr;
         if (base == nullptr || !base->angular_velocity || base->rotation) return;
         diagnostics_.error(Id::not_allowed_here, item.on->span,
-                           fmt::format("body '{}' cannot be placed on '{}', of which only the angular velocity is given; give its rotation",
+                           fmt::format("body '{}' cannot be placed on '{}', which has only an angular velocity; give it a rotation",
                                        item.name, base->name),
-                           {{base->angular_velocity->span, "it turns like this"}});
+                           {{base->angular_velocity->span, "its angular velocity stands here"}});
     }
 
     /// A chain of "on" that comes back to where it began; members of one family are ordered by their index instead.
@@ -169,8 +169,8 @@ private:
             listed(item.implies);
             if (!carried_.contains(item.name) && item.implies.empty())
                 diagnostics_.error(Id::unused, item.span,
-                                   fmt::format("no component carries the effect '{0}': nothing says when = \"{0}\" or \"not {0}\", so that "
-                                               "scenes with and without it are the same machine",
+                                   fmt::format("no component has when = \"{0}\" or \"not {0}\": scenes with and without the effect "
+                                               "'{0}' are the same machine",
                                                item.name));
         }
         for (const SceneChoice& scene : model_.scenes) listed(scene.effects);

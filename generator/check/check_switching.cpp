@@ -27,8 +27,8 @@ public:
         });
         for (const ModeGroup& group : model_.modes)
             if (const auto mode = mode_in(group.when))
-                wrong(mode->second, fmt::format("the modes of '{}' are there or not in all modes of the machine, not only in '{}'",
-                                                group.name, mode->first));
+                wrong(mode->second,
+                      fmt::format("'{}' must have its modes in all modes of the machine, not only in '{}'", group.name, mode->first));
         for (const Event& event : model_.events) check(event);
     }
 
@@ -50,9 +50,8 @@ private:
             const auto mode = mode_in(item.when);
             if (!mode) continue;
             wrong(mode->second,
-                  fmt::format("the states, inputs and outputs of all modes must be the same, but the {} '{}' is there or not by the mode "
-                              "'{}'; a mode's name in an expression is 1 in that mode and 0 in "
-                              "others",
+                  fmt::format("all modes must have the same states, inputs and outputs, but the {} '{}' depends on the mode '{}'; in an "
+                              "expression, the name of a mode is 1 in this mode and 0 in others",
                               kind_of<T>.word, item.name, mode->first),
                   {{item.span, fmt::format("'{}' is defined here", item.name)}});
         }
@@ -63,12 +62,11 @@ private:
         const unsigned still = on_parameters | on_modes, depends = dependence(*event.guard, names_);
         if ((depends & ~still) == 0 && !(event.is_made && (depends & on_modes) != 0))
             wrong(event.guard->span,
-                  fmt::format("the guard of event '{}' depends on nothing that moves, so that it never goes through zero", event.name));
+                  fmt::format("the guard of event '{}' contains nothing that moves, so it never crosses zero", event.name));
         if (!event.ends && event.next.empty() && event.reset.empty() && !event.meets)
             wrong(event.span,
-                  fmt::format(
-                      "event '{}' neither leads to a mode nor resets anything nor ends the run, so that it would happen again at once",
-                      event.name));
+                  fmt::format("event '{}' leads to no mode, resets nothing and does not end the run, so it would happen again at once",
+                              event.name));
         for (const auto* next : {&event.next, &event.rest})
             for (const Condition& condition : *next) target(event, condition);
         for (const auto* reset : {&event.reset, &event.rest_reset}) resets(event, *reset);
@@ -104,7 +102,7 @@ private:
             const bool is_rate = variable.kind == Expression::Kind::call && variable.name == "dot" && variable.children.size() == 1;
             if (is_rate && event.meets)
                 wrong(entry.span,
-                      fmt::format("event '{}' resets '{}', which the impact on '{}' sets already", event.name, variable.written(),
+                      fmt::format("event '{}' resets '{}', but the impact on '{}' already sets it", event.name, variable.written(),
                                   event.meets->name),
                       {{event.meets->span, "the impact stands here"}});
             const Expression& named = is_rate ? *variable.children[0] : variable;

@@ -77,9 +77,8 @@ private:
         if (!normal.fits_all && !sliding.fits_all && normal.dimension * sliding.dimension != force)
             diagnostics_.error(
                 Id::unit_mismatch, friction.coefficient->span,
-                fmt::format(
-                    "along its rate, friction '{}' acts with its coefficient times its normal force, which must be in '{}', but is in '{}'",
-                    friction.name, force.described(), (normal.dimension * sliding.dimension).described()),
+                fmt::format("the force of friction '{}' is its coefficient times its normal force; it must be in '{}', but is in '{}'",
+                            friction.name, force.described(), (normal.dimension * sliding.dimension).described()),
                 {{friction.normal_force->span, fmt::format("the normal force is in '{}'", normal.dimension.described())}});
     }
 
@@ -89,7 +88,7 @@ private:
             if (value.fits_all) value = units.measure(*phase.value);
             else
                 units_.expect(*phase.value, value.dimension,
-                              fmt::format("the value in phase '{}', as in those before, of profile '{}'", phase.name, profile.name));
+                              fmt::format("the value in phase '{}', as in the phases before, of profile '{}'", phase.name, profile.name));
         }
     }
 

@@ -83,7 +83,7 @@ Measure Units::agreeing(const Expression& whole, const Expression& a, const Meas
     return mismatch(
         whole,
         fmt::format("'{}' is in '{}' while '{}' is in '{}'; the two must agree{}", a.written(), ma.dimension.described(), b.written(),
-                    mb.dimension.described(), lacks_unit ? "; a number takes its unit with it, as in '(5 bar)'" : ""),
+                    mb.dimension.described(), lacks_unit ? "; write the unit of a number after it, as in '(5 bar)'" : ""),
         {&a, &b});
 }
 

@@ -126,7 +126,7 @@ void warn_of_vanishing(const Model& model, Diagnostics& diagnostics) {
         Bounding bounds(names);
         const auto size = bounds(*volume.volume);
         if (size && size->low && cln::plusp(*size->low)) continue;
-        const std::string why = !size       ? "its form does not show how small it gets"
+        const std::string why = !size       ? "the program finds no lower bound of its size"
                                 : size->low ? fmt::format("within the declared ranges it gets down to {} m^3", decimal(*size->low, 3))
                                             : fmt::format("'{}' has no range that keeps it away from zero", bounds.unbounded());
         diagnostics.warning(Id::can_vanish, volume.volume->span,

@@ -93,7 +93,7 @@ public:
         };
         if (extent.size > most_) tell("the number of operations in", extent.size, most_);
         else if (extent.depth > budget::written_depth)
-            tell("the number of operations in each other in", extent.depth, budget::written_depth);
+            tell("the number of nested operations in", extent.depth, budget::written_depth);
         else if (extent.degree > budget::exponent) tell("the degree of", extent.degree, budget::exponent);
     }
 

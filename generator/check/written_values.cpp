@@ -238,10 +238,9 @@ ExpressionPtr in_si(const ExpressionPtr& value, const Unit& declared, const std:
                                                                                     : Share::number;
         if (sort == Share::number) return to_si(value, declared);
         if (sort == Share::measured || measure.fits_all) return value;
-        diagnostics.error(
-            Id::unit_mismatch, value->span,
-            fmt::format("{} is declared in '{}', and nothing says whether '{}' counts in that or in '{}'; multiply it by (1 {}) or (1 {})",
-                        what, declared.written, value->written(), declared.si(), declared.written, declared.si()));
+        diagnostics.error(Id::unit_mismatch, value->span,
+                          fmt::format("{} is declared in '{}', so '{}' could be in this unit or in '{}'; multiply it by (1 {}) or (1 {})",
+                                      what, declared.written, value->written(), declared.si(), declared.written, declared.si()));
         return value;
     }
     const std::size_t before = diagnostics.all().size();

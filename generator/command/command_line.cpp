@@ -169,7 +169,7 @@ int run_program(const std::vector<std::string>& arguments, Streams streams, cons
         streams.err << failure.what();
         return static_cast<int>(failure.exit_code());
     } catch (const std::bad_alloc&) {
-        streams.err << "dalembert: error[too-large]: there is not enough memory; a smaller model, fewer cells or modes need less\n";
+        streams.err << "dalembert: error[too-large]: there is not enough memory; use a smaller model, fewer cells or modes\n";
         return static_cast<int>(ExitCode::bad_input);
     } catch (const GiNaC::pole_error&) {
         streams.err << "dalembert: error[division-by-zero]: a value that was given makes an expression divide by zero\n";

@@ -21,7 +21,7 @@ namespace {
 /// All curves, from coarse to fine; progress goes to err.
 std::vector<WorkPoint> measure(const WorkPrecision& work, const MeasurementNotes& notes, const Options& options, Streams streams) {
     const std::string& name = work.run().name;
-    if (notes.count() > 0) streams.err << fmt::format("  {}: goes on behind {} runs that were measured before\n", name, notes.count());
+    if (notes.count() > 0) streams.err << fmt::format("  {}: continues after {} runs measured before\n", name, notes.count());
     std::vector<WorkPoint> points;
     if (!work.run().settings.series && is_wanted(options.methods, "taylor")) {
         const std::string& reason = work.run().machine.no_series;
@@ -38,7 +38,7 @@ std::vector<WorkPoint> measure(const WorkPrecision& work, const MeasurementNotes
                 if (known == nullptr) notes.write(points);
             }
             const auto good = std::count_if(curve.begin(), curve.end(), [](const WorkPoint& p) { return p.is_good; });
-            streams.err << fmt::format("  {}: {} in {}: {} of {} runs came to the end\n", name, method, arithmetic, good, curve.size());
+            streams.err << fmt::format("  {}: {} in {}: {} of {} runs reached the end\n", name, method, arithmetic, good, curve.size());
         }
     }
     return points;
@@ -85,8 +85,8 @@ std::vector<Variant> variants_of(const std::shared_ptr<const LoadedModel>& model
 void check_options(const Options& options, const std::optional<Budget>& budget) {
     if (options.models.size() == 1) return;
     if (!options.choice.scene.empty())
-        throw Failure(Diagnostic{Id::bad_option, {}, "of several models no scene can be chosen; --every-scene takes all"});
-    if (budget) throw Failure(Diagnostic{Id::bad_option, {}, "a budget is asked for of one model"});
+        throw Failure(Diagnostic{Id::bad_option, {}, "--scene needs a single model; --every-scene takes all scenes of several models"});
+    if (budget) throw Failure(Diagnostic{Id::bad_option, {}, "--budget needs a single model"});
 }
 
 }  // namespace

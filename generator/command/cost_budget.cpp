@@ -25,10 +25,10 @@ double read_time(const SourcePtr& source, std::size_t begin, std::size_t end) {
                                  fmt::format("'{}' is not a time such as '20 us'", text.substr(begin, end - begin))});
     const Unit read = parse_unit(excerpt_of(source, unit, end));
     if (read.dimension != Dimension::time())
-        throw Failure(Diagnostic{Id::unit_mismatch, Span{source, unit, end},
-                                 fmt::format("a budget is in units of time, 's', not '{}'", read.written)});
+        throw Failure(
+            Diagnostic{Id::unit_mismatch, Span{source, unit, end}, fmt::format("a budget is a time, in 's', not in '{}'", read.written)});
     const double seconds = cln::double_approx(*value * read.factor);
-    if (!(seconds > 0)) throw Failure(Diagnostic{Id::bad_option, Span{source, begin, end}, "a budget is longer than no time at all"});
+    if (!(seconds > 0)) throw Failure(Diagnostic{Id::bad_option, Span{source, begin, end}, "a budget must be longer than zero"});
     return seconds;
 }
 

@@ -46,11 +46,10 @@ void hold_positions(const System& system, std::vector<GiNaC::ex>& x, const Value
     const bool finds_positions = system.needs_projection() && system.symbols.attitudes().empty();
     for (const ConstraintEquation& constraint : system.constraints) {
         if (constraint.item->share)
-            throw Failure(
-                Diagnostic{Id::not_allowed_here, constraint.item->span,
-                           fmt::format("friction '{}' has a state in place of modes, and sticks anywhere in a range: there are no "
-                                       "equilibria to be found of it. A run shows where it stays",
-                                       constraint.name)});
+            throw Failure(Diagnostic{Id::not_allowed_here, constraint.item->span,
+                                     fmt::format("friction '{}' has a state instead of modes and can stick anywhere in a range: the search "
+                                                 "cannot find its equilibria. `dalembert simulate` shows where it stays",
+                                                 constraint.name)});
         if (!constraint.holds || !constraint.position) continue;
         const auto held = coordinate_at_zero(*constraint.position, system.symbols);
         const GiNaC::ex place = held ? system.symbols.without_definitions(held->second) : GiNaC::ex(0);
@@ -59,11 +58,11 @@ void hold_positions(const System& system, std::vector<GiNaC::ex>& x, const Value
             held && std::none_of(coordinates.begin(), coordinates.end(), [&](const Variable& q) { return place.has(q.symbol); });
         if (!is_one && finds_positions) continue;  // with the equations of motion
         if (!is_one)
-            throw Failure(Diagnostic{
-                Id::not_allowed_here, constraint.item->span,
-                fmt::format("constraint '{}' holds a position that is made of several coordinates, or not linear in one; equilibria "
-                            "are found there only where positions are projected and nothing turns by a quaternion",
-                            constraint.name)});
+            throw Failure(
+                Diagnostic{Id::not_allowed_here, constraint.item->span,
+                           fmt::format("constraint '{}' holds a position that contains several coordinates, or is not linear in one; the "
+                                       "search for equilibria then needs a model with projected positions and without quaternions",
+                                       constraint.name)});
         const std::size_t in_x = system.symbols.place(SymbolKind::coordinate, held->first);
         x[in_x] = place.subs(at, GiNaC::subs_options::no_pattern).evalf();
         free_states[in_x] = false;
@@ -130,9 +129,9 @@ void refuse_time(const Code& code, const System& system) {
         return std::any_of(matrix.entries.begin(), matrix.entries.end(), [&](NodeId id) { return !by_time.is_zero(id); });
     };
     if (moves(by_time.right) || moves(by_time.below))
-        throw Failure(Diagnostic{
-            Id::bad_option, system.scene.model->name_span,
-            fmt::format("the equations of scene '{}' depend on the time, so that nothing stays at rest in them", system.scene.name)});
+        throw Failure(
+            Diagnostic{Id::bad_option, system.scene.model->name_span,
+                       fmt::format("the equations of scene '{}' depend on the time, so nothing stays at rest", system.scene.name)});
 }
 
 /// Parts of a heat network without a link to a temperature that is given need one that is held, or their level is arbitrary and their heat
@@ -144,11 +143,10 @@ void refuse_floating_parts(const System& system, const std::vector<bool>& free_s
         if (std::any_of(floating.begin(), floating.end(), [&](std::size_t state) { return !free_states[first_plain + state]; })) continue;
         std::vector<std::string> names;
         for (const std::size_t state : floating) names.push_back(plain[state].name);
-        throw Failure(
-            Diagnostic{Id::undetermined, plain[floating[0]].declared->span,
-                       fmt::format("no link leads from {} to a temperature that is given, so that heat that flows in has nowhere to go and "
-                                   "their level is arbitrary; hold one with --hold {}, or link them",
-                                   quoted_list(names), names[0])});
+        throw Failure(Diagnostic{Id::undetermined, plain[floating[0]].declared->span,
+                                 fmt::format("no link leads from {} to a given temperature, so heat cannot leave and the level of these "
+                                             "temperatures is arbitrary; hold one with --hold {}, or link them",
+                                             quoted_list(names), names[0])});
     }
 }
 

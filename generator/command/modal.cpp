@@ -23,17 +23,16 @@ namespace {
 void refuse_other_machines(const System& system) {
     for (const ConstraintEquation& constraint : system.constraints)
         if (constraint.item->share)
-            throw Failure(Diagnostic{
-                Id::not_allowed_here, constraint.item->span,
-                fmt::format("friction '{}' has a state in place of modes, so that there is no mode to linearise the machine in; with "
-                            "fewer frictions there is one",
-                            constraint.name)});
+            throw Failure(Diagnostic{Id::not_allowed_here, constraint.item->span,
+                                     fmt::format("friction '{}' has a state instead of modes, so there is no mode in which to linearise "
+                                                 "the machine; with fewer frictions it has modes",
+                                                 constraint.name)});
     const Scene& scene = system.scene;
     const auto refuse = [&](const Span& place, std::string why) { throw Failure(Diagnostic{Id::not_allowed_here, place, std::move(why)}); };
     const auto& q = system.symbols.all(SymbolKind::coordinate);
     if (q.empty())
         refuse(scene.model->name_span,
-               fmt::format("scene '{}' has no coordinates, so that it has no mass matrix and no modal form", scene.name));
+               fmt::format("scene '{}' has no coordinates, so it has no mass matrix and no modal form", scene.name));
     if (system.symbols.positions() != q.size())
         refuse(q[system.symbols.attitudes().front().coordinates[0]].declared->span,
                "an attitude is a quaternion, with more states than velocities; a modal form needs coordinates, such as angles");
@@ -41,8 +40,9 @@ void refuse_other_machines(const System& system) {
         for (const Variable& z : system.symbols.all(SymbolKind::state))
             if (system.residual[i].has(z.symbol))
                 refuse(z.declared != nullptr ? z.declared->span : scene.model->name_span,
-                       fmt::format("the force on '{}' depends on the state '{}', which M*ddot(q) + D*dot(q) + C*q = B*u does not have; "
-                                   "`dalembert equilibrium` has the eigenvalues", q[i].name, z.name));
+                       fmt::format("the force on '{}' depends on the state '{}', which M*ddot(q) + D*dot(q) + C*q = B*u does not contain; "
+                                   "`dalembert equilibrium` prints the eigenvalues",
+                                   q[i].name, z.name));
 }
 
 std::vector<ModalMode> modes_of(const PlantModalForm& found) {

@@ -40,15 +40,14 @@ const Variable& parameter_of(const Expression& named, const System& system) {
     const int index = named.children.empty() ? 0 : index_value(*named.children[0], system.scene, {});
     const Variable* found = system.symbols.find(SymbolKind::parameter, named.name, index);
     if (found == nullptr)
-        throw Failure(
-            Diagnostic{Id::unknown_name, named.span, fmt::format("'{}' is a family; one of its members can be varied", named.written())});
+        throw Failure(Diagnostic{Id::unknown_name, named.span, fmt::format("'{}' is a family; name the member to vary", named.written())});
     return *found;
 }
 
 double number_of(const Expression& e, const System& system) {
     const Values defaults(system.scene, system.translate);
     const auto value = value_at(system.translate(e, {}).subs(defaults.substitution(), GiNaC::subs_options::no_pattern), {}, 30);
-    if (!value) throw Failure(Diagnostic{Id::division_by_zero, e.span, "this has no value"});
+    if (!value) throw Failure(Diagnostic{Id::division_by_zero, e.span, "the expression has no value"});
     return cln::double_approx(*value);
 }
 
@@ -113,7 +112,7 @@ void fill(OptimiseResult& result, const OptimumFound& found) {
 
 ExitCode optimise_command(const Options& options, Streams streams) {
     if (options.maximise.empty() == options.minimise.empty())
-        throw Failure(Diagnostic{Id::bad_option, {}, "what is to be found? Give either --maximise OUTPUT or --minimise OUTPUT"});
+        throw Failure(Diagnostic{Id::bad_option, {}, "the goal is missing; give either --maximise OUTPUT or --minimise OUTPUT"});
     const bool is_largest = !options.maximise.empty();
     const std::string& wanted = is_largest ? options.maximise : options.minimise;
     RepeatedRun run(loaded(options, streams), options, wanted);
@@ -128,7 +127,7 @@ ExitCode optimise_command(const Options& options, Streams streams) {
     if (!(result.low < result.high))
         throw Failure(Diagnostic{
             Id::bad_option, over.low->span,
-            fmt::format("the search for '{}' would begin at {} and end at {}; it begins at the smaller one", result.parameter.name,
+            fmt::format("the search for '{}' would begin at {} and end at {}; give the smaller value first", result.parameter.name,
                         with_units(result.low, result.parameter, 6), with_units(result.high, result.parameter, 6))});
     run.compile();
     std::optional<OptimumFound> found;
@@ -140,8 +139,8 @@ ExitCode optimise_command(const Options& options, Streams streams) {
     }
     if (found->search.is_constant)
         throw Failure(Diagnostic{Id::bad_option, over.parameter->span,
-                                 fmt::format("'{}' at the end of the run is {:.6g} for every '{}' of the scan, so that none is best",
-                                             wanted, found->end.value, result.parameter.name)});
+                                 fmt::format("'{}' at the end of the run is {:.6g} for every '{}' of the scan, so none is best", wanted,
+                                             found->end.value, result.parameter.name)});
     fill(result, *found);
     streams.err << warnings_of(result);
     write_result(result, options, streams);

@@ -99,10 +99,9 @@ void expand_as_edges(Model& model, Diagnostics& diagnostics) {
     if (names.empty()) return;
     diagnostics.warning(
         Id::too_large, first,
-        fmt::format(
-            "with the modes of all elements there would be {:g} combinations, each with code of its own. Therefore {} {} no modes: where a "
-            "function switches there, runs locate it as an edge. An element keeps its modes where the file names one of them",
-            count, fmt::join(names, ", "), names.size() == 1 ? "brings" : "bring"));
+        fmt::format("with the modes of all elements there would be {:g} combinations, each with its own code. Therefore {} {} no modes; a "
+                    "run locates the switching as a kink or jump. An element keeps its modes if the file names one of them",
+                    count, fmt::join(names, ", "), names.size() == 1 ? "brings" : "bring"));
 }
 
 void keep_frictions_apart(Model& model, Diagnostics& diagnostics) {
@@ -126,9 +125,9 @@ void keep_frictions_apart(Model& model, Diagnostics& diagnostics) {
     }
     if (names.empty()) return;
     diagnostics.warning(Id::too_large, first,
-                        fmt::format("with the modes of all elements there would be {:g} combinations, each with code of its own. Therefore "
-                                    "{} {} no modes, but a state each, as '{}_direction': 0 where it sticks, 1 and -1 where it slides "
-                                    "forwards and backwards. A friction keeps its modes where the file names one of them",
+                        fmt::format("with the modes of all elements there would be {:g} combinations, each with its own code. Therefore {} "
+                                    "{} no modes, but one state each, as '{}_direction': 0 if it sticks, 1 or -1 if it slides forwards or "
+                                    "backwards. A friction keeps its modes if the file names one of them",
                                     count, fmt::join(names, ", "), names.size() == 1 ? "brings" : "bring",
                                     names.front().substr(1, names.front().size() - 2)));
 }

@@ -66,7 +66,7 @@ void expand_solids(Model& model, Diagnostics& diagnostics) {
             diagnostics.error(
                 Id::missing_key, body.span,
                 fmt::format(
-                    "body '{}' has a solid but no position of its centre of mass; or give the 'origin' of its axes, if it turns in space",
+                    "body '{}' has a solid and needs the position of its centre of mass or, if it turns in space, the 'origin' of its axes",
                     body.name));
         if (body.rotation || body.angular_velocity) body.inertia = quantity("inertia_about_centre", {3, 3});
     }

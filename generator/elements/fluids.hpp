@@ -287,7 +287,7 @@ void describe(Visitor& v, E& flow) {
     v("override_pressure", flow.override_pressure, {.dimension = Dimension::pressure(), .depends = on_state_and_inputs,
         .sign = above_zero("Pa"), .doc = "of a relief valve: pressure above the cracking pressure at which the whole area is open"});
     v("switches", flow.switches,
-      {.excludes = {no_family(), {"width", "is smooth, and has no modes then"}},
+      {.excludes = {no_family(), {"width", "has a width, so its law is smooth and it has no modes"}},
        .doc = "true: the states of the valve are modes of the machine: NAME_shut and NAME_open of a check valve; "
                "NAME_subsonic, NAME_choked, NAME_subsonic_back, NAME_choked_back of a pneumatic orifice. Else the transition is "
                "a located kink. In a file with more than 64 combinations of modes it is a kink, too, unless an expression names "

@@ -94,7 +94,7 @@ void describe(Visitor& v, E& coordinate) {
     v("start", coordinate.start, {.unit = coordinate.unit, .depends = constant_only,
         .doc = "value at the start; if left out 0, or the value that the constraints require"});
     v("guess", coordinate.guess, {.unit = coordinate.unit, .depends = constant_only,
-        .excludes = {{"start", "has a start, so that there is nothing to be guessed"}},
+        .excludes = {{"start", "has a start and needs no guess"}},
         .doc = "instead of a start: the constraints determine the start near this value"});
     Unit rate = coordinate.unit;
     rate.offset = 0;

@@ -175,8 +175,8 @@ inline constexpr KindSpec kind_of<ModeGroup>{"mode group",
 template <class Visitor, ElementOf<ModeGroup> E>
 void describe(Visitor& v, E&) {
     v.by_hand("modes", {.required = true, .type = ValueType::effects,
-        .doc = "their names; conditions may name them, and in expressions each is 1 where it holds, else 0"});
-    v.by_hand("final", {.type = ValueType::effects, .doc = "those of them that nothing has to leave"});
+        .doc = "names of the modes; conditions may contain them, and in an expression the name of a mode is 1 in this mode, else 0"});
+    v.by_hand("final", {.type = ValueType::effects, .doc = "modes of the group that no event needs to leave"});
     v.item({});
 }
 
@@ -254,7 +254,7 @@ void describe(Visitor& v, E& event) {
                "exactly"});
     v("rest", event.rest, {.doc = "mode after infinitely many events at shrinking intervals; if left out, a run stops there"});
     describe_resets(v, "rest_reset", event.rest_reset,
-        {{"rest", "says what is reset at rest, but not to which mode that leads: it needs 'rest'"}}, "with rest: new values there");
+        {{"rest", "has new values at rest, but no mode at rest: it needs 'rest'"}}, "with rest: new values there");
     v("ends", event.ends, {.doc = "true: the run ends at the event"});
     v.item({});
 }

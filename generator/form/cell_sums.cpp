@@ -23,8 +23,8 @@ void refuse_motion(const System& system, const ex& term, const RodField& field, 
             if (!variable.symbol.is_equal(field.here) && term.has(variable.symbol))
                 throw Failure(Diagnostic{Id::not_allowed_here,
                                          place.span,
-                                         fmt::format("'{}' adds up cells of rod '{}', which are computed in a loop; its term must not "
-                                                     "contain '{}' then, but may stand in front of the sum or behind it",
+                                         fmt::format("'{}' sums over cells of rod '{}', which a loop computes; '{}' must not stand inside "
+                                                     "the sum, only before or after it",
                                                      place.written(), field.rod->name, variable.name),
                                          {{field.rod->span, "the rod is defined here"}}});
 }
@@ -60,12 +60,13 @@ const RodField& field_of(const System& system, const Field& field) {
 const ex& temperature_of(const System& system, const RodField& field, std::size_t cell, const Expression& place) {
     const int index = field.first_index + static_cast<int>(cell);
     if (const Variable* state = system.symbols.find(SymbolKind::state, field.states->name, index)) return state->symbol;
-    throw Failure(Diagnostic{Id::not_allowed_here,
-                             place.span,
-                             fmt::format("'{}' needs the rate of a cell of rod '{}', whose cells are computed in a loop, by another name; "
-                                         "write dot({}[k]) with the number of the cell",
-                                         place.written(), field.rod->name, field.states->name),
-                             {{field.rod->span, "the rod is defined here"}}});
+    throw Failure(Diagnostic{
+        Id::not_allowed_here,
+        place.span,
+        fmt::format(
+            "'{}' contains the rate of a cell of rod '{}', which a loop computes; write it as dot({}[k]) with the number of the cell",
+            place.written(), field.rod->name, field.states->name),
+        {{field.rod->span, "the rod is defined here"}}});
 }
 
 /// What the loops add to the rate of a cell.
@@ -132,7 +133,7 @@ void separate_sums(System& system) {
                 if (output.value.has(variable.symbol))
                     throw Failure(Diagnostic{
                         Id::not_allowed_here, system.scene.model->name_span,
-                        fmt::format("output '{}' contains '{}' and a sum over cells that are computed in a loop; make two outputs of it",
+                        fmt::format("output '{}' contains '{}' and a sum over cells that a loop computes; split it into two outputs",
                                     output.name, variable.name)});
         output.with_sums = output.value;
         output.value = 0;

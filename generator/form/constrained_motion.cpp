@@ -165,9 +165,9 @@ private:
                 continue;
             throw Failure(Diagnostic{Id::doubly_determined,
                                      row.item->span,
-                                     fmt::format("frictions '{}' and '{}' do not slide in opposite directions", before.name,
-                                                 system_.constraints[row.constraint].name),
-                                     {{before.item->span, "on the same rate"}}});
+                                     fmt::format("frictions '{}' and '{}' have the same rate and cannot slide in opposite directions",
+                                                 before.name, system_.constraints[row.constraint].name),
+                                     {{before.item->span, "the other friction"}}});
         }
     }
 
@@ -202,10 +202,9 @@ private:
     [[noreturn]] static void refuse_apart(const ConstraintEquation& c, const std::string& why) {
         throw Failure(Diagnostic{
             Id::too_large, c.item->span,
-            fmt::format(
-                "there are so many combinations of modes that friction '{}' has a state in place of modes, which cannot be: where it {}. "
-                "With fewer combinations, or where the file names one of its modes, it keeps them",
-                c.name, why)});
+            fmt::format("there are so many combinations of modes that friction '{}' gets a state instead of modes. This is impossible: "
+                        "where it {}. It keeps its modes if there are fewer combinations, or if the file names one of its modes",
+                        c.name, why)});
     }
 
     void check_shares() const {
@@ -216,7 +215,7 @@ private:
         if (apart == kept_.end()) return;
         if (other != kept_.end())
             refuse_apart(system_.constraints[apart->constraint],
-                         fmt::format("sticks, constraint '{}' holds a rate that gives no velocity of a coordinate",
+                         fmt::format("sticks, constraint '{}' holds a rate that determines no velocity of a coordinate",
                                      system_.constraints[other->constraint].name));
         for (const Row& row : kept_) {
             const ConstraintEquation& c = system_.constraints[row.constraint];
@@ -224,7 +223,7 @@ private:
             const auto moves = [&](const ex& factor) { return !is_of_parameters(ex(factor / share).normal(), symbols_); };
             if (std::any_of(row.factors.begin(), row.factors.end(), moves))
                 refuse_apart(c, "sticks, the factors of the velocities in its rate change with time or position");
-            if (moves(row.drift)) refuse_apart(c, "sticks, the speed that it sticks to is no constant");
+            if (moves(row.drift)) refuse_apart(c, "sticks, the speed of its surface is not constant");
         }
     }
 
@@ -240,7 +239,7 @@ private:
         for (const std::size_t constraint : ConstraintPoints(system_, order, defaults).redundant()) {
             if (std::none_of(kept_.begin(), kept_.end(), [&](const Row& row) { return row.constraint == constraint; })) continue;
             ConstraintEquation& c = system_.constraints[constraint];
-            if (c.item->share) refuse_apart(c, "sticks with all others, its rate follows from theirs");
+            if (c.item->share) refuse_apart(c, "and all others stick, its rate follows from theirs");
             c.is_redundant = true;
             std::vector<Note> notes;
             for (const std::size_t other : order)
@@ -248,11 +247,11 @@ private:
                     notes.push_back({system_.constraints[other].item->span, "it holds, too"});
             system_.warnings.push_back({Id::doubly_determined, c.item->span,
                                         fmt::format("constraint '{}'{} follows from the others wherever they hold: the motion is "
-                                                    "determined without it, but what each of them bears is not. {}",
+                                                    "determined without it, but the force of each constraint is not. {}",
                                                     c.name, in_which_mode(system_.scene),
-                                                    system_.scene.mode ? "Its force is given as zero, and the others bear everything"
-                                                                       : "As many bear everything as are independent, chosen where the "
-                                                                         "machine is; the forces of the others are given as zero"),
+                                                    system_.scene.mode ? "Its force is set to zero, and the others carry the whole load"
+                                                                       : "At each state, a set of independent constraints carries the "
+                                                                         "whole load; the forces of the others are set to zero"),
                                         std::move(notes), Severity::warning});
         }
         const auto is_redundant = [&](const Row& row) { return system_.constraints[row.constraint].is_redundant; };
@@ -264,16 +263,16 @@ private:
     void check_rate(const Row& row) const {
         if (!is_zero(row)) return;
         if (rows_.empty() && kept_.empty())
-            throw Failure(
-                Diagnostic{Id::undetermined, row.item->span,
-                           fmt::format("constraint '{}' holds a rate that no velocity changes", system_.constraints[row.constraint].name)});
+            throw Failure(Diagnostic{
+                Id::undetermined, row.item->span,
+                fmt::format("constraint '{}' holds a rate that contains no velocity", system_.constraints[row.constraint].name)});
         std::vector<Note> notes;
         for (const auto* others : {&rows_, &kept_})
             for (const Row& other : *others)
                 if (other.constraint != row.constraint)
                     notes.push_back({other.item->span, fmt::format("'{}' holds, too", system_.constraints[other.constraint].name)});
         throw Failure(Diagnostic{Id::doubly_determined, row.item->span,
-                                 fmt::format("constraint '{}'{} follows from others, so that what each of them bears is not determined",
+                                 fmt::format("constraint '{}'{} follows from others, so the force of each is not determined",
                                              system_.constraints[row.constraint].name, in_which_mode(system_.scene)),
                                  std::move(notes)});
     }
@@ -294,12 +293,12 @@ private:
             throw Failure(Diagnostic{Id::undetermined,
                                      wanted.span,
                                      factor.is_zero()
-                                         ? fmt::format("constraint '{}'{} does not give '{}': its rate does not contain that velocity{}",
+                                         ? fmt::format("constraint '{}'{} cannot eliminate '{}': its rate does not contain this velocity{}",
                                                        system_.constraints[row.constraint].name, in_which_mode(system_.scene),
                                                        symbols_.all(SymbolKind::velocity)[row.pivot].name,
-                                                       rows_.empty() ? "" : " any more, when other constraints are put in")
-                                         : fmt::format("constraint '{}'{} does not give '{}' everywhere: its factor in the rate moves, and "
-                                                       "may become zero; leave out 'eliminates'",
+                                                       rows_.empty() ? "" : " after the other constraints are inserted")
+                                         : fmt::format("constraint '{}'{} cannot eliminate '{}' everywhere: its factor in the rate changes "
+                                                       "and may become zero; leave out 'eliminates'",
                                                        system_.constraints[row.constraint].name, in_which_mode(system_.scene),
                                                        symbols_.all(SymbolKind::velocity)[row.pivot].name),
                                      {{row.item->span, "the constraint"}}});

@@ -23,8 +23,8 @@ void refuse_bound(const System& system, const BodyMotion& body, const Curvilinea
             throw Failure(Diagnostic{
                 Id::not_allowed_here,
                 e.span,
-                fmt::format("'{}' needs lines along which body '{}' can move, but constraint '{}' binds '{}'; give its position by "
-                            "coordinates that are free",
+                fmt::format("'{}' needs lines along which body '{}' can move, but constraint '{}' binds '{}'; describe its position by "
+                            "free coordinates",
                             e.written(), body.member.name(), constraint.name, system.symbols.all(SymbolKind::coordinate)[j].name),
                 {{constraint.item->span, "the constraint is defined here"}}});
         }
@@ -39,7 +39,7 @@ ex curvilinear_quantity(const System& system, const Expression& e, const BodyMot
         if (lines.scale_factor(q[i]).is_zero())
             throw Failure(
                 Diagnostic{Id::not_allowed_here, e.children[i + 1]->span,
-                           fmt::format("'{}' does not move body '{}': its scale factor is zero everywhere, so that it has no line in space",
+                           fmt::format("'{}' does not move body '{}': its scale factor is zero everywhere, so it has no line in space",
                                        e.children[i + 1]->written(), body.member.name()),
                            place_of(body)});
     if (e.name == "scale_factor") return lines.scale_factor(q[0]);

@@ -43,7 +43,7 @@ private:
             if (!R || !R->is_positive())
                 throw Failure(
                     Diagnostic{Id::inconsistent_medium, medium.gas_constant->span,
-                               fmt::format("the gas constant of medium '{}' is {:.6g} J/(kg*K), so that c_p = c_v + R is not above c_v",
+                               fmt::format("the gas constant of medium '{}' is {:.6g} J/(kg*K), so c_p = c_v + R is not above c_v",
                                            medium.name, R ? R->to_double() : 0.0)});
         }
         check_signs(medium, medium.name, {}, system_, value_);
@@ -111,9 +111,9 @@ void warn_of_stiff_junctions(System& system) {
         system.warnings.push_back(
             {Id::value_out_of_range,
              volume.member.item->span,
-             fmt::format("volume '{}' stores {:.2g} kg/Pa, next to nothing beside the volumes around it: where {} come to balance, their "
-                         "slopes are infinite together, and a run may stop there. Give each of them a 'width', a pressure difference "
-                         "within which the root is smooth, such as \"1 Pa\", or make the volume one of [junctions], which store nothing",
+             fmt::format("volume '{}' stores {:.2g} kg/Pa, far less than the volumes around it: when the pressures at {} become equal, "
+                         "their slopes are all infinite, and a run may stop. Give each of them a 'width', a pressure difference within "
+                         "which the root is smooth, such as \"1 Pa\", or make the volume one of [junctions], which store nothing",
                          volume.member.name(), *own, quoted_list(flows)),
              {},
              Severity::warning});

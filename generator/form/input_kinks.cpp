@@ -61,9 +61,8 @@ private:
             throw Failure(Diagnostic{
                 Id::too_large,
                 {},
-                fmt::format(
-                    "up to {:.6g} s there are about {:.0f} kinks or jumps at known times; a run passes at most {}, so choose a shorter one",
-                    until_, parts / 4, most_parts / 4)});
+                fmt::format("up to {:.6g} s there are about {:.0f} kinks or jumps at known times; the limit is {}, so choose a shorter run",
+                            until_, parts / 4, most_parts / 4)});
         return std::max(kink_parts, static_cast<int>(parts));
     }
 

@@ -184,10 +184,10 @@ private:
     void check_left_over() const {
         for (const Balance& balance : balances_)
             if (!balance.pivot && !seems_zero_(balance.constant))
-                throw Failure(Diagnostic{Id::no_equilibrium, load_.span,
-                                         fmt::format("load '{}' is a mechanism, which these forces set in motion: the balance of {} is "
-                                                     "left, and no unknown that could meet it",
-                                                     load_.name, balance_names[balance.which])});
+                throw Failure(Diagnostic{
+                    Id::no_equilibrium, load_.span,
+                    fmt::format("load '{}' is a mechanism, and these forces set it in motion: no unknown can satisfy the balance of {}",
+                                load_.name, balance_names[balance.which])});
     }
 
     void check_determined() const {

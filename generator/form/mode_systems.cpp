@@ -20,8 +20,8 @@ using Systems = std::vector<std::unique_ptr<System>>;
 [[noreturn]] void too_many(const Scene& scene) {
     const ModeGroup& last = *scene.mode_groups.back();
     throw Failure(Diagnostic{Id::too_large, last.span,
-                             fmt::format("scene '{}' has more than {} modes that can be, of {} combinations, and this version derives no "
-                                         "more: each of '{}' goes with each of the other groups",
+                             fmt::format("scene '{}' has more than {} possible modes, out of {} combinations, and this version derives no "
+                                         "more: each mode of '{}' combines with each mode of the other groups",
                                          scene.name, budget::modes, scene.modes.size(), last.name)});
 }
 

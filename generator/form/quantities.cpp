@@ -37,7 +37,7 @@ ex axis(const System& system, const Expression& e, const Indices& indices) {
     if (!of.frame && of.turns && !of.has_rotation)
         throw Failure(
             Diagnostic{Id::needs_absent, e.span,
-                       fmt::format("body '{}' has an angular velocity but no rotation, so that its axes are not known", of.member.name())});
+                       fmt::format("body '{}' has an angular velocity but no rotation, so its axes are not known", of.member.name())});
     SpaceVector own{0, 0, 0};
     own[axis_place(system, *e.children[1], indices)] = 1;
     return component(frame_of(of, system.symbols)->to_ground(own), system, *e.children[2], indices);
@@ -116,8 +116,8 @@ ex over_cells(const System& system, const Expression& e) {
         }
         throw Failure(Diagnostic{Id::not_allowed_here,
                                  e.span,
-                                 fmt::format("'{}' is a sum over the {} cells of rod '{}', which are computed in a loop; it can stand in "
-                                             "an output, or with loops = false, or of fewer cells",
+                                 fmt::format("'{}' is a sum over the {} cells of rod '{}', which a loop computes; use it in an output, or "
+                                             "give the rod loops = false or fewer cells",
                                              e.name, field.geometry.cells(), field.rod->name),
                                  {{field.rod->span, "the rod is defined here"}}});
     }
@@ -192,7 +192,7 @@ std::optional<ex> fluid_quantity(const System& system, const Expression& e, cons
 std::size_t axis_place(const System& system, const Expression& index, const Indices& indices) {
     const int i = index_value(index, system.scene, indices);
     if (i >= 1 && i <= 3) return static_cast<std::size_t>(i - 1);
-    throw Failure(Diagnostic{Id::index_out_of_range, index.span, fmt::format("there are the axes 1, 2 and 3, not {}", i)});
+    throw Failure(Diagnostic{Id::index_out_of_range, index.span, fmt::format("the axes are 1, 2 and 3, not {}", i)});
 }
 
 ex quantity(const System& system, const Expression& e, const Indices& indices, const std::vector<ex>& arguments) {

@@ -78,8 +78,8 @@ std::optional<Diagnostic> why_not_shared(const System& system, const std::vector
             if (factor.is_zero()) continue;
             if (!is_of_parameters(factor, system.symbols) || sign_of_factor(factor) == 0)
                 return repeated(system, r,
-                                fmt::format("constraint '{}' repeats '{}' with a factor whose sign is not known, so that mode '{}' is left "
-                                            "out; give ranges to the parameters of both",
+                                fmt::format("constraint '{}' repeats '{}' with a factor whose sign is not known, so mode '{}' is left out; "
+                                            "give ranges to the parameters of both",
                                             last, system.constraints[i].name, mode),
                                 Severity::warning);
             if (system.constraints[i].position) position += factor * *system.constraints[i].position;
@@ -146,7 +146,7 @@ std::vector<SharedForces::Row> SharedForces::rows_of_events() {
             if (!(*factors)[r].is_zero() && sign_of_factor((*factors)[r]) == 0)
                 throw Failure(repeated(system_, system_.repetitions[r],
                                        fmt::format("in mode '{}' event '{}' depends on a shared force with a factor whose sign is not "
-                                                   "known, so that the mode is left out; give ranges to the parameters of its guard",
+                                                   "known, so the mode is left out; give ranges to the parameters of its guard",
                                                    system_.scene.modes[*system_.scene.mode].name, event.name),
                                        Severity::warning));
         rows.push_back({event.guard, std::move(*factors), {e}});
@@ -212,11 +212,12 @@ void SharedForces::watch(const std::vector<Row>& rows) {
     for (std::size_t row = 0; row < rows.size(); ++row) {
         tried.clear();
         if (place(place, row)) continue;
-        throw Failure(repeated(system_, system_.repetitions.front(),
-                               fmt::format("in mode '{}' constraints that repeat each other can let go in more ways than they have events, "
-                                           "so that the mode is left out",
-                                           system_.scene.modes[*system_.scene.mode].name),
-                               Severity::warning));
+        throw Failure(repeated(
+            system_, system_.repetitions.front(),
+            fmt::format(
+                "in mode '{}' constraints that repeat each other can release in more ways than they have events, so the mode is left out",
+                system_.scene.modes[*system_.scene.mode].name),
+            Severity::warning));
     }
     for (const auto& [e, row] : row_of) {
         EventEquation& event = system_.events[e];
@@ -253,7 +254,7 @@ void SharedForces::tell() const {
         system_.warnings.push_back(
             {Id::doubly_determined, last.span,
              fmt::format(
-                 "where '{}' and {} hold the same motion, what each of them bears is not determined. '{}' is given what {} cannot bear",
+                 "where '{}' and {} hold the same motion, the force of each is not determined. '{}' gets the part that {} cannot carry",
                  last.name, fmt::join(names, ", "), last.name, fmt::join(names, ", ")),
              std::move(notes), Severity::warning});
     }

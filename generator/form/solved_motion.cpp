@@ -40,14 +40,14 @@ std::string bodies_moved(const System& system, const ex& velocity) {
 [[noreturn]] void refuse(const System& system, std::size_t coordinate) {
     const Variable& q = system.symbols.all(SymbolKind::coordinate)[coordinate];
     const std::string bodies = bodies_moved(system, system.symbols.get(SymbolKind::velocity, coordinate));
-    throw Failure(Diagnostic{Id::singular_mass, q.declared->span,
-                             bodies.empty()
-                                 ? fmt::format("no body moves or turns with coordinate '{}', so nothing determines its acceleration; give "
-                                               "what moves with it mass or inertia, or constraints that determine it",
-                                               q.name)
-                                 : fmt::format("coordinate '{}' moves or turns {} without meeting mass or inertia, so nothing determines "
-                                               "its acceleration; give {} some, or constraints that determine the coordinate",
-                                               q.name, bodies, bodies)});
+    throw Failure(Diagnostic{
+        Id::singular_mass, q.declared->span,
+        bodies.empty() ? fmt::format("no body moves or turns with coordinate '{}', so nothing determines its acceleration; give the parts "
+                                     "that move with it mass or inertia, or add constraints that determine it",
+                                     q.name)
+                       : fmt::format("coordinate '{}' moves or turns {}, but this moves no mass or inertia, so nothing determines its "
+                                     "acceleration; give {} mass or inertia, or add constraints that determine the coordinate",
+                                     q.name, bodies, bodies)});
 }
 
 /// The power of ten next to inertia by the square of a constraint's factors, at the start.

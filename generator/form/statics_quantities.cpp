@@ -35,7 +35,7 @@ ex of_sticking(const System& system, const Expression& e) {
     if (!system.scene.holds(sticking.when))
         throw Failure(Diagnostic{Id::needs_absent,
                                  e.children[0]->span,
-                                 fmt::format("scene '{}' has no '{}' that could stick", system.scene.name, sticking.name),
+                                 fmt::format("scene '{}' has no sticking '{}'", system.scene.name, sticking.name),
                                  {{sticking.span, "it is defined here"}}});
     const StickingState state = sticking_state(system, sticking);
     return e.name == "sticks" ? state.sticks : e.name == "sticking_margin" ? state.margin : state.needed;

@@ -119,7 +119,7 @@ void refuse_pressures_of_junctions(const System& system) {
             if (e.has(junction.letter))
                 throw Failure(Diagnostic{Id::not_allowed_here,
                                          place,
-                                         fmt::format("{} depends on the pressure of junction '{}', which this version knows only after "
+                                         fmt::format("{} depends on the pressure of junction '{}', which this version computes only after "
                                                      "heat and dampers; make the junction a small volume",
                                                      what, junction.member.name()),
                                          {{junction.member.item->span, "the junction is defined here"}}});

@@ -23,7 +23,7 @@ CurvilinearCoordinates::CurvilinearCoordinates(const BodyMotion& body, const Tra
     if (!body.has_position)
         throw Failure(Diagnostic{Id::not_allowed_here,
                                  place,
-                                 fmt::format("body '{}' has no position, so that no coordinate moves it along a line", name),
+                                 fmt::format("body '{}' has no position, so no coordinate moves it along a line", name),
                                  {{body.member.item->span, "the body is defined here"}}});
     for (std::size_t j = 0; j < symbols_.degrees(); ++j) {
         SpaceVector tangent = body.along(j, symbols_);
@@ -33,8 +33,8 @@ CurvilinearCoordinates::CurvilinearCoordinates(const BodyMotion& body, const Tra
             throw Failure(
                 Diagnostic{Id::not_allowed_here,
                            place,
-                           fmt::format("the position of body '{}' turns with a quaternion, whose '{}' has no value and so no line", name,
-                                       symbols_.all(SymbolKind::coordinate)[j].name),
+                           fmt::format("the position of body '{}' turns with a quaternion, whose '{}' has no value and therefore no line",
+                                       name, symbols_.all(SymbolKind::coordinate)[j].name),
                            {{body.member.item->span, "the body is defined here"}}});
         lines_.push_back(j);
         tangents_.push_back(tangent);

@@ -37,11 +37,10 @@ ex law_energy(const ex& force, const ex& letter, const Spring& spring, const Tra
     if (spring.energy) return translate(*spring.energy->body, indices, {{spring.energy->variable, letter}});
     const auto primitive = integrate(force, ex_to<GiNaC::symbol>(letter));
     if (!primitive)
-        throw Failure(Diagnostic{
-            Id::cannot_integrate, spring.force->span,
-            fmt::format(
-                "the integral of the force law of spring '{}' is not one that the program can find; give it as energy = \"{} -> ...\"",
-                spring.name, spring.force->variable)});
+        throw Failure(
+            Diagnostic{Id::cannot_integrate, spring.force->span,
+                       fmt::format("the program cannot integrate the force law of spring '{}'; give the integral as energy = \"{} -> ...\"",
+                                   spring.name, spring.force->variable)});
     return *primitive - primitive->subs(letter == 0);
 }
 
@@ -87,11 +86,10 @@ ex energy_of_forces(const PotentialTerm& term, const Generalised& force, const T
         const ex along = force[j].subs(later, GiNaC::subs_options::no_pattern);
         const auto primitive = integrate(along, ex_to<GiNaC::symbol>(q));
         if (!primitive)
-            throw Failure(Diagnostic{
-                Id::cannot_integrate, entry.value->span,
-                fmt::format(
-                    "the integral of the force on '{}' is not one that the program can find; give the energy of potential '{}' instead",
-                    entry.coordinate, term.name)});
+            throw Failure(
+                Diagnostic{Id::cannot_integrate, entry.value->span,
+                           fmt::format("the program cannot integrate the force on '{}'; give the energy of potential '{}' instead",
+                                       entry.coordinate, term.name)});
         energy -= *primitive - primitive->subs(q == reference.at(q));
     }
     return energy;

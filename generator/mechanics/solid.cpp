@@ -136,7 +136,7 @@ private:
             if (!given.is_polynomial(place[i]))
                 throw Failure(
                     Diagnostic{Id::cannot_integrate, solid_.density->span,
-                               fmt::format("the density of solid '{}' is not a polynomial in {}, so that it cannot be integrated exactly",
+                               fmt::format("the density of solid '{}' is not a polynomial in {}, so it cannot be integrated exactly",
                                            solid_.name, "xyz"[i])});
             at[place[i]] = shape_.place[i];
         }
@@ -150,7 +150,7 @@ private:
             const auto primitive = integrate(rest, one.variable);
             if (!primitive)
                 throw Failure(Diagnostic{Id::cannot_integrate, solid_.span,
-                                         fmt::format("the integrals over solid '{}' are not ones that the program can find", solid_.name)});
+                                         fmt::format("the program cannot find the integrals over solid '{}'", solid_.name)});
             if (!rest.is_zero()) primitives_.push_back({rest, *primitive, one.variable});
             const auto at = [&](const ex& limit) { return primitive->subs(one.variable == limit, GiNaC::subs_options::no_pattern); };
             rest = (at(one.to) - at(one.from)).expand();

@@ -249,7 +249,7 @@ void PlantLibrary::load(const fs::path& file) {
     if (p.velocity_place + p.degrees > p.states)
         refuse(fmt::format("it has {} velocities from place {} on, but only {} states", p.degrees, p.velocity_place, p.states));
     if (p.is_separable != 0 && 2 * p.degrees != p.states)
-        refuse(fmt::format("it is said to be separable, but has {} states for {} coordinates", p.states, p.degrees));
+        refuse(fmt::format("its table calls it separable, but it has {} states for {} coordinates", p.states, p.degrees));
     check_pattern(p.pattern_x, p.states, p.states, "df/dx", refuse);
     check_pattern(p.pattern_u, p.inputs, p.states, "df/du", refuse);
 }

@@ -68,7 +68,7 @@ void add(Model& model, const CatalogueLetter& letter, bool is_dimensionless, Dia
     if (letter.is_positive && letter.range && letter.range->low && letter.range->low->kind == Expression::Kind::number &&
         !cln::plusp(letter.range->low->value))
         diagnostics.error(Id::value_out_of_range, letter.range->span,
-                          fmt::format("'{}' is positive, so that its range begins above zero", letter.name));
+                          fmt::format("'{}' stands under [positive], so its range must begin above zero", letter.name));
     if (letter.moves) {
         Coordinate coordinate;
         static_cast<Quantity&>(coordinate) = quantity;
@@ -166,7 +166,7 @@ void check_solution(const CatalogueEntry& entry) {
     for (const Equation& equation : entry.equations)
         if (const Expression& left = *equation.sides[0]; left.kind != Expression::Kind::name || !left.children.empty())
             fail(Id::wrong_type, left.span,
-                 fmt::format("'{}' is not a letter; an entry with 'solves' says what letters are, as in 'x = ...'", left.written()));
+                 fmt::format("'{}' is not a letter; an entry with 'solves' gives the values of letters, as in 'x = ...'", left.written()));
 }
 
 }  // namespace
@@ -178,8 +178,8 @@ void refuse_one_sided_signs(const LatexEquation& read) {
     const auto& has = read.has_both_signs;
     if (std::find(has.begin(), has.end(), true) != has.end() && std::find(has.begin(), has.end(), false) != has.end())
         fail(Id::not_allowed_here, read.equation.span,
-             fmt::format("'\\pm' stands on one side of '{}' only, so that it is not said which sign holds; write the sign, or say under "
-                         "'solves' which equation both of them solve",
+             fmt::format("'\\pm' stands on one side of '{}' only, so the sign is not known; write the sign, or give under 'solves' the "
+                         "equation that both values solve",
                          read.equation.span.text()));
 }
 
@@ -191,8 +191,7 @@ void add_equation(LatexEquation& read, const Catalogue& catalogue, const Catalog
     for (const Relation relation : read.relations)
         if (relation != Relation::equal && relation != Relation::approximately)
             fail(Id::not_allowed_here, read.equation.span,
-                 fmt::format("'{}' is not an equation; what is compared by '{}' is not checked", read.equation.span.text(),
-                             sign_of(relation)));
+                 fmt::format("'{}' is not an equation; a comparison by '{}' is not checked", read.equation.span.text(), sign_of(relation)));
     if (read.relations.empty())
         fail(Id::syntax, read.equation.span, fmt::format("'{}' is an expression where an equation is expected", read.equation.span.text()));
     for (ExpressionPtr& side : read.equation.sides) side = with_known_meaning(side, catalogue, entry, model);

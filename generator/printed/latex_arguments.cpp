@@ -104,7 +104,7 @@ ExpressionPtr LatexParser::value_at(const ExpressionPtr& function, const std::st
     const LetterDependence* known = dependence_of(*function);
     if (known != nullptr && !known->of.contains(argument)) {
         if (!known->has_expression)
-            wrong(from(first), fmt::format("nothing says what '{}' is at another place than '{}'; give its expression under 'with'",
+            wrong(from(first), fmt::format("'{}' has no known value at other places than '{}'; give its expression under 'with'",
                                            function->written(), argument));
         if (!known->of.empty() && known->of.contains("t"))
             wrong(from(first), fmt::format("'{}' depends on 't', and not on '{}'", function->written(), argument));
@@ -196,8 +196,9 @@ ExpressionPtr LatexParser::applied(ExpressionPtr function, const LatexLetter& le
                     const bool is_free = e.kind == Kind::name && e.name == (*arguments)[later];
                     const bool stays = values[later]->kind == Kind::name && values[later]->name == (*arguments)[later];
                     if (is_free && !stays)
-                        wrong(from(bracket), fmt::format("'{}' takes a value with '{}', which itself takes another one; this is not read",
-                                                         (*arguments)[i], (*arguments)[later]));
+                        wrong(from(bracket),
+                              fmt::format("the value for '{}' contains '{}', which has another value itself; this cannot be read",
+                                          (*arguments)[i], (*arguments)[later]));
                 });
             function = value_at(function, (*arguments)[i], values[i], first);
         }
@@ -216,7 +217,7 @@ ExpressionPtr LatexParser::applied(ExpressionPtr function, const LatexLetter& le
     const auto unclear = [&](const std::string& why) {
         at_ = close + 1;
         wrong(from(bracket),
-              fmt::format("{}; say what '{}' is a function of, as in functions = ['{}{}']{}", why, name, name,
+              fmt::format("{}; give the arguments of '{}', as in functions = ['{}{}']{}", why, name, name,
                           found.is_list ? excerpt_.text.substr(open.begin, at(close).end - open.begin) : "(x)",
                           is_function || is_number || found.is_list ? "" : fmt::format(", or write '{} \\cdot' for a product", name)));
     };
@@ -239,12 +240,12 @@ ExpressionPtr LatexParser::applied(ExpressionPtr function, const LatexLetter& le
         return of_letters(function, letter, found, {first, bracket, close}, unclear);
     if (is_function || is_number) {
         if (is_of_time && !found.is_list) return at_time();
-        if (is_function) unclear(fmt::format("it is not clear what '{}' is a function of", name));
+        if (is_function) unclear(fmt::format("the arguments of '{}' are not clear", name));
     }
     if (found.is_list || is_number || found.is_plain || starts_plain_value(bracket, close, &letter))
         return value_of(std::move(function), first);
     if (known != nullptr && (known->has_expression || known->moves) && is_called(letter))
-        unclear(fmt::format("'{}' stands before a letter in brackets elsewhere, so that this may be no product", name));
+        unclear(fmt::format("'{}' stands before a letter in brackets elsewhere, so this may be a function and no product", name));
     return function;
 }
 
@@ -265,7 +266,7 @@ ExpressionPtr LatexParser::of_letters(ExpressionPtr function, const LatexLetter&
             std::find_if(found.names.begin(), found.names.end(), [&](const std::string& n) { return !known->of.contains(n); });
         if (stray != found.names.end()) unclear(fmt::format("'{}' does not depend on '{}'", name, *stray));
         if (is_single && argument != "t" && known->of.size() > 1 && !moves(argument))
-            unclear(fmt::format("'{}' may be the letter that '{}' is a function of, or where it is taken", argument, name));
+            unclear(fmt::format("'{}' may be the argument of '{}', or the place where it is evaluated", argument, name));
     }
     for (const auto& [meant, dummy] : found.dummies) function = value_at(function, meant, dummy, place.first);
     if (known != nullptr && known->has_expression) return function;

@@ -104,7 +104,7 @@ ExpressionPtr LatexParser::derivative() {
     while (is_partial ? is("\\partial") : is_small_sign(token())) {
         if (!starts_letter(at_ + 1)) {
             next();
-            expected("the letter that is differentiated by");
+            expected("the letter of the derivative");
         }
         ExpressionPtr variable = differential_variable();
         if (is("(") && brackets_at(at_, closing_bracket(at_)).is_plain)
@@ -121,7 +121,8 @@ ExpressionPtr LatexParser::derivative() {
         inside = operand("what is differentiated");
         if (starts_factor())
             wrong(place(token()),
-                  fmt::format("it is not clear whether '{}' is differentiated as well; write brackets around what is", shown(token())));
+                  fmt::format("it is not clear whether '{}' is also differentiated; write brackets around the differentiated part",
+                              shown(token())));
     }
     return derived(std::move(inside), variables, is_partial, first);
 }

@@ -87,7 +87,7 @@ private:
 
 [[noreturn]] void refuse_condition(const Span& span) {
     fail(Id::not_allowed_here, span,
-         fmt::format("the condition '{}' does not follow from what is declared of its letters; put them under 'positive', give them a "
+         fmt::format("the condition '{}' does not follow from the declarations of its letters; put them under 'positive', give them a "
                      "range, or a point with 'at'",
                      span.text()));
 }

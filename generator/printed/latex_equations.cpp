@@ -180,7 +180,7 @@ void LatexParser::statement(std::vector<LatexEquation>& all) {
     const bool is_name = word == Word::comment && is_phrase(token()) && relation_of(token(1));  // \text{equatorial radius} = ...
     if (!is_name && (is_between() || word == Word::separator || word == Word::comment || word == Word::otherwise)) {
         if (word == Word::comment && token().text.find_first_of("<>=$") != std::string::npos)
-            wrong(place(token()), "what stands in this text is not read; write a condition behind '\\text{for }'");
+            wrong(place(token()), "this text cannot be read; write a condition behind '\\text{for }'");
         next();
         if (word == Word::comment) take(":");
         return;
@@ -280,11 +280,10 @@ std::pair<std::string, std::vector<std::string>> LatexParser::whole_function() {
     std::pair<std::string, std::vector<std::string>> result{named_letter(), {}};
     if (is_end()) return result;
     const LatexToken open = token();
-    if (!is("(")) expected("'(' with the letters that it is a function of, or the end,");
+    if (!is("(")) expected("'(' with the arguments, or the end,");
     next();
     for (const ExpressionPtr& argument : list_until_bracket(open)) {
-        if (argument->kind != Kind::name || !argument->children.empty())
-            wrong(argument->span, "a letter is expected that this is a function of");
+        if (argument->kind != Kind::name || !argument->children.empty()) wrong(argument->span, "a letter is expected as an argument");
         result.second.push_back(argument->name);
     }
     if (!is_end()) expected("the end of the function");

@@ -295,7 +295,7 @@ ExpressionPtr LatexParser::root() {
         expect("]");
     }
     const Inside brackets(*this);
-    ExpressionPtr inside = braced("what the root is taken of");
+    ExpressionPtr inside = braced("the expression under the root");
     if (!degree || (degree->kind == Kind::number && degree->value == 2)) return call("sqrt", first, {std::move(inside)});
     const ExpressionPtr one = make_number(1, degree->span);
     const Span span = degree->span;
@@ -310,9 +310,9 @@ ExpressionPtr LatexParser::cancelled() {
     const std::size_t behind = behind_argument(at_ + 1);
     if (fractions_ == 0 || (at_ > 0 && is_sign(at(at_ - 1))) || is_sign(at(behind)))
         wrong(excerpt_.span(at(first).begin, at(std::max(behind, first + 1) - 1).end),
-              "it is not clear whether what is crossed out is zero; leave it out, or write it without '\\cancel'");
+              "it is not clear whether the crossed out part is zero; leave it out, or write it without '\\cancel'");
     next();
-    return braced("what is crossed out");
+    return braced("the crossed out part");
 }
 
 /// What is written at the brace is a remark.

@@ -59,8 +59,9 @@ ExpressionPtr LatexParser::integral() {
             inside = term();
             if (is("+") || is("-"))
                 wrong(place(token()),
-                      fmt::format("it is not clear whether what stands behind '{}' is integrated; the differential stands behind what is",
-                                  shown(token())));
+                      fmt::format(
+                          "it is not clear whether the part behind '{}' is integrated; write the differential at the end of the integrand",
+                          shown(token())));
             here.variable = std::move(variable);
             more = std::move(first_ones);
         } else {
@@ -80,7 +81,7 @@ ExpressionPtr LatexParser::integral() {
     for (const ExpressionPtr& name : named)
         if (name->kind != Kind::name || here.variable->kind != Kind::name || name->name != here.variable->name)
             wrong(name->span,
-                  fmt::format("the limit is one of '{}', but the integral runs over '{}'", name->span.text(), here.variable->span.text()));
+                  fmt::format("the limit belongs to '{}', but the integral runs over '{}'", name->span.text(), here.variable->span.text()));
     if (!more.empty() || (here.variable->kind == Kind::power && !upper)) {
         std::vector<ExpressionPtr> parts{std::move(inside)};
         if (lower) parts.push_back(std::move(lower));
@@ -89,8 +90,8 @@ ExpressionPtr LatexParser::integral() {
         return call("integral_over", first, std::move(parts));
     }
     if (is_differential_first && at_differential())
-        wrong(place(token()),
-              fmt::format("it is not clear whether '{}' is integrated; the differential stands behind what is", shown(token())));
+        wrong(place(token()), fmt::format("it is not clear whether '{}' is integrated; write the differential at the end of the integrand",
+                                          shown(token())));
     if (here.variable->kind == Kind::name) integrated_ = here.variable->name;
     std::vector<ExpressionPtr> parts{std::move(inside), here.variable};
     for (ExpressionPtr* limit : {&lower, &upper})
@@ -176,7 +177,7 @@ ExpressionPtr LatexParser::limit() {
     const Depth depth(*this);
     const std::size_t first = at_;
     next();
-    if (!is("_") || !token(1).is("{")) expected("what goes where, as in '\\lim_{x \\to 0}',");
+    if (!is("_") || !token(1).is("{")) expected("the variable and its limit, as in '\\lim_{x \\to 0}',");
     at_ += 2;
     const std::size_t begin = at_;
     ExpressionPtr variable;

@@ -326,7 +326,7 @@ void LatexParser::drop_layout() {
             has_brace.push_back(is_braced);
             if (is_braced || (layout && i > 0 && at(i - 1).is("\\{"))) dropped[i - 1] = true;
         } else if (t.kind == LatexToken::Kind::end_of) {
-            if (open.size() == 1) wrong(place(t), fmt::format("'{}' ends here, but was not begun", t.text));
+            if (open.size() == 1) wrong(place(t), fmt::format("'{}' ends here, but did not begin", t.text));
             dropped[i] = open.back();
             if (has_brace.back() && at(i + 1).side == Side::right) dropped[i + 1] = true;
             open.pop_back();

@@ -383,7 +383,7 @@ ExpressionPtr LatexParser::marked_expression() {
     if ((dots == 0 && !is_mean) || !token(1).is("{") || token(2).is("}")) return nullptr;
     next();
     const Inside brackets(*this);
-    ExpressionPtr inside = braced("what stands under the mark");
+    ExpressionPtr inside = braced("the content under the mark");
     if (is_mean) return call("mean", first, {std::move(inside)});
     for (int left = dots; left > 0; left -= 2) inside = call(left >= 2 ? "ddot" : "dot", first, {inside});
     return inside;

@@ -248,7 +248,7 @@ private:
     void words_between(const std::string& name, std::size_t begin) {
         idle_argument(name, begin);
         if (text_.substr(begin, i_ - begin).find_first_of("<>=") != std::string::npos)
-            wrong(begin, i_, "what stands in this text is not read; end the block before it");
+            wrong(begin, i_, "this text cannot be read; end the block before it");
         add(Kind::sign, "\\\\", begin, i_);
     }
 

@@ -168,7 +168,7 @@ private:
     void count(const std::string& name, std::size_t begin, std::size_t end) {
         if (++calls_ > most_macro_calls || text_.text.size() > longest_text)
             fail(Id::too_long, text_.span(begin, end),
-                 fmt::format("the macro '\\{}' makes the equation too long, as it does where it calls itself", name));
+                 fmt::format("the macro '\\{}' makes the equation too long; perhaps it calls itself", name));
     }
 
     std::size_t call(const LatexMacro& macro, const std::string& name, std::size_t begin, std::size_t i) {

@@ -42,7 +42,7 @@ ExpressionPtr LatexParser::environment() {
             if (token().kind != LatexToken::Kind::end_of) continue;
         }
         if (token().kind != LatexToken::Kind::end_of) expected("'&', '\\\\' or the end of the matrix");
-        if (token().text != name) wrong(place(token()), fmt::format("'{}' ends here while '{}' was begun", token().text, name));
+        if (token().text != name) wrong(place(token()), fmt::format("'{}' ends here, but '{}' began", token().text, name));
         if (!cells.empty()) end_line();
         next();
         break;
@@ -58,7 +58,7 @@ ExpressionPtr LatexParser::cases(std::size_t first) {
     std::vector<ExpressionPtr> parts;
     bool is_complete = false;
     while (token().kind != LatexToken::Kind::end_of) {
-        if (is_complete) expected("the end of the cases behind the one without a condition");
+        if (is_complete) expected("the end of the cases behind the case without a condition");
         parts.push_back(expression());
         while (is(",") || is_point() || is(";")) next();
         const bool is_apart = take("&");
@@ -67,8 +67,7 @@ ExpressionPtr LatexParser::cases(std::size_t first) {
         if (word == Word::condition) next();
         if (word == Word::otherwise) next();
         const bool is_end_of_line = is("\\\\") || token().kind == LatexToken::Kind::end_of;
-        if (word == Word::condition && is_end_of_line)
-            wrong(text, "a condition is expected behind the text; what stands in it is not read");
+        if (word == Word::condition && is_end_of_line) wrong(text, "a condition is expected behind the text; the text itself is not read");
         if (word == Word::otherwise || (is_end_of_line && (is_apart || word == Word::none))) is_complete = true;
         else parts.push_back(condition());
         while (is(",") || is_point() || is(";")) next();
@@ -107,7 +106,7 @@ void LatexParser::skip_remark() {
     std::string text = token().text;
     std::erase(text, ' ');
     if (!text.starts_with('(') || !text.ends_with(')') || text.find_first_of("$<>=") != std::string::npos)
-        wrong(place(token()), "what stands in this text is not read; a remark stands in round brackets");
+        wrong(place(token()), "this text cannot be read; write a remark in round brackets");
     next();
 }
 

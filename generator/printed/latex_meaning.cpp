@@ -77,7 +77,7 @@ private:
         if (e.children.size() != 2) {
             const char* const remedy = e.children.size() < 2 ? "write its index and limits, as in '\\sum_{i=1}^{N}'"
                                                              : "write out the members, or a sum with limits";
-            fail(Id::not_allowed_here, e.span, fmt::format("which members the sum '{}' has is not known; {}", e.span.text(), remedy));
+            fail(Id::not_allowed_here, e.span, fmt::format("the members of the sum '{}' are not known; {}", e.span.text(), remedy));
         }
         const std::string& index = e.children[1]->name;
         const Family* known = nullptr;
@@ -94,9 +94,9 @@ private:
         });
         if (known == nullptr)
             fail(Id::not_allowed_here, e.span,
-                 fmt::format("from where to where '{}' runs in '{}' is not known; write '\\sum_{{{}=1}}^{{N}}', or declare a letter with "
-                             "for = \"{} = 1..3\"",
-                             index, e.span.text(), index, index));
+                 fmt::format(
+                     "the range of '{}' in '{}' is not known; write '\\sum_{{{}=1}}^{{N}}', or declare a letter with for = \"{} = 1..3\"",
+                     index, e.span.text(), index, index));
         return node(Kind::sum, e.span, {known->from, known->to, e.children[0]}, index);
     }
 
@@ -119,13 +119,14 @@ private:
         const ExpressionPtr& inside = e.children[0];
         if (catalogue_.coordinates.empty())
             fail(Id::not_allowed_here, e.span,
-                 fmt::format("the coordinates of '\\nabla' in '{}' are not known; say coordinates = [\"x\", \"y\", \"z\"] under "
-                             "[catalogue] where they are Cartesian",
+                 fmt::format("the coordinates of '\\nabla' in '{}' are not known; if they are Cartesian, write coordinates = [\"x\", "
+                             "\"y\", \"z\"] under [catalogue]",
                              e.span.text()));
         const Reach reach(catalogue_, entry_, *inside);
         if (std::none_of(catalogue_.coordinates.begin(), catalogue_.coordinates.end(), [&](const std::string& x) { return reach.has(x); }))
             fail(Id::not_allowed_here, inside->span,
-                 fmt::format("nothing says how '{}' depends on the coordinates; give its expression under 'with'", inside->span.text()));
+                 fmt::format("the program does not know how '{}' depends on the coordinates; give its expression under 'with'",
+                             inside->span.text()));
         std::vector<ExpressionPtr> parts, places;
         for (const std::string& x : catalogue_.coordinates) {
             const ExpressionPtr place = make_name(x, e.span);
@@ -181,7 +182,7 @@ public:
             default: break;
         }
         fail(Id::not_allowed_here, span,
-             fmt::format("the integral without limits in '{}' does not stand in a sum, or with a constant factor, so that its constant "
+             fmt::format("the integral without limits in '{}' is neither a term of a sum nor one with a constant factor, so its constant "
                          "matters; write limits",
                          span.text()));
     }
@@ -224,8 +225,8 @@ void take_constants_out(LatexEquation& read, const Catalogue& catalogue, const C
             const bool is_plain = !has_open_integral(*side) && !is_constant(*side);
             if (is_plain && !Reach(catalogue, entry, *side).has(variable))
                 fail(Id::not_allowed_here, side->span,
-                     fmt::format("nothing says how '{}' depends on '{}', over which '{}' is integrated; write limits, or give its "
-                                 "expression under 'with'",
+                     fmt::format("the program does not know how '{}' depends on '{}', the variable of the integral '{}'; write limits, or "
+                                 "give its expression under 'with'",
                                  side->span.text(), variable, integral->span.text()));
             side = Differentiation(catalogue, entry, variable)(side);
         }

@@ -54,8 +54,7 @@ std::string LatexParser::shown(const LatexToken& token) const { return excerpt_.
 
 void LatexParser::expected(std::string_view what) const {
     const LatexToken& found = token();
-    if (found.is("\\cancelto"))
-        wrong(place(found), "'\\cancelto' says that something is replaced by something else; write what stands there afterwards");
+    if (found.is("\\cancelto")) wrong(place(found), "'\\cancelto' replaces one expression by another; write the new one");
     for (const char* command : {"\\SI", "\\qty", "\\num", "\\unit", "\\si"})
         if (found.is(command))
             wrong(place(found), fmt::format("'{}' is not read; write the number with its unit behind it, as in '9.81\\,\\mathrm{{m/s^2}}'",
@@ -63,7 +62,7 @@ void LatexParser::expected(std::string_view what) const {
     if (found.kind == LatexToken::Kind::command && !is_greek(found.text))
         wrong(place(found),
               fmt::format("'{}' cannot be read here; {} is expected{}", shown(found), what,
-                          is_common_command(found.text) ? "" : ". If it is a macro of the text, say under [macros] what it stands for"));
+                          is_common_command(found.text) ? "" : ". If it is a macro of the text, give its meaning under [macros]"));
     wrong(place(found), is_end() ? fmt::format("the text ends where {} is expected", what)
                                  : fmt::format("there is '{}' where {} is expected", shown(found), what));
 }
@@ -187,7 +186,7 @@ ExpressionPtr LatexParser::product() {
     while (starts_factor()) {
         const LatexToken& second = token();
         if (second.kind == LatexToken::Kind::number && is_number)
-            wrong(place(second), "there are two numbers beside each other; '\\cdot' or a unit is expected between them");
+            wrong(place(second), "two numbers stand next to each other; '\\cdot' or a unit is expected between them");
         const bool is_fraction = second.is("\\frac") && second.space == Space::none;
         if (!is_number) refuse_unit_behind_letters();
         ExpressionPtr right = factor();
@@ -204,7 +203,7 @@ ExpressionPtr LatexParser::product() {
 ExpressionPtr LatexParser::quotient(ExpressionPtr left, std::size_t first) {
     const std::size_t slash = at_;
     next();
-    if (integral_ != nullptr && at_differential()) expected("what is divided by");
+    if (integral_ != nullptr && at_differential()) expected("the divisor");
     ExpressionPtr right = factor();
     const auto is_plain = [](const Expression& e) { return e.kind == Kind::number; };
     const auto is_small = [](const Expression& e) {
@@ -223,7 +222,7 @@ ExpressionPtr LatexParser::quotient(ExpressionPtr left, std::size_t first) {
         const bool is_fraction = is_plain(*left) && is_plain(*right);
         if (!is_function_behind && !is_fraction && token().space != Space::thin)
             wrong(place(at(slash)),
-                  fmt::format("it is not clear whether '{}' is divided by as well; write '\\frac' or brackets", shown(token())));
+                  fmt::format("it is not clear whether '{}' belongs to the divisor; write '\\frac' or brackets", shown(token())));
         while (starts_factor()) {
             ExpressionPtr behind = factor();
             result = node(Kind::multiply, first, {std::move(result), std::move(behind)});

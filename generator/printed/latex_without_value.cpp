@@ -252,13 +252,13 @@ ExpressionPtr LatexParser::partial_by_index() {
     do {
         const std::size_t begin = at_;
         Read single;
-        if (!starts_letter(at_)) expected("the letter that is differentiated by");
+        if (!starts_letter(at_)) expected("the letter of the derivative");
         if (is_braced) {
             const auto read = try_letter();
-            if (!read || read->power_at != 0) expected("the letter that is differentiated by");
+            if (!read || read->power_at != 0) expected("the letter of the derivative");
             single = *read;
         } else if (!read_nucleus(single)) {
-            expected("the letter that is differentiated by");
+            expected("the letter of the derivative");
         }
         variables.push_back(translate(single.letter, begin));
         if (is_braced) take(",");
@@ -267,13 +267,14 @@ ExpressionPtr LatexParser::partial_by_index() {
     if (is("^")) {
         const std::size_t power = at_;
         const int times = order();
-        if (variables.size() > 1) wrong(from(power), "it is not clear by which letter it is differentiated more than once");
+        if (variables.size() > 1) wrong(from(power), "it is not clear to which letter the higher order of the derivative belongs");
         variables.assign(static_cast<std::size_t>(times), variables.front());
     }
     ExpressionPtr inside = operand("what is differentiated");
     if (starts_factor())
         wrong(place(token()),
-              fmt::format("it is not clear whether '{}' is differentiated as well; write brackets around what is", shown(token())));
+              fmt::format("it is not clear whether '{}' is also differentiated; write brackets around the differentiated part",
+                          shown(token())));
     if (std::none_of(variables.begin(), variables.end(), [](const ExpressionPtr& x) { return counts_by_custom(*x); }))
         return derived(std::move(inside), variables, true, first);
     std::vector<ExpressionPtr> parts{std::move(inside)};
@@ -300,7 +301,7 @@ ExpressionPtr LatexParser::under_font() {
     font_ = next().text;
     ExpressionPtr inside;
     try {
-        inside = braced("what is printed in this font");
+        inside = braced("the content of this font");
     } catch (...) {
         font_.clear();
         throw;

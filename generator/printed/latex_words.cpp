@@ -37,7 +37,7 @@ void letters_in(const ExpressionPtr& e, std::vector<ExpressionPtr>& letters, std
         const std::string& name = is_rate ? e->children[0]->name : e->name;
         if (find_quantity(name) != nullptr)
             fail(Id::not_allowed_here, e->span,
-                 fmt::format("what '{}' depends on is not seen here, so that no small change of it can be made; write out its change",
+                 fmt::format("the variables of '{}' are not known here, so its small change is not known either; write out the change",
                              e->written()));
         if (name != "pi" && seen.insert((is_rate ? e->name : "") + name).second) letters.push_back(e);
         return;
@@ -91,7 +91,7 @@ ExpressionPtr factorial_of(const Expression& e) {
     const auto whole = e.children[0]->kind == Kind::number ? to_int(e.children[0]->value) : std::nullopt;
     if (!whole || *whole < 0 || *whole > largest)
         fail(Id::not_allowed_here, e.span,
-             fmt::format("the factorial '{}' has a value of a whole number up to {} only; write it out", e.written(), largest));
+             fmt::format("the factorial '{}' has a value only for a whole number up to {}; write it out", e.written(), largest));
     Rational value = 1;
     for (int i = 2; i <= *whole; ++i) value = value * i;
     return make_number(value, e.span);
@@ -101,7 +101,7 @@ ExpressionPtr factorial_of(const Expression& e) {
 std::string unknown_function(const Expression& value) {
     const std::string name = shown(*value.children[0]);
     const bool may_be_factor = value.children.size() == 2 && value.children[1]->kind != Kind::number;
-    return fmt::format("nothing says what '{}' in '{}' is a function of; say it, as in functions = ['{}(x)']{}", name, shown(value), name,
+    return fmt::format("the arguments of '{}' in '{}' are not known; give them, as in functions = ['{}(x)']{}", name, shown(value), name,
                        may_be_factor ? fmt::format(", or write '{} \\cdot' for a product", name) : "");
 }
 
@@ -113,7 +113,7 @@ ExpressionPtr in_model_words(const ExpressionPtr& e) {
     for (std::size_t i = 0; i < copy->children.size(); ++i)
         if (!(e->kind == Kind::call && e->name == "quantity" && i == 1)) copy->children[i] = in_model_words(e->children[i]);
     if (e->kind == Kind::name && e->name == "constant")
-        fail(Id::not_allowed_here, e->span, "'const.' is no value; say what the constant is, or that the derivative vanishes");
+        fail(Id::not_allowed_here, e->span, "'const.' has no value; write the constant, or write that the derivative is zero");
     if (e->kind != Kind::call) return copy;
     if (e->name == "partial" || e->name == "derivative") {
         copy->name = "diff";
@@ -128,7 +128,7 @@ ExpressionPtr in_model_words(const ExpressionPtr& e) {
         return call_of(e->span, "sqrt",
                        {joined(Kind::multiply, e->span, call_of(e->span, "transpose", {copy->children[0]}), copy->children[0])});
     if (e->name == "factorial") return factorial_of(*copy);
-    if (e->name == "dots") fail(Id::not_allowed_here, e->span, "what the dots stand for must be written out");
+    if (e->name == "dots") fail(Id::not_allowed_here, e->span, "write out the terms that the dots stand for");
     if (e->name == "taken_at")
         fail(Id::not_allowed_here, e->span,
              fmt::format("it is not clear which letter is '{}' here; write the point as in '|_{{x=0}}'", shown(*e->children[1])));
@@ -143,11 +143,12 @@ ExpressionPtr in_model_words(const ExpressionPtr& e) {
         "divergence",   "curl",          "laplacian",    "average",       "mean",          "tensor",    "equal",
         "not_equal",    "less",          "less_equal",   "greater",       "greater_equal", "both",      "either"};
     if (without_meaning.contains(e->name))
-        fail(Id::not_allowed_here, e->span, fmt::format("'{}' is read, but nothing is made of it yet; write out what it means", shown(*e)));
+        fail(Id::not_allowed_here, e->span,
+             fmt::format("this version reads '{}', but gives it no value; write out its meaning", shown(*e)));
     if (e->name == "integral" && e->children[1]->kind == Kind::power)
         fail(Id::not_allowed_here, e->span, fmt::format("'{}' runs over a space, and not over a letter between limits", shown(*e)));
     if (e->name == "integral" && e->children.size() != 4)
-        fail(Id::not_allowed_here, e->span, fmt::format("'{}' has no limits that it could be computed for", shown(*e)));
+        fail(Id::not_allowed_here, e->span, fmt::format("'{}' has no limits, so it has no value", shown(*e)));
     return copy;
 }
 

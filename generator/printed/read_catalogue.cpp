@@ -19,7 +19,7 @@ constexpr int newest_catalogue = 1;
 CatalogueLetter read_letter(const Entry& e, bool is_positive) {
     CatalogueLetter letter;
     e.fill(letter);
-    if (e.name() == "t") e.error(Id::reserved_name, e.span(), "'t' is the time, which is known without being declared; leave it out");
+    if (e.name() == "t") e.error(Id::reserved_name, e.span(), "'t' is always the time; leave it out");
     letter.unit = e.unit("unit").value_or(Unit{});
     letter.range = e.range("range", letter.unit);
     letter.value = e.constant("value", letter.unit);
@@ -29,7 +29,7 @@ CatalogueLetter read_letter(const Entry& e, bool is_positive) {
         e.error(Id::wrong_type, e.span_of("of"),
                 fmt::format("'{}' is not the time: a letter is a function of 't' or of nothing", e.text("of")));
     if (letter.moves && letter.value)
-        e.error(Id::unknown_key, e.span_of("value"), fmt::format("'{}' is a function of time and so no number", e.name()));
+        e.error(Id::unknown_key, e.span_of("value"), fmt::format("'{}' is a function of time, so it is not a number", e.name()));
     return letter;
 }
 

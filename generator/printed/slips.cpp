@@ -110,8 +110,7 @@ private:
 
     template <class Add>
     void square(const ExpressionPtr& e, Add add) {
-        add(SlipKind::exponent, fmt::format("'{}' is to be squared", spelled(*e)),
-            node(Kind::power, e->span, {e, make_number(2, e->span)}));
+        add(SlipKind::exponent, fmt::format("'{}' must be squared", spelled(*e)), node(Kind::power, e->span, {e, make_number(2, e->span)}));
     }
 
     template <class Add>
@@ -130,7 +129,7 @@ private:
             const ExpressionPtr factor = make_name(letter.name, e->span);
             add(SlipKind::letter, fmt::format("'{}' lacks the factor '{}'", text, spelled(*factor)),
                 node(Kind::multiply, e->span, {factor, e}));
-            add(SlipKind::letter, fmt::format("'{}' has the factor '{}' too much", text, spelled(*factor)),
+            add(SlipKind::letter, fmt::format("'{}' has the extra factor '{}'", text, spelled(*factor)),
                 node(Kind::divide, e->span, {e, factor}));
         }
     }
@@ -285,7 +284,7 @@ private:
         if (known == nullptr || e->children.size() != 1) return;
         square(e, add);
         if (is_sum(*x))
-            add(SlipKind::bracket, fmt::format("'{}' does not belong into {}", spelled(*x->children[1]), e->name),
+            add(SlipKind::bracket, fmt::format("'{}' does not belong in {}", spelled(*x->children[1]), e->name),
                 rebuilt(*x, {rebuilt(*e, {x->children[0]}), x->children[1]}));
     }
 

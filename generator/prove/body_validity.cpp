@@ -58,8 +58,8 @@ void check_tensor(const BodyMotion& body, const System& system, const GiNaC::exm
                         item.name, small, middle, large)});
     if (large > small + middle + rounding)
         throw Failure(Diagnostic{Id::wrong_inertia, place,
-                                 fmt::format("the inertia of body '{}' has the principal moments {:.6g}, {:.6g} and {:.6g} kg*m^2; no mass "
-                                             "is spread so that one is larger than the sum of the others",
+                                 fmt::format("the inertia of body '{}' has the principal moments {:.6g}, {:.6g} and {:.6g} kg*m^2; no body "
+                                             "has one larger than the sum of the others",
                                              item.name, small, middle, large)});
 }
 
@@ -78,8 +78,8 @@ std::optional<UnbalancedMass> unbalanced_mass(const System& system) {
         const auto check_moment = [&](const ExpressionPtr& moment) {
             if (one.jets.empty() && moment && (dependence(*moment, system.names) & on_states) != 0)
                 throw Failure(Diagnostic{Id::mass_not_balanced, moment->span,
-                                         fmt::format("the inertia of body '{}' changes with a state, but no jet takes mass away; what "
-                                                     "moves inside it is a body of its own",
+                                         fmt::format("the inertia of body '{}' changes with a state, but no jet takes mass away; make a "
+                                                     "part that moves inside it a body of its own",
                                                      item.name)});
         };
         check_moment(item.inertia);

@@ -52,7 +52,7 @@ std::string Branches::missed() const {
     std::string text;
     for (const std::string& one : letters)
         text += (text.empty() ? "" : "; ") +
-                fmt::format("no point came into one of the cases that {} decide{}", one, one.find(',') == std::string::npos ? "s" : "");
+                fmt::format("no point reached one of the cases that {} decide{}", one, one.find(',') == std::string::npos ? "s" : "");
     return text;
 }
 

@@ -262,15 +262,15 @@ Comparison Prover::compare_at_points(const Evaluation& evaluate, const ex& a, co
         if (at.has_values()) branches.enter(evaluate, point);
     }
     if (valid < needed_points && one_sided > 0)
-        return {Verdict::not_checkable, fmt::format("at {} of {} random points one side has no real value and the other has: a range for "
-                                                    "the letters would say where it is meant",
-                                                    one_sided, most_points)};
-    if (valid < needed_points)
         return {Verdict::not_checkable,
-                fmt::format("at {} random points, both sides have a real value that is not zero at {} only; {} are needed", most_points,
-                            valid, needed_points)};
+                fmt::format(
+                    "at {} of {} random points only one side has a real value; give the letters ranges where the equation is meant to hold",
+                    one_sided, most_points)};
+    if (valid < needed_points)
+        return {Verdict::not_checkable, fmt::format("of {} random points, both sides have a nonzero real value at {} only; {} are needed",
+                                                    most_points, valid, needed_points)};
     std::string reason =
-        one_sided > 0 ? fmt::format("where both sides are real; at {} more random points only one of them is", one_sided) : "";
+        one_sided > 0 ? fmt::format("where both sides are real; at {} more random points only one side is", one_sided) : "";
     if (const std::string missed = branches.missed(); !missed.empty()) reason += (reason.empty() ? "" : "; ") + missed;
     return {Verdict::numerically_equal, reason};
 }

@@ -225,7 +225,7 @@ std::set<NormalForm::Letter> NormalForm::touched_by_inverses(const std::set<Lett
 /// them is zero alone. Reducing the square of a root may bring a reciprocal back that was gone already, so the depth is bounded.
 bool NormalForm::vanishes(const Polynomial& p, int depth) {
     constexpr int deepest = 500;
-    if (depth > deepest) throw NoNormalForm("reciprocals that do not go away");
+    if (depth > deepest) throw NoNormalForm("reciprocals that do not cancel");
     std::set<Letter> letters;
     for (const auto& [monomial, coefficient] : p.terms())
         for (const LetterPower& power : monomial) letters.insert(power.letter);

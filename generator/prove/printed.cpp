@@ -39,7 +39,7 @@ std::vector<const PrintedLetter*> ordered_letters(const PrintedEquation& printed
                                             [&](const PrintedLetter& letter) { return is_waiting(letter.name); });
             if (stuck == printed.letters.end()) break;  // some are named twice
             throw Failure(Diagnostic{Id::cyclic_definition, stuck->span,
-                                     fmt::format("the letter '{}' of printed '{}' needs itself", stuck->name, printed.name)});
+                                     fmt::format("the letter '{}' of printed '{}' depends on itself", stuck->name, printed.name)});
         }
     }
     return ordered;

@@ -11,7 +11,7 @@ using GiNaC::ex;
 
 namespace {
 
-constexpr const char* no_value = "an integral has no primitive that the program finds, and quadrature gives no value of it";
+constexpr const char* no_value = "the program finds no primitive of an integral, and quadrature gives no value of it";
 
 /// How exact integrals are taken to be: larger than the error of the quadrature.
 Rational accuracy_of_integrals() { return cln::expt(cln::cl_RA(10), -8); }
@@ -69,7 +69,7 @@ PrintedResult PairCheck::run_by_quadrature(const ex& left, const ex& right) {
         if (distance <= tolerance) continue;
         if (distance <= 10 * tolerance) {
             result.comparison.reason =
-                "an integral has no primitive that the program finds, and the digits of quadrature do not tell whether the sides are equal";
+                "the program finds no primitive of an integral, and quadrature has too few digits to compare the sides";
             return result;
         }
         result.comparison = {Verdict::wrong, "an integral without a primitive is computed by quadrature"};

@@ -87,10 +87,10 @@ private:
         throw Failure(Diagnostic{
             Id::not_orthogonal,
             e.span,
-            fmt::format(
-                "'{}' needs lines at right angles, but those of '{}' and '{}' through body '{}' are not{}: dr/d({}) . dr/d({}) is {}",
-                e.written(), coordinates[i].name, coordinates[j].name, body.member.name(), is_seen ? "" : " proven to be",
-                coordinates[i].name, coordinates[j].name, is_seen ? "not zero" : "not seen to be zero"),
+            fmt::format("'{}' needs orthogonal coordinate lines, but the lines of '{}' and '{}' through body '{}' are not{}: dr/d({}) . "
+                        "dr/d({}) is {}",
+                        e.written(), coordinates[i].name, coordinates[j].name, body.member.name(), is_seen ? "" : " proven orthogonal",
+                        coordinates[i].name, coordinates[j].name, is_seen ? "not zero" : "not seen to be zero"),
             {{body.member.item->span, "the body is defined here"}}});
     }
 

@@ -23,11 +23,11 @@ public:
                 fmt::format("the inner radius of solid '{}' is {:.6g} m, not below its radius of {:.6g} m", solid.name, *inner, *outer),
                 {{solid.radius->span, "the radius stands here"}}});
         if (const auto mass = number(system_.solids.of(solid.name).mass); mass && *mass <= 0)
-            throw Failure(
-                Diagnostic{Id::value_out_of_range, solid.span,
-                           fmt::format("solid '{}' has the mass {:.6g} kg; {}", solid.name, *mass,
-                                       solid.without.empty() ? "a mass is positive"
-                                                             : "what is taken away weighs as much as what it is taken from, or more")});
+            throw Failure(Diagnostic{
+                Id::value_out_of_range, solid.span,
+                fmt::format("solid '{}' has the mass {:.6g} kg; {}", solid.name, *mass,
+                            solid.without.empty() ? "a mass is positive"
+                                                  : "the solids taken away weigh as much as the solid that contains them, or more")});
     }
 
 private:

@@ -19,7 +19,7 @@ void check_switching_values(const System& system, const Values& values) {
         if (!number || (!cln::minusp(*number) && (!has_end || *number <= cln::cl_R(1)))) return;
         throw Failure(Diagnostic{Id::value_out_of_range, e->span,
                                  fmt::format("the {} of '{}' is {}; {}", what, item.name, cln::double_approx(*number),
-                                             has_end ? "it lies between 0 and 1" : "it is not negative")});
+                                             has_end ? "it must lie between 0 and 1" : "it must not be negative")});
     };
     for (const Contact& contact : system.scene.model->contacts) {
         if (!contact.play || !system.scene.holds(contact.when)) continue;
@@ -27,7 +27,7 @@ void check_switching_values(const System& system, const Values& values) {
         if (play && !cln::plusp(*play))
             throw Failure(
                 Diagnostic{Id::value_out_of_range, contact.play->span,
-                           fmt::format("the play of contact '{}' is {}; it is positive, and without any play a spring acts on both sides",
+                           fmt::format("the play of contact '{}' is {}, but must be positive; without play, a spring acts on both sides",
                                        contact.name, cln::double_approx(*play))});
     }
     for (const Saturation& saturation : system.scene.model->saturations) {
@@ -50,8 +50,8 @@ void check_switching_values(const System& system, const Values& values) {
         if (!sliding || !holding || *sliding <= *holding) continue;
         throw Failure(Diagnostic{Id::wrong_modes,
                                  friction.static_coefficient->span,
-                                 fmt::format("friction '{}' holds at rest with the coefficient {}, but resists with {} when it slides: "
-                                             "where it stops it could neither stick nor slide",
+                                 fmt::format("friction '{}' has the static coefficient {}, less than the sliding coefficient {}: after a "
+                                             "stop it could neither stick nor slide",
                                              friction.name, cln::double_approx(*holding), cln::double_approx(*sliding)),
                                  {{friction.coefficient->span, "of sliding"}}});
     }

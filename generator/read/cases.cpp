@@ -26,7 +26,7 @@ ExpressionPtr where_it_holds(const ExpressionPtr& condition) {
     const bool is_less = condition->name == "less" || condition->name == "less_equal";
     if (!is_less && condition->name != "greater" && condition->name != "greater_equal")
         fail(Id::not_allowed_here, span,
-             fmt::format("'{}' holds at single points or at all but such; make an entry of its own of what is said there", span.text()));
+             fmt::format("'{}' holds only at single points, or everywhere else; make it an entry of its own", span.text()));
     const ExpressionPtr a = without_cases(condition->children[0]), b = without_cases(condition->children[1]);
     const ExpressionPtr difference = is_less ? pair_of(Kind::subtract, span, b, a) : pair_of(Kind::subtract, span, a, b);
     const ExpressionPtr sign = std::make_shared<Expression>(Expression{Kind::call, span, 0, "sign", {difference}});
@@ -49,7 +49,8 @@ ExpressionPtr of_cases(const Expression& e) {
     const bool has_rest = e.children.size() % 2 == 1, is_complete = has_rest || (pairs == 2 && is_opposite(*e.children[1], *e.children[3]));
     if (pairs == 1 && !has_rest)
         fail(Id::not_allowed_here, e.span,
-             "a single case says nothing beyond its condition; write its value alone, and declare letters so that the condition holds");
+             "a single case has no value where its condition does not hold; write only the value, and declare the letters so that the "
+             "condition holds");
     ExpressionPtr total, somewhere, before;  // `before`: no condition up to here holds
     const auto joined_with = [&](Kind kind, const ExpressionPtr& a, const ExpressionPtr& b) { return a ? pair_of(kind, e.span, a, b) : b; };
     const auto add = [&](const ExpressionPtr& value, const ExpressionPtr& where) {

@@ -31,7 +31,7 @@ public:
         const std::string fact = *chosen.word == '\0'
                                      ? fmt::format("{} has no {}", owner_, words)
                                      : fmt::format("{} {} the {} '{}'", owner_, words == "law" ? "follows" : "has", words, chosen.word);
-        chosen_keys(fact + (*chosen.word == '\0' ? ", without which it" : ", which") + " has no use for", fact, chosen.needs, chosen.takes,
+        chosen_keys(fact + (*chosen.word == '\0' ? ", without which it" : ", which") + " does not take", fact, chosen.needs, chosen.takes,
                     keys);
     }
     void unknown_choice(const char* name, const Key& key, const std::string& word, const std::vector<std::string>& known) const;

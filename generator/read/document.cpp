@@ -27,7 +27,7 @@ public:
         result.span = span(from.source());
         if (depth > budget::nested_values)
             throw Failure(Diagnostic{Id::too_deep, result.span,
-                                     fmt::format("tables and lists stand in each other more than {} deep", budget::nested_values)});
+                                     fmt::format("tables and lists are nested more than {} levels deep", budget::nested_values)});
         if (const toml::table* table = from.as_table()) {
             result.kind = DocumentNode::Kind::table;
             for (const auto& [key, value] : *table)

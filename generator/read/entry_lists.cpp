@@ -267,7 +267,8 @@ std::vector<Plot> Entry::plots(std::string_view key) const {
         } else {
             wrong_type(element, ValueType::plots);
         }
-        if (plot.y.empty()) error(Id::missing_key, element.span, "a plot without anything to plot");
+        if (plot.y.empty())
+            error(Id::missing_key, element.span, "a plot needs at least one name");
         else result.push_back(std::move(plot));
     }
     return result;

@@ -203,7 +203,7 @@ private:
         constexpr std::size_t largest = 5;
         if (m.rows != m.columns || m.rows > largest)
             fail(Id::wrong_arguments, e.span,
-                 fmt::format("'{}' takes a square matrix of at most {} rows, here it has one that is {}", e.name, largest, size_of(m)));
+                 fmt::format("'{}' takes a square matrix of at most {} rows, here the matrix is {}", e.name, largest, size_of(m)));
         return m;
     }
 

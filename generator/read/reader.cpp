@@ -53,7 +53,7 @@ private:
     void header() {
         const DocumentNode::Member* member = root_.find("model");
         if (member == nullptr)
-            throw Failure(Diagnostic{Id::missing_key, Span{model_.source, 0, 0}, "the file has no [model] section and so is no model"});
+            throw Failure(Diagnostic{Id::missing_key, Span{model_.source, 0, 0}, "the file has no [model] section, so it is not a model"});
         // The format comes first: a file of another format may have other keys, and errors about those would mislead.
         const Entry entry(*member, *find_section("model"), diagnostics_);
         if (const int format = entry.whole_number("format", newest_format); format != newest_format)
@@ -115,9 +115,9 @@ private:
         std::vector<std::string> names;
         for (const SceneChoice& scene : model_.scenes) names.push_back(scene.name);
         if (!model_.default_scene.empty() && std::find(names.begin(), names.end(), model_.default_scene) == names.end())
-            diagnostics_.error(Id::unknown_scene, default_span_,
-                               fmt::format("there is no scene '{}' that could be the default; the scenes are {}", model_.default_scene,
-                                           quoted_list(names)));
+            diagnostics_.error(
+                Id::unknown_scene, default_span_,
+                fmt::format("the default scene '{}' does not exist; the scenes are {}", model_.default_scene, quoted_list(names)));
     }
 
     DocumentNode root_;

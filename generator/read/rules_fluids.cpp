@@ -74,7 +74,7 @@ void check_rules(const Entry& e, Flow& flow) {
         if (e.has("area") != e.has("coefficient"))
             e.error(Id::missing_key, e.span(), fmt::format("check valve '{}' needs area and coefficient together", e.name()));
         if (e.has("width") && !e.has("area"))
-            e.error(Id::unknown_key, e.span_of("width"), fmt::format("check valve '{}' is laminar and has no use for 'width'", e.name()));
+            e.error(Id::unknown_key, e.span_of("width"), fmt::format("check valve '{}' is laminar and does not take 'width'", e.name()));
     }
     if (flow.law == Flow::Law::pump) {
         either(e.has("volume_flow"), e.has("displacement"), "is a pump and needs either a volume_flow, or a displacement with its speed");

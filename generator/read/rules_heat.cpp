@@ -14,7 +14,7 @@ void needs(const Entry& e, const char* what, const char* key, const char* becaus
 }
 
 void useless(const Entry& e, const char* what, const char* key, const char* because) {
-    if (e.has(key)) e.error(Id::unknown_key, e.span_of(key), fmt::format("{} '{}' has no use for '{}'{}", what, e.name(), key, because));
+    if (e.has(key)) e.error(Id::unknown_key, e.span_of(key), fmt::format("{} '{}' does not take '{}'{}", what, e.name(), key, because));
 }
 
 /// Of an end of a rod, or a side of a block: "the last end of rod 'bar'".
@@ -23,7 +23,7 @@ void check_boundary(const Entry& e, const Boundary& end, const Side* side, const
     const bool touches = side != nullptr && side->node;
     if ((end.temperature || touches) && (end.flux || exchanges || (end.temperature && touches)))
         e.error(Id::doubly_determined, end.span,
-                fmt::format("{} has a {}, so that nothing else can be said of it", place, end.temperature ? "temperature" : "node"));
+                fmt::format("{} has a {} and takes no other key", place, end.temperature ? "temperature" : "node"));
     if (exchanges != (end.ambient != nullptr))
         e.error(Id::missing_key, end.span, fmt::format("{} needs an ambient together with a coefficient or an emissivity", place));
 }
@@ -40,9 +40,9 @@ void whole_family(const Entry& e, const char* what, const Reference& temperature
 void check_rules(const Entry& e, HeatNode& node) {
     if (node.is_held() && e.has("heat"))
         e.error(Id::doubly_determined, e.span_of("heat"),
-                fmt::format("node '{}' is held at a temperature, so that heat into it changes nothing; give it a capacity, or leave its "
-                            "temperature out",
-                            e.name()));
+                fmt::format(
+                    "node '{}' has a given temperature, so heat into it changes nothing; give it a capacity, or leave its temperature out",
+                    e.name()));
 }
 
 void check_rules(const Entry& e, Link& link) {
@@ -59,7 +59,7 @@ void check_rules(const Entry& e, Rod& rod) {
     if (e.has("side_coefficient") || e.has("side_emissivity"))
         for (const char* key : {"perimeter", "ambient"}) needs(e, "rod", key, ", because heat leaves through its side");
     else
-        for (const char* key : {"perimeter", "ambient"}) useless(e, "rod", key, ": it says neither side_coefficient nor side_emissivity");
+        for (const char* key : {"perimeter", "ambient"}) useless(e, "rod", key, ": it has neither side_coefficient nor side_emissivity");
     whole_family(e, "rod", rod.temperature);
 }
 

@@ -13,8 +13,7 @@ namespace {
 void needs_inertia(const Entry& e, const char* turning, const char* of_a_point) {
     if (!e.has(turning) || !e.has("mass") || e.has("inertia") || e.has("solid")) return;
     e.error(Id::missing_key, e.span_of(turning),
-            fmt::format("body '{}' has a mass and turns, but has no inertia, so that it would move like a point; give it one, inertia = {} "
-                        "if it is a point, or leave out '{}'",
+            fmt::format("body '{}' has a mass and turns, but has no inertia; give it one, inertia = {} if it is a point, or leave out '{}'",
                         e.name(), of_a_point, turning));
 }
 
@@ -56,7 +55,7 @@ void check_rules(const Entry& e, Body& body) {
     if (e.has("mass") && !e.has("position"))
         e.error(Id::missing_key, e.span(), fmt::format("body '{}' has a mass but no position", e.name()));
     if (!e.has("mass") && !e.has("inertia") && !body.solid)
-        e.error(Id::missing_key, e.span(), fmt::format("body '{}' has neither mass nor inertia; without either it is no body", e.name()));
+        e.error(Id::missing_key, e.span(), fmt::format("body '{}' has neither mass nor inertia; a body needs one of them", e.name()));
     if (e.has("inertia") && !e.has("rotation") && !e.has("angular_velocity"))
         e.error(Id::missing_key, e.span_of("inertia"),
                 fmt::format("body '{}' has an inertia but neither rotation nor angular_velocity", e.name()));
@@ -66,9 +65,11 @@ void check_rules(const Entry& e, Body& body) {
 
 void check_rules(const Entry& e, Torque& torque) {
     if (torque.vector && torque.rate)
-        e.error(Id::wrong_type, e.span_of("torque"), fmt::format("torque '{}' works along a rate, so that it is no vector", e.name()));
+        e.error(Id::wrong_type, e.span_of("torque"),
+                fmt::format("torque '{}' acts along a rate, so it is one expression and no vector", e.name()));
     if (torque.in_axes && !torque.vector)
-        e.error(Id::not_allowed_here, e.span_of("in_axes"), fmt::format("torque '{}' is no vector, so that it is in no axes", e.name()));
+        e.error(Id::not_allowed_here, e.span_of("in_axes"),
+                fmt::format("torque '{}' is one expression and no vector, so it has no axes", e.name()));
 }
 
 void check_rules(const Entry& e, Cut& cut) {

@@ -13,7 +13,7 @@ void check_composed(const Entry& e) {
     for (const char* key : {"size", "radius", "inner_radius", "height", "top_radius", "density", "mass"})
         if (e.has(key))
             e.error(Id::not_allowed_here, e.span_of(key),
-                    fmt::format("solid '{}' is put together of others, which have their own {}; it has none itself", e.name(), key));
+                    fmt::format("solid '{}' consists of other solids, which have their own {}; leave it out here", e.name(), key));
 }
 
 void check_shape(const Entry& e, const Solid& solid) {
@@ -32,11 +32,11 @@ void check_rules(const Entry& e, Solid& solid) {
     if (e.has("shape") == e.has("of")) return;
     if (e.has("without") && !e.has("of"))
         e.error(Id::not_allowed_here, e.span_of("without"),
-                fmt::format("solid '{}' has a shape, and nothing is taken away from it; put it into another one with 'of' and 'without'",
-                            e.name()));
+                fmt::format("solid '{}' has a shape and takes no 'without'; make another solid with 'of' and 'without'", e.name()));
     if (e.has("shape")) check_shape(e, solid);
     else check_composed(e);
-    if (e.has("of") && solid.of.empty()) e.error(Id::missing_key, e.span_of("of"), fmt::format("solid '{}' is made of nothing", e.name()));
+    if (e.has("of") && solid.of.empty())
+        e.error(Id::missing_key, e.span_of("of"), fmt::format("solid '{}' is empty; 'of' needs at least one solid", e.name()));
 }
 
 void check_rules(const Entry& e, Load& load) {
@@ -55,8 +55,7 @@ void check_rules(const Entry& e, Sticking& sticking) {
                         e.name()));
     if (is_rope && sticking.tensions.size() != 2)
         e.error(Id::wrong_type, e.span_of("tensions"),
-                fmt::format("the rope of sticking '{}' has two ends, so that there are 2 tensions, not {}", e.name(),
-                            sticking.tensions.size()));
+                fmt::format("the rope of sticking '{}' has two ends, so it has 2 tensions, not {}", e.name(), sticking.tensions.size()));
 }
 
 }  // namespace dalembert

@@ -19,9 +19,8 @@ void check_rules(const Entry& e, ModeGroup& group) {
         group.modes.push_back(std::move(mode));
     }
     if (group.modes.size() < 2)
-        e.error(
-            Id::wrong_modes, e.span(),
-            fmt::format("'{}' has {}; modes are at least two, of which one holds", e.name(), group.modes.empty() ? "no mode" : "one mode"));
+        e.error(Id::wrong_modes, e.span(),
+                fmt::format("'{}' has {}; a group needs at least two modes", e.name(), group.modes.empty() ? "no mode" : "one mode"));
     std::vector<std::string> known;
     for (const Mode& mode : group.modes) known.push_back(mode.name);
     for (const auto& [name, span] : final)
@@ -31,7 +30,8 @@ void check_rules(const Entry& e, ModeGroup& group) {
 
 void check_rules(const Entry& e, Event& event) {
     if (event.ends && (e.has("next") || e.has("reset") || e.has("rest") || e.has("meets")))
-        e.error(Id::wrong_modes, e.span_of("ends"), fmt::format("event '{}' ends the run, so that nothing follows it", e.name()));
+        e.error(Id::wrong_modes, e.span_of("ends"),
+                fmt::format("event '{}' ends the run, so it cannot lead to a mode or reset anything", e.name()));
 }
 
 void check_rules(const Entry& e, Profile& profile) {
@@ -39,12 +39,11 @@ void check_rules(const Entry& e, Profile& profile) {
         const bool is_last = &phase == &profile.phases.back();
         if (!is_last && !phase.until)
             e.error(Id::missing_key, phase.span,
-                    fmt::format("phase '{}' of profile '{}' needs a time until which it lasts: only the last one lasts for ever",
-                                phase.name, e.name()));
+                    fmt::format("phase '{}' of profile '{}' needs 'until', the time of its end: only the last phase has no end", phase.name,
+                                e.name()));
         const auto lasts = [&](const Span& span, const char* key) {
             e.error(Id::unknown_key, span,
-                    fmt::format("phase '{}' is the last one of profile '{}' and lasts for ever, so that it has no '{}'", phase.name,
-                                e.name(), key));
+                    fmt::format("phase '{}' is the last one of profile '{}' and has no end; leave out '{}'", phase.name, e.name(), key));
         };
         if (is_last && phase.until) lasts(phase.until->span, "until");
         if (is_last && !phase.reset.empty()) lasts(phase.reset.front().span, "reset");

@@ -88,8 +88,8 @@ std::string page(const std::vector<BookPart>& parts, bool only_errata) {
     const std::string other = only_errata ? "<a href=\"book.html\">Every equation</a>, with its verdict."
                                           : "<a href=\"errata.html\">The errata</a> by themselves.";
     const std::string lead = only_errata
-                                 ? "Printed equations that are not what follows. Each comes with numbers that show it, in SI units. "
-                                 : "Printed equations against what is derived, proven symbolically. ";
+                                 ? "Printed equations that contradict the derivation. Each comes with numbers that show it, in SI units. "
+                                 : "Printed equations compared with the derivation, by symbolic proof. ";
     return fill_template(embedded_file("book.html.in"), {{"TITLE", only_errata ? "Errata" : "Is the book right?"},
                                                          {"LEAD", lead + other},
                                                          {"BODY", (only_errata ? "" : table(counts)) + body}});

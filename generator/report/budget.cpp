@@ -13,7 +13,7 @@ namespace {
 
 std::string line(const StepCandidate& c) {
     const std::string parts = c.parts > 1 ? fmt::format(" with {} steps in one", c.parts) : "";
-    const std::string of_method = c.from_fullest > c.of_method ? fmt::format(", of which the method makes {:.1e}", c.of_method) : "";
+    const std::string of_method = c.from_fullest > c.of_method ? fmt::format(", with {:.1e} from the method", c.of_method) : "";
     return fmt::format("{}: {}, {}{}: {:.3g} us a step (slowest run {:.3g}), error {:.1e}{}", c.name, c.plan.arithmetic, c.plan.method,
                        parts, c.time * 1e6, c.slowest * 1e6, c.error, of_method);
 }
@@ -23,8 +23,8 @@ std::string why_none_fits(const BudgetResult& result) {
     for (const StepCandidate& c : result.candidates)
         if (c.status.empty() && (fastest == nullptr || c.slowest < fastest->slowest)) fastest = &c;
     if (fastest == nullptr)
-        return fmt::format("none comes to the end of the run with steps of {:g} s or parts of them\n", result.budget.step);
-    return fmt::format("none fits: the fastest that comes to the end takes {:.3g} us of {:.3g} us\n  {}\n", fastest->slowest * 1e6,
+        return fmt::format("none reaches the end of the run with steps of {:g} s or parts of them\n", result.budget.step);
+    return fmt::format("none fits: the fastest that reaches the end takes {:.3g} us of {:.3g} us\n  {}\n", fastest->slowest * 1e6,
                        result.budget.time * 1e6, line(*fastest));
 }
 
@@ -54,10 +54,9 @@ nlohmann::ordered_json as_json(const StepCandidate& c, const Budget& budget) {
 }  // namespace
 
 std::string as_text(const BudgetResult& result) {
-    std::string text =
-        fmt::format("steps of {:g} s in {:.3g} us on this machine; a controller that is slower by a factor needs so much more\n",
-                    result.budget.step, result.budget.time * 1e6);
-    text += result.best ? "most accurate of what fits: " + line(result.candidates[*result.best]) + "\n" : why_none_fits(result);
+    std::string text = fmt::format("steps of {:g} s in {:.3g} us on this machine; on a slower controller, the time grows in proportion\n",
+                                   result.budget.step, result.budget.time * 1e6);
+    text += result.best ? "most accurate that fits: " + line(result.candidates[*result.best]) + "\n" : why_none_fits(result);
     const std::vector<const StepCandidate*> fitting = others_that_fit(result);
     constexpr std::size_t shown = 8;
     if (!fitting.empty()) text += "what fits, too\n";

@@ -15,18 +15,17 @@ std::string reference_text(const ReferenceRun& reference) {
     std::string text = fmt::format("reference: {}, its own error {}", name_of(reference.plan), error_text(reference));
     if (!reference.closed_forms.empty()) text += fmt::format("; of {} closed forms", fmt::join(reference.closed_forms, ", "));
     text += reference.growth ? fmt::format("; a disturbance of the start grows {:.2g}-fold", *reference.growth)
-                             : "; how a disturbance of the start grows is not known";
-    if (reference.is_sensitive())
-        text += fmt::format(": errors are counted up to t = {:.4g} s, where it is not yet lost", reference.until());
+                             : "; the growth of a disturbance of the start is not known";
+    if (reference.is_sensitive()) text += fmt::format(": errors count up to t = {:.4g} s, before it hides them", reference.until());
     return text + "\n";
 }
 
 /// The cheapest way to an error.
 std::string advice(const MeasuredMachine& m, double error) {
     const WorkPoint* best = cheapest(m.points, error);
-    if (best == nullptr) return fmt::format("{:.0e} in what is compared: not reached\n", error);
-    std::string text = fmt::format("{:.0e} in what is compared: {}: {:.3g} us per simulated second (up to {:.3g}), {} right-hand sides",
-                                   error, name_of(best->plan), best->fastest / m.until, best->slowest / m.until, best->rhs_calls);
+    if (best == nullptr) return fmt::format("error {:.0e}: not reached\n", error);
+    std::string text = fmt::format("error {:.0e}: {}: {:.3g} us per simulated second (up to {:.3g}), {} right-hand sides", error,
+                                   name_of(best->plan), best->fastest / m.until, best->slowest / m.until, best->rhs_calls);
     const WorkPoint* usual = cheapest(m.points, error, "double", m.usual_method);
     if (usual != nullptr && usual != best)
         text += fmt::format("; {} takes {:.2g} times as long", name_of(usual->plan), usual->fastest / best->fastest);
@@ -121,9 +120,8 @@ std::string summary(const std::vector<MeasuredMachine>& all) {
     text = text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
     for (const MeasuredMachine& m : all) text += summary_line(m, width);
     return text +
-           "behind each method and tolerance: its time as a share of that of dopri5 in double for the same accuracy, where that was "
-           "measured and "
-           "reaches it\n";
+           "behind each method and tolerance: its time divided by that of dopri5 in double for the same accuracy, if dopri5 was measured "
+           "and reaches it\n";
 }
 
 }  // namespace

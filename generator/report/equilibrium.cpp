@@ -14,7 +14,7 @@ namespace {
 
 /// The end of a sentence on what is left.
 std::string restless_text(const std::optional<Restless>& state) {
-    if (!state) return ", by which a constraint is not met";
+    if (!state) return ", the violation of a constraint";
     if (!std::isfinite(state->rate))
         return fmt::format("; the rate of '{}' has no value, where it is {:.6g} {}", state->name, state->value, state->unit);
     const std::string unit = state->unit == "1" ? "" : " " + state->unit;
@@ -25,8 +25,8 @@ std::string restless_text(const std::optional<Restless>& state) {
 std::string headline(const EquilibriumResult& result) {
     if (!result.found())
         return fmt::format(
-            "no equilibrium found ({}{}), largest |dx/dt| left {:.3g}{}\n  try another start with --state, keep a state with --hold, "
-            "let an input change with --free, or see by simulate where it goes\n",
+            "no equilibrium found ({}{}), largest |dx/dt| left {:.3g}{}\n  try another start with --state, keep a state with --hold, let "
+            "an input change with --free, or let simulate show where it goes\n",
             result.status, result.status == "not finite" ? ": dx/dt or its Jacobian has no value" : "", result.residual,
             restless_text(result.restless));
     if (result.kind == "family") return fmt::format("one of a family of equilibria of dimension {}\n", result.dimension);
@@ -36,8 +36,7 @@ std::string headline(const EquilibriumResult& result) {
 std::string eigenvalues_text(const EquilibriumLinearisation& linear, std::size_t states) {
     std::string text;
     if (linear.free_states.size() < states) {
-        text += fmt::format("free to be chosen where constraints hold: {}; the other states follow from them\n",
-                            quoted_list(linear.free_states));
+        text += fmt::format("free states under the constraints: {}; the other states follow from them\n", quoted_list(linear.free_states));
         if (!linear.ignorable.empty())
             text += fmt::format("nothing depends on {}: an eigenvalue 0 for each\n", quoted_list(linear.ignorable));
         text += "eigenvalues of the motions that constraints allow [1/s]\n";

@@ -43,7 +43,7 @@ std::string as_text(const GenerateResult& result) {
         for (const GeneratedHeader::Cells& one : header.cells)
             cells += fmt::format(" and {} for each of the {} cells of {}", one.operations, one.count, one.rod);
         text += fmt::format("{}: {} degrees of freedom, {} operations in the right-hand side{}, {}\n", header.path.string(), header.degrees,
-                            header.rhs_operations, cells, header.all_proven ? "everything proven" : "some of it numerically equal only");
+                            header.rhs_operations, cells, header.all_proven ? "everything proven" : "some parts only numerically equal");
         if (result.explained) text += stage_table(header.stages) + rewritten_text(header.rewritten);
     }
     return text;

@@ -31,14 +31,15 @@ std::string headline(const ModalResult& result) {
 std::string reduction_text(const ModalReduction& reduction) {
     if (!reduction.is_closed)
         return fmt::format(
-            "no modal form: forces depend on a coordinate of {} whose speed follows from other coordinates, so that equations of second "
-            "order do not have it; `dalembert equilibrium` with --moving has the eigenvalues\n",
+            "no modal form: forces depend on a coordinate of {} whose speed follows from other coordinates, so equations of second order "
+            "cannot contain it; `dalembert equilibrium` with --moving prints the eigenvalues\n",
             quoted_list(reduction.apart));
     if (reduction.coordinates.empty()) return "no modal form: constraints hold every motion\n";
-    std::string text = fmt::format("independent coordinates: {}; M, D, C, B and modes are theirs, and the others follow from them\n",
-                                   quoted_list(reduction.coordinates));
+    std::string text =
+        fmt::format("independent coordinates: {}; M, D, C, B and the modes belong to them, and the others follow from them\n",
+                    quoted_list(reduction.coordinates));
     if (reduction.apart.empty()) return text;
-    text += "free besides, with the eigenvalues";
+    text += "also free, with the eigenvalues";
     for (const Complex& value : reduction.of_apart) text += " " + written(value, std::abs(value));
     return text + fmt::format(" 1/s: {}\n", quoted_list(reduction.apart));
 }

@@ -26,7 +26,7 @@ std::string with_units(double value, const VariedParameter& parameter, int digit
 std::string warnings_of(const OptimiseResult& result) {
     std::string text;
     if (result.place != Optimum::Place::inside)
-        text += fmt::format("dalembert: warning: '{}' is {} at the {} end of the range of '{}'; beyond it there may be better ones\n",
+        text += fmt::format("dalembert: warning: '{}' is {} at the {} end of the range of '{}'; there may be better values beyond it\n",
                             result.output, superlative(result), result.place == Optimum::Place::at_low ? "lower" : "upper",
                             result.parameter.name);
     for (const Optimum& other : result.others)
@@ -45,7 +45,7 @@ std::string as_text(const OptimiseResult& result) {
                         result.unit.empty() ? "" : " ", result.unit, result.value_error, result.t,
                         result.event.empty() ? "the end of the run" : fmt::format("where '{}' ends the run", result.event));
     if (result.second_derivative)
-        text += fmt::format("  {:<12} its second derivative by {} is {:.6g}; a percent is lost {} away\n", "", parameter.name,
+        text += fmt::format("  {:<12} its second derivative by {} is {:.6g}; {} away, it is a percent worse\n", "", parameter.name,
                             *result.second_derivative, with_units(*result.loses_a_percent, parameter, 3));
     return text + fmt::format("  {:<12} {} runs, {} of them at steps from {} to {}\n", "", result.evaluations, result.points,
                               with_units(result.low, parameter, 6), with_units(result.high, parameter, 6));

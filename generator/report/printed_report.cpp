@@ -18,7 +18,7 @@ std::string reason_of(const PrintedRow& row) { return row.found ? row.reason : "
 std::string suggestion_text(const Suggestion& suggestion) {
     const std::string_view shown = suggestion.shown();
     const std::string line = safe_line(suggestion.shown());
-    const std::string text = fmt::format("      perhaps:    {}\n      so that:    {}\n", safe_line(suggestion.words), line);
+    const std::string text = fmt::format("      perhaps:    {}\n      corrected:  {}\n", safe_line(suggestion.words), line);
     if (line != shown) return text;
     const std::size_t before = character_count(shown.substr(0, suggestion.begin)),
                       changed = character_count(shown.substr(suggestion.begin, suggestion.end - suggestion.begin));

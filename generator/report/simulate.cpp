@@ -13,15 +13,15 @@ namespace {
 std::string near_exact_roots(const std::string& flows, const char* before) {
     if (flows.empty()) return "";
     return fmt::format(
-        "; {}a flow like a root has an infinite slope where the pressures at its ends come to balance, here one of {}; with a `width` (a "
-        "pressure) its law is smooth there",
+        "; {}the slope of a flow with a square root is infinite where the pressures at its ends are equal, here one of {}; a `width` (a "
+        "pressure) makes its law smooth",
         before, flows);
 }
 
 /// Of a run that a constraint ended.
 std::string cause(const SimulationReport& run) {
     if (run.status == "singular position")
-        return fmt::format("; constraint '{}' depends on the others there, and no step leads over it", run.constraint);
+        return fmt::format("; constraint '{}' depends on the others there, and no step passes this point", run.constraint);
     return fmt::format("; '{}' cannot be held there", run.constraint);
 }
 
@@ -34,13 +34,13 @@ std::string cause_and_remedy(const SimulateResult& result) {
                                    : fmt::format("; state '{}' or its derivative is not finite", run.culprit);
     if (run.status == "step too small") {
         const std::string culprit =
-            run.culprit.empty() ? "" : fmt::format(": the error of state '{}' stays too large however short a step is", run.culprit);
-        return fmt::format("{}; try a larger --tolerance than {:g}, and look there for something that jumps or grows without bound",
-                           culprit, result.tolerance);
+            run.culprit.empty() ? "" : fmt::format(": the error of state '{}' stays too large at the shortest step", run.culprit);
+        return fmt::format("{}; try a larger --tolerance than {:g}, and look there for a jump or a growth without bound", culprit,
+                           result.tolerance);
     }
     if (run.status == "too many steps")
         return fmt::format("; try a larger --tolerance, a shorter --until, or an implicit --method{}",
-                           near_exact_roots(result.exact_roots, "or, if it nears a balance: "));
+                           near_exact_roots(result.exact_roots, "or, near equal pressures: "));
     return "";
 }
 
@@ -60,8 +60,8 @@ std::string energy_text(const SimulateResult& result) {
                                    result.has_balances ? "T + |V| + |internal energy|" : "T + |V|", run.energy_error);
     if (run.is_good() && run.keeps_energy() && !result.exact_roots.empty() && run.energy_error > 10 * result.tolerance)
         text += fmt::format(
-            "note: near balance flows like a root, here {}, have fewer digits than the pressures, and so has the energy; a smaller "
-            "--tolerance gives more, a `width` (a pressure) all\n",
+            "note: near equal pressures, flows with a square root, here {}, have fewer digits than the pressures, and so has the energy; a "
+            "smaller --tolerance gives more digits, a `width` (a pressure) all\n",
             result.exact_roots);
     return text;
 }

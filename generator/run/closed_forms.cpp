@@ -43,7 +43,7 @@ void use_closed_forms(const PreparedRun& run, ReferenceRun& reference) {
                         Id::wrong_closed_form,
                         {},
                         fmt::format(
-                            "the closed form of '{}' is not what the run gives: at t = {:.6g} s it is {}, the integration makes it {:.12g}",
+                            "the closed form of '{}' differs from the run: at t = {:.6g} s it is {}, but the integration gives {:.12g}",
                             name, static_cast<double>(row[0]), value ? fmt::format("{:.12g}", cln::double_approx(*value)) : "no number",
                             static_cast<double>(row[column + 1]))},
                     ExitCode::check_failed);

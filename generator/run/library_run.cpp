@@ -62,7 +62,8 @@ void set_numbers(const std::vector<std::string>& texts, const dalembert_quantity
             const std::string name = one.substr(0, equals), number = equals == std::string::npos ? "" : one.substr(equals + 1);
             const auto value = number_in(number);
             if (!value)
-                refuse(Id::bad_option, fmt::format("'--{} {}' is not of the form NAME=NUMBER; of a plant numbers are in SI", option, one));
+                refuse(Id::bad_option,
+                       fmt::format("'--{} {}' is not of the form NAME=NUMBER; the numbers of a plant are in SI", option, one));
             std::vector<std::string> known;
             for (std::size_t i = 0; i < count; ++i) known.emplace_back(table[i].name);
             const auto found = std::find(known.begin(), known.end(), name);
@@ -78,7 +79,7 @@ PlantRun asked_for(const Options& options, const dalembert_plant& plant) {
     refuse_options_of_models(options);
     for (const char* name : {plant.name, plant.scene})
         if (*name == '\0' || std::string_view(name).find_first_of("/\\") != std::string_view::npos)
-            refuse(Id::bad_plant, fmt::format("'{}' as the name or scene of a plant is no part of a file name", name));
+            refuse(Id::bad_plant, fmt::format("'{}', the name or scene of a plant, cannot be part of a file name", name));
     if (!options.inputs.empty() && plant.inputs_of_run != nullptr)
         refuse(Id::bad_option, fmt::format("plant '{}' was compiled with inputs of its own, so that --input has no effect", plant.name));
     PlantRun run;
@@ -89,7 +90,7 @@ PlantRun asked_for(const Options& options, const dalembert_plant& plant) {
     set_numbers(options.inputs, plant.input_table, plant.inputs, run.held_inputs, "input", plant);
     // Start values may follow from parameters.
     const std::unique_ptr<void, void (*)(void*)> self(plant.create(), plant.destroy);
-    if (self == nullptr) refuse(Id::bad_plant, fmt::format("plant '{}' makes no instance of itself", plant.name));
+    if (self == nullptr) refuse(Id::bad_plant, fmt::format("plant '{}' cannot create an instance", plant.name));
     plant.set_parameters(self.get(), run.parameters.data());
     plant.start_state(self.get(), run.start.data());
     set_numbers(options.states, plant.state_table, plant.states, run.start, "state", plant);
@@ -99,13 +100,13 @@ PlantRun asked_for(const Options& options, const dalembert_plant& plant) {
     }
     run.until = number_in(options.until).value_or(0);
     if (!(run.until > 0))
-        refuse(Id::bad_option, fmt::format("a plant has no runs: --until says how long this one is, as a number of seconds{}",
+        refuse(Id::bad_option, fmt::format("a plant has no runs: give the end of the run with --until, as a number of seconds{}",
                                            options.until.empty() ? "" : ", not '" + options.until + "'"));
     run.method = options.method.empty() ? "automatic" : options.method;
     run.tolerance = options.tolerance > 0 ? options.tolerance : 1e-9;
     run.step = options.step;
     if (needs_step(run.method) && !(run.step > 0))
-        refuse(Id::bad_option, fmt::format("method '{}' has a fixed step: --step says how long it is", run.method));
+        refuse(Id::bad_option, fmt::format("method '{}' has a fixed step: give it with --step", run.method));
     if (options.samples > 0) run.intervals = static_cast<std::size_t>(options.samples);
     return run;
 }
@@ -141,7 +142,7 @@ LibraryRun run_library(const Options& options) {
     // Another process runs it first: what ends that one does not end the program. A run that came to its end there is made again here.
     auto not_ending = Leftovers::all().hold();
     const pid_t child = ::fork();
-    if (child < 0) refuse(Id::tool_failed, "no process can be made for the plant");
+    if (child < 0) refuse(Id::tool_failed, "the process for the plant cannot be started");
     if (child == 0) {
         ::setpgid(0, 0);
         for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU}) std::signal(signal, SIG_DFL);
@@ -162,7 +163,7 @@ LibraryRun run_library(const Options& options) {
     Leftovers::all().remove_child(child);
     if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
-        refuse(Id::bad_plant, signal == SIGXCPU ? fmt::format("the plant '{}' did not come back within {:g} s of processor time",
+        refuse(Id::bad_plant, signal == SIGXCPU ? fmt::format("the plant '{}' did not finish a call within {:g} s of processor time",
                                                               file.string(), stage_limits().seconds)
                                                 : fmt::format("the plant '{}' crashed in a call: {}", file.string(), ::strsignal(signal)));
     }

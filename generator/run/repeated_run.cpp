@@ -25,10 +25,9 @@ RepeatedRun::RepeatedRun(const std::shared_ptr<const LoadedModel>& model, const 
         for (const OutputEquation& output : system.outputs) known.push_back(output.name);
         for (const Variable* state : system.symbols.state_variables()) known.push_back(state->recorded_name());
         throw Failure(Diagnostic{Id::unknown_name, system.scene.model->name_span,
-                                 names.empty()
-                                     ? fmt::format("scene '{}' has no output or state '{}'; it has {}{}", system.scene.name, wanted,
-                                                   quoted_list(known), did_you_mean(wanted, known))
-                                     : fmt::format("'{}' is a family; which member is meant, as in '{}'?", wanted, names.front())});
+                                 names.empty() ? fmt::format("scene '{}' has no output or state '{}'; it has {}{}", system.scene.name,
+                                                             wanted, quoted_list(known), did_you_mean(wanted, known))
+                                               : fmt::format("'{}' is a family; name a member, as in '{}'", wanted, names.front())});
     }
     constexpr double fine = 1e-12;
     const SimulationSettings settings = preparation_.make_settings(values(), system);
@@ -70,7 +69,7 @@ RepeatedRun::End RepeatedRun::operator()(const Expression& parameter, double val
     if (ends) end.event = system.events[event].name;
     if (!result.recording.rows.empty()) end.value = result.recording.rows.back()[result.recording.find(wanted_)];
     if ((status != Status::success && !ends) || !std::isfinite(end.value))
-        throw RunStopped(fmt::format("with {} = {:.6g} the run does not come to its end: {} at t = {:.6g} s", parameter.written(), value,
+        throw RunStopped(fmt::format("with {} = {:.6g} the run does not reach its end: {} at t = {:.6g} s", parameter.written(), value,
                                      status == Status::success ? "not finite" : to_string(status), end.t));
     return end;
 }

@@ -25,7 +25,7 @@ namespace {
 
 double number(const ex& value, const Span& place) {
     const auto result = value_at(value, {}, 40);
-    if (!result) throw Failure(Diagnostic{Id::division_by_zero, place, "this has no value"});
+    if (!result) throw Failure(Diagnostic{Id::division_by_zero, place, "the expression has no value"});
     if (cln::abs(*result) > cln::expt_pos(cln::cl_I(10), 300))
         throw Failure(Diagnostic{Id::number_too_large, place, "this is beyond 1e300"});
     return cln::double_approx(*result);
@@ -184,22 +184,24 @@ SimulationSettings RunPreparation::make_settings(const Values& values, const Sys
     if (options_.samples > 0) settings.intervals = options_.samples;
     if (!(settings.until > 0))
         throw Failure(Diagnostic{
-            Id::bad_option, {}, fmt::format("how long to simulate '{}'? Give --until, or a [runs.reference] in the model", model_name_)});
+            Id::bad_option,
+            {},
+            fmt::format("the end of the run of '{}' is missing; give --until, or a [runs.reference] in the model", model_name_)});
     if (options_.periods > 0 && options_.models.empty() && (run_ == nullptr || !run_->period))
-        throw Failure(Diagnostic{Id::bad_option, {}, "--periods: the run names no period"});
+        throw Failure(Diagnostic{Id::bad_option, {}, "--periods: the run has no period"});
     // Beyond, doubles have no room for errors and shortest steps.
     constexpr double shortest = 1e-150, longest = 1e150;
     if (settings.until < shortest || settings.until > longest)
         throw Failure(Diagnostic{Id::bad_option, run_ != nullptr && run_->until ? run_->until->span : Span{},
-                                 fmt::format("a run of {:g} s; runs take {:g} to {:g} s", settings.until, shortest, longest)});
+                                 fmt::format("the run takes {:g} s; a run may take {:g} to {:g} s", settings.until, shortest, longest)});
     check_steps(settings);
     if (needs_step(settings.method) && !(settings.step > 0))
         throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the method {} needs a fixed step: --step", settings.method)});
     if (settings.method == "symplectic" && !is_separable(system))
         throw Failure(Diagnostic{Id::bad_option,
                                  {},
-                                 fmt::format("the method symplectic is for accelerations that depend on coordinates alone, without inputs, "
-                                             "modes and constraints; those of '{}' do not, see `dalembert derive`",
+                                 fmt::format("the method symplectic needs accelerations that depend only on coordinates, without inputs, "
+                                             "modes and constraints; the accelerations of '{}' depend on more, see `dalembert derive`",
                                              model_name_)});
     settings.inputs = inputs(values, system);
     settings.kinks = input_kinks(system, settings.inputs, values, settings.until);

@@ -65,8 +65,8 @@ public:
         measure();
         if (!all_[fullest].row.refused.empty())
             throw Failure(Diagnostic{Id::bad_option, model_->model.name_span,
-                                     fmt::format("scene '{}', with which the others are to be compared, cannot be run: {}",
-                                                 all_[fullest].row.wish, all_[fullest].row.refused)});
+                                     fmt::format("scene '{}', the base of the comparison, cannot be run: {}", all_[fullest].row.wish,
+                                                 all_[fullest].row.refused)});
         SceneComparison result{fullest, {}};
         for (Compared& compared : all_) {
             deviations(compared, all_[fullest]);
@@ -131,7 +131,7 @@ private:
         for (std::size_t i = 0; i < all_.size(); ++i)
             if (all_[i].row.wish == name) return i;
         throw Failure(Diagnostic{Id::unknown_scene, model_->model.name_span,
-                                 fmt::format("'{}' is no scene of the model, with which others could be compared", name)});
+                                 fmt::format("the base of the comparison, '{}', is not a scene of the model", name)});
     }
 
     void single_changes(std::size_t fullest, std::size_t barest) {

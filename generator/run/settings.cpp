@@ -92,14 +92,13 @@ void check_inputs_given(const std::vector<bool>& is_given, const System& system)
             (dimension == Dimension::temperature() || dimension == Dimension::pressure()) && !(low && cln::minusp(*low));
         const bool has_zero = !(low && cln::plusp(*low)) && !(high && cln::minusp(*high));
         if (has_zero && !is_absolute) continue;
-        const std::string why = has_zero ? fmt::format("zero {} is no usual {}", input.declared->unit.si(),
+        const std::string why = has_zero ? fmt::format("zero {} is not a usual {}", input.declared->unit.si(),
                                                        dimension == Dimension::pressure() ? "pressure" : "temperature")
                                          : "zero is outside its range";
         throw Failure(Diagnostic{
             Id::missing_key, input.declared->span,
-            fmt::format(
-                "nothing says what the input '{0}' is, and {1}; give it in the run, inputs = {{ {0} = ... }}, or as --input {0}=...",
-                input.name, why)});
+            fmt::format("the input '{0}' has no value, and {1}; give it in the run, inputs = {{ {0} = ... }}, or as --input {0}=...",
+                        input.name, why)});
     }
 }
 
@@ -126,8 +125,8 @@ public:
         const auto pascal = number(e);
         if (!pascal || *pascal >= least || is_in_range(*e, *pascal)) return;
         warn(*e, *pascal > 0 ? fmt::format("{} '{}' begins at {:.6g} Pa; did you mean {:.6g} bar?", kind, item.name, *pascal, *pascal)
-                             : fmt::format("{} '{}' begins at {:.6g} Pa; pressures are absolute, so that ambient air is at 1 bar. Did you "
-                                           "mean {:.6g} bar, above ambient?",
+                             : fmt::format("{} '{}' begins at {:.6g} Pa; pressures are absolute, so ambient air is at 1 bar. Did you mean "
+                                           "{:.6g} bar, above ambient?",
                                            kind, item.name, *pascal, *pascal / 1e5 + 1));
     }
 

@@ -49,7 +49,7 @@ const Machine& in_chosen_mode(const Machine& machine, const Options& options) {
     for (const SceneMode& mode : scene.modes) names.push_back(mode.name);
     if (names.empty())
         throw Failure(Diagnostic{Id::unknown_name, scene.model->name_span,
-                                 fmt::format("scene '{}' has no modes, and so no mode '{}'", scene.name, options.mode)});
+                                 fmt::format("scene '{}' has no modes, so it has no mode '{}'", scene.name, options.mode)});
     const auto found = std::find(names.begin(), names.end(), options.mode);
     if (found == names.end())
         throw Failure(
@@ -60,18 +60,18 @@ const Machine& in_chosen_mode(const Machine& machine, const Options& options) {
 
 void refuse_fields(const System& system, const char* verb) {
     for (const RodField& field : system.heat.fields)
-        throw Failure(
-            Diagnostic{Id::too_large, field.rod->span,
-                       fmt::format("the {} cells of rod '{}' are computed in a loop, and '{}' needs each by itself; choose fewer cells",
-                                   field.geometry.cells(), field.rod->name, verb)});
+        throw Failure(Diagnostic{
+            Id::too_large, field.rod->span,
+            fmt::format("the {} cells of rod '{}' are computed in a loop, and '{}' needs each cell separately; choose fewer cells",
+                        field.geometry.cells(), field.rod->name, verb)});
 }
 
 void refuse_rest(const System& system, const char* verb) {
     const Scene& scene = system.scene;
     if (!scene.coordinates.empty() || !scene.states.empty()) return;
     throw Failure(Diagnostic{Id::nothing_left, scene.model->name_span,
-                             fmt::format("scene '{}' has neither a coordinate nor a state, so that there is nothing for '{}'; 'evaluate' "
-                                         "gives its outputs and what its loads bear",
+                             fmt::format("scene '{}' has neither a coordinate nor a state, and '{}' needs one; 'evaluate' prints its "
+                                         "outputs and the forces of its loads",
                                          scene.name, verb)});
 }
 

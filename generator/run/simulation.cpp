@@ -63,26 +63,26 @@ std::string exact_roots(const Scene& scene) {
 std::string energy_warning(const PreparedSimulation& prepared, const SimulationReport& report) {
     const SimulationSettings& settings = prepared.settings;
     std::string cause;
-    if (settings.step > 0) cause = fmt::format("steps of {:g} s are likely to be too long: try a shorter --step", settings.step);
+    if (settings.step > 0)
+        cause = fmt::format("steps of {:g} s are probably too long: try a shorter --step", settings.step);
     else if (settings.tolerance > 1e-7)
-        cause = fmt::format("the tolerance of {:g} is likely to be too coarse: try --tolerance {:g}", settings.tolerance,
+        cause = fmt::format("the tolerance of {:g} is probably too coarse: try --tolerance {:g}", settings.tolerance,
                             settings.tolerance / 1000);
     else if (!steps_freely(*prepared.machine.system, settings.inputs) && report.steps <= 2 * static_cast<std::size_t>(settings.intervals) &&
              report.rejected * 10 < report.steps)
-        cause =
-            fmt::format("something shorter than the steps of some {:.2g} s, a pulse or a jump, was likely stepped over: try more --samples",
-                        report.t / static_cast<double>(std::max<std::size_t>(1, report.steps)));
+        cause = fmt::format("the steps of about {:.2g} s probably skipped a shorter pulse or jump: try more --samples",
+                            report.t / static_cast<double>(std::max<std::size_t>(1, report.steps)));
     else if (const std::string roots = exact_roots(prepared.machine.system->scene); !roots.empty())
         cause = fmt::format(
-            "near balance flows like a root, here {}, have fewer digits than the pressures: try a smaller --tolerance, or a `width` (a "
-            "pressure)",
+            "near equal pressures, flows with a square root, here {}, have fewer digits than the pressures: try a smaller --tolerance, or "
+            "a `width` (a pressure)",
             roots);
     else
         cause =
-            "something jumps that the steps do not see, or digits cancel: try a smaller --tolerance, and declare the jump as an event, a "
-            "mode or a function of time with `step`, `pulse` or `if`";
-    return fmt::format("the energy error of {:.2g} is above the limit of {:g}, so that the results are not to be trusted; {}",
-                       report.energy_error, report.energy_limit, cause);
+            "the steps miss a jump, or digits cancel: try a smaller --tolerance, and declare the jump as an event, a mode or a function of "
+            "time with `step`, `pulse` or `if`";
+    return fmt::format("the energy error of {:.2g} is above the limit of {:g}, so do not trust the results; {}", report.energy_error,
+                       report.energy_limit, cause);
 }
 
 std::string scene_of_run(const Model& model, const std::string& run) {

@@ -162,8 +162,8 @@ void WorkPrecision::integrate_reference() {
     if (try_reference({"double", "rodas5p", 1e-12, 0}, 100)) return;
     if (try_reference({"double", "dop853", 1e-13, 0}, 100)) return;
     throw RunStopped(
-        fmt::format("{}: no method makes a reference of the run to t = {} s within {} s; the run may stop, or is too long: see `dalembert "
-                    "simulate`, --until and --limit",
+        fmt::format("{}: no method computes a reference of the run to t = {} s within {} s; the run may stop, or is too long: see "
+                    "`dalembert simulate`, --until and --limit",
                     run_.name, run_.settings.until, limits_.reference));
 }
 

@@ -39,7 +39,7 @@ public:
     void changes(const Effects& before) const {
         for (const auto& [name, is_added] : wish_.changes)
             if (before.contains(name) == is_added)
-                fail(fmt::format("scene '{}' {} '{}' anyway, so that it cannot {}", wish_.base, is_added ? "has" : "is without", name,
+                fail(fmt::format("scene '{}' already {} '{}', so it cannot {}", wish_.base, is_added ? "has" : "lacks", name,
                                  is_added ? "be added" : "be left out"));
     }
 
@@ -53,12 +53,12 @@ public:
                          {{span, "it is implied here"}});
             for (const auto& [excluded, span] : effect.excludes)
                 if (effects.contains(excluded))
-                    fail(fmt::format("scene '{}' calls for '{}' and '{}', which exclude each other", wish_.text, effect.name, excluded),
+                    fail(fmt::format("scene '{}' contains '{}' and '{}', which exclude each other", wish_.text, effect.name, excluded),
                          {{span, "it is excluded here"}});
             if (effect.level_of.empty()) continue;
             const auto [other, is_first] = levels.emplace(effect.level_of, effect.name);
             if (!is_first)
-                fail(fmt::format("scene '{}' calls for '{}' and '{}', two levels of '{}'", wish_.text, other->second, effect.name,
+                fail(fmt::format("scene '{}' contains '{}' and '{}', two levels of '{}'", wish_.text, other->second, effect.name,
                                  effect.level_of),
                      {{effect.span, fmt::format("'{}' is declared here", effect.name)}});
         }

@@ -69,10 +69,9 @@ void FieldChoice::tap(const Expression& name) {
         counts = counts || (part.kind == Expression::Kind::name && !scene_.sizes.contains(part.name));
     });
     if (counts)
-        throw Failure(
-            Diagnostic{Id::too_large, name.span,
-                       fmt::format("'{}' asks for all of the {} cells of rod '{}', which are computed in a loop; name single cells",
-                                   name.written(), field->to - field->from + 1, field->rod->name)});
+        throw Failure(Diagnostic{Id::too_large, name.span,
+                                 fmt::format("'{}' needs all {} cells of rod '{}', which a loop computes; name single cells",
+                                             name.written(), field->to - field->from + 1, field->rod->name)});
     tap(*field, *name.children[0], {});
 }
 
@@ -109,9 +108,8 @@ void FieldChoice::tap_neighbours(const Expression& rate) {
 void FieldChoice::tap(Field& field, const Expression& index, const Indices& indices) {
     const int value = index_value(index, scene_, indices);
     if (value < field.from || value > field.to)
-        throw Failure(
-            Diagnostic{Id::index_out_of_range, index.span,
-                       fmt::format("rod '{}' has the cells {} to {}, but {} is asked for", field.rod->name, field.from, field.to, value)});
+        throw Failure(Diagnostic{Id::index_out_of_range, index.span,
+                                 fmt::format("rod '{}' has the cells {} to {}, but not {}", field.rod->name, field.from, field.to, value)});
     field.tapped.insert(value);
 }
 

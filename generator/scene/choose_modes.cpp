@@ -99,9 +99,8 @@ void check_group(const Scene& scene, const ModeGroup& group) {
         if (!is_first && !is_reached)
             throw Failure(Diagnostic{
                 Id::wrong_modes, mode.span,
-                fmt::format(
-                    "no event leads to the mode '{}'; only the first mode of '{}' may be one that a run starts in and never comes back to",
-                    mode.name, group.name)});
+                fmt::format("no event leads to the mode '{}'; only the first mode of '{}', in which a run starts, needs no such event",
+                            mode.name, group.name)});
         const auto leaves = [&](const Event& event) {
             const bool is_elsewhere = std::any_of(group.modes.begin(), group.modes.end(),
                                                   [&](const Mode& other) { return &other != &mode && leads_to(event, other.name); });
@@ -111,10 +110,10 @@ void check_group(const Scene& scene, const ModeGroup& group) {
             return false;
         };
         if (!mode.is_final && std::none_of(scene.events.begin(), scene.events.end(), [&](const auto& e) { return leaves(*e.item); }))
-            throw Failure(
-                Diagnostic{Id::wrong_modes, mode.span,
-                           fmt::format("no event leaves the mode '{0}' or ends a run there; if that is meant, list it: final = [\"{0}\"]",
-                                       mode.name)});
+            throw Failure(Diagnostic{
+                Id::wrong_modes, mode.span,
+                fmt::format("no event leaves the mode '{0}' or ends a run there; if this is intended, list it: final = [\"{0}\"]",
+                            mode.name)});
     }
 }
 
@@ -138,8 +137,8 @@ void choose_modes(Scene& scene) {
             }
         if (longer.size() > budget::mode_combinations)
             throw Failure(Diagnostic{Id::too_large, group->span,
-                                     fmt::format("scene '{}' has {} combinations of modes or more, this version looks at {} at most: each "
-                                                 "of '{}' goes with each of the other groups",
+                                     fmt::format("scene '{}' has {} or more combinations of modes, but this version examines at most {}: "
+                                                 "each mode of '{}' combines with each mode of the other groups",
                                                  scene.name, longer.size(), budget::mode_combinations, group->name)});
         scene.modes = std::move(longer);
     }

@@ -72,7 +72,7 @@ private:
             std::any_of(by_.begin(), by_.end(), [&](const auto& determined) { return determined.first.first == member.item->name; });
         fail(Id::undetermined, member.item->span,
              fmt::format("nothing in scene '{}' determines state '{}'{}", scene_.name, member.name(),
-                         is_any ? "" : "; where what determines it is left out, it needs the same 'when'"));
+                         is_any ? "" : "; give it the same 'when' as the element that determines it"));
     }
 
     const Scene& scene_;

@@ -47,7 +47,7 @@ void fix_parameters(Scene& scene, const Names& names, const FixWish& wish) {
             std::find(known.begin(), known.end(), name->name) == known.end())
             throw Failure(Diagnostic{
                 Id::unknown_name, name->span,
-                fmt::format("'{}' is no parameter that scene '{}' has{}", name->written(), scene.name, did_you_mean(name->name, known))});
+                fmt::format("'{}' is not a parameter of scene '{}'{}", name->written(), scene.name, did_you_mean(name->name, known))});
         if (!scene.fixed.emplace(name->name, value).second)
             throw Failure(Diagnostic{Id::bad_option, name->span, fmt::format("'{}' is fixed twice", name->name)});
     }

@@ -77,7 +77,7 @@ std::string resolve_scene(const Model& model, const std::string& wanted) {
         for (const Effect& declared : model.effects) effects.push_back(declared.name);
         if (std::find(effects.begin(), effects.end(), effect) == effects.end())
             fail(Id::unknown_name, model.name_span,
-                 fmt::format("model '{}' has no effect '{}' that '{}' could {}{}", model.name, effect, wanted,
+                 fmt::format("model '{}' has no effect '{}', which '{}' should {}{}", model.name, effect, wanted,
                              is_added ? "add" : "leave out",
                              effects.empty() ? "; it has none at all" : "; its effects are " + quoted_list(effects)));
     }

@@ -33,8 +33,8 @@ void refuse_rates_of_cells(const Expression& e, const ex& rate, const Scene& sce
         for (const Variable& state : symbols.all(SymbolKind::state))
             if (state.base == field.states->name && rate.has(symbols.get(SymbolKind::state_rate, state.position)))
                 fail(Id::not_allowed_here, e,
-                     fmt::format("'{}' needs the rate of '{}', a cell of rod '{}', whose cells are computed in a loop; with loops = false, "
-                                 "or of fewer cells, it can stand here",
+                     fmt::format("'{}' needs the rate of '{}', a cell of rod '{}', which a loop computes; give the rod loops = false, or "
+                                 "fewer cells",
                                  e.written(), state.name, field.rod->name),
                      {{field.rod->span, "the rod is defined here"}});
 }
@@ -157,7 +157,7 @@ ex Translator::name(const Expression& e, const Indices& indices, const Letters& 
     if (e.name == "pi") return GiNaC::Pi;
     if (e.name == "stefan_boltzmann") return numeric(stefan_boltzmann());
     if (e.name == "t") return symbols_.time();
-    if (e.name == "infinity") fail(Id::not_allowed_here, e, "'infinity' is not a number; limits and integrals may go there");
+    if (e.name == "infinity") fail(Id::not_allowed_here, e, "'infinity' is not a number; only limits and bounds of integrals may use it");
     if (const auto size = scene_.sizes.find(e.name); size != scene_.sizes.end()) return size->second;
     const Named* named = names_.find(e.name);
     if (named == nullptr) {
@@ -178,8 +178,8 @@ ex Translator::name(const Expression& e, const Indices& indices, const Letters& 
     if (const Variable* variable = symbols_.find(kinds[static_cast<std::size_t>(named->kind)], e.name, index);
         variable != nullptr && variable->kind == SymbolKind::coordinate && !symbols_.has_value(variable->position))
         fail(Id::not_allowed_here, e,
-             fmt::format("'{0}' has no value: turns about different axes do not add up to angles. There is dot({0}), the angular velocity "
-                         "about that axis of the body",
+             fmt::format("'{0}' has no value: turns about different axes do not add up to angles. Use dot({0}), the angular velocity about "
+                         "that axis of the body",
                          e.written()),
              {{named->item->span, "the attitude is defined here"}});
     if (const Variable* variable = symbols_.find(kinds[static_cast<std::size_t>(named->kind)], e.name, index))
@@ -206,7 +206,7 @@ ex Translator::name(const Expression& e, const Indices& indices, const Letters& 
 /// 1 in the mode, else 0.
 ex Translator::is_in_mode(const Expression& e) const {
     if (!scene_.mode)
-        fail(Id::not_allowed_here, e, fmt::format("'{}' is a mode, which is known in a machine that moves only", e.written()));
+        fail(Id::not_allowed_here, e, fmt::format("'{}' is a mode; only expressions of a moving machine know its mode", e.written()));
     return scene_.modes[*scene_.mode].is_in(e.name) ? 1 : 0;
 }
 
@@ -272,7 +272,7 @@ ex Translator::function(const Expression& e, const std::vector<ex>& arguments) c
     } catch (const GiNaC::pole_error&) {
         if (e.name == "mod")
             fail(Id::division_by_zero, e,
-                 fmt::format("the period '{}' of '{}' is zero, and has to be positive", e.children[1]->written(), e.written()));
+                 fmt::format("the period '{}' of '{}' is zero, but must be positive", e.children[1]->written(), e.written()));
         fail(Id::division_by_zero, e, fmt::format("'{}' does not exist", e.written()));
     }
     throw std::logic_error("a function of the vocabulary without a translation: " + e.name);

@@ -51,24 +51,24 @@ ex Translator::rate(const Expression& e, const ex& value) const {
 const ex& Translator::variable_of(const Expression& e, const ex& variable) const {
     if (GiNaC::is_a<GiNaC::symbol>(variable)) return variable;
     fail_at(Id::wrong_arguments, *e.children[1],
-            fmt::format("'{}' is not a variable that '{}' could be about", e.children[1]->written(), e.name));
+            fmt::format("'{}' is not a variable, and '{}' needs one", e.children[1]->written(), e.name));
 }
 
 ex Translator::slope(const Expression& e, const ex& function, const ex& variable) const {
     if (!GiNaC::is_a<GiNaC::symbol>(variable))
         fail_at(Id::wrong_arguments, *e.children[1],
-                fmt::format("'{}' is not a variable that one can differentiate by", e.children[1]->written()));
+                fmt::format("'{}' is not a variable, so nothing can be differentiated by it", e.children[1]->written()));
     // Of a place that depends on coordinates the slope by time alone is meant to be zero; that of a coordinate can only be meant to be its
     // rate.
     if (variable.is_equal(symbols_.time()) && GiNaC::is_a<GiNaC::symbol>(function) && !symbols_.time_derivative(function).is_zero())
         fail_at(Id::cannot_integrate, e,
-                fmt::format("'{0}' moves, and does not depend on time otherwise; its derivative is dot({0})", e.children[0]->written()));
+                fmt::format("'{0}' depends on time only through the motion; its derivative is dot({0})", e.children[0]->written()));
     const Variable* known = symbols_.find(variable);
     for (const SymbolKind kind : {SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier})
         for (const Variable& rate : symbols_.all(kind))
             if (function.has(rate.symbol) && (known == nullptr || known->kind != kind))
                 fail_at(Id::not_allowed_here, e,
-                        fmt::format("'{}' differentiates '{}', which depends on everything through the equations; write out what it is",
+                        fmt::format("'{}' differentiates '{}', which depends on everything through the equations; write it out",
                                     e.written(), rate.name));
     const bool by_parameter = known != nullptr && known->kind == SymbolKind::parameter;
     return by_parameter ? symbols_.derivative_by_parameter(function, known->position) : partial(function, variable);
@@ -88,7 +88,7 @@ ex Translator::integrand(const Expression& e, const ex& variable, const Indices&
     const ex function = symbols_.without_definitions(visit(*e.children[0], indices, letters));
     if (outside.is_equal(symbols_.time()) && !symbols_.time_derivative(function).is_equal(partial(function, outside)))
         fail_at(Id::cannot_integrate, e,
-                fmt::format("'{}' depends on time through what moves, so that it cannot be integrated", e.children[0]->written()));
+                fmt::format("'{}' depends on time through the motion, so it cannot be integrated", e.children[0]->written()));
     return function.subs(outside == variable, GiNaC::subs_options::no_pattern);
 }
 
@@ -114,9 +114,8 @@ ex Translator::integral(const Expression& e, const Indices& indices, const Lette
     }
     if (is_integral_ && !is_integral_(found))
         fail_at(Id::cannot_integrate, e,
-                fmt::format(
-                    "'{}' has a pole between the limits, or its primitive jumps there, so that the integral has no value or another one",
-                    e.children[0]->written()));
+                fmt::format("'{}' has a pole between the limits, or its primitive jumps there: the integral has no value or another one",
+                            e.children[0]->written()));
     return found.value;
 }
 
@@ -128,17 +127,16 @@ ex Translator::limit(const Expression& e, const ex& function, const ex& variable
     const bool has_sides =
         infinite == 0 && side == 0 && limit_at(written_out, variable, place, 1) && limit_at(written_out, variable, place, -1);
     fail_at(Id::cannot_integrate, e,
-            has_sides ? fmt::format("the limits of '{}' from both sides differ, or are not seen to be the same; say from which side, as in "
-                                    "'limit(e, x, 0, 1)' or '\\lim_{{x \\to 0^+}}' for above",
+            has_sides ? fmt::format("the limits of '{}' from the two sides differ, or the program cannot prove them equal; give the side, "
+                                    "as in 'limit(e, x, 0, 1)' or '\\lim_{{x \\to 0^+}}' for above",
                                     e.children[0]->written())
-                      : fmt::format("the limit of '{}' is not one that the program can find", e.children[0]->written()));
+                      : fmt::format("the program cannot find the limit of '{}'", e.children[0]->written()));
 }
 
 /// The integral as a letter, where those are wanted that have no primitive.
 ex Translator::open_integral(const Expression& e, DefiniteIntegral& integral) const {
     if (!leaves_integrals_open_)
-        fail_at(Id::cannot_integrate, e,
-                fmt::format("the integral of '{}' is not one that the program can find", e.children[0]->written()));
+        fail_at(Id::cannot_integrate, e, fmt::format("the program cannot find the integral of '{}'", e.children[0]->written()));
     const auto is_same = [&](const DefiniteIntegral& known) {
         return known.function.subs(known.variable == integral.variable).is_equal(integral.function) && known.from.is_equal(integral.from) &&
                known.to.is_equal(integral.to) && known.infinite_from == integral.infinite_from && known.infinite_to == integral.infinite_to;
@@ -171,9 +169,8 @@ std::optional<ex> Translator::calculus(const Expression& e, const Indices& indic
     }
     if (e.name != "at") return std::nullopt;
     if (part(1).is_equal(symbols_.time()) && !symbols_.time_derivative(part(0)).is_equal(partial(part(0), part(1))))
-        fail_at(
-            Id::cannot_integrate, e,
-            fmt::format("'{}' depends on time through what moves, so that its value at one time is not known", e.children[0]->written()));
+        fail_at(Id::cannot_integrate, e,
+                fmt::format("'{}' depends on time through the motion, so its value at one time is not known", e.children[0]->written()));
     return symbols_.without_definitions(part(0)).subs(variable_of(e, part(1)) == part(2), GiNaC::subs_options::no_pattern);
 }
 

@@ -91,9 +91,9 @@ void Values::assign(const Variable& variable, const ex& value, const Span& place
     check_magnitude(variable.name, value, place);
     const ex number = GiNaC::is_exactly_a<numeric>(value) ? value : value.subs(substitution(), GiNaC::subs_options::no_pattern);
     if (variable.is_root && sign(number) < 0)
-        throw Failure(Diagnostic{
-            Id::value_out_of_range, place,
-            fmt::format("the value of '{}' is {}, which has no root, but it is integrated as its root", variable.base, shown(number))});
+        throw Failure(Diagnostic{Id::value_out_of_range, place,
+                                 fmt::format("the value of '{}' is {}, but must not be negative: the program integrates its root",
+                                             variable.base, shown(number))});
     values_[key(variable.kind, variable.position)] = variable.is_root ? GiNaC::sqrt(value) : value;
     if (variable.declared != nullptr) check_range(*variable.declared, variable.name, number, place);
 }
@@ -118,8 +118,7 @@ void Values::set(const Expression& variable, const Expression& value, unsigned a
     const bool is_rate = variable.kind == Expression::Kind::call && variable.name == "dot" && variable.children.size() == 1;
     const Expression& named = is_rate ? *variable.children[0] : variable;
     if (named.kind != Expression::Kind::name || named.children.size() > 1)
-        throw Failure(
-            Diagnostic{Id::unknown_name, variable.span, fmt::format("'{}' is not something that can be set", variable.written())});
+        throw Failure(Diagnostic{Id::unknown_name, variable.span, fmt::format("'{}' cannot be set", variable.written())});
     std::vector<SymbolKind> kinds;
     if ((allowed & on_parameters) != 0 && !is_rate) kinds.push_back(SymbolKind::parameter);
     if ((allowed & on_inputs) != 0 && !is_rate) kinds.push_back(SymbolKind::input);
@@ -143,7 +142,7 @@ void Values::set(const Expression& variable, const Expression& value, unsigned a
         }
     if (found) return;
     throw Failure(Diagnostic{Id::unknown_name, variable.span,
-                             fmt::format("'{}' is nothing in scene '{}' that can be set here", variable.written(), scene_.name)});
+                             fmt::format("'{}' of scene '{}' does not exist or cannot be set here", variable.written(), scene_.name)});
 }
 
 GiNaC::exmap Values::substitution() const {

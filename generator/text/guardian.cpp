@@ -68,13 +68,13 @@ std::string spent() {
     const std::lock_guard lock(now.mutex);
     if (processor_seconds() - now.begin > now.seconds)
         return fmt::format(
-            "{} takes more than {:g} s of processor time, its budget; a smaller model, fewer cells or modes, definitions in place of long "
-            "expressions need less, and --stage-seconds gives more",
+            "{} takes more than {:g} s of processor time, its budget; use a smaller model, fewer cells or modes, or definitions instead of "
+            "long expressions, or give more with --stage-seconds",
             now.name, now.seconds);
     const auto [resident, all] = memory_in_use();
     if (resident > now.bytes || (address_space() > 0 && all > address_space()))
         return fmt::format(
-            "{} takes more than {:.3g} GB of memory, its budget; a smaller model, fewer cells or modes need less, and --memory gives more",
+            "{} takes more than {:.3g} GB of memory, its budget; use a smaller model, fewer cells or modes, or give more with --memory",
             now.name, (resident > now.bytes ? now.bytes : address_space()) / 1e9);
     return {};
 }

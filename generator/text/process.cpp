@@ -107,7 +107,7 @@ ScratchFolder::ScratchFolder() {
     const auto not_ending = Leftovers::all().hold();
     std::string pattern = (std::filesystem::temp_directory_path() / "dalembert-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr)
-        throw Failure(Diagnostic{Id::tool_failed, {}, "no folder for temporary files can be made"}, ExitCode::tool_missing);
+        throw Failure(Diagnostic{Id::tool_failed, {}, "a folder for temporary files cannot be created"}, ExitCode::tool_missing);
     path_ = pattern;
     Leftovers::all().add_folder(path_);
 }

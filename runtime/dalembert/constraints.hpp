@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Holds positions and rates of constraints: integration knows only their second derivatives, and drifts away from them.
+// Holds positions and rates of constraints: integration uses only their second derivatives, and drifts away from them.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-/// Whether a generated system has to be brought back to constraints, or quaternions of it to their norm.
+/// Whether a generated system needs projection onto constraints, or of its quaternions to the norm one.
 template <class System, class = void>
 inline constexpr bool needs_projection = false;
 template <class System>
@@ -70,7 +70,7 @@ struct Residuals {
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
     Scalar position = Scalar(0);
     Scalar rate = Scalar(0);
-    std::size_t broken = none;  ///< the first constraint that is not met, by a millionth of what its terms are made of
+    std::size_t broken = none;  ///< the first constraint that is violated by a millionth of the size of its terms
     bool are_met() const { return broken == none; }
 };
 
@@ -104,9 +104,9 @@ std::size_t broken_constraint(const System& system, const typename System::State
 
 }  // namespace detail
 
-/// Moves x to positions and velocities that the constraints of the system hold, by the least step in the metric of the mass matrix: what
-/// changes is M^-1 A' times something. Of a machine that switches the mode comes behind x and t. Near the constraints the positions take
-/// two or three steps of Newton's method; constraints that follow from others, or are met only far away, leave what is returned.
+/// Moves x to positions and velocities that satisfy the constraints of the system, by the smallest step in the metric of the mass matrix:
+/// the change is M^-1 A' times a vector. For a machine with modes, the mode follows x and t. Near the constraints the positions take two
+/// or three steps of Newton's method. A residual stays, and is returned, if constraints follow from others or are satisfied only far away.
 template <class System, class... Mode>
 Residuals<typename System::scalar_type> project(const System& system, typename System::State& x, typename System::scalar_type t, Mode... mode) {
     using Scalar = typename System::scalar_type;

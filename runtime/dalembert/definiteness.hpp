@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Which sign a quadratic form x' A x has: of a mass, damping or stiffness matrix as in (2.117).
+// The sign of a quadratic form x' A x, with a mass, damping or stiffness matrix as in (2.117).
 #pragma once
 
 #include <Eigen/Eigenvalues>

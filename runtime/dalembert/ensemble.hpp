@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
 // Many runs of a machine, each with parameters, start states or inputs of its own, over the threads of the computer.
-// Where threads are a library of their own, link it (-pthread).
+// If threads are a separate library, link it (-pthread).
 #pragma once
 
 #include <atomic>
@@ -20,13 +20,13 @@
 namespace dalembert {
 inline namespace v1 {
 
-/// Random numbers of one run of an ensemble. They follow from the seed and the number of the run alone: neither how many threads there
-/// are nor which run comes first changes them, and they are the same on every machine. SplitMix64 (Steele, Lea and Flood 2014).
+/// Random numbers of one run of an ensemble. They follow only from the seed and the number of the run: the number of threads and the order
+/// of the runs do not change them, and they are the same on every machine. SplitMix64 (Steele, Lea and Flood 2014).
 class Draws {
 public:
     Draws(std::uint64_t seed, std::size_t run) noexcept : state_(mixed(mixed(seed) + run)) {}
 
-    /// Below 1, not below 0.
+    /// At least 0, below 1.
     double uniform() noexcept { return static_cast<double>(next() >> 11) * 0x1p-53; }
     double uniform(double low, double high) noexcept { return low + (high - low) * uniform(); }
     /// Box and Muller's method.
@@ -53,9 +53,10 @@ struct EnsembleOptions {
     double progress_interval = 0.5;  ///< s, between two calls of `progress`
 };
 
-/// Calls work(run, draws) for every run, 0 to runs - 1, from several threads at once, and returns what it gives, in their order; what
-/// `work` shares must not be changed by it. progress(done, runs) is called at most every `progress_interval` and once at the end, never twice at a time,
-/// and ends the ensemble by returning false: the rest is then empty. Where threads cannot be had, those that there are do the work.
+/// Calls work(run, draws) for every run, 0 to runs - 1, from several threads at once, and returns the results in this order.
+/// `work` must not change data that its calls share. progress(done, runs) is called at most every `progress_interval` and once at the end,
+/// never twice at a time. If it returns false, the ensemble ends: the other results are empty. If the system cannot start more threads, the
+/// existing ones do the work.
 template <class Work, class Progress>
 auto run_ensemble(const EnsembleOptions& options, const Work& work, Progress&& progress) {
     using Result = std::invoke_result_t<const Work&, std::size_t, Draws&>;
@@ -96,7 +97,7 @@ auto run_ensemble(const EnsembleOptions& options, const Work& work) {
     return run_ensemble(options, work, [](std::size_t, std::size_t) { return true; });
 }
 
-/// A row for each run that was made, its number in front of the values that it gave: for write_csv.
+/// A row for each finished run: its number, then its results. For write_csv.
 template <class Row>
 Recording recording_of_ensemble(std::vector<Column> columns, const std::vector<std::optional<Row>>& results) {
     Recording recording;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Equilibria f(x, u) = 0 by Newton's method with the generated Jacobians. What may change is chosen; where more may change than
-// is determined, each step is the smallest one, in relative terms.
+// Equilibria f(x, u) = 0 by Newton's method with the generated Jacobians. The caller chooses the free states and inputs. If there are
+// more than the equations determine, each step is the smallest possible one, in relative terms.
 #pragma once
 
 #include <Eigen/LU>
@@ -18,7 +18,7 @@ inline namespace v1 {
 
 enum class EquilibriumKind {
     none,      ///< none was found
-    isolated,  ///< no other one near, as far as the chosen unknowns go
+    isolated,  ///< no other equilibrium is near with the chosen unknowns
     family,    ///< one of a continuum
 };
 
@@ -33,7 +33,7 @@ struct Equilibrium {
     std::size_t dimension = 0;  ///< of the family
     typename System::State x{};
     typename System::Input u{};
-    double residual = 0;        ///< largest |dx/dt| that is left, or distance from a constraint
+    double residual = 0;        ///< largest remaining |dx/dt|, or distance from a constraint
     std::size_t iterations = 0;
 };
 
@@ -213,7 +213,7 @@ private:
 
 }  // namespace detail
 
-/// Unknowns are the states that are free and the inputs that are free; everything else keeps the value given. Coordinates that are `moving` go on at
+/// The free states and the free inputs are the unknowns; everything else keeps its given value. Coordinates that are `moving` move on at
 /// constant speed.
 template <class System>
 Equilibrium<System> find_equilibrium(const System& system, const typename System::State& x0, const typename System::Input& u0,

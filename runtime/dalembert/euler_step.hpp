@@ -64,7 +64,7 @@ ThreeDiagonals three_diagonals(const typename System::JacobianX& J, std::size_t 
     return result;
 }
 
-/// |1 + h*(a + ib)| <= 1 up to this h; infinite for what only rests, zero for what grows or swings.
+/// |1 + h*(a + ib)| <= 1 up to this h; infinite for an eigenvalue zero, zero for a motion that grows or oscillates undamped.
 inline double euler_step(double real, double imaginary, double negligible) {
     const double square = real * real + imaginary * imaginary;
     if (square <= negligible * negligible) return std::numeric_limits<double>::infinity();

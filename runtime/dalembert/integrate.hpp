@@ -19,17 +19,17 @@ inline namespace v1 {
 /// Integrates dx/dt = rhs(x, t, dxdt) from `from` to `to`. `x` holds the start and afterwards the last good state.
 /// Calls observe(t, x) at the output points.
 ///
-/// guards(x, t, g) writes functions whose sign matters into an array, as long as `ends`. Where one changes its sign, the step is cut:
-/// ends[i] = true: the model holds only where g[i] >= 0. The run ends there with Status::event; x is the last state with g[i] >= 0, and
-/// is observed. A start with g[i] < 0 is such an end.
-/// ends[i] = false: the right-hand side has a kink, a jump or an infinite slope there. Integration starts anew just behind it.
-/// Times are found down to neighbouring numbers, in steps repeated with other lengths: the work of ten to twenty steps for an event, up
-/// to sixty at a jump. Guards that change together are passed together; one that ends the run comes first. Output points are observed
-/// once each, whatever lies on them. A guard that begins at zero, or touches zero, has not changed. A guard that is not a number makes
-/// a step as bad as a state that is not; infinite ones are allowed.
-/// Guards are looked at in the stages of a step, at its end, and at three points between, in its interpolation. What changes and changes
-/// back between two of these is missed; options.max_step puts them closer together. Sliding along a zero, as a relay does whose two
-/// sides both lead back to it, is an event storm.
+/// guards(x, t, g) writes functions into an array as long as `ends`. The step is cut where one of them changes its sign:
+/// ends[i] = true: the model holds only where g[i] >= 0. The run ends there with Status::event; x is the last state with g[i] >= 0,
+/// and the observer sees it. A run that starts with g[i] < 0 ends at once.
+/// ends[i] = false: the right-hand side has a kink, a jump or an infinite slope there. Integration restarts just behind it.
+/// Times are exact down to neighbouring numbers. The search repeats the step with other lengths: it costs ten to twenty steps for an
+/// event, up to sixty at a jump. Guards that change together are passed together; one that ends the run comes first. Each output point
+/// is observed once, even if an event lies on it. A guard that begins at zero, or touches zero, has not changed. A guard that is not a
+/// number rejects the step, as a state does; infinite guards are allowed.
+/// Guards are evaluated in the stages of a step, at its end, and at three points between, in its interpolation. A guard that changes
+/// twice between two of these points is missed; a smaller options.max_step puts them closer together. A motion that slides along a
+/// zero, as with a relay whose two sides both lead back to it, is an event storm.
 template <class State, class Rhs, class Observer, class Guards, class Ends>
 Outcome integrate(Rhs&& rhs, State& x, typename State::value_type from, typename State::value_type to, const IntegrationOptions<State>& options, Observer&& observe,
                   Guards&& guards, const Ends& ends) {
@@ -45,8 +45,8 @@ Outcome integrate(Rhs&& rhs, State& x, typename State::value_type from, typename
     return integrate(rhs, x, from, to, options, observe, detail::NoGuards{}, std::array<bool, 0>{});
 }
 
-/// The same with what Method::rodas5p needs besides, and Method::automatic where a problem is stiff; see Derivatives. The other methods do
-/// without it.
+/// The same with derivatives, which Method::rodas5p needs, and Method::automatic for stiff problems; see Derivatives. The other methods do
+/// not use them.
 template <class State, class Rhs, class Derivatives, class Observer, class Guards, class Ends>
 Outcome integrate(Rhs&& rhs, Derivatives&& derivatives, State& x, typename State::value_type from, typename State::value_type to, const IntegrationOptions<State>& options,
                   Observer&& observe, Guards&& guards, const Ends& ends) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Several motions in time at once, one in each lane of a pack: every lane has a time, a step and an end of its own, as if it were alone.
+// Several motions in time at once, one in each lane of a pack: every lane has a time, a step and an end of its own, as in a run with one lane.
 #pragma once
 
 #include <boost/numeric/odeint/algebra/array_algebra.hpp>
@@ -183,10 +183,10 @@ private:
 
 }  // namespace detail
 
-/// Integrates `system`, whose Scalar is a pack, from `from` to `to`: x begins with the start of every lane and ends with where each is then. Every
-/// lane ends for itself: at `to`, at a guard that ends runs (Status::event, found within the step), or where it cannot go on; the others do not
-/// mind. `inputs` is called as inputs(x, t) with packs. Of the options it takes tolerance, scale, step, max_step and max_steps; kinks are
-/// met by the control of steps alone.
+/// Integrates `system`, whose Scalar is a pack, from `from` to `to`: x holds the start of every lane, and afterwards its end. Each lane ends
+/// independently: at `to`, at a guard that ends runs (Status::event, found within the step), or where it cannot go on. `inputs` is called as
+/// inputs(x, t) with packs. The options tolerance, scale, step, max_step and max_steps count; kinks are not located, only the error of the
+/// steps is controlled.
 template <class System, class Inputs>
 auto integrate_lanes(const System& system, const Inputs& inputs, typename System::State& x, typename System::scalar_type::value_type from, typename System::scalar_type::value_type to,
                      const typename detail::LaneRun<System, Inputs>::Options& options) {

@@ -19,9 +19,9 @@ template <class Scalar>
 struct Linearisation {
     Matrix<Scalar> A, B, C, D;
     std::vector<std::complex<Scalar>> eigenvalues;  ///< 1/s, by falling real part, then by imaginary part
-    /// States that are free to be chosen where constraints hold; the others follow from them. Without constraints all.
+    /// Free states under the constraints; the other states follow from them. Without constraints, all states.
     std::vector<std::size_t> free;
-    std::vector<std::size_t> ignorable;  ///< of these, those that no rate depends on
+    std::vector<std::size_t> ignorable;  ///< free states that no rate depends on
 };
 
 /// G dx = 0 for small changes dx of a state, where constraints hold: by their positions, for coordinates alone, and by their rates.
@@ -103,7 +103,7 @@ void take_eigenvalues(const Matrix<Scalar>& A, const std::vector<bool>& is_ignor
 
 }  // namespace detail
 
-/// The rows of a generated system; none where it has no functions of constraints, or turns by quaternions.
+/// The rows of a generated system; none if it has no functions of constraints, or has quaternions.
 template <class System>
 auto constraint_rows(const System& system, const typename System::State& x, typename System::scalar_type t) {
     using Scalar = typename System::scalar_type;
@@ -113,8 +113,8 @@ auto constraint_rows(const System& system, const typename System::State& x, type
     return ConstraintRows<Scalar>{};
 }
 
-/// The changes of a state that neither positions nor rates of constraints see. Velocities of coordinates that are `wanted` stay free if they can;
-/// those of coordinates that follow from others follow, too.
+/// Changes of a state that keep positions and rates of constraints. Velocities of `wanted` coordinates stay free if possible; those of
+/// dependent coordinates are dependent, too.
 template <class Scalar>
 FreeMotions<Scalar> free_motions(const ConstraintRows<Scalar>& rows, std::size_t states, const std::vector<bool>& wanted = {}) {
     using Index = Eigen::Index;
@@ -150,7 +150,7 @@ auto free_motions(const System& system, const typename System::State& x, typenam
     return free_motions(constraint_rows(system, x, t), x.size());
 }
 
-/// Where constraints hold, eigenvalues are those of the motions that they allow, at rest or not.
+/// With constraints, the eigenvalues belong to the motions that they allow, at rest or not.
 template <class System>
 auto linearise(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t, const ConstraintRows<typename System::scalar_type>& rows) {
     using Scalar = typename System::scalar_type;

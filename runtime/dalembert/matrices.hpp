@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Jacobians of generated systems as Eigen matrices, whatever their layout in the header.
+// Jacobians of generated systems as Eigen matrices, for every layout in the header.
 #pragma once
 
 #include <Eigen/Core>
@@ -42,7 +42,7 @@ struct Dense {
 
 }  // namespace detail
 
-/// The positions that constraints hold at zero, and their derivatives by the coordinates. Not of machines with quaternions, whose
+/// The positions that constraints hold at zero, and their derivatives by the coordinates. Not for machines with quaternions, whose
 /// coordinates have no values.
 template <class System>
 Vector<typename System::scalar_type> constraint_positions(const System& system, const typename System::State& x,
@@ -61,9 +61,9 @@ auto constraint_position_jacobian(const System& system, const typename System::S
     return result;
 }
 
-/// The rates that constraints hold at zero, and their derivatives by the states: by velocities as the header knows them, by coordinates by
-/// differences of the sixth order. A coordinate in metres may be that of a watch or of a ship, so that the steps get shorter until the
-/// result changes no less. Not of machines with quaternions.
+/// The rates that constraints hold at zero, and their derivatives by the states: by velocities from the header, by coordinates with
+/// differences of the sixth order. A coordinate in metres may belong to a watch or to a ship, so the steps get shorter as long as the
+/// changes of the result become smaller. Not for machines with quaternions.
 template <class System>
 Vector<typename System::scalar_type> constraint_rates(const System& system, const typename System::State& x,
                                                       typename System::scalar_type t) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The modal form of M qdd + D qd + C q = B f: (2.117) to (2.144) of Modellbildung 2013, and what those assume away: eigenvalues that are
-// repeated, zero or defective, and matrices D and C that are not symmetric.
+// The modal form of M qdd + D qd + C q = B f: (2.117) to (2.144) of Modellbildung 2013, and the cases that these exclude: eigenvalues that
+// are repeated, zero or defective, and matrices D and C that are not symmetric.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -37,12 +37,12 @@ struct LinearSystem {
     Eigen::MatrixXd M, D, C, B;
 };
 
-/// Rows and columns of the modal form that belong together. Size 1: an eigenvalue with an eigenvector of its own. Size 2, as where a body
+/// Rows and columns of the modal form that belong together. Size 1: an eigenvalue with an eigenvector of its own. Size 2, for example if a body
 /// moves freely or damping is critical: [lambda, c; 0, lambda], an eigenvector and one that feeds it. More: eigenvalues that are equal,
 /// or nearly, whose vectors would be parallel.
 struct ModalBlock {
     Eigen::Index first, size;
-    bool is_real;  ///< else everything is there a second time, conjugate
+    bool is_real;  ///< else there is a second, conjugate block
 };
 
 /// dy/dt = matrix y + input f (2.138), x = [q; qd] = vectors y (2.139), y = inverse x; of conjugate pairs only those with Im(lambda) > 0, so
@@ -57,7 +57,7 @@ struct Modes {
     Eigen::MatrixXcd matrix;          ///< K x K, diagonal but for larger blocks
     Eigen::MatrixXcd input;           ///< K x m: rows phi_a' B/alpha
     std::vector<ModalBlock> blocks;
-    /// No block is larger than 1: the equations are as decoupled as (2.138) says.
+    /// True if no block is larger than 1: the equations are decoupled as in (2.138).
     bool is_decoupled() const { return std::all_of(blocks.begin(), blocks.end(), [](const ModalBlock& b) { return b.size == 1; }); }
 };
 
@@ -308,8 +308,8 @@ inline Eigen::MatrixXd part_of(const Eigen::MatrixXd& A, const std::vector<Eigen
 
 }  // namespace detail
 
-/// The modal form. Eigenvalues closer than 20 n eps of the largest count as equal. Coordinates that nothing couples have modes of their own, whatever
-/// the others do.
+/// The modal form. Eigenvalues closer than 20 n eps of the largest count as equal. Coordinates without coupling have modes of their own, independent
+/// of the others.
 inline Modes modes(const LinearSystem& system) {
     Modes result;
     const auto fail = [&](ModalStatus status) {
@@ -394,8 +394,8 @@ Eigen::MatrixXd whole_mass_matrix(const System& system, const typename System::S
 
 }  // namespace detail
 
-/// M, D, C and B of a generated system at a point: M as it is, the others from the Jacobian of the accelerations. Of what is not linear this is
-/// the linearisation there. Not of systems with constraints: see reduced_motions.hpp.
+/// M, D, C and B of a generated system at a point: M from the header, the others from the Jacobian of the accelerations. For a nonlinear system
+/// this is the linearisation there. Not for systems with constraints: see reduced_motions.hpp.
 template <class System>
 LinearSystem linear_system(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
     const Eigen::Index n = static_cast<Eigen::Index>(System::degrees);

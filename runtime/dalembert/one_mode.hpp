@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A generated system that switches, seen in one of its modes as a system that does not: for its equilibria, its linearisation, an observer.
+// One mode of a generated system with modes, as a system without modes: for its equilibria, its linearisation, an observer.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 namespace dalembert {
 inline namespace v1 {
 
-/// Everything of System in the mode, under the names of a system without modes. A class of its own derives from the system, so that
-/// parameters and tables are those of the system.
+/// The functions of System in the mode, with the names of a system without modes. The class derives from the system, so parameters and
+/// tables are those of the system.
 template <class System, typename System::Mode mode>
 class OneMode : public System {
 public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Several motions at once, side by side in the registers of the processor: generated headers take a Pack for their Scalar. Needs xsimd 8
-// (on Debian libxsimd-dev), which has the arithmetic, the functions and `select` for it. lane_run.hpp integrates them.
+// Several motions at once, side by side in the registers of the processor: generated headers take a Pack as their Scalar. Needs xsimd 8
+// (on Debian libxsimd-dev), which provides the arithmetic, the functions and `select`. lane_run.hpp integrates them.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 #include "dalembert/compiler.h"
 
-/// What the functions of a header want to know of their Scalar, which xsimd does not tell: its digits.
+/// The number of digits, which functions of a header need of their Scalar and xsimd does not provide.
 template <class T, class Arch>
 class std::numeric_limits<xsimd::batch<T, Arch>> : public std::numeric_limits<T> {
     using Lane = std::numeric_limits<T>;
@@ -60,7 +60,7 @@ std::array<P, size> packed(const std::array<std::array<typename P::value_type, s
     return result;
 }
 
-/// What one lane holds.
+/// The value of one lane.
 template <class P, std::size_t size>
 std::array<typename P::value_type, size> lane_of(const std::array<P, size>& packs, std::size_t lane) noexcept {
     std::array<typename P::value_type, size> result;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: BSL-1.0 */
 /* A plant: a model as a shared library behind plain C functions. The library exports one function,
  *     const dalembert_plant* dalembert_plant_table(void);
- * which returns a table that stays valid as long as the library is loaded. `dalembert compile` writes such libraries; one that is written by hand in
- * C does as well: `dalembert simulate FILE.so`.
+ * It returns a table that stays valid as long as the library is loaded. `dalembert compile` writes such libraries. A library written by hand in C also
+ * works: `dalembert simulate FILE.so`.
  *
  * The state is x = [q; v; z]: coordinates, their velocities, further states. All numbers are doubles in SI. Matrices are stored column by column, in
- * the order of their pattern. `self` is what create() returned, `mode` a number in the order of modes (0 where a plant does not switch), `t` the time
- * in s. Functions may not change anything but their results, and self where it is not const; they may be called from several threads with different self.
- * No argument may be the same array as a result. Where a plant has no use for a function, its pointer is null, unless it is said to be needed. */
+ * the order of their pattern. `self` is the result of create(), `mode` the number of a mode (0 if the plant has no modes), `t` the time
+ * in s. Functions may change only their results, and self if it is not const. Several threads may call them with different self.
+ * No argument may be the same array as a result. The pointer of a function that a plant does not have is null, except for functions marked as needed. */
 #ifndef DALEMBERT_PLANT_H
 #define DALEMBERT_PLANT_H
 
@@ -17,10 +17,10 @@
 extern "C" {
 #endif
 
-/* The version of this table. It grows with every change that a reader has to know of. */
+/* Version of this table. It grows with every change that matters to a program that reads it. */
 #define DALEMBERT_PLANT_VERSION 1
 
-/* Name in the model, SI unit, description, and the range that is declared. */
+/* Name in the model, SI unit, description, and declared range. */
 typedef struct dalembert_quantity {
     const char* name;
     const char* unit;
@@ -28,7 +28,7 @@ typedef struct dalembert_quantity {
     double low, high;
 } dalembert_quantity;
 
-/* A function whose sign matters to who integrates. `ends`: the model holds only where it is not negative; else the right-hand side has a kink, jump or
+/* A function whose sign an integrator must watch. `ends`: the model holds only where it is not negative; else the right-hand side has a kink, jump or
  * infinite slope where its sign changes. */
 typedef struct dalembert_guard {
     const char* name;
@@ -39,21 +39,21 @@ typedef struct dalembert_guard {
 /* A rate that is held at zero, with the position whose rate it is. */
 typedef struct dalembert_constraint {
     const char* name;
-    const char* unit; /* of the position, or of the rate where there is none */
+    const char* unit; /* of the position, or of the rate if there is no position */
     const char* description;
     int has_position;
-    int can_be_left_out;     /* it follows from others: a run chooses which of them are solved for */
-    int solved_for_at_start; /* it is, until solve_for() chooses others */
+    int can_be_left_out;     /* it follows from others: a run chooses the constraints to solve for */
+    int solved_for_at_start; /* it is solved for until solve_for() chooses others */
 } dalembert_constraint;
 
-/* Entries that are stored: of column j those with the numbers column_starts[j] to column_starts[j + 1] - 1, in the rows row_indices[...]. Where
- * column_starts is null all entries are. */
+/* Stored entries of a matrix: those of column j have the numbers column_starts[j] to column_starts[j + 1] - 1 and the rows row_indices[...]. If
+ * column_starts is null, all entries are stored. */
 typedef struct dalembert_pattern {
     const size_t* column_starts;
     const size_t* row_indices;
 } dalembert_pattern;
 
-/* Where an event leads from a mode: once, or else `beside`, where what it resets drives other parts out of their modes; or after infinitely many of it. */
+/* Modes after an event: after one event; `beside`, if its reset drives other parts out of their modes; or after infinitely many of these events. */
 enum dalembert_transition { dalembert_next, dalembert_beside, dalembert_after_accumulation };
 
 typedef struct dalembert_plant {
@@ -80,15 +80,15 @@ typedef struct dalembert_plant {
     const double* start_values; /* for the default parameters */
 
     int is_separable;        /* accelerations depend on coordinates alone, and x = [q; v] */
-    int is_projected;        /* the state is to be brought back: to constraints, or quaternions to their norm */
-    size_t constraint_rank;  /* where a run chooses the constraints that are solved for: how many; else 0 */
+    int is_projected;        /* the state needs projection: onto constraints, or of quaternions to the norm one */
+    size_t constraint_rank;  /* number of constraints to solve for, if a run chooses them; else 0 */
     size_t series_rows;      /* products of series; 0 where there are no series */
     size_t most_transitions; /* the longest list of modes that transitions() writes */
 
     /* df/dx, df/du, df/dp: states rows each. */
     dalembert_pattern pattern_x, pattern_u, pattern_p;
 
-    /* Needed. One instance of the plant, with the default parameters; null where there is no memory. */
+    /* Needed. One instance of the plant, with the default parameters; null if there is no memory. */
     void* (*create)(void);
     void (*destroy)(void* self);
     void (*set_parameters)(void* self, const double* parameters);
@@ -97,7 +97,7 @@ typedef struct dalembert_plant {
     /* Needed: dx/dt, and df/dx. */
     void (*rhs)(const void* self, unsigned mode, const double* x, const double* u, double t, double* dxdt);
     void (*rhs_and_jacobian)(const void* self, unsigned mode, const double* x, const double* u, double t, double* dxdt, double* J);
-    /* df/du (needed where there are inputs), df/dp, and df/dt at fixed x (null: zero). */
+    /* df/du (needed if there are inputs), df/dp, and df/dt at fixed x (null: zero). */
     void (*jacobian_u)(const void* self, unsigned mode, const double* x, const double* u, double t, double* J);
     void (*jacobian_p)(const void* self, unsigned mode, const double* x, const double* u, double t, double* J);
     void (*jacobian_t)(const void* self, unsigned mode, const double* x, const double* u, double t, double* dfdt);
@@ -116,25 +116,25 @@ typedef struct dalembert_plant {
     double (*prescribed_power)(const void* self, unsigned mode, const double* x, const double* u, double t);
     double (*exchanged_power)(const void* self, unsigned mode, const double* x, const double* u, double t);
 
-    /* Of a plant without modes: its guards. Of one with modes: event e happens where g[e] falls through zero, `guard_rates` are dg/dt along the
+    /* In a plant without modes: its guards. In a plant with modes: event e happens where g[e] falls through zero, `guard_rates` are dg/dt along the
      * motion with inputs held, and `kinks` are functions where the right-hand side of the mode has a kink. */
     void (*guard_values)(const void* self, unsigned mode, const double* x, const double* u, double t, double* g);
     void (*guard_rates)(const void* self, unsigned mode, const double* x, const double* u, double t, double* rates);
     void (*kink_values)(const void* self, unsigned mode, const double* x, const double* u, double t, double* k);
-    /* What a mode asks for besides its guards (null: nothing); whether an event can happen in a mode; whether it happens at once where another one
-     * takes its guard below zero, and whether a run begins with what it resets (null: never). */
+    /* Whether the state meets the conditions of a mode (null: always); whether an event can happen in a mode; whether it happens at once if another one
+     * takes its guard below zero; whether a run begins with its reset (null: never). */
     int (*holds)(const void* self, unsigned mode, const double* x, const double* u, double t);
     int (*is_watched)(unsigned mode, size_t event);
     int (*happens_at_once)(size_t event);
     int (*happens_at_start)(size_t event);
-    /* Changes x where the event happens, or has happened infinitely often; writes where it leads, and returns to how many modes. */
+    /* Change x at the event, or after infinitely many of it. transitions() writes the modes that may follow and returns their number. */
     void (*reset)(const void* self, size_t event, unsigned mode, double* x, const double* u, double t);
     void (*settle)(const void* self, size_t event, unsigned mode, double* x, const double* u, double t);
     size_t (*transitions)(size_t event, unsigned mode, enum dalembert_transition kind, unsigned* modes);
 
-    /* Of plants that are projected: positions and rates that are held at zero, their derivatives by the velocities (all entries), and the change of
-     * coordinates or velocities M^-1 A' r' that takes residuals r away. move_back takes coordinates back by a step, with one that is zero quaternions to
-     * their norm. */
+    /* For plants with projection: positions and rates that are held at zero, their derivatives by the velocities (all entries), and the change of
+     * coordinates or velocities that removes residuals r, M^-1 A' (A M^-1 A')^-1 r. move_back() moves the coordinates back by a step and gives
+     * quaternions the norm one. */
     void (*constraint_positions)(const void* self, unsigned mode, const double* x, double t, double* f);
     void (*constraint_rates)(const void* self, unsigned mode, const double* x, double t, double* w);
     void (*constraint_jacobian)(const void* self, unsigned mode, const double* x, double t, double* A);
@@ -142,14 +142,14 @@ typedef struct dalembert_plant {
     void (*move_back)(const void* self, double* x, const double* step);
     void (*solve_for)(void* self, const int* chosen);
 
-    /* The inputs of the run that the library was compiled for (null: none was), as functions of x and t. */
+    /* Inputs of the run for which the library was compiled (null: no run), as functions of x and t. */
     void (*inputs_of_run)(const void* self, const double* x, double t, double* u);
-    /* Normalised Taylor coefficients of the motion with these inputs: x holds order + 1 vectors of states + 1 numbers, the state and the work, of which
-     * the first one is given. `rows` is room for 2*series_rows*order numbers. */
+    /* Normalised Taylor coefficients of the motion with these inputs: x holds order + 1 vectors of states + 1 numbers: the state and the work; the
+     * first vector is given. `rows` is room for 2*series_rows*order numbers. */
     void (*series)(const void* self, unsigned mode, double t, size_t order, double* x, double* rows);
 } dalembert_plant;
 
-/* What a plant exports. All else in it may be hidden (-fvisibility=hidden): then two plants of one name do not share what they define. */
+/* The function that a plant exports. Everything else may be hidden (-fvisibility=hidden): then two plants of one name do not share their symbols. */
 #if defined(__GNUC__)
 __attribute__((visibility("default")))
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A generated system as a plant: what a shared library exports; see plant.h. Includes little, so that it compiles in a fraction of a
+// A generated system as a plant, the export of a shared library; see plant.h. It includes little, and compiles in a fraction of a
 // second.
 #pragma once
 
@@ -69,7 +69,7 @@ inline constexpr bool says_nonzero<P, std::void_t<decltype(P::nonzero)>> = true;
 
 }  // namespace plant_export
 
-/// `Run` is what the library is compiled for: name, scene and title of the system, set_parameters(parameters, numbers), and inputs(system),
+/// `Run` describes the library: name, scene and title of the system, set_parameters(parameters, numbers), and inputs(system),
 /// a function of (x, t) with or without series.
 template <class System, class Run>
 class PlantTable {
@@ -380,7 +380,7 @@ public:
 }  // namespace v1
 }  // namespace dalembert
 
-/// Defines what a plant exports.
+/// Defines the exported function of a plant.
 #define DALEMBERT_EXPORT_PLANT(System, Run)                                                           \
     extern "C" const dalembert_plant* dalembert_plant_table(void) {                                   \
         static const dalembert_plant table = dalembert::detail::PlantTable<System, Run>::make();      \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A plant (plant.h) as a system that what integrates, searches for equilibria and linearises takes: the same code as for generated headers,
+// A plant (plant.h) as a system for integration, equilibria and linearisation: the same code as for generated headers,
 // with sizes that are known when the plant is loaded.
 //
 // note [in use]: Arrays of a run have the sizes of the plant that the thread uses at the moment: whoever works with a plant holds a

@@ -31,7 +31,7 @@ inline std::string gnuplot_path(const std::string& path) {
     return result + "'";
 }
 
-/// A gnuplot string. In single quotes nothing is special but the quote itself, which becomes typographic.
+/// A gnuplot string. In single quotes only the quote itself is special; it becomes typographic.
 inline std::string gnuplot_string(const std::string& text) {
     std::string result = "'";
     for (const char c : text) {
@@ -42,7 +42,7 @@ inline std::string gnuplot_string(const std::string& text) {
     return result + "'";
 }
 
-/// Of one curve its title; of several, which the legend names, their units.
+/// The title of a single curve; the units of several curves, which the legend names.
 inline std::string axis_title(const Recording& recording, const std::vector<std::string>& names) {
     if (names.size() == 1) return recording.columns[recording.find(names[0])].title();
     std::string title;
@@ -70,7 +70,7 @@ inline Limits limits(const Recording& recording, const std::vector<std::string>&
     return result;
 }
 
-/// Limits for curves that change by rounding only, so that what is constant looks constant; otherwise gnuplot's own.
+/// Limits for curves that change by rounding only, so that constant curves look constant; otherwise gnuplot's own.
 inline std::string range_command(const Limits& y) {
     const double size = std::max(std::abs(y.low), std::abs(y.high));
     if (!std::isfinite(size) || !(size > 0) || !(y.span() < 1e-6 * size)) return "set autoscale y\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// M qdd + D qd + C q = B f of a machine whose coordinates are not free, near a state: in independent coordinates, which are chosen and told. Near
+// M qdd + D qd + C q = B f of a machine whose coordinates are not free, near a state: in independent coordinates, which the function chooses and returns. Near
 // steady motions and with constraints of rates there are more positions than speeds. A form of second order has those positions that the forces
 // know; the others are apart.
 #pragma once

@@ -74,7 +74,7 @@ typename System::State rate_rounding(const System& system, const Sample& sample)
 
 }  // namespace detail
 
-/// Of a run from `start` at t = 0: what counts as one in each state, in SI. That is the largest magnitude that the state reaches, where this is
+/// The scale of each state, in SI, of a run from `start` at t = 0. It is the largest magnitude that the state reaches, where this is
 /// less than one unit: integration measures errors against the larger one of this and of the present magnitude, so that a valve stroke of a
 /// tenth of a millimetre has as many digits as a way of metres. A state that rests at zero but for roundings counts in whole units.
 /// Where the rough run stops, the sizes are those up to there.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Taylor series of the motion of a generated system, and of its inputs. A header has them where it was generated with --taylor.
+// Taylor series of the motion of a generated system, and of its inputs. A header has them if it was generated with --taylor.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 namespace dalembert {
 inline namespace v1 {
 
-/// Inputs as functions u(x, t), together with what makes series of them: see `series` in generated headers.
+/// Inputs as functions u(x, t), together with a function that makes their series: see `series` in generated headers.
 template <std::size_t rows, class Function, class Series>
 struct InputsWithSeries {
     static constexpr std::size_t series_rows = rows;
@@ -43,7 +43,7 @@ inline constexpr bool has_series = false;
 template <class System>
 inline constexpr bool has_series<System, std::void_t<decltype(System::series_rows)>> = true;
 
-/// Of a system that is loaded it turns out in the run whether it has series.
+/// A loaded system has series or not; this is known only in the run.
 template <class System, class = void>
 inline constexpr bool tells_of_series = false;
 template <class System>
@@ -63,7 +63,7 @@ struct SeriesRows<System, true> {
     static bool has_series_in_run() noexcept { return detail::has_series_in_run<System>(); }
 };
 
-/// Inputs that are not there.
+/// No inputs.
 struct NoInputs {
     static constexpr std::size_t series_rows = 0;
     template <class State, class Scalar, class Input>

@@ -17,7 +17,7 @@ struct ZeroInputs : detail::NoInputs {
     typename System::Input operator()(const typename System::State&, typename System::scalar_type) const { return {}; }
 };
 
-/// What the energy E = T + V + internal of a run did. From d(T + V + internal)/dt = supplied - dissipated + prescribed + exchanged
+/// Energy balance of a run, for E = T + V + internal. From d(T + V + internal)/dt = supplied - dissipated + prescribed + exchanged
 /// follows E(t) - E(0) = work(t), the integral of the right-hand side; for an exact solution the error is zero.
 struct EnergyBalance {
     double largest_error = 0;   ///< J, max |E - E(0) - work|
@@ -25,7 +25,7 @@ struct EnergyBalance {
     double relative_error() const { return largest_energy > 0 && std::isfinite(largest_energy) ? largest_error / largest_energy : largest_error; }
 };
 
-/// One point of a run. States, inputs and outputs are references: to be copied if they are to stay.
+/// One point of a run. States, inputs and outputs are references: copy them to keep them.
 template <class System>
 struct Sample {
     typename System::scalar_type t;
@@ -45,12 +45,12 @@ struct SimulationResult {
 };
 
 /// Integrates a system together with the work that is done on it, and calls observe(sample) at the output points.
-/// `inputs` is called as inputs(x, t). Where the system has constraints to be brought back to, the state is projected at the start, after every
-/// step and at every output point: see project; a start that they are far from is Status::constraint_broken. Over positions
-/// where constraints depend on each other one long step is made, or the run ends there with Status::singular_position. The guards of the system are located: see integrate. How the work is weighed against its
-/// tolerance, the last entry of options.scale, is up to the caller; a sensible size is that of the energy. Method::rodas5p takes the
-/// Jacobian of the system, and finds what `inputs` adds to it by calling it near the state and within the step; it integrates the work
-/// along its dense output, by a rule of order six beside one of order four, whose difference is weighed in the same way.
+/// `inputs` is called as inputs(x, t). If the system has constraints, the state is projected onto them at the start, after every
+/// step and at every output point: see project; a start far from them gives Status::constraint_broken. Over positions
+/// where constraints depend on each other the run makes one long step, or ends with Status::singular_position. The run locates the guards of the system: see integrate. The caller
+/// chooses the scale of the work, the last entry of options.scale; the size of the energy is a good choice. Method::rodas5p takes the
+/// Jacobian of the system, and finds the part of `inputs` by calls near the state and within the step. It integrates the work along its
+/// dense output with a rule of order six; the difference from a rule of order four is its error.
 template <class System, class Inputs, class Observer>
 SimulationResult simulate(const System& given, const Inputs& inputs, typename System::State& x, typename System::scalar_type from, typename System::scalar_type to,
                           const SimulationOptions<System>& options, Observer&& observe) {

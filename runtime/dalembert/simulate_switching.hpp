@@ -118,16 +118,16 @@ private:
 
 }  // namespace detail
 
-/// One point of a run of a system that switches. States, inputs and outputs are references: to be copied if they are to stay.
+/// One point of a run of a system that switches. States, inputs and outputs are references: copy them to keep them.
 template <class System>
 struct SwitchingSample : Sample<System> {
     typename System::Mode mode;
 };
 
-/// What the energy of a run with events did. Between events as in EnergyBalance; where impacts take energy, that is counted as lost.
+/// Energy balance of a run with events. Between events as in EnergyBalance; energy that impacts take counts as lost.
 struct SwitchingEnergy : EnergyBalance {
     double lost = 0;          ///< J, at events
-    double largest_gain = 0;  ///< J, of one event: more than a rounding only where a reset supplies energy
+    double largest_gain = 0;  ///< J, of one event: above rounding only if a reset supplies energy
 };
 
 /// Options of a run; the last state is the work in joules.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// How a computation ended. The runtime throws nothing; what can go wrong is said here.
+// Status of a computation. The runtime throws no exceptions; a status names each failure.
 #pragma once
 
 #include <array>
@@ -11,19 +11,19 @@ inline namespace v1 {
 
 enum class Status {
     success,
-    not_finite,      ///< a state or its derivative became infinite or NaN however small the step was
+    not_finite,      ///< a state or its derivative became infinite or NaN, even in the smallest step
     step_too_small,  ///< the tolerance cannot be met with steps that still change the time
     too_many_steps,
     not_converged,   ///< an iteration found no solution
     bad_options,
     event,          ///< a guard that ends the run is about to become negative
     event_storm,    ///< too many events, or one after the other without any progress in time
-    no_start_mode,  ///< no mode accepts the start values, or not the one that was asked for
-    no_mode,        ///< an event after which no mode can go on
-    accumulation,   ///< an event that happens again and again at ever shorter intervals, and nothing is said of what comes after
-    no_series,       ///< the header of the system, or its inputs, have none
-    constraint_broken,  ///< a constraint that the start does not meet, or that cannot be held any more
-    singular_position,  ///< constraints that depend on each other, where the motion cannot go on
+    no_start_mode,  ///< no mode accepts the start values, or the chosen one does not
+    no_mode,        ///< no mode accepts the state after an event
+    accumulation,   ///< an event happens at ever shorter intervals, and the system has no mode for the time after
+    no_series,       ///< the header of the system or its inputs have no Taylor series
+    constraint_broken,  ///< the start violates a constraint, or the run cannot hold it any more
+    singular_position,  ///< constraints depend on each other, and the motion cannot go on
 };
 
 inline const char* to_string(Status status) noexcept {
@@ -46,23 +46,23 @@ inline const char* to_string(Status status) noexcept {
     return "unknown";
 }
 
-/// How an integration went.
+/// Result of an integration.
 struct Outcome {
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
     Status status = Status::success;
-    double t = 0;                 ///< s, where it ended
-    std::size_t state = 0;        ///< with not_finite and step_too_small: the state that is to blame
-    std::size_t guard = none;     ///< with event and event_storm: the guard; with not_finite: one that is not a number, if no state is to blame
-    std::size_t constraint = none;  ///< with constraint_broken and singular_position: which one, in the order of constraint_table()
-    std::size_t events = 0;       ///< guards that changed their sign and were passed
-    std::size_t steps = 0;        ///< accepted
+    double t = 0;                 ///< s, time of the end
+    std::size_t state = 0;        ///< with not_finite and step_too_small: the state that caused it
+    std::size_t guard = none;     ///< with event and event_storm: the guard; with not_finite: a guard that is not a number, if no state caused it
+    std::size_t constraint = none;  ///< with constraint_broken and singular_position: its number in constraint_table()
+    std::size_t events = 0;       ///< number of sign changes of guards that the run passed
+    std::size_t steps = 0;        ///< number of accepted steps
     std::size_t rejected = 0;
     std::size_t rhs_calls = 0;
     std::array<std::size_t, 3> steps_by{};  ///< of Method::automatic: steps of dopri5, dop853 and rodas5p
 };
 
-/// A sentence for people. `names` has a member .name for each state, `guards` .name and .doc for each guard, as the tables of
-/// generated headers do.
+/// The result as a sentence. `names` has a member .name for each state, `guards` have .name and .doc for each guard, like the tables
+/// of generated headers.
 template <class Table, class Guards>
 std::string message(const Outcome& outcome, const Table& names, const Guards& guards) {
     std::string text = outcome.status == Status::event ? "stopped" : to_string(outcome.status);
@@ -70,13 +70,13 @@ std::string message(const Outcome& outcome, const Table& names, const Guards& gu
     if (outcome.status == Status::not_finite && outcome.state < names.size())
         text += ": state '" + std::string(names[outcome.state].name) + "' or its derivative is not finite";
     if (outcome.status == Status::step_too_small)
-        text += ": the tolerance cannot be met" + (outcome.state < names.size() ? ", least by state '" + std::string(names[outcome.state].name) + "'" : std::string()) + "; try a larger one, and look there for something that jumps or grows without bound";
-    if (outcome.status == Status::constraint_broken) text += ": constraint number " + std::to_string(outcome.constraint) + " is not met, and cannot be by a small step";
+        text += ": the tolerance cannot be met" + (outcome.state < names.size() ? ", least by state '" + std::string(names[outcome.state].name) + "'" : std::string()) + "; try a larger one, and look there for a jump or a growth without bound";
+    if (outcome.status == Status::constraint_broken) text += ": constraint number " + std::to_string(outcome.constraint) + " is violated, and a small step cannot restore it";
     if (outcome.status == Status::singular_position) text += ": constraint number " + std::to_string(outcome.constraint) + " depends on the others there";
     if (outcome.guard >= guards.size()) return text;
     const auto& guard = guards[outcome.guard];
     if (outcome.status == Status::event) text += ": " + std::string(guard.doc);
-    if (outcome.status == Status::event_storm) text += ": guard '" + std::string(guard.name) + "' changes its sign again and again (" + guard.doc + ")";
+    if (outcome.status == Status::event_storm) text += ": guard '" + std::string(guard.name) + "' keeps changing its sign (" + guard.doc + ")";
     if (outcome.status == Status::not_finite) text += ": guard '" + std::string(guard.name) + "' is not a number";
     return text;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// The same problems integrated by SUNDIALS (6.x: CVODE and ARKODE), for who has it already, and to be compared with. No other header
+// The same problems integrated by SUNDIALS (6.x: CVODE and ARKODE), for comparison, and for users who already have it. No other header
 // includes this one. Link sundials_cvode, sundials_arkode and sundials_nvecserial, on Debian from libsundials-dev.
 #pragma once
 
@@ -68,7 +68,7 @@ struct SundialsHandles {
     }
 };
 
-/// Outcomes say what went wrong; nothing is printed.
+/// Errors are returned in Outcome; nothing is printed.
 inline void say_nothing_of_sundials(int, const char*, const char*, char*, void*) {}
 
 /// CVODE and ARKODE number these alike.
@@ -283,18 +283,18 @@ private:
 
 }  // namespace detail
 
-/// As `integrate` without guards, with what SUNDIALS takes: rhs(x, t, dxdt), derivatives as of Method::rodas5p, of the options the tolerance
+/// As `integrate` without guards. SUNDIALS takes rhs(x, t, dxdt), derivatives as for Method::rodas5p, and of the options the tolerance
 /// with its scales (of state i the allowed error is tolerance (|x_i| + scale_i), in the mean square of all states), output points, the
-/// first and the longest step, and the number of steps. `x` is afterwards the state at the last output point that was reached; the time of
-/// an outcome that is no success is that of the step that failed, or of a stage of it. No step reaches beyond `to` or across a kink of the options.
+/// first and the longest step, and the number of steps. Afterwards `x` is the state at the last output point that was reached. After a
+/// failure, the time of the outcome is that of the failed step, or of a stage of it. No step reaches beyond `to` or across a kink of the options.
 template <class State, class Rhs, class Derivatives, class Observer>
 Outcome integrate_with_sundials(SundialsMethod method, Rhs&& rhs, Derivatives&& derivatives, State& x, typename State::value_type from, typename State::value_type to, const IntegrationOptions<State>& options,
                                 Observer&& observe) {
     return detail::SundialsRun<State, std::remove_reference_t<Rhs>, std::remove_reference_t<Derivatives>>(method, rhs, derivatives, x, from, to, options).go(observe);
 }
 
-/// A generated system with inputs(x, t). Guards and constraints are not looked at: a run that passes an event of the model, or drifts off its
-/// constraints, is `simulate`'s.
+/// A generated system with inputs(x, t), without guards and constraints: use `simulate` for a run that passes an event of the model, or
+/// that needs its constraints.
 template <class System, class Inputs, class Observer>
 Outcome simulate_with_sundials(SundialsMethod method, const System& system, const Inputs& inputs, typename System::State& x, typename System::scalar_type from, typename System::scalar_type to,
                                 const IntegrationOptions<typename System::State>& options, Observer&& observe) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Simulation of machines with modes: a body that sticks or slides, a ball that flies, bounces and rests, a tank that is empty or not.
+// Simulation of machines with modes: a body that sticks or slides, a ball that flies, bounces and rests, a tank that can run empty.
 //
 // A system with modes is a class like those of generated headers, on fixed sizes and without a heap. It has
 //     scalar_type, State, Input               as any system; State has the same size in all modes, its entries may mean different things
@@ -9,25 +9,25 @@
 //     rhs(mode, x, u, t, dxdt)                dx/dt in a mode
 //     guards(mode, x, u, t, g)                event e happens where g[e] falls through zero
 //     guard_rates(mode, x, u, t, r)           dg/dt, per second, along the motion in that mode, with inputs held
-//     static is_watched(mode, event)          whether an event can happen in a mode; what its guard is does not matter elsewhere
-//     reset(event, mode, x, u, t)             changes x where the event happens in a mode; sets to zero exactly what is meant to be zero
+//     static is_watched(mode, event)          whether an event can happen in a mode; its guard has no effect in other modes
+//     reset(event, mode, x, u, t)             changes x at the event in a mode; sets values that must be zero exactly to zero
 //     static next_modes(event, mode)          modes in order of preference, with begin() and end(); none: the run ends there, without reset
 // and may have
-//     static modes_beside(event, mode)        further modes, for when none of next_modes accepts what the event leaves: an impact turns a velocity
-//                                             round, so that friction elsewhere acts the other way
-//     holds(mode, x, u, t)                    what a mode asks for besides its guards, such as two velocities that are equal; it is looked at
-//                                             where a mode begins. A guard that stays at zero would do, too, but for rounding.
+//     static modes_beside(event, mode)        further modes, if none of next_modes accepts the state after the event: an impact reverses a velocity,
+//                                             and friction elsewhere then acts in the other direction
+//     holds(mode, x, u, t)                    conditions of a mode besides its guards, such as two equal velocities; checked at the start of a
+//                                             mode. A guard that stays at zero would also do, except for rounding.
 //     settle(event, mode, x, u, t),
-//     static after_accumulation(event, mode)  reset and next modes where an event has happened infinitely often: the ball comes to rest
+//     static after_accumulation(event, mode)  reset and next modes after infinitely many events: the ball comes to rest
 //     Kinks, kinks(mode, x, u, t, k)          functions where the right-hand side of a mode has a kink or a jump that changes no mode
 //     PatternX, PatternU, JacobianX, JacobianU, jacobian_x(mode, x, u, t, J), jacobian_u, jacobian_t, for Method::rodas5p
 //
 // note [acceptance]: A mode accepts a state when each guard that is watched in it is positive, or is zero and rises, or is zero with a
-// rate that is exactly zero, as at rest. Zero is exact: resets put guards there. A positive guard that falls so fast that it is gone
-// within an instant (1024 roundings of the time) is not accepted either. Such a guard, or one that is zero and falls, is an event that
-// happens at once. Where no candidate accepts the state,
-//  1. the event is passed an instant later, behind the zero: there an input has jumped, or a rate is no longer zero, as of a body that
-//     leaves the belt with the same friction that held it;
+// rate that is exactly zero, as at rest. Zero is exact: resets put guards there. A mode does not accept a state with a positive
+// guard that falls to zero within an instant (1024 roundings of the time). Such a guard, or one that is zero and falls, is an event that
+// happens at once. If no candidate accepts the state,
+//  1. the event is passed an instant later, behind the zero: there an input has jumped, or a rate is no longer zero, for example of a body
+//     that leaves a belt with the same friction that held it;
 //  2. else the first candidate is taken in which nothing is worse than events that happen at once, and of these the first in order of
 //     declaration is passed there, and so on: events of independent parts of a machine may fall together, and an impact may cause another.
 //     Modes that only lead to each other that way, as where sliding friction is larger than what holds, are an event storm.
@@ -43,22 +43,22 @@ inline namespace v1 {
 
 template <class System>
 struct SwitchingOptions : IntegrationOptions<typename System::State> {
-    bool has_start_mode = false;  ///< else it is the first mode in order of declaration that accepts the start values
+    bool has_start_mode = false;  ///< if false, the run starts in the first mode, in order of declaration, that accepts the start values
     typename System::Mode start_mode{};
 };
 
-/// An event, and what it did.
+/// An event and its effect.
 template <class System>
 struct ModeChange {
     typename System::scalar_type t;  ///< s
     std::size_t event;
     typename System::Mode from, to;
-    bool is_accumulation;  ///< it has happened infinitely often up to this time
+    bool is_accumulation;  ///< the event has happened infinitely often before this time
     const typename System::State& before;
     const typename System::State& after;
 };
 
-/// How a run went. `guard` is the event that ended it; numbers behind the events are those of kinks. `events` counts both.
+/// Result of a run. `guard` is the event that ended it; numbers behind the events are those of kinks. `events` counts both.
 template <class Mode>
 struct SwitchingOutcome : Outcome {
     struct Happened {
@@ -71,23 +71,23 @@ struct SwitchingOutcome : Outcome {
 };
 
 /// Integrates a system with modes from `from` to `to`, from one event to the next. `x` holds the start and afterwards the last good state.
-/// `inputs` is called as inputs(x, t). Calls observe(t, x, mode) at the output points, once each: where an event lies on one, with what was
-/// before it; and where an event ends the run. Calls on_change(change) for each event: there both sides are to be seen.
+/// `inputs` is called as inputs(x, t). Calls observe(t, x, mode) at the output points, once each; if an event lies on one, with the state
+/// before it. Also where an event ends the run. Calls on_change(change) for each event, with the states before and after it.
 ///
-/// Events are located as in integrate(), between two looks at the guards. Where nothing moves, as in a body that sticks, steps are long: with
-/// inputs that swing, options.max_step should be shorter than what may happen between. Sums of steps, and the limits max_steps and
+/// Events are located as in integrate(), between two evaluations of the guards. Steps are long while nothing moves, for example while a body
+/// sticks: with oscillating inputs, options.max_step should be shorter than half their period. Sums of steps, and the limits max_steps and
 /// max_events, are those of the whole run. Besides the statuses of integrate() there are no_start_mode, no_mode (x and mode are those before
 /// the event), accumulation, and event_storm where events follow each other without progress in time; `last` and `before_last` are the two
 /// that alternate.
 ///
 /// Events accumulate where three or more of their intervals shrink by a steady ratio, and the sum of all to come is less than the root of a
-/// rounding (1.5e-8) of the sequence so far, or where they cannot be told apart any more. The motion is then followed without that event to
-/// the sum, a rounding or two behind the guard; `settle` makes up for that. An event without after_accumulation() that happens between the
-/// bounces goes with them; alone it ends the run.
+/// rounding (1.5e-8) of the sequence so far, or if their times are equal but for rounding. The run then goes on without that event to the sum,
+/// a rounding or two behind the guard; `settle` corrects this. An event without after_accumulation() that happens between the bounces
+/// accumulates with them; without them it ends the run.
 ///
-/// What has the rate zero stays exactly as it is; with Method::rodas5p but for rounding, where steps are long.
+/// A state with the rate zero keeps its value exactly; with Method::rodas5p and long steps, except for rounding.
 ///
-/// Time does not run backwards: to < from are bad options, as in integrate().
+/// Time does not run backwards: to < from gives Status::bad_options, as in integrate().
 template <class System, class Inputs, class Observer, class OnChange>
 SwitchingOutcome<typename System::Mode> simulate_modes(const System& system, const Inputs& inputs, typename System::State& x, typename System::scalar_type from,
                                                        typename System::scalar_type to, const SwitchingOptions<System>& options, Observer&& observe, OnChange&& on_change) {
@@ -96,7 +96,7 @@ SwitchingOutcome<typename System::Mode> simulate_modes(const System& system, con
     return run.go(options.has_start_mode, options.start_mode);
 }
 
-/// A sentence for people. `names` has a member .name for each state.
+/// The result as a sentence. `names` has a member .name for each state.
 template <class System, class Table>
 std::string message(const System&, const SwitchingOutcome<typename System::Mode>& outcome, const Table& names) {
     const auto happened = [](const auto& what) {

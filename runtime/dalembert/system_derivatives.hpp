@@ -39,7 +39,7 @@ public:
     using Pattern = typename System::PatternX;
     using DifferentiatedState = State;
 
-    /// `scale` is what counts as one, state by state.
+    /// `scale` is the scale of each state.
     template <class Scale>
     SystemDerivatives(const System& system, const Inputs& inputs, const Scale& scale) : system_(system), inputs_(inputs) {
         std::copy_n(scale.begin(), scale_.size(), scale_.begin());

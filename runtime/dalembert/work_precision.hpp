@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Runs of one problem with any method in any arithmetic, timed: what the programs that `dalembert cost` writes are made of.
+// Timed runs of one problem with any method in any arithmetic: a part of the programs that `dalembert cost` writes.
 #pragma once
 
 #include <unistd.h>
@@ -40,10 +40,10 @@ struct TimedRun {
     double energy_error = 0;
     double constraint_error = 0;             ///< largest position that should be zero, in its own unit
     std::vector<double> seconds;             ///< of each repetition
-    std::vector<std::vector<long double>> rows;  ///< time and what is compared, at the output points
+    std::vector<std::vector<long double>> rows;  ///< time and compared values, at the output points
 };
 
-/// What is compared of one run, at its output points.
+/// Compared values of one run, at its output points.
 template <class Scalar>
 struct Rows {
     std::vector<std::vector<Scalar>> values;
@@ -80,7 +80,7 @@ void set_request(Options& options, const RunRequest& request, const Scales& scal
     options.scale.back() = std::numeric_limits<Scalar>::max() / Scalar(1e10);  // the work is looked at, and shortens no step
 }
 
-/// One run. A Problem has the types of its system, system(), start(), inputs(system) and `until`; row(sample) is what is compared.
+/// One run. A Problem has the types of its system, system(), start(), inputs(system) and `until`; row(sample) returns the compared values.
 template <class Problem>
 std::pair<Outcome, double> run_once(const RunRequest& request, const typename Problem::System::State& scales, Rows<typename Problem::System::scalar_type>& rows) {
     using System = typename Problem::System;

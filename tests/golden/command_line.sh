@@ -35,14 +35,14 @@ expect 0 'number of intervals' "$PROGRAM" help simulate
 expect 2 'NAME=WHOLE_NUMBER' "$PROGRAM" derive "$model" --size N
 expect 2 'no size' "$PROGRAM" derive "$model" --size N=3
 expect 2 "did you mean 'bodies'" "$PROGRAM" help bodie
-expect 2 "'q' is no parameter that scene 'lab' has" "$PROGRAM" generate "$model" --fix q -o "$here/none"
+expect 2 "'q' is not a parameter of scene 'lab'" "$PROGRAM" generate "$model" --fix q -o "$here/none"
 expect 2 "did you mean 'm_W'" "$PROGRAM" generate "$model" --fix m_w -o "$here/none"
 expect 2 "'g' is fixed twice" "$PROGRAM" generate "$model" --fix g,g=9.8 -o "$here/none"
 expect 2 'is 50 m, but its range ends at 5 m' "$PROGRAM" generate "$model" --fix l_S=50 -o "$here/none"
 expect 2 "the value of 'g' must be in 'm/s^2', but '1kg' is in 'kg'" "$PROGRAM" generate "$model" --fix g=1kg -o "$here/none"
 expect 2 "must not depend on 's'" "$PROGRAM" generate "$model" --fix g=s -o "$here/none"
 expect 2 'singular-mass' "$PROGRAM" generate "$SOURCE/tests/golden/two_masses_without.toml" --fix m_2=0 -o "$here/none"
-expect 2 "'fin' has rods whose cells are computed in loops" "$PROGRAM" generate "$SOURCE/systems/heat/fin.toml" --size N=500 --together -o "$here/none"
+expect 2 "'fin' has rods with cells in loops" "$PROGRAM" generate "$SOURCE/systems/heat/fin.toml" --size N=500 --together -o "$here/none"
 expect 2 "'quick' is not one of 'library' and 'combined'" "$PROGRAM" generate "$model" --trig quick -o "$here/none"
 expect 0 'ddot(s)' "$PROGRAM" evaluate "$model"
 expect 2 'unit-mismatch' "$PROGRAM" evaluate "$model" --parameter m_W=2m
@@ -96,5 +96,5 @@ b = { mass = "m", position = ["y", 0, 0] }
 [stops.bumper]
 gap = "y - x"
 MODEL
-expect 2 'made of several coordinates' "$PROGRAM" equilibrium "$here/bumper.toml" --mode bumper_closed
+expect 2 'contains several coordinates' "$PROGRAM" equilibrium "$here/bumper.toml" --mode bumper_closed
 exit "$((failures > 0))"

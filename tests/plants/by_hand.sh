@@ -11,7 +11,7 @@ near "the height" "$(last pendulum_by_hand.csv height)" "$(awk 'BEGIN { print 0.
 dalembert 0 simulate pendulum.so --until 3 --parameter d=0.5,l=2 --state phi=0.3 --input a=0.2 --method rodas5p --no-plot
 prints 'energy error'
 dalembert 2 simulate pendulum.so --no-plot
-prints '--until says how long'
+prints 'give the end of the run with --until'
 dalembert 2 simulate pendulum.so --until 500ms --no-plot
 prints "as a number of seconds, not '500ms'"
 dalembert 2 simulate pendulum.so --until 1 --scene lab --no-plot
@@ -26,7 +26,7 @@ dalembert 2 simulate crash.so --until 2 --no-plot
 prints "the plant 'crash.so' crashed in a call"
 name=hang.so library -DHANG
 dalembert 2 simulate hang.so --until 2 --no-plot --stage-seconds 2
-prints "the plant 'hang.so' did not come back within 2 s"
+prints "the plant 'hang.so' did not finish a call within 2 s"
 
 echo 'int nothing;' >nothing.c
 ${CC:-cc} -shared -fPIC nothing.c -o nothing.so

@@ -4,7 +4,7 @@
 limit=600
 dalembert 0 equilibrium "$model"
 prints "an isolated equilibrium"
-prints "free to be chosen where constraints hold: 'phi' and 'dot\(phi\)'"
+prints "free states under the constraints: 'phi' and 'dot\(phi\)'"
 near "angular frequency" "$(number '^ +-?0 \+')" 3.74357 1e-5
 dalembert 0 modal "$model"
 prints "independent coordinates: 'phi';"

@@ -3,7 +3,7 @@
 TIMEFORMAT=%U
 { time dalembert 0 generate "$model" -o . >generated.txt; } 2>seconds
 prints "'u', 'relief' bring no modes"
-prints_not "numerically equal only"
+prints_not "only numerically equal"
 near 'processor time of generate' "$(cat seconds)" 0 5
 dalembert 0 simulate "$model" --no-plot
 csv=servo_axis_full.csv

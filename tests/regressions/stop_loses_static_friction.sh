@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A block at a stop let go at sliding friction, and the stop bore friction too: modes whose constraints repeat each other were left out.
 dalembert 0 simulate "$model" -o out --no-plot
-prints "what each of them bears is not determined. 'floor' is given what 'wall' cannot bear"
+prints "the force of each is not determined. 'floor' gets the part that 'wall' cannot carry"
 near 'force of the wall at first' "$(column out/off_the_stop_full.csv f_wall 0)" 10 1e-12
 near 'friction at first' "$(column out/off_the_stop_full.csv f_friction 0)" 0 1e-12
 near 'force of the wall at 2.2 s' "$(column out/off_the_stop_full.csv f_wall 2.201)" 0 1e-12

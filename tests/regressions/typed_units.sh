@@ -33,6 +33,6 @@ dalembert 2 evaluate "$model" --input T_out=5 --parameter 'p_s=3*(2 s)'
 prints "the value of 'p_s' must be in .*Pa.*, but '3\*\(2 s\)' is in 's'"
 # What is left out is not 0 K.
 dalembert 2 evaluate "$model"
-prints "nothing says what the input 'T_out' is"
+prints "the input 'T_out' has no value"
 dalembert 2 simulate "$model" --run none
 prints "the model has no run 'none'"

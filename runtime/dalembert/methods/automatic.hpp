@@ -36,7 +36,7 @@ class SpectralRadius {
     using Scalar = typename Vector::value_type;
 
 public:
-    /// `size` is what counts as one, state by state. NaN if the Jacobian is not finite.
+    /// `size` is the scale of each state. NaN if the Jacobian is not finite.
     template <class Derivatives, class Size>
     Scalar operator()(const Derivatives& jacobian, const Size& size) {
         using std::sqrt;
@@ -86,14 +86,14 @@ private:
     bool is_begun_ = false;
 };
 
-/// What was learnt in one part of a run, for the next one.
+/// Experience from one part of a run, for the next one.
 template <class Scalar, class DifferentiatedState>
 struct Choice {
     using State = DifferentiatedState;
     enum Kind : std::size_t { dopri5, dop853, rodas5p };
     Kind kind = dopri5;
     bool is_smooth = true;  ///< in this part: dop853 has not had most of its steps rejected
-    std::size_t patience = 2;  ///< how often in succession stability is to be what limits steps
+    std::size_t patience = 2;  ///< number of times in succession that stability must limit the steps
     Scalar implicit_pace = Scalar(0);  ///< s for each step of an explicit method in the same time, when Rodas5P ran last
     std::array<std::size_t, 3> steps{};
     SpectralRadius<DifferentiatedState> radius;

@@ -114,7 +114,7 @@ Outcome run_explicit(Run& run, Steps steps) {
     return run_with<Method<typename Run::State, typename Run::RightHandSide>>(run, steps);
 }
 
-/// With one of the methods that need nothing but the right-hand side.
+/// With one of the methods that need only the right-hand side.
 template <class Run>
 Outcome run_explicit(Run& run, Method method) {
     switch (method) {

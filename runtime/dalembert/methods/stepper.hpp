@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// What the driver of an integration asks of a method. One interface with virtual functions: a step costs more than a call, and the
+// The interface between the driver of an integration and a method. One interface with virtual functions: a step costs more than a call, and the
 // control of steps and events is compiled once, not once for each method.
 #pragma once
 
@@ -43,7 +43,7 @@ class Stepper {
 public:
     using Scalar = typename State::value_type;
     virtual int order() const = 0;  ///< the error of a step shrinks like its length to this power
-    /// Makes the step; c.finite says whether all of it is.
+    /// Makes the step; c.finite tells whether all of its numbers are finite.
     virtual void take(const Point<State>& from, Candidate<State>& c) = 0;
     /// The length of the next step from here, which the control of errors would make h.
     virtual Scalar suggested(const Point<State>&, Scalar h) { return h; }

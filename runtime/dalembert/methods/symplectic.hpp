@@ -17,7 +17,7 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-/// Whether a generated system says that its accelerations depend on coordinates alone: q' = v, v' = a(q).
+/// Whether a generated system is marked as separable: accelerations depend only on coordinates, q' = v, v' = a(q).
 template <class System, class = void>
 inline constexpr bool is_separable = false;
 template <class System>

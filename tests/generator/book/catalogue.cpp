@@ -113,7 +113,7 @@ TEST_CASE("points at random are small and large, and say what case none of them 
     CHECK(verdict("letters = { p = { unit = \"1\", range = [0, 9] } }\nequation = \"max(p, 10) = 10\"") == "numerically equal");
     const auto far = row("equation = \"abs(u - 5000) + max(v, -1) = 5000 - u + max(v, -1)\"");
     CHECK(far["verdict"] == "numerically equal");
-    CHECK(far["reason"] == "no point came into one of the cases that 'u' decides");
+    CHECK(far["reason"] == "no point reached one of the cases that 'u' decides");
 }
 
 TEST_CASE("cases") {

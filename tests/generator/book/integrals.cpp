@@ -48,5 +48,5 @@ TEST_CASE("limits from one side, and Euler's number") {
     all_are("proven", {R"(\lim_{x \to 0^+} \frac{|x|}{x} = 1)", R"(\lim_{x \to 0-} \frac{|x|}{x} = -1)", R"(\lim_{x \to 0^{-}} \frac{|x|}{x} = -1)", R"(\lim_{x \downarrow 0} \frac{|x|}{x} = 1)",
                        R"(\lim_{n \to \infty} \left(1 + \frac{1}{n}\right)^n = e)", R"(\lim_{n \to \infty} \left(1 + \frac{u}{n}\right)^n = e^u)"});
     all_are("not checkable", {R"(\lim_{x \to 0^+} \frac{1}{x} = 1)", R"(\lim_{x \to 0} \frac{|x|}{x} = 1)"});
-    CHECK(checked(R"(\lim_{x \to 0} \frac{|x|}{x} = 1)")["reason"].get<std::string>().find("from which side") != std::string::npos);
+    CHECK(checked(R"(\lim_{x \to 0} \frac{|x|}{x} = 1)")["reason"].get<std::string>().find("give the side") != std::string::npos);
 }

@@ -53,7 +53,7 @@ TEST_CASE("errors of an oscillator are those of an integration by hand, and a st
     std::filesystem::remove(place.path() / "mass_cost.csv");
     const Answer told = cost(call);
     REQUIRE(told.code == 0);
-    CHECK(told.err.find("goes on behind") != std::string::npos);
+    CHECK(told.err.find("continues after") != std::string::npos);
     CHECK(!std::filesystem::exists(unfinished));
     CHECK(std::filesystem::exists(place.path() / "mass_cost.csv"));
 
@@ -107,7 +107,7 @@ TEST_CASE("a closed form is the reference of what it gives, and one that is wron
         if (run["step"] == 0.1) CHECK(run["error_on_the_way"] == doctest::Approx(error_of_rk4(100, 10)).epsilon(1e-2));
     const Answer wrong = with("a*cos(1.001*sqrt(c/m)*t)");
     CHECK(wrong.code == 1);
-    CHECK(wrong.err.find("the closed form of 'q' is not what the run gives: at t = 0.2 s") != std::string::npos);
+    CHECK(wrong.err.find("the closed form of 'q' differs from the run: at t = 0.2 s") != std::string::npos);
 }
 
 TEST_CASE("a budget is kept, or refused with what would be needed") {
@@ -124,7 +124,7 @@ TEST_CASE("a budget is kept, or refused with what would be needed") {
         if (candidate["method"] == "rk4" && candidate["arithmetic"] == "double" && candidate["parts"] == 1) CHECK(candidate["error"] == doctest::Approx(error_of_rk4(1000, 10)).epsilon(1e-2));
     const Answer never = cost({model, "--budget", "10 ms step, 1e-6 us", "--methods", "euler,rk4", "--arithmetics", "double", "--limit", "2"});
     CHECK(never.code == 1);
-    CHECK(never.out.find("none fits: the fastest that comes to the end takes") != std::string::npos);
+    CHECK(never.out.find("none fits: the fastest that reaches the end takes") != std::string::npos);
     const Answer coarse = cost({model, "--budget", "1 s step, 1 ms", "--methods", "rk4", "--limit", "2"});
     CHECK(coarse.code == 2);
     CHECK(coarse.err.find("takes 10 s, which is less than 50 steps of 1 s") != std::string::npos);
@@ -138,11 +138,11 @@ TEST_CASE("bad questions about cost") {
     };
     const std::string pendulum = SOURCE_DIR "/systems/mechanics/pendulum.toml";
     refused({pendulum, "--budget", "20 us"}, "'--budget 20 us' is not of the form 'STEP step, TIME'");
-    refused({pendulum, "--budget", "1 kg step, 20 us"}, "a budget is in units of time, 's', not 'kg'");
+    refused({pendulum, "--budget", "1 kg step, 20 us"}, "a budget is a time, in 's', not in 'kg'");
     refused({pendulum, "--budget", "1 ms step, soon"}, "'soon' is not a time such as '20 us'");
-    refused({pendulum, "--budget", "1 ms step, 0 us"}, "longer than no time at all");
-    refused({pendulum, pendulum, "--scene", "full"}, "of several models no scene can be chosen");
-    refused({pendulum, pendulum, "--budget", "1 ms step, 20 us"}, "a budget is asked for of one model");
+    refused({pendulum, "--budget", "1 ms step, 0 us"}, "longer than zero");
+    refused({pendulum, pendulum, "--scene", "full"}, "--scene needs a single model");
+    refused({pendulum, pendulum, "--budget", "1 ms step, 20 us"}, "--budget needs a single model");
     refused({pendulum, "--methods", "rk5"}, "rk5");
     refused({pendulum, "--size", "N=3"}, "'N'");
 }

@@ -99,7 +99,7 @@ TEST_CASE("what is minimised, several optima, ends of the range, runs that stop"
     const std::string breaks = folder.write("breaks.toml", head + "[states]\nz = { unit = \"1\", start = 1, derivative = \"w*z^2\" }\n");
     const Answer stopped = optimise({breaks, "--maximise", "z", "--over", "w=0.1:2"});
     CHECK(stopped.code == 4);
-    CHECK(stopped.err.find("the run does not come to its end") != std::string::npos);
+    CHECK(stopped.err.find("the run does not reach its end") != std::string::npos);
     CHECK(stopped.out.empty());
 }
 
@@ -113,9 +113,9 @@ TEST_CASE("bad questions") {
         CHECK(answer.err.find(sentence) != std::string::npos);
     };
     asked({"--run", "flight", "--maximise", "distanse", "--over", "alpha=10deg:80deg"}, "has no output or state 'distanse'");
-    asked({"--run", "flight", "--maximise", "distance", "--over", "beta=10deg:80deg"}, "'beta' is nothing in scene 'flight'");
+    asked({"--run", "flight", "--maximise", "distance", "--over", "beta=10deg:80deg"}, "'beta' of scene 'flight' does not exist");
     asked({"--run", "flying", "--maximise", "distance", "--over", "alpha=10deg:80deg"}, "the model has no run 'flying'");
-    asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=80deg:10deg"}, "it begins at the smaller one");
+    asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=80deg:10deg"}, "give the smaller value first");
     asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=0deg:80deg"}, "its range begins at");
     asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=10m:80m"}, "the value of 'alpha' must be in '1', but '10m' is in 'm'");
     asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=10deg"}, "is not of the form PARAMETER=LOW:HIGH");
