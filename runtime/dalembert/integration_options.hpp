@@ -30,8 +30,8 @@ enum class Method {
     /// Rosenbrock method 5(4) for stiff problems, controlled, output points by its dense output; needs the Jacobian, so it is available in
     /// `simulate`, and in `integrate` with derivatives.
     rodas5p,
-    /// Taylor series; the order follows from the tolerance, or is `order`; controlled, output points by its polynomial. For smooth motion at tight
-    /// tolerances. The header of the system and the inputs must have series; else the run ends with Status::no_series.
+    /// Taylor series; the order follows from the tolerance, or is `order`; controlled, output points by its polynomial. For smooth motion
+    /// at tight tolerances. The header of the system and the inputs must have series; else the run ends with Status::no_series.
     taylor,
 };
 
@@ -42,7 +42,7 @@ struct IntegrationOptions {
     Scalar tolerance = Scalar(1e-9);  ///< error of a step relative to max(|x_i|, scale_i)
     State scale = filled(Scalar(1));  ///< scale of each state, in SI: smaller values count as this
     Scalar step = Scalar(0);          ///< s; length of fixed steps, or of the first controlled step; 0: chosen
-    bool is_fixed = false;            ///< no step is rejected; the steps between two output points are equal, as long as `step` or a little shorter
+    bool is_fixed = false;            ///< no step is rejected; steps between two output points are equal, `step` or a little shorter
     Scalar max_step = Scalar(0);      ///< s; the longest step, to catch short pulses; 0: as long as the run
     /// s, rising; known times of kinks and jumps of the right-hand side, for example of an input: no controlled step reaches across one.
     std::vector<Scalar> kinks = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// Several motions in time at once, one in each lane of a pack: every lane has a time, a step and an end of its own, as in a run with one lane.
+// Several motions in time at once, one in each lane of a pack: every lane has a time, a step and an end of its own.
 #pragma once
 
 #include <boost/numeric/odeint/algebra/array_algebra.hpp>
@@ -183,10 +183,10 @@ private:
 
 }  // namespace detail
 
-/// Integrates `system`, whose Scalar is a pack, from `from` to `to`: x holds the start of every lane, and afterwards its end. Each lane ends
-/// independently: at `to`, at a guard that ends runs (Status::event, found within the step), or where it cannot go on. `inputs` is called as
-/// inputs(x, t) with packs. The options tolerance, scale, step, max_step and max_steps count; kinks are not located, only the error of the
-/// steps is controlled.
+/// Integrates `system`, whose Scalar is a pack, from `from` to `to`: x holds the start of every lane, and afterwards its end. Each lane
+/// ends independently: at `to`, at a guard that ends runs (Status::event, found within the step), or where it cannot go on. `inputs` is
+/// called as inputs(x, t) with packs. The options tolerance, scale, step, max_step and max_steps count; kinks are not located, only the
+/// error of the steps is controlled.
 template <class System, class Inputs>
 auto integrate_lanes(const System& system, const Inputs& inputs, typename System::State& x, typename System::scalar_type::value_type from, typename System::scalar_type::value_type to,
                      const typename detail::LaneRun<System, Inputs>::Options& options) {
