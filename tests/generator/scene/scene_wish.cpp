@@ -46,5 +46,5 @@ TEST_CASE("scenes that cannot be asked for") {
     CHECK(refusal("mechanics/projectile", "atmosphere+air") == "scene 'atmosphere' already has 'air', so it cannot be added");
     CHECK(refusal("mechanics/projectile", "vacuum-air") == "scene 'vacuum' already lacks 'air', so it cannot be left out");
     CHECK(refusal("hydraulics/hydraulic_cylinder", "real-compressible") == "scene 'real-compressible' leaves out 'compressible', which 'thermal' implies");
-    CHECK(refusal("heat/block", "rows+columns") == "scene 'rows+columns' calls for 'rows' and 'columns', two levels of 'bound'");
+    CHECK(refusal("heat/block", "rows+columns") == "scene 'rows+columns' contains 'rows' and 'columns', two levels of 'bound'");
 }
