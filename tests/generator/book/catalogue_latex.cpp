@@ -103,7 +103,7 @@ const Claim others[]{
     {"with = { q = \"vector(a, b)\" }", R"(|q| = a)", "'|q|' is the magnitude of a 2 by 1 vector"},
     // letters
     {"", R"(\int_0^1 x\,dx = \left. \frac{x^2}{2} \right|_0^1)", "proven"},
-    {"positive = { t = \"s\" }", R"(a = a)", "'t' is the time"},
+    {"positive = { t = \"s\" }", R"(a = a)", "'t' is always the time"},
 };
 
 /// What is read of other people's texts, and a slip in each.
