@@ -271,8 +271,8 @@ private:
         row.pressure = pressure(a) - into * magnitude(into);
     }
 
-    /// All other ends are known, and at least one flow goes like a root. Of that one's law the pressure follows, and of the balance what it
-    /// carries.
+    /// All other ends are known, and at least one flow goes like a root. The law of that one gives the pressure, and the balance its
+    /// flow.
     void put_back_known(const Step& step) {
         JunctionRow& row = rows_[step.junction];
         std::vector<const Arm*> roots, linear;
@@ -296,6 +296,11 @@ private:
         const ex drop = values[0] * magnitude(values[0]);
         row.pressure = pressure(first) - drop;
         for (std::size_t i = 0; i < roots.size(); ++i) roots[i]->edge->drive = roots[i]->sign() * values[i];
+        if (roots.size() == 1 && linear.size() == 1 && row.source.is_zero()) {  // one through the other: a difference would lose digits
+            const Arm& next = *linear[0];
+            next.edge->mass_flow = -next.sign() * first.sign() * first.edge->carries();
+            return;
+        }
         ex others = row.source;
         for (const Arm* arm : linear) {
             arm->edge->drive = arm->sign() * (difference(*arm, first) + drop);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include "check/written_values.hpp"
 #include "elements/forces.hpp"
 #include "elements/model.hpp"
@@ -210,7 +212,7 @@ Measure Units::quantity(const Expression& e, const Bound& bound) {
     if (e.name == "mass_matrix") return {energy * Dimension::time() * Dimension::time() / coordinate(0) / coordinate(1)};
     if (e.name == "damping_matrix") return {energy * Dimension::time() / coordinate(0) / coordinate(1)};
     if (e.name == "stiffness_matrix") return {energy / coordinate(0) / coordinate(1)};
-    static const std::map<std::string, Dimension, std::less<>> fluid{
+    static const std::map<std::string, Dimension, std::less<>> fixed{
         {"pressure", Dimension::pressure()},
         {"bulk_modulus", Dimension::pressure()},
         {"temperature", Dimension::temperature()},
@@ -225,6 +227,12 @@ Measure Units::quantity(const Expression& e, const Bound& bound) {
         {"isobaric_heat", energy / Dimension::mass() / Dimension::temperature()},
         {"mass_flow", Dimension::mass() / Dimension::time()},
         {"inflow", Dimension::mass() / Dimension::time()},
+        {"surplus", Dimension::mass() / Dimension::time()},
+        {"kinetic_energy", energy},
+        {"translational_energy", energy},
+        {"rotational_energy", energy},
+        {"potential_energy", energy},
+        {"internal_energy", energy},
         {"volume_flow", Dimension::volume() / Dimension::time()},
         {"heat", Dimension::power()},
         {"view_factor", Dimension::none()},
@@ -232,9 +240,9 @@ Measure Units::quantity(const Expression& e, const Bound& bound) {
         {"radiosity", Dimension::power() / Dimension::length() / Dimension::length()},
         {"irradiation", Dimension::power() / Dimension::length() / Dimension::length()},
     };
-    if (const auto found = fluid.find(e.name); found != fluid.end()) return {found->second};
+    if (const auto found = fixed.find(e.name); found != fixed.end()) return {found->second};
     if (e.name.ends_with("_power")) return {Dimension::power()};
-    return {energy};
+    throw std::logic_error("no unit of quantity '" + e.name + "'");
 }
 
 Measure Units::call(const Expression& e, const Bound& bound) {
