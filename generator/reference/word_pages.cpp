@@ -77,7 +77,7 @@ Page unit_page() {
     Page page{"units",
               "Units",
               "Units are joined by `*`, `/` and `^`, as in `kg*m/s^2`. `1` is the unit of a dimensionless number, `1/s` that of a rate. A "
-              "number without a unit counts in the declared unit of the parameter, coordinate or key that it belongs to. A number with a "
+              "number without a unit counts in the declared unit of the parameter, coordinate, state or input that it belongs to. A number with a "
               "unit, as `\"5 bar\"`, is converted exactly. Inside a longer expression, a number with a composed unit stands in brackets: "
               "`(3 m/s)*t`.",
               {}};

@@ -69,14 +69,29 @@ GiNaC::exmap without_time(GiNaC::exmap point, const System& system) {
     return point;
 }
 
+/// As recorded_names(), of a plot. Throws Failure (unknown-name) for a member that its family does not have. A name that the scene
+/// leaves out gives nothing.
+std::vector<std::string> plotted_names(const std::string& name, const Plot& plot, const System& system) {
+    std::vector<std::string> found = recorded_names(name, system);
+    const auto bracket = name.find('[');
+    if (!found.empty() || bracket == std::string::npos) return found;
+    const std::string family = name.substr(0, bracket) + (name.starts_with("dot(") ? ")" : "");
+    const std::vector<std::string> members = recorded_names(family, system);
+    if (members.size() < 2) return found;
+    throw Failure(Diagnostic{Id::unknown_name, plot.span,
+                             fmt::format("a run plots '{}', but the members of '{}' are '{}' to '{}'; write the index as a number, or '{}' "
+                                         "for all",
+                                         name, family, members.front(), members.back(), family)});
+}
+
 /// Plots with names of the recording; without any, one panel a coordinate or output.
 std::vector<Plot> resolved_plots(const std::vector<Plot>& wanted, const System& system) {
     std::vector<Plot> result;
     for (const Plot& plot : wanted) {
         Plot resolved{plot.title, {}, {}, plot.span};
         for (const std::string& name : plot.y)
-            for (const std::string& full : recorded_names(name, system)) resolved.y.push_back(full);
-        const auto x = recorded_names(plot.x, system);
+            for (const std::string& full : plotted_names(name, plot, system)) resolved.y.push_back(full);
+        const auto x = plotted_names(plot.x, plot, system);
         if (!x.empty()) resolved.x = x.front();
         if (!resolved.y.empty() && (plot.x.empty() || !x.empty())) result.push_back(std::move(resolved));
     }

@@ -62,7 +62,7 @@ void refuse_fields(const System& system, const char* verb) {
     for (const RodField& field : system.heat.fields)
         throw Failure(Diagnostic{
             Id::too_large, field.rod->span,
-            fmt::format("the {} cells of rod '{}' are computed in a loop, and '{}' needs each cell separately; choose fewer cells",
+            fmt::format("the {} cells of rod '{}' are computed in a loop, and '{}' needs each cell separately; choose fewer cells, or set loops = false",
                         field.geometry.cells(), field.rod->name, verb)});
 }
 
