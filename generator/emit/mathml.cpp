@@ -55,7 +55,7 @@ std::string name_of(const Expression& e, const char* accent = nullptr) {
     for (const ExpressionPtr& index : e.children) below += (below.empty() ? "" : "<mo>,</mo>") + mathml(*index);
     std::string base =
         word.find(' ') == std::string::npos ? fmt::format("<mi>{}</mi>", letter(word)) : fmt::format("<mtext>{}</mtext>", html_text(word));
-    if (accent != nullptr) base = fmt::format("<mover accent=\"true\">{}<mo>{}</mo></mover>", base, accent);
+    if (accent != nullptr) base = fmt::format("<mover>{}<mo>{}</mo></mover>", base, accent);
     return below.empty() ? base : fmt::format("<msub>{}{}</msub>", base, row(below));
 }
 
