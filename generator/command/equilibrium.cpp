@@ -204,6 +204,7 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     result.inputs = with_values(inputs, found.u);
     if (found.linearisation) result.linearisation = linearisation_of(*found.linearisation, states);
     else result.restless = restless_state(states, moving, found.x, found.rates, result.residual);
+    if (result.found()) streams.err << doubts_of_found(values, system, found.x, found.u);
     write_result(result, options, streams);
     return result.found() ? ExitCode::good : ExitCode::run_stopped;
 }

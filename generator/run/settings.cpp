@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+
 #include "check/checks.hpp"
 #include "elements/fluids.hpp"
 #include "elements/heat.hpp"
@@ -105,10 +109,13 @@ void check_inputs_given(const std::vector<bool>& is_given, const System& system)
 namespace {
 
 /// Something in the model that is at an absolute temperature or pressure.
-class StartDoubts {
+class Doubts {
 public:
-    StartDoubts(const Values& values, const System& system, bool knows_inputs, Diagnostics& diagnostics)
-        : at_(values.substitution()), system_(system), diagnostics_(diagnostics) {
+    /// Start values were written by somebody; others were computed.
+    enum class Occasion { start, found };
+
+    Doubts(const Values& values, const System& system, Occasion occasion, bool knows_inputs, Diagnostics& diagnostics)
+        : at_(values.substitution()), system_(system), occasion_(occasion), diagnostics_(diagnostics) {
         if (!knows_inputs)
             for (const Variable& input : system.symbols.all(SymbolKind::input)) at_.erase(input.symbol);
     }
@@ -116,6 +123,10 @@ public:
     void temperature(const ExpressionPtr& e, const char* kind, const Item& item) {
         constexpr double coldest = 100;
         const auto kelvin = number(e);
+        if (occasion_ == Occasion::found) {
+            if (kelvin && *kelvin < 0) warn(*e, fmt::format("{} '{}' is at {:.6g} K, below absolute zero", kind, item.name, *kelvin));
+            return;
+        }
         if (!kelvin || *kelvin >= coldest || is_in_range(*e, *kelvin)) return;
         warn(*e, fmt::format("{} '{}' begins at {:.6g} K; did you mean {:.6g} degC?", kind, item.name, *kelvin, *kelvin));
     }
@@ -123,6 +134,11 @@ public:
     void pressure(const ExpressionPtr& e, const char* kind, const Item& item) {
         constexpr double least = 100;
         const auto pascal = number(e);
+        if (occasion_ == Occasion::found) {
+            if (pascal && *pascal < 0)
+                warn(*e, fmt::format("{} '{}' is at {:.6g} Pa; pressures are absolute, so that a vacuum is at 0 Pa", kind, item.name, *pascal));
+            return;
+        }
         if (!pascal || *pascal >= least || is_in_range(*e, *pascal)) return;
         warn(*e, *pascal > 0 ? fmt::format("{} '{}' begins at {:.6g} Pa; did you mean {:.6g} bar?", kind, item.name, *pascal, *pascal)
                              : fmt::format("{} '{}' begins at {:.6g} Pa; pressures are absolute, so ambient air is at 1 bar. Did you mean "
@@ -155,21 +171,23 @@ private:
         return low && *low > 0 && *low <= value;
     }
 
+    /// Once a place: a value outside of its range has been told.
     void warn(const Expression& e, std::string message) {
         const Named* named = e.kind == Expression::Kind::name ? system_.names.find(e.name) : nullptr;
-        diagnostics_.warning(Id::value_out_of_range, named != nullptr ? named->item->span : e.span, std::move(message));
+        const Span& place = named != nullptr ? named->item->span : e.span;
+        const auto& told = diagnostics_.all();
+        const auto is_here = [&](const Diagnostic& d) { return d.span.source == place.source && d.span.begin == place.begin; };
+        if (occasion_ == Occasion::found && std::any_of(told.begin(), told.end(), is_here)) return;
+        diagnostics_.warning(Id::value_out_of_range, place, std::move(message));
     }
 
     GiNaC::exmap at_;
     const System& system_;
+    Occasion occasion_;
     Diagnostics& diagnostics_;
 };
 
-}  // namespace
-
-std::string doubts_of_start(const Values& values, const System& system, bool knows_inputs) {
-    Diagnostics diagnostics;
-    StartDoubts doubts(values, system, knows_inputs, diagnostics);
+void doubt_media(Doubts& doubts, const System& system) {
     for (const auto& member : system.scene.volumes) {
         const Volume& volume = *member.item;
         doubts.pressure(volume.pressure, "volume", volume);
@@ -181,9 +199,48 @@ std::string doubts_of_start(const Values& values, const System& system, bool kno
     }
     for (const auto& member : system.scene.nodes)
         if (member.item->capacity) doubts.temperature(member.item->temperature, "node", *member.item);
+}
+
+std::string rendered(const Diagnostics& diagnostics) {
     std::string text;
     for (const Diagnostic& doubt : diagnostics.all()) text += render(doubt);
     return text;
+}
+
+}  // namespace
+
+std::string doubts_of_start(const Values& values, const System& system, bool knows_inputs) {
+    Diagnostics diagnostics;
+    Doubts doubts(values, system, Doubts::Occasion::start, knows_inputs, diagnostics);
+    doubt_media(doubts, system);
+    return rendered(diagnostics);
+}
+
+std::string doubts_of_found(const Values& values, const System& system, const std::vector<double>& x, const std::vector<double>& u) {
+    constexpr double rounding = 1e-9;  // of a search that ends on a bound
+    Diagnostics diagnostics;
+    Values found = values;
+    std::set<const Quantity*> told;
+    const auto take = [&](const Variable& variable, double number) {
+        if (!std::isfinite(number)) return;
+        found.find(variable.kind, variable.position, GiNaC::numeric(number));
+        const bool is_guess = variable.declared != nullptr && variable.declared->range && variable.declared->range->is_guess;
+        if (variable.declared == nullptr || is_guess) return;
+        const GiNaC::ex value = GiNaC::numeric(variable.is_root ? number * number : number);
+        const bool is_told = !told.insert(variable.declared).second;  // of another member of its family
+        if (is_told) return;
+        if (const auto outside = found.outside_range(variable, value, variable.declared->span, rounding))
+            diagnostics.warning(outside->id, outside->span, outside->message);
+        else
+            told.erase(variable.declared);
+    };
+    const std::vector<const Variable*> states = system.symbols.state_variables();
+    for (std::size_t i = 0; i < states.size() && i < x.size(); ++i) take(*states[i], x[i]);
+    const auto& inputs = system.symbols.all(SymbolKind::input);
+    for (std::size_t i = 0; i < inputs.size() && i < u.size(); ++i) take(inputs[i], u[i]);
+    Doubts doubts(found, system, Doubts::Occasion::found, true, diagnostics);
+    doubt_media(doubts, system);
+    return rendered(diagnostics);
 }
 
 void apply_settings(Values& values, const std::vector<Setting>& settings, unsigned allowed, const System& system) {

@@ -34,6 +34,10 @@ void check_inputs_given(const std::vector<bool>& is_given, const System& system)
 /// known inputs it skips values that depend on an input.
 std::string doubts_of_start(const Values& values, const System& system, bool knows_inputs = true);
 
+/// Warnings, as they are shown, of a state and inputs that were computed: values outside of their declared ranges, temperatures below
+/// absolute zero, pressures below a vacuum. `x` and `u` are in the order of the state variables and inputs.
+std::string doubts_of_found(const Values& values, const System& system, const std::vector<double>& x, const std::vector<double>& u);
+
 void check_dependence(const Expression& value, unsigned may_depend, const std::string& what, const Names& names);
 
 }  // namespace dalembert

@@ -99,18 +99,25 @@ void Values::assign(const Variable& variable, const ex& value, const Span& place
 }
 
 void Values::check_range(const Quantity& ranged, const std::string& name, const ex& number, const Span& place) const {
-    if (!ranged.range) return;
-    const auto check = [&](const ExpressionPtr& bound, int wrong, const char* relation) {
-        if (!bound) return;
-        const ex limit = translate_(*bound, {});
-        if (sign(number - limit) != wrong) return;
+    if (const auto outside = outside_range(ranged, name, number, place, 0)) throw Failure(*outside);
+}
+
+std::optional<Diagnostic> Values::outside_range(const Quantity& ranged, const std::string& name, const ex& number, const Span& place,
+                                                double tolerance) const {
+    if (!ranged.range) return std::nullopt;
+    const ExpressionPtr &low = ranged.range->low, &high = ranged.range->high;
+    const auto limit_of = [&](const ExpressionPtr& bound) { return bound ? translate_(*bound, {}) : ex(0); };
+    const ex slack = tolerance > 0 ? numeric(tolerance) * (GiNaC::abs(limit_of(low)) + GiNaC::abs(limit_of(high))) : ex(0);
+    const auto check = [&](const ExpressionPtr& bound, int wrong, const char* relation) -> std::optional<Diagnostic> {
+        if (!bound || sign(number - limit_of(bound) - wrong * slack) != wrong) return std::nullopt;
         const std::string unit = ranged.unit.si() == "1" ? "" : " " + ranged.unit.si();
-        throw Failure(Diagnostic{Id::value_out_of_range, place,
-                                 fmt::format("the value of '{}' is {}{}, {} {}{}", name, shown(number), unit, relation, shown(limit), unit),
-                                 {{ranged.range->span, fmt::format("the range of '{}' is declared here", ranged.name)}}});
+        return Diagnostic{
+            Id::value_out_of_range, place,
+            fmt::format("the value of '{}' is {}{}, {} {}{}", name, shown(number), unit, relation, shown(limit_of(bound)), unit),
+            {{ranged.range->span, fmt::format("the range of '{}' is declared here", ranged.name)}}};
     };
-    check(ranged.range->low, -1, "but its range begins at");
-    check(ranged.range->high, 1, "but its range ends at");
+    const auto below = check(low, -1, "but its range begins at");
+    return below ? below : check(high, 1, "but its range ends at");
 }
 
 void Values::set(const Expression& variable, const Expression& value, unsigned allowed, const Indices& indices) {

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "symbolic/translate.hpp"
+#include "text/diagnostic.hpp"
 
 namespace dalembert {
 
@@ -32,6 +33,12 @@ public:
     std::vector<GiNaC::ex> state() const;
     std::vector<GiNaC::ex> inputs() const;
 
+    /// The value of a variable beside its declared range, where it is outside of it by more than `tolerance`, a part of the larger bound.
+    /// `place` is that of the value.
+    std::optional<Diagnostic> outside_range(const Variable& variable, const GiNaC::ex& number, const Span& place, double tolerance) const {
+        return variable.declared == nullptr ? std::nullopt : outside_range(*variable.declared, variable.name, number, place, tolerance);
+    }
+
     /// The time of the values, in seconds; 0 if it is never set.
     void set_time(const GiNaC::ex& time) { time_ = time; }
 
@@ -43,6 +50,8 @@ private:
     void assign(const Variable& variable, const GiNaC::ex& value, const Span& place);
     void check_fixed() const;
     void check_range(const Quantity& ranged, const std::string& name, const GiNaC::ex& number, const Span& place) const;
+    std::optional<Diagnostic> outside_range(const Quantity& ranged, const std::string& name, const GiNaC::ex& number, const Span& place,
+                                            double tolerance) const;
 
     const Scene& scene_;
     const Translator& translate_;
