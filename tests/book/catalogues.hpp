@@ -13,7 +13,8 @@ template <class Visit>
 void for_each_entry(Visit visit) {
     using namespace dalembert;
     std::set<std::filesystem::path> files;
-    for (const auto& file : std::filesystem::directory_iterator(std::filesystem::path(SOURCE_DIR) / "systems" / "book")) files.insert(file.path());
+    for (const auto& file : std::filesystem::directory_iterator(std::filesystem::path(SOURCE_DIR) / "systems" / "book"))
+        if (file.path().extension() == ".toml") files.insert(file.path());
     for (const std::filesystem::path& file : files) {
         Diagnostics diagnostics;
         const Catalogue catalogue = read_catalogue(read_text_file(file), diagnostics);
