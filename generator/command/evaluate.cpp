@@ -12,6 +12,7 @@
 #include "language/parser.hpp"
 #include "check/written_values.hpp"
 #include "prove/constraint_validity.hpp"
+#include "prove/mode_at.hpp"
 #include "prove/motion_at.hpp"
 #include "prove/value_checks.hpp"
 #include "text/budgets.hpp"
@@ -28,7 +29,7 @@ using Named = std::vector<std::pair<std::string, ex>>;
 class Evaluation {
 public:
     Evaluation(const System& system, const Values& values, int digits)
-        : at_(system, values, 3 * digits + 30), place_(system.scene.model->name_span), digits_(digits) {}
+        : system_(system), at_(system, values, 3 * digits + 30), place_(system.scene.model->name_span), digits_(digits) {}
     /// Throws Failure (number-too-large) for what no double holds.
     std::string operator()(const std::string& name, const ex& e) const {
         const cln::cl_R value = at_(e);
@@ -37,6 +38,7 @@ public:
                                      fmt::format("the value of '{}' at this point is beyond 1e{}", name, budget::magnitude)});
         return decimal(cln::rational(value), digits_);
     }
+    std::optional<std::string> why_mode_refuses() const { return dalembert::why_mode_refuses(system_, at_, digits_); }
     EvaluateResult::Numbers operator()(const Named& entries) const {
         EvaluateResult::Numbers numbers;
         for (const auto& [name, value] : entries) numbers.emplace_back(name, (*this)(name, value));
@@ -44,6 +46,7 @@ public:
     }
 
 private:
+    const System& system_;
     MotionAt at_;
     Span place_;
     int digits_;
@@ -107,12 +110,30 @@ Named energies_and_powers(const System& system) {
     return powers;
 }
 
+/// The mode of --mode; else the first that accepts the state, as a run chooses it. Where none does, or not that of --mode, a warning says why.
+const System& in_accepting_mode(const Machine& machine, const Options& options, Streams streams) {
+    const System& first = *in_chosen_mode(machine, options).system;
+    if (first.scene.modes.empty()) return first;
+    std::vector<const System*> candidates{&first};
+    if (options.mode.empty())
+        for (const Machine& other : machine.other_modes) candidates.push_back(other.system.get());
+    std::optional<std::string> why_first;
+    for (const System* candidate : candidates) {
+        const auto why = Evaluation(*candidate, values_of(options, *candidate), options.digits).why_mode_refuses();
+        if (!why) return *candidate;
+        if (!why_first) why_first = why;
+    }
+    streams.err << fmt::format("dalembert: warning: the state is not in mode '{}': {}{}\n", first.scene.modes[*first.scene.mode].name, *why_first,
+                               options.mode.empty() ? "; no other mode accepts it" : "");
+    return first;
+}
+
 }  // namespace
 
 ExitCode evaluate_command(const Options& options, Streams streams) {
     const Machine machine = derived(options, streams);
-    const System& system = *in_chosen_mode(machine, options).system;
-    refuse_fields(system, "evaluate");
+    refuse_fields(*machine.system, "evaluate");
+    const System& system = in_accepting_mode(machine, options, streams);
     const Values values = values_of(options, system);
     const Evaluation at(system, values, options.digits);
     EvaluateResult result{.subject = subject_of(system.scene), .digits = options.digits};

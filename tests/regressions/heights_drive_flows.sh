@@ -2,7 +2,7 @@
 # The potential of a volume drove the flow in a pipe, but not that of orifices, laminar flows and check valves.
 output() { near "$1" "$(number "^  $1 +")" "$2" "$3"; }
 
-dalembert 0 evaluate "$model"
+dalembert 0 evaluate "$model" --mode gate_shut
 output q_orifice 0.0626418390534633 1e-15
 output q_smooth 0.0626418390534633 1e-9
 output q_laminar 0.01962 1e-15
