@@ -110,6 +110,16 @@ Named energies_and_powers(const System& system) {
     return powers;
 }
 
+/// Nothing where the mode accepts the state. A mode whose motion has no value there does not accept it.
+std::optional<std::string> why_not_in(const System& system, const Options& options) {
+    const Values values = values_of(options, system);
+    try {
+        return Evaluation(system, values, options.digits).why_mode_refuses();
+    } catch (const Failure& failure) {
+        return failure.diagnostics().front().message;
+    }
+}
+
 /// The mode of --mode; else the first that accepts the state, as a run chooses it. Where none does, or not that of --mode, a warning says why.
 const System& in_accepting_mode(const Machine& machine, const Options& options, Streams streams) {
     const System& first = *in_chosen_mode(machine, options).system;
@@ -119,7 +129,7 @@ const System& in_accepting_mode(const Machine& machine, const Options& options, 
         for (const Machine& other : machine.other_modes) candidates.push_back(other.system.get());
     std::optional<std::string> why_first;
     for (const System* candidate : candidates) {
-        const auto why = Evaluation(*candidate, values_of(options, *candidate), options.digits).why_mode_refuses();
+        const auto why = why_not_in(*candidate, options);
         if (!why) return *candidate;
         if (!why_first) why_first = why;
     }
