@@ -240,6 +240,7 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
     report.plant = library.origin();
     if (prepared.run.is_of_heat && std::isfinite(run.euler_step)) report.euler_step = run.euler_step;
     name_end(report, run, *prepared.machine.system);
+    if (run.outcome.status == Status::no_start_mode) return report;  // no motion to record
     report.files.emplace_back(folder / prepared.header.file_name, prepared.header.text);
     add_results(report, run, library.table(), prepared.settings, prepared.units, prepared.title, folder, prepared.name);
     return report;
