@@ -119,7 +119,7 @@ TEST_CASE("bad questions") {
     asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=0deg:80deg"}, "its range begins at");
     asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=10m:80m"}, "the value of 'alpha' must be in '1', but '10m' is in 'm'");
     asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=10deg"}, "is not of the form PARAMETER=LOW:HIGH");
-    asked({"--run", "flight", "--over", "alpha=10deg:80deg"}, "Give either --maximise OUTPUT or --minimise OUTPUT");
+    asked({"--run", "flight", "--over", "alpha=10deg:80deg"}, "give either --maximise OUTPUT or --minimise OUTPUT");
 }
 
 TEST_CASE("the largest value of a function") {
