@@ -171,10 +171,12 @@ Measure Units::name(const Expression& e, const Bound& bound) {
 }
 
 Measure Units::quantity(const Expression& e, const Bound& bound) {
-    if (find_quantity(e.name)->is_of_medium(e.children.size())) {  // a property of a medium at a pressure and a temperature
+    const QuantitySpec& spec = *find_quantity(e.name);
+    if (spec.is_of_medium(e.children.size())) {  // a property of a medium at a pressure and a temperature
         expect(*e.children[1], Dimension::pressure(), fmt::format("the pressure in '{}'", e.written()), bound);
         expect(*e.children[2], Dimension::temperature(), fmt::format("the temperature in '{}'", e.written()), bound);
     }
+    if (spec.unit != nullptr) return {parse_unit(excerpt_of(std::make_shared<const Source>(spec.name, spec.unit))).dimension};
     const auto coordinate = [&](std::size_t i) { return of_coordinate(e.children[i]->name); };
     const Dimension energy = Dimension::energy();
     if (e.name == "constraint_force") {
@@ -183,65 +185,22 @@ Measure Units::quantity(const Expression& e, const Bound& bound) {
         return {energy / of(*constraint.position, {}).dimension};
     }
     if (e.name == "cut_force") return {names_.find_cut(e.children[0]->name)->about ? energy : energy / Dimension::length()};
-    if (e.name == "solid_mass") return {Dimension::mass()};
-    if (e.name == "centre_of_mass") return {Dimension::length()};
-    if (e.name == "inertia_about_centre" || e.name == "inertia_about_origin") return {Dimension::inertia()};
-    if (e.name == "resultant_force") return {Dimension::force()};
-    if (e.name == "resultant_moment") return {energy};
     if (e.name == "reaction") {
         for (const Unknown& unknown : names_.find_load(e.children[0]->name)->unknowns)
             if (unknown.name == e.children[1]->name) return {unknown.unit.dimension};
         return anything;
     }
-    if (e.name == "sticks" || e.name == "needed_coefficient") return {};
     if (e.name == "sticking_margin") {
         const Sticking& sticking = *names_.find_sticking(e.children[0]->name);
         return of(sticking.normal ? *sticking.normal : *sticking.tensions[0], {});
     }
-    if (e.name == "angular_velocity") return {Dimension::none() / Dimension::time()};
-    if (e.name == "spin") return {energy * Dimension::time()};
-    if (e.name == "axis") return {Dimension::none()};
-    if (e.name == "position") return {Dimension::length()};
-    if (e.name == "velocity") return {Dimension::speed()};
     if (e.name == "scale_factor") return {Dimension::length() / coordinate(1)};
-    if (e.name == "velocity_along") return {Dimension::speed()};
-    if (e.name == "acceleration_along") return {Dimension::speed() / Dimension::time()};
     if (e.name == "christoffel") return {coordinate(1) / coordinate(2) / coordinate(3)};
     if (e.name == "christoffel_first") return {Dimension::length() * Dimension::length() / coordinate(1) / coordinate(2) / coordinate(3)};
     if (e.name == "generalised_force" || e.name == "nonpotential_force" || e.name == "bias") return {energy / coordinate(0)};
     if (e.name == "mass_matrix") return {energy * Dimension::time() * Dimension::time() / coordinate(0) / coordinate(1)};
     if (e.name == "damping_matrix") return {energy * Dimension::time() / coordinate(0) / coordinate(1)};
     if (e.name == "stiffness_matrix") return {energy / coordinate(0) / coordinate(1)};
-    static const std::map<std::string, Dimension, std::less<>> fixed{
-        {"pressure", Dimension::pressure()},
-        {"bulk_modulus", Dimension::pressure()},
-        {"temperature", Dimension::temperature()},
-        {"expansion", Dimension::none() / Dimension::temperature()},
-        {"pressure_coefficient", Dimension::none() / Dimension::temperature()},
-        {"density", Dimension::mass() / Dimension::volume()},
-        {"mass", Dimension::mass()},
-        {"volume", Dimension::volume()},
-        {"specific_energy", energy / Dimension::mass()},
-        {"specific_enthalpy", energy / Dimension::mass()},
-        {"isochoric_heat", energy / Dimension::mass() / Dimension::temperature()},
-        {"isobaric_heat", energy / Dimension::mass() / Dimension::temperature()},
-        {"mass_flow", Dimension::mass() / Dimension::time()},
-        {"inflow", Dimension::mass() / Dimension::time()},
-        {"surplus", Dimension::mass() / Dimension::time()},
-        {"kinetic_energy", energy},
-        {"translational_energy", energy},
-        {"rotational_energy", energy},
-        {"potential_energy", energy},
-        {"internal_energy", energy},
-        {"volume_flow", Dimension::volume() / Dimension::time()},
-        {"heat", Dimension::power()},
-        {"view_factor", Dimension::none()},
-        {"exchange_factor", Dimension::length() * Dimension::length()},
-        {"radiosity", Dimension::power() / Dimension::length() / Dimension::length()},
-        {"irradiation", Dimension::power() / Dimension::length() / Dimension::length()},
-    };
-    if (const auto found = fixed.find(e.name); found != fixed.end()) return {found->second};
-    if (e.name.ends_with("_power")) return {Dimension::power()};
     throw std::logic_error("no unit of quantity '" + e.name + "'");
 }
 

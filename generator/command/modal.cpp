@@ -97,7 +97,7 @@ ExitCode modal_command(const Options& options, Streams streams) {
     const Machine& chosen = in_chosen_mode(machine, options);
     const System& system = *chosen.system;
     const auto [values, inputs] = start_of_run(system, options);
-    streams.err << doubts_of_start(values, system) << doubts_of_found(values, system, numbers_of(values.state()), numbers_of(inputs));
+    streams.err << doubts_of_start(values, system);
     const Linearity linearity = linear_system(system);
     const PlantLibrary library(source_of_plant(*chosen.code, header), plant_cache(options));
     explain(machine.stages, library.origin(), options, streams);

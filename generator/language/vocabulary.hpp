@@ -81,6 +81,7 @@ const SubscriptSpec& subscript(Subscript which);
 struct QuantitySpec {
     const char* name;
     Subscript subscript;
+    const char* unit;  ///< null: it follows from the indices, as Units derives it
     const char* doc;
     bool is_property = false;  ///< known from the state: usable wherever states are
     bool is_place = false;     ///< known when the bodies are: usable in forces and constraints

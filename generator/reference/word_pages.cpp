@@ -18,14 +18,14 @@ Section form_section(std::string name, std::string doc, FormPlace place) {
 }
 
 Section quantity_section(std::string name, std::string doc, bool properties) {
-    Section section{std::move(name), std::move(doc), {}, "Quantity"};
+    Section section{std::move(name), std::move(doc), {}, "Quantity", {"Unit"}};
     for (const QuantitySpec& quantity : quantities()) {
         if (quantity.is_property != properties) continue;
         const std::string behind = subscript(quantity.subscript).reference;
         // " or [body]": the name stands alone, too
         const bool is_alone = behind.starts_with(' ');
         const std::string written = is_alone ? behind.substr(0, 4) + quantity.name + behind.substr(4) : behind;
-        section.rows.push_back({quantity.name, quantity.name + written, {}, quantity.doc});
+        section.rows.push_back({quantity.name, quantity.name + written, {quantity.unit != nullptr ? quantity.unit : "depends"}, quantity.doc});
     }
     return section;
 }

@@ -77,11 +77,12 @@ std::vector<std::string> plotted_names(const std::string& name, const Plot& plot
     if (!found.empty() || bracket == std::string::npos) return found;
     const std::string family = name.substr(0, bracket) + (name.starts_with("dot(") ? ")" : "");
     const std::vector<std::string> members = recorded_names(family, system);
-    if (members.size() < 2) return found;
-    throw Failure(Diagnostic{Id::unknown_name, plot.span,
-                             fmt::format("a run plots '{}', but the members of '{}' are '{}' to '{}'; write the index as a number, or '{}' "
-                                         "for all",
-                                         name, family, members.front(), members.back(), family)});
+    if (members.empty()) return found;
+    const std::string why = members.front() == family
+                                ? fmt::format("'{}' has no members", family)
+                                : fmt::format("the members of '{0}' are '{1}' to '{2}'; write the index as a number, or '{0}' for all", family,
+                                              members.front(), members.back());
+    throw Failure(Diagnostic{Id::unknown_name, plot.span, fmt::format("a run plots '{}', but {}", name, why)});
 }
 
 /// Plots with names of the recording; without any, one panel a coordinate or output.

@@ -226,13 +226,12 @@ std::string doubts_of_found(const Values& values, const System& system, const st
         found.find(variable.kind, variable.position, GiNaC::numeric(number));
         const bool is_guess = variable.declared != nullptr && variable.declared->range && variable.declared->range->is_guess;
         if (variable.declared == nullptr || is_guess) return;
+        if (told.contains(variable.declared)) return;  // of another member of its family
         const GiNaC::ex value = GiNaC::numeric(variable.is_root ? number * number : number);
-        const bool is_told = !told.insert(variable.declared).second;  // of another member of its family
-        if (is_told) return;
-        if (const auto outside = found.outside_range(variable, value, variable.declared->span, rounding))
-            diagnostics.warning(outside->id, outside->span, outside->message);
-        else
-            told.erase(variable.declared);
+        const auto outside = found.outside_range(variable, value, variable.declared->span, rounding);
+        if (!outside) return;
+        diagnostics.warning(outside->id, outside->span, outside->message);
+        told.insert(variable.declared);
     };
     const std::vector<const Variable*> states = system.symbols.state_variables();
     for (std::size_t i = 0; i < states.size() && i < x.size(); ++i) take(*states[i], x[i]);
