@@ -74,15 +74,16 @@ private:
     ex resistance(const Link& item) const {
         const ex found = value(item.resistance);
         if (!found.is_zero()) return found;
-        throw Failure(Diagnostic{Id::value_out_of_range, item.span,
-                                 fmt::format("the resistance of link '{}' is zero; join the two places in one node, or give a small resistance",
-                                             item.name)});
+        throw Failure(Diagnostic{
+            Id::value_out_of_range, item.span,
+            fmt::format("the resistance of link '{}' is zero; join the two places in one node, or give a small resistance", item.name)});
     }
 
     ex heat(const Link& item, const Warmth& a, const Warmth& b) const {
         switch (item.law) {
             case Link::Law::given: return value(item.heat);
-            case Link::Law::linear: return exchange(item.conductance ? value(item.conductance) : 1 / resistance(item), a, b);
+            case Link::Law::linear:
+                return exchange(item.conductance ? value(item.conductance) : 1 / resistance(item), a, b);
             case Link::Law::conduction:
                 return conduct(*item.conductivity, value(item.area) / value(item.length), a, b, translate_, symbols_, indices_);
             case Link::Law::convection: return exchange(value(item.coefficient) * value(item.area), a, b);

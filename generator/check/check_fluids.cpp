@@ -105,9 +105,10 @@ private:
                                        {{volume.span, fmt::format("'{}' is defined here", volume.name)}});
         if (volume.head && medium->law != Medium::Law::incompressible)
             wrong(volume.head->span,
-                  fmt::format("volume '{}' has a head, which needs an incompressible medium, but holds '{}'; a vessel behind an open tank may "
-                              "have elastic walls instead: volume = \"V*(1 + (p - p_0)/beta)\", filling = \"p\"",
-                              volume.name, medium->name),
+                  fmt::format(
+                      "volume '{}' has a head, which needs an incompressible medium, but holds '{}'; a vessel behind an open tank may "
+                      "have elastic walls instead: volume = \"V*(1 + (p - p_0)/beta)\", filling = \"p\"",
+                      volume.name, medium->name),
                   *medium);
         if ((volume.density || volume.mass) && medium->law == Medium::Law::given && !medium->pressure)
             wrong(volume.span,

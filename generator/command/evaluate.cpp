@@ -3,18 +3,18 @@
 
 #include <fmt/format.h>
 
+#include "check/written_values.hpp"
 #include "command/write_result.hpp"
 #include "elements/model.hpp"
 #include "elements/statics.hpp"
-#include "run/settings.hpp"
-#include "run/shared.hpp"
 #include "form/quantities.hpp"
 #include "language/parser.hpp"
-#include "check/written_values.hpp"
 #include "prove/constraint_validity.hpp"
 #include "prove/mode_at.hpp"
 #include "prove/motion_at.hpp"
 #include "prove/value_checks.hpp"
+#include "run/settings.hpp"
+#include "run/shared.hpp"
 #include "text/budgets.hpp"
 
 namespace dalembert {
@@ -120,7 +120,8 @@ std::optional<std::string> why_not_in(const System& system, const Options& optio
     }
 }
 
-/// The mode of --mode; else the first that accepts the state, as a run chooses it. Where none does, or not that of --mode, a warning says why.
+/// The mode of --mode; else the first that accepts the state, as a run chooses it. Where none does, or not that of --mode, a warning says
+/// why.
 const System& in_accepting_mode(const Machine& machine, const Options& options, Streams streams) {
     const System& first = *in_chosen_mode(machine, options).system;
     if (first.scene.modes.empty()) return first;
@@ -133,8 +134,8 @@ const System& in_accepting_mode(const Machine& machine, const Options& options, 
         if (!why) return *candidate;
         if (!why_first) why_first = why;
     }
-    streams.err << fmt::format("dalembert: warning: the state is not in mode '{}': {}{}\n", first.scene.modes[*first.scene.mode].name, *why_first,
-                               options.mode.empty() ? "; no other mode accepts it" : "");
+    streams.err << fmt::format("dalembert: warning: the state is not in mode '{}': {}{}\n", first.scene.modes[*first.scene.mode].name,
+                               *why_first, options.mode.empty() ? "; no other mode accepts it" : "");
     return first;
 }
 

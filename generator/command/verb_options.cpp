@@ -67,7 +67,10 @@ void VerbOptions::settings() {
     verb_.add_option("--input", options.inputs, "inputs, as f_e=4.5; for simulate, expressions of t and the states");
 }
 
-void VerbOptions::mode() { verb_.add_option("--mode", options.mode, "mode of a machine with modes; if left out, the first, and in evaluate the first that accepts the state"); }
+void VerbOptions::mode() {
+    verb_.add_option("--mode", options.mode,
+                     "mode of a machine with modes; if left out, the first, and in evaluate the first that accepts the state");
+}
 void VerbOptions::run(const char* doc) { verb_.add_option("--run", options.run, doc); }
 void VerbOptions::until(const char* doc) { verb_.add_option("--until", options.until, doc); }
 

@@ -48,9 +48,10 @@ void describe(Visitor& v, E& body) {
                "of the body, as [Jx, Jy, Jz] or as three rows; products of inertia as in the matrix, -integral(x*y)"});
     v("turns", body.turns, {.dimension = Dimension::none(), .depends = on_configuration, .words = "turn",
         .doc = "of a body in space: turns about its own axes, one after the other: [[\"z\", \"psi\"], [\"x\", \"theta\"]]"});
-    v("attitude", body.attitude, {.refers = {"attitude"},
-        .excludes = {{"turns", "has both 'turns' and 'attitude'; give one of them"}},
-        .doc = "instead of turns: an attitude, whose quaternion orients the body"});
+    v("attitude", body.attitude,
+      {.refers = {"attitude"},
+       .excludes = {{"turns", "has both 'turns' and 'attitude'; give one of them"}},
+       .doc = "instead of turns: an attitude, whose quaternion orients the body"});
     v("solid", body.solid, {.refers = {"solid"},
         .doc = "instead of mass, inertia and centre: a solid, given in the axes of the body. A planar body uses the moment "
                "about z, and its position is that of the centre of mass"});

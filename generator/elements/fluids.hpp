@@ -289,9 +289,9 @@ void describe(Visitor& v, E& flow) {
     v("switches", flow.switches,
       {.excludes = {no_family(), {"width", "has a width, so its law is smooth and it has no modes"}},
        .doc = "true: the states of the valve are modes of the machine: NAME_shut and NAME_open of a check valve; "
-               "NAME_subsonic, NAME_choked, NAME_subsonic_back, NAME_choked_back of a pneumatic orifice. Else the transition is "
-               "a located kink. In a file with more than 64 combinations of modes it is a kink, too, unless an expression names "
-               "one of these modes"});
+              "NAME_subsonic, NAME_choked, NAME_subsonic_back, NAME_choked_back of a pneumatic orifice. Else the transition is "
+              "a located kink. In a file with more than 64 combinations of modes it is a kink, too, unless an expression names "
+              "one of these modes"});
     v("displacement", flow.displacement, {.dimension = Dimension::volume(), .depends = on_state_and_inputs,
         .doc = "of a pump: volume per radian"});
     v("speed", flow.speed, {.dimension = Dimension::none() / Dimension::time(), .depends = on_state_and_inputs,

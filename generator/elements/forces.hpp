@@ -74,8 +74,9 @@ template <class Visitor, ElementOf<Force> E>
 void describe(Visitor& v, E& force) {
     v("force", force.force, {.required = true, .dimension = Dimension::force(), .depends = on_state_and_inputs | on_places, .words = "",
         .doc = "force vector; its power counts as supplied"});
-    v("in_axes", force.in_axes, {.needs = {{"on", "acts on no body, so there are no axes of a body"}},
-        .doc = "true, with `on`: the vector is given in the axes of the body, else in those of the ground"});
+    v("in_axes", force.in_axes,
+      {.needs = {{"on", "acts on no body, so there are no axes of a body"}},
+       .doc = "true, with `on`: the vector is given in the axes of the body, else in those of the ground"});
     v("on", force.on, {.refers = {"body"}, .doc = "body on which the force acts, at its position"});
     v("at", force.at, {.dimension = Dimension::length(), .depends = on_configuration | on_places, .words = "point",
         .doc = "instead of a body: point where the force acts"});

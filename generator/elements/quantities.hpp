@@ -93,9 +93,11 @@ void describe(Visitor& v, E& coordinate) {
     describe_unit(v, coordinate.unit);
     v("start", coordinate.start, {.unit = coordinate.unit, .depends = constant_only,
         .doc = "value at the start; if left out 0, or the value that the constraints require"});
-    v("guess", coordinate.guess, {.unit = coordinate.unit, .depends = constant_only,
-        .excludes = {{"start", "has a start and needs no guess"}},
-        .doc = "instead of a start: the constraints determine the start near this value"});
+    v("guess", coordinate.guess,
+      {.unit = coordinate.unit,
+       .depends = constant_only,
+       .excludes = {{"start", "has a start and needs no guess"}},
+       .doc = "instead of a start: the constraints determine the start near this value"});
     Unit rate = coordinate.unit;
     rate.offset = 0;
     rate.written += "/s";

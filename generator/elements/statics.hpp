@@ -88,9 +88,12 @@ inline const char* noun_of(const LoadPart& part) { return part.moment ? "moment"
 template <class Visitor, ElementOf<LoadPart> E>
 void describe(Visitor& v, E& part) {
     constexpr unsigned anything = on_anything & ~on_outputs;
-    v("at", part.at, {.dimension = Dimension::length(), .depends = anything, .words = "point",
-        .excludes = {{"moment", "is a moment, which is the same about every point; leave out 'at'", Id::not_allowed_here}},
-        .doc = "point where the force acts; [0, 0, 0] if left out"});
+    v("at", part.at,
+      {.dimension = Dimension::length(),
+       .depends = anything,
+       .words = "point",
+       .excludes = {{"moment", "is a moment, which is the same about every point; leave out 'at'", Id::not_allowed_here}},
+       .doc = "point where the force acts; [0, 0, 0] if left out"});
     v("force", part.force, {.dimension = Dimension::force(), .depends = anything, .words = "", .doc = "force vector"});
     v("moment", part.moment, {.dimension = Dimension::energy(), .depends = anything, .words = "",
         .doc = "instead of a force: a moment, the same about every point"});

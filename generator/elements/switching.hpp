@@ -174,8 +174,11 @@ inline constexpr KindSpec kind_of<ModeGroup>{"mode group",
 
 template <class Visitor, ElementOf<ModeGroup> E>
 void describe(Visitor& v, E&) {
-    v.by_hand("modes", {.required = true, .type = ValueType::effects,
-        .doc = "names of the modes; conditions may contain them, and in an expression the name of a mode is 1 in this mode, else 0"});
+    v.by_hand(
+        "modes",
+        {.required = true,
+         .type = ValueType::effects,
+         .doc = "names of the modes; conditions may contain them, and in an expression the name of a mode is 1 in this mode, else 0"});
     v.by_hand("final", {.type = ValueType::effects, .doc = "modes of the group that no event needs to leave"});
     v.item({});
 }
@@ -253,8 +256,8 @@ void describe(Visitor& v, E& event) {
         .doc = "with meets: rate after the impact divided by the rate before; 0 if left out, and the constraint then holds "
                "exactly"});
     v("rest", event.rest, {.doc = "mode after infinitely many events at shrinking intervals; if left out, a run stops there"});
-    describe_resets(v, "rest_reset", event.rest_reset,
-        {{"rest", "has new values at rest, but no mode at rest: it needs 'rest'"}}, "with rest: new values there");
+    describe_resets(v, "rest_reset", event.rest_reset, {{"rest", "has new values at rest, but no mode at rest: it needs 'rest'"}},
+                    "with rest: new values there");
     v("ends", event.ends, {.doc = "true: the run ends at the event"});
     v.item({});
 }

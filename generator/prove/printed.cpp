@@ -115,7 +115,9 @@ public:
         }
         const Verdict verdict = worst.comparison.verdict;
         if (!at_.empty() && verdict != Verdict::wrong && verdict != Verdict::not_checkable && all_terms_vanish(equation))
-            worst.comparison = {Verdict::not_checkable, "at the point of 'at' each term is zero, so the equation says nothing there; check its coefficients, such as stiffness_matrix[q, q]"};
+            worst.comparison = {Verdict::not_checkable,
+                                "at the point of 'at' each term is zero, so the equation says nothing there; check its coefficients, such "
+                                "as stiffness_matrix[q, q]"};
         return worst;
     }
 
@@ -158,25 +160,31 @@ private:
         using Kind = Expression::Kind;
         if (e.kind == Kind::add || e.kind == Kind::subtract || e.kind == Kind::negate)
             for (const ExpressionPtr& child : e.children) add_terms(*child, terms);
-        else if (e.kind != Kind::number || !is_zero(e.value)) terms.push_back(&e);
+        else if (e.kind != Kind::number || !is_zero(e.value))
+            terms.push_back(&e);
     }
     /// Whether a variable that is zero at the point, or at rest there, makes it zero without any cancellation.
     bool is_plainly_zero(const Expression& e) {
         using Kind = Expression::Kind;
         const auto child_is = [this](const ExpressionPtr& child) { return is_plainly_zero(*child); };
         switch (e.kind) {
-            case Kind::number: return is_zero(e.value);
-            case Kind::name: break;
+            case Kind::number:
+                return is_zero(e.value);
+            case Kind::name:
+                break;
             case Kind::call: {
                 static const std::set<std::string, std::less<>> zero_at_zero{"sin", "tan", "sinh", "tanh", "asin", "atan", "sqrt", "abs"};
                 if (zero_at_zero.contains(e.name)) return child_is(e.children[0]);
                 if (e.name != "dot" && e.name != "ddot") return false;
                 break;
             }
-            case Kind::multiply: return std::any_of(e.children.begin(), e.children.end(), child_is);
+            case Kind::multiply:
+                return std::any_of(e.children.begin(), e.children.end(), child_is);
             case Kind::divide:
-            case Kind::power: return child_is(e.children[0]);
-            default: return std::all_of(e.children.begin(), e.children.end(), child_is);
+            case Kind::power:
+                return child_is(e.children[0]);
+            default:
+                return std::all_of(e.children.begin(), e.children.end(), child_is);
         }
         return GiNaC::is_a<GiNaC::symbol>(translate(e)) && vanishes(e);
     }
@@ -184,7 +192,8 @@ private:
     bool all_terms_vanish(const Equation& equation) {
         std::vector<const Expression*> terms;
         for (const ExpressionPtr& side : equation.sides) add_terms(*side, terms);
-        return terms.size() > 1 && std::all_of(terms.begin(), terms.end(), [this](const Expression* term) { return is_plainly_zero(*term); });
+        return terms.size() > 1 &&
+               std::all_of(terms.begin(), terms.end(), [this](const Expression* term) { return is_plainly_zero(*term); });
     }
     ex translate(const Expression& e) const { return system_.translate(e, indices_, letters_); }
     std::optional<PrintedNumber> number(const Equation& equation, std::size_t side) const {

@@ -25,7 +25,8 @@ Section quantity_section(std::string name, std::string doc, bool properties) {
         // " or [body]": the name stands alone, too
         const bool is_alone = behind.starts_with(' ');
         const std::string written = is_alone ? behind.substr(0, 4) + quantity.name + behind.substr(4) : behind;
-        section.rows.push_back({quantity.name, quantity.name + written, {quantity.unit != nullptr ? quantity.unit : "depends"}, quantity.doc});
+        section.rows.push_back(
+            {quantity.name, quantity.name + written, {quantity.unit != nullptr ? quantity.unit : "depends"}, quantity.doc});
     }
     return section;
 }
@@ -77,7 +78,8 @@ Page unit_page() {
     Page page{"units",
               "Units",
               "Units are joined by `*`, `/` and `^`, as in `kg*m/s^2`. `1` is the unit of a dimensionless number, `1/s` that of a rate. A "
-              "number without a unit counts in the declared unit of the parameter, coordinate, state or input that it belongs to. A number with a "
+              "number without a unit counts in the declared unit of the parameter, coordinate, state or input that it belongs to. A number "
+              "with a "
               "unit, as `\"5 bar\"`, is converted exactly. Inside a longer expression, a number with a composed unit stands in brackets: "
               "`(3 m/s)*t`.",
               {}};

@@ -80,8 +80,8 @@ std::vector<std::string> plotted_names(const std::string& name, const Plot& plot
     if (members.empty()) return found;
     const std::string why = members.front() == family
                                 ? fmt::format("'{}' has no members", family)
-                                : fmt::format("the members of '{0}' are '{1}' to '{2}'; write the index as a number, or '{0}' for all", family,
-                                              members.front(), members.back());
+                                : fmt::format("the members of '{0}' are '{1}' to '{2}'; write the index as a number, or '{0}' for all",
+                                              family, members.front(), members.back());
     throw Failure(Diagnostic{Id::unknown_name, plot.span, fmt::format("a run plots '{}', but {}", name, why)});
 }
 

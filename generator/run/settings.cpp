@@ -136,7 +136,8 @@ public:
         const auto pascal = number(e);
         if (occasion_ == Occasion::found) {
             if (pascal && *pascal < 0)
-                warn(*e, fmt::format("{} '{}' is at {:.6g} Pa; pressures are absolute, so that a vacuum is at 0 Pa", kind, item.name, *pascal));
+                warn(*e,
+                     fmt::format("{} '{}' is at {:.6g} Pa; pressures are absolute, so that a vacuum is at 0 Pa", kind, item.name, *pascal));
             return;
         }
         if (!pascal || *pascal >= least || is_in_range(*e, *pascal)) return;

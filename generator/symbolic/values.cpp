@@ -112,7 +112,8 @@ std::optional<Diagnostic> Values::outside_range(const Quantity& ranged, const st
         if (!bound || sign(number - limit_of(bound) - wrong * slack) != wrong) return std::nullopt;
         const std::string unit = ranged.unit.si() == "1" ? "" : " " + ranged.unit.si();
         return Diagnostic{
-            Id::value_out_of_range, place,
+            Id::value_out_of_range,
+            place,
             fmt::format("the value of '{}' is {}{}, {} {}{}", name, shown(number), unit, relation, shown(limit_of(bound)), unit),
             {{ranged.range->span, fmt::format("the range of '{}' is declared here", ranged.name)}}};
     };

@@ -25,8 +25,10 @@ inline constexpr bool needs_projection<System, std::void_t<typename System::Cons
 /// Whether positions are held of coordinates that all have values.
 template <class System>
 constexpr bool holds_positions() {
-    if constexpr (needs_projection<System>) return System::velocity_place == size_of<typename System::Generalised>() && System::constraint_table().size() > 0;
-    else return false;
+    if constexpr (needs_projection<System>)
+        return System::velocity_place == size_of<typename System::Generalised>() && System::constraint_table().size() > 0;
+    else
+        return false;
 }
 
 template <class Values>
@@ -92,11 +94,15 @@ std::size_t broken_constraint(const System& system, const typename System::State
         Scalar of_positions(0), of_rates(0);
         for (std::size_t j = 0; j < n; ++j) {
             of_rates += abs(A[j * m + i] * x[velocities + j]);
-            if (velocities == n) of_positions += abs(A[j * m + i] * x[j]);
-            else of_positions += abs(A[j * m + i]);  // turned angles have no value
+            if (velocities == n)
+                of_positions += abs(A[j * m + i] * x[j]);
+            else
+                of_positions += abs(A[j * m + i]);  // turned angles have no value
         }
         constexpr double digits = std::numeric_limits<Scalar>::digits10 < 10 ? 1e-3 : 1e-6;
-        const auto is_met = [&](const Scalar& value, const Scalar& size) { return abs(value) <= Scalar(digits) * (size + Scalar(1) / Scalar(100)); };
+        const auto is_met = [&](const Scalar& value, const Scalar& size) {
+            return abs(value) <= Scalar(digits) * (size + Scalar(1) / Scalar(100));
+        };
         if (!is_met(f[i], of_positions) || !is_met(w[i], of_rates)) return i;
     }
     return Residuals<Scalar>::none;
@@ -108,7 +114,8 @@ std::size_t broken_constraint(const System& system, const typename System::State
 /// the change is M^-1 A' times a vector. For a machine with modes, the mode follows x and t. Near the constraints the positions take two
 /// or three steps of Newton's method. A residual stays, and is returned, if constraints follow from others or are satisfied only far away.
 template <class System, class... Mode>
-Residuals<typename System::scalar_type> project(const System& system, typename System::State& x, typename System::scalar_type t, Mode... mode) {
+Residuals<typename System::scalar_type> project(const System& system, typename System::State& x, typename System::scalar_type t,
+                                                Mode... mode) {
     using Scalar = typename System::scalar_type;
     using Constraints = typename System::Constraints;
     using Generalised = typename System::Generalised;
@@ -123,13 +130,18 @@ Residuals<typename System::scalar_type> project(const System& system, typename S
         return d;
     };
     system.move_back(x, Generalised{});
-    result.position = detail::newton<Constraints>(x, 10, [&](Constraints& f) { system.constraint_positions(mode..., x, t, f); }, [&](const Constraints& r) { system.move_back(x, step(r)); });
-    result.rate = detail::newton<Constraints>(x, 3, [&](Constraints& w) { system.constraint_rates(mode..., x, t, w); }, [&](const Constraints& r) {
-        const Generalised d = step(r);
-        for (std::size_t j = 0; j < d.size(); ++j) x[System::velocity_place + j] -= d[j];
-    });
+    result.position = detail::newton<Constraints>(
+        x, 10, [&](Constraints& f) { system.constraint_positions(mode..., x, t, f); },
+        [&](const Constraints& r) { system.move_back(x, step(r)); });
+    result.rate = detail::newton<Constraints>(
+        x, 3, [&](Constraints& w) { system.constraint_rates(mode..., x, t, w); },
+        [&](const Constraints& r) {
+            const Generalised d = step(r);
+            for (std::size_t j = 0; j < d.size(); ++j) x[System::velocity_place + j] -= d[j];
+        });
     constexpr double small = std::numeric_limits<Scalar>::digits10 < 10 ? 1e-5 : 1e-10;
-    if (!(result.position <= Scalar(small)) || !(result.rate <= Scalar(small))) result.broken = detail::broken_constraint(system, x, t, mode...);
+    if (!(result.position <= Scalar(small)) || !(result.rate <= Scalar(small)))
+        result.broken = detail::broken_constraint(system, x, t, mode...);
     return result;
 }
 
@@ -137,8 +149,8 @@ namespace detail {
 
 struct NoMeasure {};
 
-/// A right-hand side with the projection that belongs to it: project(x, t) returns the constraint that is broken, or none. `measure` tells how
-/// independent the constraints are; see IndependenceOf.
+/// A right-hand side with the projection that belongs to it: project(x, t) returns the constraint that is broken, or none. `measure` tells
+/// how independent the constraints are; see IndependenceOf.
 template <class Rhs, class Project, class Measure = NoMeasure>
 struct ProjectedRhs {
     Rhs rhs;
@@ -165,7 +177,9 @@ ProjectedRhs(Rhs, Project, Measure) -> ProjectedRhs<Rhs, Project, Measure>;
 template <class Rhs, class State, class = void>
 inline constexpr bool is_projected = false;
 template <class Rhs, class State>
-inline constexpr bool is_projected<Rhs, State, std::void_t<decltype(std::declval<Rhs&>().project(std::declval<State&>(), std::declval<typename State::value_type>()))>> = true;
+inline constexpr bool is_projected<
+    Rhs, State, std::void_t<decltype(std::declval<Rhs&>().project(std::declval<State&>(), std::declval<typename State::value_type>()))>> =
+    true;
 
 template <class Rhs, class State>
 inline constexpr bool has_measure = false;

@@ -9,17 +9,32 @@
 namespace dalembert {
 inline namespace v1 {
 
-enum class Definiteness { not_symmetric, zero, positive_definite, positive_semidefinite, negative_definite, negative_semidefinite, indefinite };
+enum class Definiteness {
+    not_symmetric,
+    zero,
+    positive_definite,
+    positive_semidefinite,
+    negative_definite,
+    negative_semidefinite,
+    indefinite
+};
 
 inline const char* to_string(Definiteness definiteness) noexcept {
     switch (definiteness) {
-        case Definiteness::not_symmetric: return "not symmetric";
-        case Definiteness::zero: return "zero";
-        case Definiteness::positive_definite: return "positive definite";
-        case Definiteness::positive_semidefinite: return "positive semidefinite";
-        case Definiteness::negative_definite: return "negative definite";
-        case Definiteness::negative_semidefinite: return "negative semidefinite";
-        case Definiteness::indefinite: return "indefinite";
+        case Definiteness::not_symmetric:
+            return "not symmetric";
+        case Definiteness::zero:
+            return "zero";
+        case Definiteness::positive_definite:
+            return "positive definite";
+        case Definiteness::positive_semidefinite:
+            return "positive semidefinite";
+        case Definiteness::negative_definite:
+            return "negative definite";
+        case Definiteness::negative_semidefinite:
+            return "negative semidefinite";
+        case Definiteness::indefinite:
+            return "indefinite";
     }
     return "unknown";
 }
@@ -29,7 +44,8 @@ inline bool is_symmetric(const Eigen::MatrixXd& A) {
     if (A.rows() != A.cols()) return false;
     for (Eigen::Index i = 0; i < A.rows(); ++i)
         for (Eigen::Index j = 0; j < i; ++j)
-            if (!(std::abs(A(i, j) - A(j, i)) <= 1e-13 * (std::abs(A(i, j)) + std::abs(A(j, i)) + std::sqrt(std::abs(A(i, i) * A(j, j)))))) return false;
+            if (!(std::abs(A(i, j) - A(j, i)) <= 1e-13 * (std::abs(A(i, j)) + std::abs(A(j, i)) + std::sqrt(std::abs(A(i, i) * A(j, j))))))
+                return false;
     return true;
 }
 

@@ -33,15 +33,16 @@ struct Equilibrium {
     std::size_t dimension = 0;  ///< of the family
     typename System::State x{};
     typename System::Input u{};
-    double residual = 0;        ///< largest remaining |dx/dt|, or distance from a constraint
+    double residual = 0;  ///< largest remaining |dx/dt|, or distance from a constraint
     std::size_t iterations = 0;
 };
 
 namespace detail {
 
-/// f(z) = 0 for the states and inputs z that are free, with the positions and rates that constraints hold behind them. Coordinates may move on at
-/// constant speed: they keep their value, and their rate is not asked to vanish. States, inputs and their rates have units of any size, so what is judged
-/// is always a row relative to |df/dz| |z|, its size when nothing cancels, and a column relative to max(|z|, 1 SI unit).
+/// f(z) = 0 for the states and inputs z that are free, with the positions and rates that constraints hold behind them. Coordinates may move
+/// on at constant speed: they keep their value, and their rate is not asked to vanish. States, inputs and their rates have units of any
+/// size, so what is judged is always a row relative to |df/dz| |z|, its size when nothing cancels, and a column relative to max(|z|, 1 SI
+/// unit).
 template <class System>
 class EquilibriumSearch {
     using Scalar = typename System::scalar_type;
@@ -49,11 +50,14 @@ class EquilibriumSearch {
 
 public:
     template <class FreeStates, class FreeInputs>
-    EquilibriumSearch(const System& system, Equilibrium<System>& point, const FreeStates& free_states, const FreeInputs& free_inputs, const FreeStates& moving, Scalar t)
+    EquilibriumSearch(const System& system, Equilibrium<System>& point, const FreeStates& free_states, const FreeInputs& free_inputs,
+                      const FreeStates& moving, Scalar t)
         : system_(system), point_(point), t_(t), rows_(static_cast<Index>(point.x.size() + 2 * positions())) {
         for (std::size_t i = 0; i < point.x.size(); ++i) {
-            if (moving[i]) moving_.push_back(static_cast<Index>(i));
-            else if (free_states[i]) add(point.x[i], free_state_columns_, i);
+            if (moving[i])
+                moving_.push_back(static_cast<Index>(i));
+            else if (free_states[i])
+                add(point.x[i], free_state_columns_, i);
         }
         for (std::size_t i = 0; i < point.u.size(); ++i)
             if (free_inputs[i]) add(point.u[i], free_input_columns_, i);
@@ -86,8 +90,10 @@ private:
     Index columns() const { return static_cast<Index>(unknowns_.size()); }
     static constexpr bool may_hold = needs_projection<System>;
     static constexpr std::size_t positions() {
-        if constexpr (may_hold) return holds_positions<System>() ? System::constraint_table().size() : 0;
-        else return 0;
+        if constexpr (may_hold)
+            return holds_positions<System>() ? System::constraint_table().size() : 0;
+        else
+            return 0;
     }
 
     /// Whether the rates stay as they are while coordinates move on.
@@ -98,7 +104,8 @@ private:
         const Matrix<Scalar> A = jacobian_x(system_, point_.x, point_.u, t_);
         for (const Index k : moving_)
             for (Index i = 0; i < A.rows(); ++i)
-                if (!(abs(A(i, k) * dxdt[static_cast<std::size_t>(k)]) <= Scalar(1e-8) * (Scalar(1) + A.row(i).template lpNorm<1>()))) return false;
+                if (!(abs(A(i, k) * dxdt[static_cast<std::size_t>(k)]) <= Scalar(1e-8) * (Scalar(1) + A.row(i).template lpNorm<1>())))
+                    return false;
         return true;
     }
 
@@ -109,19 +116,23 @@ private:
         f_.head(static_cast<Index>(dxdt.size())) = Eigen::Map<const Vector<Scalar>>(dxdt.data(), static_cast<Index>(dxdt.size()));
         for (const Index k : moving_) f_[k] = Scalar(0);
         if constexpr (may_hold)
-            if (positions() > 0) f_.tail(2 * static_cast<Index>(positions())) << constraint_positions(system_, point_.x, t_), constraint_rates(system_, point_.x, t_);
+            if (positions() > 0)
+                f_.tail(2 * static_cast<Index>(positions())) << constraint_positions(system_, point_.x, t_),
+                    constraint_rates(system_, point_.x, t_);
         return f_.allFinite();
     }
 
     bool take_jacobian() {
-        Matrix<Scalar> A = Matrix<Scalar>::Zero(rows_, static_cast<Index>(point_.x.size())), B = Matrix<Scalar>::Zero(rows_, static_cast<Index>(point_.u.size()));
+        Matrix<Scalar> A = Matrix<Scalar>::Zero(rows_, static_cast<Index>(point_.x.size())),
+                       B = Matrix<Scalar>::Zero(rows_, static_cast<Index>(point_.u.size()));
         A.topRows(A.cols()) = jacobian_x(system_, point_.x, point_.u, t_);
         B.topRows(A.cols()) = jacobian_u(system_, point_.x, point_.u, t_);
-        if constexpr (may_hold) if (positions() > 0) {
-            const Matrix<Scalar> J = constraint_position_jacobian(system_, point_.x, t_);
-            A.block(A.cols(), 0, J.rows(), J.cols()) = J;
-            A.bottomRows(J.rows()) = constraint_rate_jacobian(system_, point_.x, t_);
-        }
+        if constexpr (may_hold)
+            if (positions() > 0) {
+                const Matrix<Scalar> J = constraint_position_jacobian(system_, point_.x, t_);
+                A.block(A.cols(), 0, J.rows(), J.cols()) = J;
+                A.bottomRows(J.rows()) = constraint_rate_jacobian(system_, point_.x, t_);
+            }
         for (const Index k : moving_) A.row(k).setZero(), B.row(k).setZero();
         scaled_.resize(rows_, columns());
         Index c = 0;
@@ -135,12 +146,14 @@ private:
             scaled_.col(j) *= sizes_[j];
         }
         row_sizes_ = scaled_.cwiseAbs().rowwise().sum();
-        if constexpr (may_hold) if (positions() > 0) {
-            // Accelerations that constraints hold at zero: what is left of them is rounding, of the size of the others.
-            auto accelerations = row_sizes_.segment(static_cast<Index>(System::velocity_place), static_cast<Index>(System::velocity_place));
-            const Scalar largest = accelerations.maxCoeff();
-            accelerations = (accelerations.array() > Scalar(1e-10) * largest).select(accelerations, largest);
-        }
+        if constexpr (may_hold)
+            if (positions() > 0) {
+                // Accelerations that constraints hold at zero: what is left of them is rounding, of the size of the others.
+                auto accelerations =
+                    row_sizes_.segment(static_cast<Index>(System::velocity_place), static_cast<Index>(System::velocity_place));
+                const Scalar largest = accelerations.maxCoeff();
+                accelerations = (accelerations.array() > Scalar(1e-10) * largest).select(accelerations, largest);
+            }
         for (Index i = 0; i < rows_; ++i)
             if (!(row_sizes_[i] > Scalar(0))) row_sizes_[i] = Scalar(1);  // nothing free moves this row
         for (Index i = 0; i < rows_; ++i) scaled_.row(i) /= row_sizes_[i];
@@ -149,7 +162,8 @@ private:
 
     /// A Newton step, halved as long as the residual does not fall. False, with nothing changed, when it never does.
     bool improve() {
-        const Eigen::CompleteOrthogonalDecomposition<Matrix<Scalar>> decomposition = with_threshold<Eigen::CompleteOrthogonalDecomposition<Matrix<Scalar>>>();
+        const Eigen::CompleteOrthogonalDecomposition<Matrix<Scalar>> decomposition =
+            with_threshold<Eigen::CompleteOrthogonalDecomposition<Matrix<Scalar>>>();
         const Vector<Scalar> step = decomposition.solve(-f_.cwiseQuotient(row_sizes_)).cwiseProduct(sizes_);
         const Vector<Scalar> f_before = f_;
         const Scalar norm_before = f_.cwiseQuotient(row_sizes_).norm();

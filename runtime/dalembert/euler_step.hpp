@@ -75,7 +75,8 @@ inline double euler_step(double real, double imaginary, double negligible) {
 
 /// In seconds; NaN where the Jacobian is not finite, or is neither small nor three diagonals wide.
 template <class System>
-double largest_euler_step(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
+double largest_euler_step(const System& system, const typename System::State& x, const typename System::Input& u,
+                          typename System::scalar_type t) {
     const std::size_t n = x.size();
     constexpr std::size_t largest_dense = 300;
     const detail::Bandwidth band = detail::bandwidth<typename System::PatternX>(n);
@@ -97,7 +98,8 @@ double largest_euler_step(const System& system, const typename System::State& x,
         const auto values = Eigen::EigenSolver<Eigen::MatrixXd>(A, false).eigenvalues().eval();
         const double size = values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0;
         double step = std::numeric_limits<double>::infinity();
-        for (Eigen::Index i = 0; i < values.size(); ++i) step = std::min(step, detail::euler_step(values[i].real(), values[i].imag(), epsilon * size));
+        for (Eigen::Index i = 0; i < values.size(); ++i)
+            step = std::min(step, detail::euler_step(values[i].real(), values[i].imag(), epsilon * size));
         return step;
     }
     return std::numeric_limits<double>::quiet_NaN();

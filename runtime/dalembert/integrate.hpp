@@ -6,12 +6,12 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "dalembert/integration.hpp"
 #include "dalembert/methods/automatic.hpp"
 #include "dalembert/methods/explicit_steppers.hpp"
-#include "dalembert/integration.hpp"
 #include "dalembert/methods/rosenbrock.hpp"
-#include "dalembert/series.hpp"
 #include "dalembert/methods/taylor.hpp"
+#include "dalembert/series.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -31,9 +31,11 @@ inline namespace v1 {
 /// twice between two of these points is missed; a smaller options.max_step puts them closer together. A motion that slides along a
 /// zero, as with a relay whose two sides both lead back to it, is an event storm.
 template <class State, class Rhs, class Observer, class Guards, class Ends>
-Outcome integrate(Rhs&& rhs, State& x, typename State::value_type from, typename State::value_type to, const IntegrationOptions<State>& options, Observer&& observe,
-                  Guards&& guards, const Ends& ends) {
-    detail::Integration<State, std::remove_reference_t<Rhs>, std::remove_reference_t<Observer>, std::remove_reference_t<Guards>, detail::Like<Ends, typename State::value_type>> run(rhs, x, from, to, options, observe, guards, ends);
+Outcome integrate(Rhs&& rhs, State& x, typename State::value_type from, typename State::value_type to,
+                  const IntegrationOptions<State>& options, Observer&& observe, Guards&& guards, const Ends& ends) {
+    detail::Integration<State, std::remove_reference_t<Rhs>, std::remove_reference_t<Observer>, std::remove_reference_t<Guards>,
+                        detail::Like<Ends, typename State::value_type>>
+        run(rhs, x, from, to, options, observe, guards, ends);
     detail::NoDerivatives none;
     detail::ChoiceOf<typename State::value_type, detail::NoDerivatives> choice;
     return detail::run_by_method(run, none, options, choice);
@@ -41,24 +43,27 @@ Outcome integrate(Rhs&& rhs, State& x, typename State::value_type from, typename
 
 /// The same without guards.
 template <class State, class Rhs, class Observer>
-Outcome integrate(Rhs&& rhs, State& x, typename State::value_type from, typename State::value_type to, const IntegrationOptions<State>& options, Observer&& observe) {
+Outcome integrate(Rhs&& rhs, State& x, typename State::value_type from, typename State::value_type to,
+                  const IntegrationOptions<State>& options, Observer&& observe) {
     return integrate(rhs, x, from, to, options, observe, detail::NoGuards{}, std::array<bool, 0>{});
 }
 
 /// The same with derivatives, which Method::rodas5p needs, and Method::automatic for stiff problems; see Derivatives. The other methods do
 /// not use them.
 template <class State, class Rhs, class Derivatives, class Observer, class Guards, class Ends>
-Outcome integrate(Rhs&& rhs, Derivatives&& derivatives, State& x, typename State::value_type from, typename State::value_type to, const IntegrationOptions<State>& options,
-                  Observer&& observe, Guards&& guards, const Ends& ends) {
-    detail::Integration<State, std::remove_reference_t<Rhs>, std::remove_reference_t<Observer>, std::remove_reference_t<Guards>, detail::Like<Ends, typename State::value_type>> run(rhs, x, from, to, options, observe, guards, ends);
+Outcome integrate(Rhs&& rhs, Derivatives&& derivatives, State& x, typename State::value_type from, typename State::value_type to,
+                  const IntegrationOptions<State>& options, Observer&& observe, Guards&& guards, const Ends& ends) {
+    detail::Integration<State, std::remove_reference_t<Rhs>, std::remove_reference_t<Observer>, std::remove_reference_t<Guards>,
+                        detail::Like<Ends, typename State::value_type>>
+        run(rhs, x, from, to, options, observe, guards, ends);
     detail::ChoiceOf<typename State::value_type, std::remove_reference_t<Derivatives>> choice;
     return detail::run_by_method(run, derivatives, options, choice);
 }
 
 /// And without guards.
 template <class State, class Rhs, class Derivatives, class Observer>
-Outcome integrate(Rhs&& rhs, Derivatives&& derivatives, State& x, typename State::value_type from, typename State::value_type to, const IntegrationOptions<State>& options,
-                  Observer&& observe) {
+Outcome integrate(Rhs&& rhs, Derivatives&& derivatives, State& x, typename State::value_type from, typename State::value_type to,
+                  const IntegrationOptions<State>& options, Observer&& observe) {
     return integrate(rhs, derivatives, x, from, to, options, observe, detail::NoGuards{}, std::array<bool, 0>{});
 }
 

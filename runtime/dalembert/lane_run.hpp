@@ -6,9 +6,9 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 
 #include "dalembert/constraints.hpp"
+#include "dalembert/methods/step_control.hpp"
 #include "dalembert/pack.hpp"
 #include "dalembert/scales.hpp"
-#include "dalembert/methods/step_control.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -26,7 +26,8 @@ public:
     using Mask = typename Number::batch_bool_type;
     using State = typename System::State;
     using Guards = typename System::Guards;
-    static constexpr std::size_t lanes = Number::size, state_count = std::tuple_size<State>::value, guard_count = std::tuple_size<Guards>::value;
+    static constexpr std::size_t lanes = Number::size, state_count = std::tuple_size<State>::value,
+                                 guard_count = std::tuple_size<Guards>::value;
     using Options = IntegrationOptions<std::array<Lane, state_count>>;
 
     LaneRun(const System& system, const Inputs& inputs, State& x, Lane from, Lane to, const Options& options)
@@ -69,7 +70,8 @@ private:
         next_step(h, norm, accepted);
         count(accepted, active_ & !accepted);
         retire(goes_on & is_last, Status::success);
-        const Number smallest = Number(Lane(16) * std::numeric_limits<Lane>::epsilon()) * max(abs(t_), Number((to_ - from_) * std::numeric_limits<Lane>::epsilon()));
+        const Number smallest = Number(Lane(16) * std::numeric_limits<Lane>::epsilon()) *
+                                max(abs(t_), Number((to_ - from_) * std::numeric_limits<Lane>::epsilon()));
         const Mask stuck = active_ & !accepted & !(h_ >= smallest);  // also where the step is no number
         const Mask has_value = norm < Number(std::numeric_limits<Lane>::infinity());
         retire(stuck & has_value, Status::step_too_small);
@@ -81,7 +83,8 @@ private:
         Number largest(Lane(0));
         Mask is_number(true);
         for (std::size_t i = 0; i < state_count; ++i) {
-            const Number ratio = abs(error_[i]) / (Number(options_.tolerance) * max(Number(options_.scale[i]), max(abs(x_[i]), abs(y_[i]))));
+            const Number ratio =
+                abs(error_[i]) / (Number(options_.tolerance) * max(Number(options_.scale[i]), max(abs(x_[i]), abs(y_[i]))));
             is_number = is_number & (ratio < Number(std::numeric_limits<Lane>::infinity()));
             largest = max(largest, ratio);
         }
@@ -91,7 +94,9 @@ private:
     /// As StepControl::factor and factor_of_failure have it.
     void next_step(const Number& h, const Number& norm, const Mask& accepted) {
         const Number e = log(max(min(norm, Number(Lane(1e30))), Number(Lane(1) / Lane(10000))));
-        const Number better = min(Number(Lane(5)), max(Number(Lane(1) / Lane(5)), Number(Lane(0.9)) * exp((Number(Lane(4)) * last_error_ - Number(Lane(7)) * e) / Number(Lane(50)))));
+        const Number better =
+            min(Number(Lane(5)), max(Number(Lane(1) / Lane(5)),
+                                     Number(Lane(0.9)) * exp((Number(Lane(4)) * last_error_ - Number(Lane(7)) * e) / Number(Lane(50)))));
         const Number worse = max(Number(Lane(0.1)), Number(Lane(0.9)) * exp(e / Number(Lane(-5))));
         h_ = h * select(accepted, better, worse);
         last_error_ = select(accepted, e, last_error_);
@@ -188,8 +193,8 @@ private:
 /// called as inputs(x, t) with packs. The options tolerance, scale, step, max_step and max_steps count; kinks are not located, only the
 /// error of the steps is controlled.
 template <class System, class Inputs>
-auto integrate_lanes(const System& system, const Inputs& inputs, typename System::State& x, typename System::scalar_type::value_type from, typename System::scalar_type::value_type to,
-                     const typename detail::LaneRun<System, Inputs>::Options& options) {
+auto integrate_lanes(const System& system, const Inputs& inputs, typename System::State& x, typename System::scalar_type::value_type from,
+                     typename System::scalar_type::value_type to, const typename detail::LaneRun<System, Inputs>::Options& options) {
     return detail::LaneRun<System, Inputs>(system, inputs, x, from, to, options).run();
 }
 

@@ -39,8 +39,9 @@ struct FreeMotions {
 
 namespace detail {
 
-/// Columns of G whose dx are given by those of the others, where G dx = 0: the other way round than the solution of least changes, so that states keep
-/// their names. Columns of the first classes are taken first, where that leaves nothing nearly singular; of a class those with the largest entries.
+/// Columns of G whose dx are given by those of the others, where G dx = 0: the other way round than the solution of least changes, so that
+/// states keep their names. Columns of the first classes are taken first, where that leaves nothing nearly singular; of a class those with
+/// the largest entries.
 template <class Scalar>
 std::vector<bool> dependent_columns(Matrix<Scalar> G, const std::vector<int>& classes) {
     using Index = Eigen::Index;
@@ -55,7 +56,8 @@ std::vector<bool> dependent_columns(Matrix<Scalar> G, const std::vector<int>& cl
             Index row = -1, column = -1;
             for (Index j = 0; j < G.cols(); ++j)
                 for (Index i = rank; i < G.rows(); ++i)
-                    if (!result[static_cast<std::size_t>(j)] && classes[static_cast<std::size_t>(j)] <= most_class && abs(G(i, j)) > largest) {
+                    if (!result[static_cast<std::size_t>(j)] && classes[static_cast<std::size_t>(j)] <= most_class &&
+                        abs(G(i, j)) > largest) {
                         largest = abs(G(i, j));
                         row = i;
                         column = j;
@@ -89,8 +91,10 @@ template <class Scalar>
 void take_eigenvalues(const Matrix<Scalar>& A, const std::vector<bool>& is_ignorable, std::vector<std::complex<Scalar>>& result) {
     std::vector<Eigen::Index> kept;
     for (Eigen::Index k = 0; k < A.cols(); ++k)
-        if (is_ignorable[static_cast<std::size_t>(k)]) result.emplace_back(Scalar(0));
-        else kept.push_back(k);
+        if (is_ignorable[static_cast<std::size_t>(k)])
+            result.emplace_back(Scalar(0));
+        else
+            kept.push_back(k);
     Matrix<Scalar> rest(static_cast<Eigen::Index>(kept.size()), static_cast<Eigen::Index>(kept.size()));
     for (Eigen::Index i = 0; i < rest.rows(); ++i)
         for (Eigen::Index j = 0; j < rest.cols(); ++j) rest(i, j) = A(kept[static_cast<std::size_t>(i)], kept[static_cast<std::size_t>(j)]);
@@ -98,7 +102,8 @@ void take_eigenvalues(const Matrix<Scalar>& A, const std::vector<bool>& is_ignor
         const Eigen::EigenSolver<Matrix<Scalar>> solver(rest, false);
         for (Eigen::Index i = 0; i < solver.eigenvalues().size(); ++i) result.push_back(solver.eigenvalues()[i]);
     }
-    std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.real() != b.real() ? a.real() > b.real() : a.imag() > b.imag(); });
+    std::sort(result.begin(), result.end(),
+              [](const auto& a, const auto& b) { return a.real() != b.real() ? a.real() > b.real() : a.imag() > b.imag(); });
 }
 
 }  // namespace detail
@@ -108,7 +113,8 @@ template <class System>
 auto constraint_rows(const System& system, const typename System::State& x, typename System::scalar_type t) {
     using Scalar = typename System::scalar_type;
     if constexpr (detail::needs_projection<System>)
-        if (detail::holds_positions<System>()) return ConstraintRows<Scalar>{constraint_position_jacobian(system, x, t), constraint_rate_jacobian(system, x, t)};
+        if (detail::holds_positions<System>())
+            return ConstraintRows<Scalar>{constraint_position_jacobian(system, x, t), constraint_rate_jacobian(system, x, t)};
     (void)system, (void)x, (void)t;
     return ConstraintRows<Scalar>{};
 }
@@ -134,7 +140,8 @@ FreeMotions<Scalar> free_motions(const ConstraintRows<Scalar>& rows, std::size_t
     for (std::size_t k = 0; k < states; ++k)
         if (k < first ? !q_follows[k] : k < 2 * first ? !v_follows[k - first] : true) result.states.push_back(k);
     result.N = Matrix<Scalar>::Zero(static_cast<Index>(states), static_cast<Index>(result.states.size()));
-    for (std::size_t c = 0; c < result.states.size(); ++c) result.N(static_cast<Index>(result.states[c]), static_cast<Index>(c)) = Scalar(1);
+    for (std::size_t c = 0; c < result.states.size(); ++c)
+        result.N(static_cast<Index>(result.states[c]), static_cast<Index>(c)) = Scalar(1);
     const auto fill = [&](Index place, const std::vector<bool>& follows, const Matrix<Scalar>& G, const Matrix<Scalar>& right) {
         const Matrix<Scalar> part = detail::followers<Scalar>(G, follows, right);
         Index row = 0;
@@ -152,10 +159,17 @@ auto free_motions(const System& system, const typename System::State& x, typenam
 
 /// With constraints, the eigenvalues belong to the motions that they allow, at rest or not.
 template <class System>
-auto linearise(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t, const ConstraintRows<typename System::scalar_type>& rows) {
+auto linearise(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t,
+               const ConstraintRows<typename System::scalar_type>& rows) {
     using Scalar = typename System::scalar_type;
     using Index = Eigen::Index;
-    Linearisation<Scalar> result{jacobian_x(system, x, u, t), jacobian_u(system, x, u, t), output_jacobian_x(system, x, u, t), output_jacobian_u(system, x, u, t), {}, {}, {}};
+    Linearisation<Scalar> result{jacobian_x(system, x, u, t),
+                                 jacobian_u(system, x, u, t),
+                                 output_jacobian_x(system, x, u, t),
+                                 output_jacobian_u(system, x, u, t),
+                                 {},
+                                 {},
+                                 {}};
     if (!result.A.allFinite()) return result;
     const FreeMotions<Scalar> motions = free_motions(rows, x.size());
     result.free = motions.states;
@@ -168,7 +182,8 @@ auto linearise(const System& system, const typename System::State& x, const type
         const Scalar rounding = Scalar(1e-12) * A.template lpNorm<Eigen::Infinity>();
         for (Index k = 0; k < A.cols(); ++k) {
             const std::size_t state = result.free[static_cast<std::size_t>(k)];
-            if (state >= static_cast<std::size_t>(rows.of_positions.cols()) || !(A.col(k).template lpNorm<Eigen::Infinity>() <= rounding)) continue;
+            if (state >= static_cast<std::size_t>(rows.of_positions.cols()) || !(A.col(k).template lpNorm<Eigen::Infinity>() <= rounding))
+                continue;
             is_ignorable[static_cast<std::size_t>(k)] = true;
             result.ignorable.push_back(state);
         }

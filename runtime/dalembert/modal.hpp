@@ -23,11 +23,16 @@ enum class ModalStatus { success, wrong_shape, not_finite, mass_not_positive_def
 
 inline const char* to_string(ModalStatus status) noexcept {
     switch (status) {
-        case ModalStatus::success: return "success";
-        case ModalStatus::wrong_shape: return "wrong shape";
-        case ModalStatus::not_finite: return "not finite";
-        case ModalStatus::mass_not_positive_definite: return "mass matrix not positive definite";
-        case ModalStatus::not_converged: return "not converged";
+        case ModalStatus::success:
+            return "success";
+        case ModalStatus::wrong_shape:
+            return "wrong shape";
+        case ModalStatus::not_finite:
+            return "not finite";
+        case ModalStatus::mass_not_positive_definite:
+            return "mass matrix not positive definite";
+        case ModalStatus::not_converged:
+            return "not converged";
     }
     return "unknown";
 }
@@ -37,28 +42,31 @@ struct LinearSystem {
     Eigen::MatrixXd M, D, C, B;
 };
 
-/// Rows and columns of the modal form that belong together. Size 1: an eigenvalue with an eigenvector of its own. Size 2, for example if a body
-/// moves freely or damping is critical: [lambda, c; 0, lambda], an eigenvector and one that feeds it. More: eigenvalues that are equal,
-/// or nearly, whose vectors would be parallel.
+/// Rows and columns of the modal form that belong together. Size 1: an eigenvalue with an eigenvector of its own. Size 2, for example if a
+/// body moves freely or damping is critical: [lambda, c; 0, lambda], an eigenvector and one that feeds it. More: eigenvalues that are
+/// equal, or nearly, whose vectors would be parallel.
 struct ModalBlock {
     Eigen::Index first, size;
     bool is_real;  ///< else there is a second, conjugate block
 };
 
-/// dy/dt = matrix y + input f (2.138), x = [q; qd] = vectors y (2.139), y = inverse x; of conjugate pairs only those with Im(lambda) > 0, so
-/// that x = sum over real blocks + 2 Re(sum over others). K columns, sorted by |lambda|.
+/// dy/dt = matrix y + input f (2.138), x = [q; qd] = vectors y (2.139), y = inverse x; of conjugate pairs only those with Im(lambda) > 0,
+/// so that x = sum over real blocks + 2 Re(sum over others). K columns, sorted by |lambda|.
 struct Modes {
     ModalStatus status = ModalStatus::success;
-    Eigen::VectorXcd eigenvalues;     ///< K, 1/s
-    Eigen::MatrixXcd vectors;         ///< 2n x K: [psi_a; lambda psi_a], of length 1, its largest component real and positive
-    Eigen::MatrixXcd left;            ///< n x K: phi_a' (lambda^2 M + lambda D + C) = 0; psi_a where M, D, C are symmetric and a block of the same lambda is not larger; 0 in larger blocks
-    Eigen::VectorXcd alpha;           ///< K: phi_a' D psi_a + 2 lambda phi_a' M psi_a (2.134); NaN in larger blocks
-    Eigen::MatrixXcd inverse;         ///< K x 2n, rows of Psi^-1
-    Eigen::MatrixXcd matrix;          ///< K x K, diagonal but for larger blocks
-    Eigen::MatrixXcd input;           ///< K x m: rows phi_a' B/alpha
+    Eigen::VectorXcd eigenvalues;  ///< K, 1/s
+    Eigen::MatrixXcd vectors;      ///< 2n x K: [psi_a; lambda psi_a], of length 1, its largest component real and positive
+    Eigen::MatrixXcd left;     ///< n x K: phi_a' (lambda^2 M + lambda D + C) = 0; psi_a where M, D, C are symmetric and a block of the same
+                               ///< lambda is not larger; 0 in larger blocks
+    Eigen::VectorXcd alpha;    ///< K: phi_a' D psi_a + 2 lambda phi_a' M psi_a (2.134); NaN in larger blocks
+    Eigen::MatrixXcd inverse;  ///< K x 2n, rows of Psi^-1
+    Eigen::MatrixXcd matrix;   ///< K x K, diagonal but for larger blocks
+    Eigen::MatrixXcd input;    ///< K x m: rows phi_a' B/alpha
     std::vector<ModalBlock> blocks;
     /// True if no block is larger than 1: the equations are decoupled as in (2.138).
-    bool is_decoupled() const { return std::all_of(blocks.begin(), blocks.end(), [](const ModalBlock& b) { return b.size == 1; }); }
+    bool is_decoupled() const {
+        return std::all_of(blocks.begin(), blocks.end(), [](const ModalBlock& b) { return b.size == 1; });
+    }
 };
 
 namespace detail {
@@ -80,7 +88,8 @@ struct ModalFrame {
         K = multiply_real(V.transpose(), multiply_real(system.C, V));
         if (is_symmetric) {
             const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes((K + K.transpose()) / 2);
-            const double rounding = 10 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() * modes.eigenvalues().cwiseAbs().maxCoeff();
+            const double rounding =
+                10 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() * modes.eigenvalues().cwiseAbs().maxCoeff();
             V = multiply_real(V, modes.eigenvectors());
             K = (modes.eigenvalues().array().abs() <= rounding).select(0, modes.eigenvalues()).asDiagonal();
         }
@@ -121,12 +130,14 @@ inline Complex normalising(const Eigen::VectorXcd& psi) {
 }
 
 /// A block of the modal form with its columns and rows.
-inline Modes modal_block(const ModalFrame& frame, bool is_real, const Eigen::VectorXcd& eigenvalues, const Eigen::MatrixXcd& X, const Eigen::MatrixXcd& B, const Eigen::MatrixXcd& Y) {
+inline Modes modal_block(const ModalFrame& frame, bool is_real, const Eigen::VectorXcd& eigenvalues, const Eigen::MatrixXcd& X,
+                         const Eigen::MatrixXcd& B, const Eigen::MatrixXcd& Y) {
     const Eigen::Index n = frame.s.size(), k = X.cols();
     Modes block;
     block.eigenvalues = eigenvalues;
     block.vectors.resize(2 * n, k);
-    const Eigen::MatrixXcd V = frame.V.cast<Complex>(), W = frame.W.cast<Complex>(), S = frame.s.asDiagonal().toDenseMatrix().cast<Complex>();
+    const Eigen::MatrixXcd V = frame.V.cast<Complex>(), W = frame.W.cast<Complex>(),
+                           S = frame.s.asDiagonal().toDenseMatrix().cast<Complex>();
     block.vectors.topRows(n) = multiply(V, frame.unscaled(X.topRows(n)));
     block.vectors.bottomRows(n) = multiply(V, X.bottomRows(n));
     const Complex turn = normalising(block.vectors.col(0));
@@ -145,14 +156,17 @@ inline Modes modal_block(const ModalFrame& frame, bool is_real, const Eigen::Vec
     return block;
 }
 
-/// An eigenvalue with an eigenvector x of F and a left one l: (2.134) to (2.138). The eigenvalue gets its last digits from the quadratic form.
-/// `is_orthogonal`: to all others, as in (2.130), so that l is known from x.
-inline Modes single_mode(const ModalFrame& frame, bool is_real, bool is_orthogonal, Complex lambda, const Eigen::VectorXcd& x, Eigen::VectorXcd l) {
+/// An eigenvalue with an eigenvector x of F and a left one l: (2.134) to (2.138). The eigenvalue gets its last digits from the quadratic
+/// form. `is_orthogonal`: to all others, as in (2.130), so that l is known from x.
+inline Modes single_mode(const ModalFrame& frame, bool is_real, bool is_orthogonal, Complex lambda, const Eigen::VectorXcd& x,
+                         Eigen::VectorXcd l) {
     const Eigen::Index n = frame.s.size();
     Eigen::VectorXcd r = x.head(n).norm() >= x.tail(n).norm() ? frame.unscaled(x.head(n)) : Eigen::MatrixXcd(x.tail(n) / lambda);
     if (is_orthogonal) l = r;
     const auto form = [&](const Eigen::MatrixXd& A) { return multiply(l.transpose(), multiply(A.cast<Complex>(), r))(0, 0); };
-    const auto size = [&](const Eigen::MatrixXd& A) { return multiply_real(l.cwiseAbs().transpose(), multiply_real(A.cwiseAbs(), r.cwiseAbs()))(0, 0); };
+    const auto size = [&](const Eigen::MatrixXd& A) {
+        return multiply_real(l.cwiseAbs().transpose(), multiply_real(A.cwiseAbs(), r.cwiseAbs()))(0, 0);
+    };
     const Eigen::MatrixXd E = Eigen::MatrixXd::Identity(n, n);
     const Complex of_E = form(E), of_D = form(frame.D), of_K = form(frame.K);
     for (int i = 0; i < 2; ++i) {
@@ -162,8 +176,10 @@ inline Modes single_mode(const ModalFrame& frame, bool is_real, bool is_orthogon
         lambda -= step;
         if (std::abs(lambda) <= 4 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() * sizes / std::abs(slope)) lambda = 0;
     }
-    if (is_real) lambda = lambda.real();
-    else if (frame.is_symmetric && frame.D.isZero(0)) lambda = Complex(0, lambda.imag());
+    if (is_real)
+        lambda = lambda.real();
+    else if (frame.is_symmetric && frame.D.isZero(0))
+        lambda = Complex(0, lambda.imag());
     const auto stacked = [&](const Eigen::VectorXcd& of) {
         Eigen::VectorXcd both(2 * n);
         const Eigen::VectorXcd q = multiply(frame.V.cast<Complex>(), of);
@@ -176,7 +192,8 @@ inline Modes single_mode(const ModalFrame& frame, bool is_real, bool is_orthogon
     mode.eigenvalues = mode.matrix = Eigen::MatrixXcd::Constant(1, 1, lambda);
     mode.vectors = stacked(r);
     mode.left = stacked(l).head(n);
-    const Eigen::MatrixXcd phi = mode.left.transpose(), phi_M = multiply(phi, system.M.cast<Complex>()), phi_D = multiply(phi, system.D.cast<Complex>());
+    const Eigen::MatrixXcd phi = mode.left.transpose(), phi_M = multiply(phi, system.M.cast<Complex>()),
+                           phi_D = multiply(phi, system.D.cast<Complex>());
     mode.alpha = multiply(phi_D + 2.0 * lambda * phi_M, mode.vectors.topRows(n));
     mode.inverse.resize(1, 2 * n);
     mode.inverse.leftCols(n) = phi_D + lambda * phi_M;
@@ -223,7 +240,9 @@ inline void append_blocks(const ModalFrame& frame, InvariantSubspace part, doubl
     const Eigen::Index n = frame.s.size(), k = part.X.cols();
     const Complex mean = part.is_real ? part.B.trace().real() / static_cast<double>(k) : part.B.trace() / static_cast<double>(k);
     Eigen::VectorXcd eigenvalues = part.eigenvalues;
-    if (k == 1) return result.push_back(single_mode(frame, part.is_real, frame.is_symmetric, eigenvalues[0], part.X, part.Y.rightCols(n).transpose()));
+    if (k == 1)
+        return result.push_back(
+            single_mode(frame, part.is_real, frame.is_symmetric, eigenvalues[0], part.X, part.Y.rightCols(n).transpose()));
     // The eigenvalues are equal but for rounding where N^j is zero but for it.
     rounding *= part.projector;
     const Eigen::MatrixXcd N = part.B - mean * Eigen::MatrixXcd::Identity(k, k);
@@ -249,9 +268,11 @@ inline void append_blocks(const ModalFrame& frame, InvariantSubspace part, doubl
     for (Eigen::Index i = 0; i < pairs; ++i) {
         Eigen::Matrix2cd chain;
         chain << eigenvalues[0], part.B(2 * i, 2 * i + 1), 0, eigenvalues[0];
-        result.push_back(modal_block(frame, part.is_real, eigenvalues.head(2), part.X.middleCols(2 * i, 2), chain, part.Y.middleRows(2 * i, 2)));
+        result.push_back(
+            modal_block(frame, part.is_real, eigenvalues.head(2), part.X.middleCols(2 * i, 2), chain, part.Y.middleRows(2 * i, 2)));
     }
-    for (Eigen::Index i = 2 * pairs; i < k; ++i) result.push_back(single_mode(frame, part.is_real, is_orthogonal, eigenvalues[0], part.X.col(i), part.Y.row(i).tail(n).transpose()));
+    for (Eigen::Index i = 2 * pairs; i < k; ++i)
+        result.push_back(single_mode(frame, part.is_real, is_orthogonal, eigenvalues[0], part.X.col(i), part.Y.row(i).tail(n).transpose()));
 }
 
 /// Coordinates in groups that neither M nor D nor C couples.
@@ -261,7 +282,9 @@ inline std::vector<std::vector<Eigen::Index>> uncoupled_groups(const LinearSyste
         std::vector<Eigen::Index> joined{i};
         const auto couples = [&](const Eigen::MatrixXd& A, Eigen::Index j) { return A(i, j) != 0 || A(j, i) != 0; };
         for (auto group = groups.begin(); group != groups.end();) {
-            const bool is_coupled = std::any_of(group->begin(), group->end(), [&](Eigen::Index j) { return couples(system.M, j) || couples(system.D, j) || couples(system.C, j); });
+            const bool is_coupled = std::any_of(group->begin(), group->end(), [&](Eigen::Index j) {
+                return couples(system.M, j) || couples(system.D, j) || couples(system.C, j);
+            });
             if (is_coupled) joined.insert(joined.end(), group->begin(), group->end());
             group = is_coupled ? groups.erase(group) : group + 1;
         }
@@ -273,7 +296,8 @@ inline std::vector<std::vector<Eigen::Index>> uncoupled_groups(const LinearSyste
 
 inline ModalStatus append_modes(const LinearSystem& system, std::vector<Modes>& blocks) {
     const Eigen::LLT<Eigen::MatrixXd> cholesky((system.M + system.M.transpose()) / 2);
-    if (definiteness(system.M) != Definiteness::positive_definite || cholesky.info() != Eigen::Success) return ModalStatus::mass_not_positive_definite;
+    if (definiteness(system.M) != Definiteness::positive_definite || cholesky.info() != Eigen::Success)
+        return ModalStatus::mass_not_positive_definite;
     const ModalFrame frame(system, cholesky.matrixL());
     if (!frame.matrix().allFinite()) return ModalStatus::not_finite;
     Splitting splitting;
@@ -285,7 +309,8 @@ inline ModalStatus append_modes(const LinearSystem& system, std::vector<Modes>& 
 /// A block of a group, seen from all coordinates.
 inline void embed(Modes& block, const std::vector<Eigen::Index>& group, Eigen::Index n) {
     const Eigen::Index k = block.vectors.cols(), g = static_cast<Eigen::Index>(group.size());
-    Eigen::MatrixXcd vectors = Eigen::MatrixXcd::Zero(2 * n, k), left = Eigen::MatrixXcd::Zero(n, k), inverse = Eigen::MatrixXcd::Zero(k, 2 * n);
+    Eigen::MatrixXcd vectors = Eigen::MatrixXcd::Zero(2 * n, k), left = Eigen::MatrixXcd::Zero(n, k),
+                     inverse = Eigen::MatrixXcd::Zero(k, 2 * n);
     for (Eigen::Index i = 0; i < g; ++i) {
         const Eigen::Index at = group[static_cast<std::size_t>(i)];
         vectors.row(at) = block.vectors.row(i);
@@ -302,14 +327,15 @@ inline void embed(Modes& block, const std::vector<Eigen::Index>& group, Eigen::I
 inline Eigen::MatrixXd part_of(const Eigen::MatrixXd& A, const std::vector<Eigen::Index>& rows, const std::vector<Eigen::Index>& columns) {
     Eigen::MatrixXd result(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns.size()));
     for (Eigen::Index i = 0; i < result.rows(); ++i)
-        for (Eigen::Index j = 0; j < result.cols(); ++j) result(i, j) = A(rows[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]);
+        for (Eigen::Index j = 0; j < result.cols(); ++j)
+            result(i, j) = A(rows[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]);
     return result;
 }
 
 }  // namespace detail
 
-/// The modal form. Eigenvalues closer than 20 n eps of the largest count as equal. Coordinates without coupling have modes of their own, independent
-/// of the others.
+/// The modal form. Eigenvalues closer than 20 n eps of the largest count as equal. Coordinates without coupling have modes of their own,
+/// independent of the others.
 inline Modes modes(const LinearSystem& system) {
     Modes result;
     const auto fail = [&](ModalStatus status) {
@@ -328,14 +354,17 @@ inline Modes modes(const LinearSystem& system) {
     for (Eigen::Index i = 0; i < system.B.cols(); ++i) inputs.push_back(i);
     for (const std::vector<Eigen::Index>& group : detail::uncoupled_groups(system)) {
         std::vector<Modes> own;
-        const ModalStatus status = detail::append_modes({detail::part_of(system.M, group, group), detail::part_of(system.D, group, group), detail::part_of(system.C, group, group), detail::part_of(system.B, group, inputs)}, own);
+        const ModalStatus status = detail::append_modes({detail::part_of(system.M, group, group), detail::part_of(system.D, group, group),
+                                                         detail::part_of(system.C, group, group), detail::part_of(system.B, group, inputs)},
+                                                        own);
         if (status != ModalStatus::success) return fail(status);
         for (Modes& block : own) {
             detail::embed(block, group, n);
             blocks.push_back(std::move(block));
         }
     }
-    std::stable_sort(blocks.begin(), blocks.end(), [](const Modes& a, const Modes& b) { return std::abs(a.eigenvalues[0]) < std::abs(b.eigenvalues[0]); });
+    std::stable_sort(blocks.begin(), blocks.end(),
+                     [](const Modes& a, const Modes& b) { return std::abs(a.eigenvalues[0]) < std::abs(b.eigenvalues[0]); });
 
     Eigen::Index K = 0, at = 0;
     for (const Modes& block : blocks) K += block.eigenvalues.size();
@@ -363,8 +392,10 @@ inline Modes modes(const LinearSystem& system) {
 
 namespace detail {
 
-/// -M by_q, -M by_v and M by_u of accelerations. Entries below the rounding of what they are made of are zero, and pairs that differ by it are equal.
-inline LinearSystem from_accelerations(const Eigen::MatrixXd& M, const Eigen::MatrixXd& by_q, const Eigen::MatrixXd& by_v, const Eigen::MatrixXd& by_u, double rounding) {
+/// -M by_q, -M by_v and M by_u of accelerations. Entries below the rounding of what they are made of are zero, and pairs that differ by it
+/// are equal.
+inline LinearSystem from_accelerations(const Eigen::MatrixXd& M, const Eigen::MatrixXd& by_q, const Eigen::MatrixXd& by_v,
+                                       const Eigen::MatrixXd& by_u, double rounding) {
     const Eigen::Index n = M.rows();
     const auto of = [&](const Eigen::MatrixXd& accelerations, double sign) {
         Eigen::MatrixXd A = sign * multiply_real(M, accelerations);
@@ -394,14 +425,16 @@ Eigen::MatrixXd whole_mass_matrix(const System& system, const typename System::S
 
 }  // namespace detail
 
-/// M, D, C and B of a generated system at a point: M from the header, the others from the Jacobian of the accelerations. For a nonlinear system
-/// this is the linearisation there. Not for systems with constraints: see reduced_motions.hpp.
+/// M, D, C and B of a generated system at a point: M from the header, the others from the Jacobian of the accelerations. For a nonlinear
+/// system this is the linearisation there. Not for systems with constraints: see reduced_motions.hpp.
 template <class System>
-LinearSystem linear_system(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
+LinearSystem linear_system(const System& system, const typename System::State& x, const typename System::Input& u,
+                           typename System::scalar_type t) {
     const Eigen::Index n = static_cast<Eigen::Index>(System::degrees);
-    const Eigen::MatrixXd by_x = jacobian_x(system, x, u, t).template cast<double>(), by_u = jacobian_u(system, x, u, t).template cast<double>();
-    return detail::from_accelerations(detail::whole_mass_matrix(system, x, t), by_x.block(n, 0, n, n), by_x.block(n, n, n, n), by_u.middleRows(n, n),
-                                      16 * static_cast<double>(n) * std::numeric_limits<double>::epsilon());
+    const Eigen::MatrixXd by_x = jacobian_x(system, x, u, t).template cast<double>(),
+                          by_u = jacobian_u(system, x, u, t).template cast<double>();
+    return detail::from_accelerations(detail::whole_mass_matrix(system, x, t), by_x.block(n, 0, n, n), by_x.block(n, n, n, n),
+                                      by_u.middleRows(n, n), 16 * static_cast<double>(n) * std::numeric_limits<double>::epsilon());
 }
 
 }  // namespace v1

@@ -36,7 +36,9 @@ namespace detail {
 template <class T, std::size_t n>
 struct PackOf {
     using type = xsimd::make_sized_batch_t<T, n>;
-    static_assert(!std::is_void<type>::value, "this processor, as the compiler was told, has no registers with so many numbers; -march=native or -mavx2 -mfma may help");
+    static_assert(
+        !std::is_void<type>::value,
+        "this processor, as the compiler was told, has no registers with so many numbers; -march=native or -mavx2 -mfma may help");
 };
 }  // namespace detail
 

@@ -35,9 +35,12 @@ inline std::string gnuplot_path(const std::string& path) {
 inline std::string gnuplot_string(const std::string& text) {
     std::string result = "'";
     for (const char c : text) {
-        if (c == '\'') result += "\xE2\x80\x99";
-        else if (static_cast<unsigned char>(c) < 0x20 || c == '`') result += ' ';
-        else result += c;
+        if (c == '\'')
+            result += "\xE2\x80\x99";
+        else if (static_cast<unsigned char>(c) < 0x20 || c == '`')
+            result += ' ';
+        else
+            result += c;
     }
     return result + "'";
 }
@@ -87,7 +90,8 @@ inline std::string path_commands(const Limits& x, const Limits& y) {
     const double least = x.span() / std::max(2.0, width / label_width);
     const double decade = std::pow(10.0, std::floor(std::log10(least)));
     const double step = decade * (least <= decade ? 1 : least <= 2 * decade ? 2 : least <= 5 * decade ? 5 : 10);
-    return "set size ratio -1\nset lmargin\nset rmargin\n" + (std::isfinite(step) && step > 0 ? "set xtics " + number_text(step) + "\n" : std::string());
+    return "set size ratio -1\nset lmargin\nset rmargin\n" +
+           (std::isfinite(step) && step > 0 ? "set xtics " + number_text(step) + "\n" : std::string());
 }
 
 /// Rows for a picture. Of very many, those that hold the smallest or largest value of a column among their neighbours: they look the same.
@@ -123,7 +127,8 @@ inline std::string gnuplot_commands(const Recording& recording, const std::vecto
         for (const std::string& name : panel.y) known = known && recording.find(name) < recording.columns.size();
         if (known && !panel.y.empty()) drawn.push_back(panel);
     }
-    std::string text = "set encoding utf8\nset grid lc rgb '#d0d0d0'\nset key noenhanced above right horizontal\nset tics nomirror\nset border 3\n";
+    std::string text =
+        "set encoding utf8\nset grid lc rgb '#d0d0d0'\nset key noenhanced above right horizontal\nset tics nomirror\nset border 3\n";
     text += "array color[8] = ['#0060a8', '#c03028', '#2a8a3a', '#8a5a00', '#7a3a9a', '#00858a', '#c06a90', '#606060']\n";
     text += "set multiplot layout " + std::to_string(drawn.size()) + ",1 title " + detail::gnuplot_string(title) + " noenhanced\n";
     for (const Panel& panel : drawn) {
@@ -134,15 +139,17 @@ inline std::string gnuplot_commands(const Recording& recording, const std::vecto
         text += panel.title.empty() ? "unset title\n" : "set title " + detail::gnuplot_string(panel.title) + " noenhanced\n";
         const bool is_path = !panel.x.empty() && recording.columns[column_x].unit == recording.columns[recording.find(panel.y[0])].unit;
         const detail::Limits y = detail::limits(recording, panel.y);
-        if (is_path) text += detail::path_commands(detail::limits(recording, {x}), y);
-        else text += "set size noratio\nset lmargin at screen 0.13\nset rmargin at screen 0.96\nset xtics autofreq\n";
+        if (is_path)
+            text += detail::path_commands(detail::limits(recording, {x}), y);
+        else
+            text += "set size noratio\nset lmargin at screen 0.13\nset rmargin at screen 0.96\nset xtics autofreq\n";
         text += detail::range_command(y);
         text += panel.y.size() > 1 ? "set key on\n" : "set key off\n";
         text += "plot ";
         for (std::size_t i = 0; i < panel.y.size(); ++i) {
             const std::string columns = std::to_string(column_x + 1) + ":" + std::to_string(recording.find(panel.y[i]) + 1);
-            text += std::string(i == 0 ? "" : ", ") + "$data using " + columns + " with lines lw 1.5 lc rgb color[" + std::to_string(i % 8 + 1) + "] title " +
-                    detail::gnuplot_string(panel.y[i]);
+            text += std::string(i == 0 ? "" : ", ") + "$data using " + columns + " with lines lw 1.5 lc rgb color[" +
+                    std::to_string(i % 8 + 1) + "] title " + detail::gnuplot_string(panel.y[i]);
         }
         text += "\n";
     }
@@ -151,7 +158,8 @@ inline std::string gnuplot_commands(const Recording& recording, const std::vecto
 
 /// Draws PATH.svg and PATH.png. Returns false when gnuplot is missing or fails.
 inline bool draw(const Recording& recording, const std::vector<Panel>& panels, const std::string& title, const std::string& path) {
-    const auto before = std::signal(SIGPIPE, SIG_IGN);  // a gnuplot that is missing or ends early is a false below, not the end of the program
+    const auto before =
+        std::signal(SIGPIPE, SIG_IGN);  // a gnuplot that is missing or ends early is a false below, not the end of the program
     FILE* gnuplot = popen("gnuplot", "w");
     if (gnuplot == nullptr) {
         std::signal(SIGPIPE, before);
@@ -166,8 +174,10 @@ inline bool draw(const Recording& recording, const std::vector<Panel>& panels, c
     const std::string commands = gnuplot_commands(recording, panels, title);
     const int height = 90 + 260 * static_cast<int>(panels.empty() ? 1 : panels.size());
     const std::string size = "size 900," + std::to_string(height);
-    text += "set terminal svg " + size + " font 'sans,13' background '#ffffff'\nset output " + detail::gnuplot_path(path + ".svg") + "\n" + commands;
-    text += "set output\nset terminal pngcairo " + size + " font 'sans,11'\nset output " + detail::gnuplot_path(path + ".png") + "\n" + commands + "set output\n";
+    text += "set terminal svg " + size + " font 'sans,13' background '#ffffff'\nset output " + detail::gnuplot_path(path + ".svg") + "\n" +
+            commands;
+    text += "set output\nset terminal pngcairo " + size + " font 'sans,11'\nset output " + detail::gnuplot_path(path + ".png") + "\n" +
+            commands + "set output\n";
     const bool written = std::fwrite(text.data(), 1, text.size(), gnuplot) == text.size();
     const bool drawn = pclose(gnuplot) == 0 && written;
     std::signal(SIGPIPE, before);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
-// M qdd + D qd + C q = B f of a machine whose coordinates are not free, near a state: in independent coordinates, which the function chooses and returns. Near
-// steady motions and with constraints of rates there are more positions than speeds. A form of second order has those positions that the forces
-// know; the others are apart.
+// M qdd + D qd + C q = B f of a machine whose coordinates are not free, near a state: in independent coordinates, which the function
+// chooses and returns. Near steady motions and with constraints of rates there are more positions than speeds. A form of second order has
+// those positions that the forces know; the others are apart.
 #pragma once
 
 #include <algorithm>
@@ -19,11 +19,11 @@ inline namespace v1 {
 struct ReducedMotions {
     /// Whether there is a form of second order; else some force depends on a coordinate that is not given by the independent ones.
     bool is_closed = true;
-    LinearSystem system;                      ///< of the independent coordinates
-    std::vector<std::size_t> coordinates;     ///< the independent ones
-    std::vector<std::size_t> apart;           ///< free to be chosen besides: no force depends on them, or they keep a constant
+    LinearSystem system;                         ///< of the independent coordinates
+    std::vector<std::size_t> coordinates;        ///< the independent ones
+    std::vector<std::size_t> apart;              ///< free to be chosen besides: no force depends on them, or they keep a constant
     std::vector<std::complex<double>> of_apart;  ///< their eigenvalues, 1/s
-    FreeMotions<double> motions;              ///< all changes of the state, by those of coordinates and velocities that are free
+    FreeMotions<double> motions;                 ///< all changes of the state, by those of coordinates and velocities that are free
 };
 
 namespace detail {
@@ -68,13 +68,16 @@ public:
     ReducedMotions result;
     std::vector<bool> matters;  ///< coordinates on which accelerations depend
 
-    Reduction(const Eigen::MatrixXd& by_x, const Eigen::MatrixXd& by_u, const Eigen::MatrixXd& M, FreeMotions<double> motions) : n_(M.rows()) {
+    Reduction(const Eigen::MatrixXd& by_x, const Eigen::MatrixXd& by_u, const Eigen::MatrixXd& M, FreeMotions<double> motions)
+        : n_(M.rows()) {
         result.motions = std::move(motions);
         const Eigen::MatrixXd& N = result.motions.N;
         for (const std::size_t state : result.motions.states) {
             const auto k = static_cast<Index>(state);
-            if (k < n_) positions_.push_back(k);
-            else if (k < 2 * n_) velocities_.push_back(k - n_);
+            if (k < n_)
+                positions_.push_back(k);
+            else if (k < 2 * n_)
+                velocities_.push_back(k - n_);
         }
         const auto p = static_cast<Index>(positions_.size()), f = static_cast<Index>(velocities_.size());
         const Eigen::MatrixXd accelerations = rows(by_x.middleRows(n_, n_), velocities_);
@@ -85,8 +88,10 @@ public:
         for (Index c = 0; c < p; ++c) matters[static_cast<std::size_t>(positions_[static_cast<std::size_t>(c)])] = !by_q_.col(c).isZero(0);
         close(of_velocities, drift);
         if (!result.is_closed) return;
-        const Eigen::MatrixXd by_v = clean_product(accelerations, N.middleCols(p, f)), free_by_u = rows(by_u.middleRows(n_, n_), velocities_);
-        result.system = from_accelerations(clean_product(of_velocities.transpose(), multiply_real(M, of_velocities)), of_independent_, by_v, free_by_u, 64 * static_cast<double>(n_) * std::numeric_limits<double>::epsilon());
+        const Eigen::MatrixXd by_v = clean_product(accelerations, N.middleCols(p, f)),
+                              free_by_u = rows(by_u.middleRows(n_, n_), velocities_);
+        result.system = from_accelerations(clean_product(of_velocities.transpose(), multiply_real(M, of_velocities)), of_independent_, by_v,
+                                           free_by_u, 64 * static_cast<double>(n_) * std::numeric_limits<double>::epsilon());
         for (const Index k : velocities_) result.coordinates.push_back(static_cast<std::size_t>(k));
     }
 
@@ -97,8 +102,8 @@ private:
         return result;
     }
 
-    /// dq of a position that is apart is T dq of the independent ones and a rest, whose rate is its drift: the rest is constant where the drift is zero,
-    /// and of no interest where no force depends on the position.
+    /// dq of a position that is apart is T dq of the independent ones and a rest, whose rate is its drift: the rest is constant where the
+    /// drift is zero, and of no interest where no force depends on the position.
     void close(const Eigen::MatrixXd& T, const Eigen::MatrixXd& drift) {
         of_independent_ = Eigen::MatrixXd::Zero(by_q_.rows(), by_q_.rows());
         const double largest = drift.size() == 0 ? 0 : drift.cwiseAbs().maxCoeff();
@@ -122,7 +127,8 @@ private:
         Eigen::MatrixXd K(static_cast<Index>(apart.size()), static_cast<Index>(apart.size()));
         for (Index i = 0; i < K.rows(); ++i)
             for (Index j = 0; j < K.cols(); ++j) {
-                const double entry = drift(positions_[static_cast<std::size_t>(apart[static_cast<std::size_t>(i)])], apart[static_cast<std::size_t>(j)]);
+                const double entry =
+                    drift(positions_[static_cast<std::size_t>(apart[static_cast<std::size_t>(i)])], apart[static_cast<std::size_t>(j)]);
                 K(i, j) = std::abs(entry) <= 1e-10 * largest ? 0 : entry;
             }
         result.of_apart = peeled_eigenvalues(K);
@@ -137,8 +143,10 @@ private:
 
 /// Not of machines with quaternions, nor with forces that know further states.
 template <class System>
-ReducedMotions reduced_motions(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t, const ConstraintRows<typename System::scalar_type>& rows) {
-    const Eigen::MatrixXd by_x = jacobian_x(system, x, u, t).template cast<double>(), by_u = jacobian_u(system, x, u, t).template cast<double>();
+ReducedMotions reduced_motions(const System& system, const typename System::State& x, const typename System::Input& u,
+                               typename System::scalar_type t, const ConstraintRows<typename System::scalar_type>& rows) {
+    const Eigen::MatrixXd by_x = jacobian_x(system, x, u, t).template cast<double>(),
+                          by_u = jacobian_u(system, x, u, t).template cast<double>();
     const Eigen::MatrixXd M = detail::whole_mass_matrix(system, x, t);
     if (!by_x.allFinite() || !M.allFinite() || !rows.of_positions.allFinite() || !rows.of_rates.allFinite()) {
         ReducedMotions none;
@@ -151,7 +159,8 @@ ReducedMotions reduced_motions(const System& system, const typename System::Stat
     return detail::Reduction(by_x, by_u, M, free_motions(of, x.size(), any.matters)).result;
 }
 template <class System>
-ReducedMotions reduced_motions(const System& system, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t) {
+ReducedMotions reduced_motions(const System& system, const typename System::State& x, const typename System::Input& u,
+                               typename System::scalar_type t) {
     return reduced_motions(system, x, u, t, constraint_rows(system, x, t));
 }
 

@@ -30,7 +30,8 @@ struct Running {
     using Sample = dalembert::Sample<System>;
     using Observe = std::function<void(const Sample&)>;
     template <class Inputs, class Time>
-    static SimulationResult run(const System& system, const Inputs& inputs, typename System::State& x, Time until, const Options& options, const Observe& observe) {
+    static SimulationResult run(const System& system, const Inputs& inputs, typename System::State& x, Time until, const Options& options,
+                                const Observe& observe) {
         return simulate(system, inputs, x, Time(0), until, options, observe);
     }
 };
@@ -43,7 +44,9 @@ struct Running<System, true> {
     using Mode = typename System::Mode;
     using OnChange = std::function<void(typename System::scalar_type, std::size_t, Mode, Mode, const State&, const State&)>;
     template <class Inputs, class Time>
-    static SwitchingResult<System> run(const System& system, const Inputs& inputs, State& x, Time until, const Options& options, const Observe& observe, const OnChange& on_change = [](const auto&...) {}) {
+    static SwitchingResult<System> run(
+        const System& system, const Inputs& inputs, State& x, Time until, const Options& options, const Observe& observe,
+        const OnChange& on_change = [](const auto&...) {}) {
         return simulate_switching(system, inputs, x, Time(0), until, options, observe, on_change);
     }
 };
@@ -57,15 +60,18 @@ typename System::State rate_rounding(const System& system, const Sample& sample)
     using std::max;
     const auto rate = [&](const State& x) {
         State dxdt;
-        if constexpr (is_switching<System>) system.rhs(sample.mode, x, sample.u, sample.t, dxdt);
-        else system.rhs(x, sample.u, sample.t, dxdt);
+        if constexpr (is_switching<System>)
+            system.rhs(sample.mode, x, sample.u, sample.t, dxdt);
+        else
+            system.rhs(x, sample.u, sample.t, dxdt);
         return dxdt;
     };
     State largest{};
     const State here = rate(sample.x);
     for (const std::size_t period : {1U, 2U}) {
         State x = sample.x;
-        for (std::size_t i = 0; i < x.size(); ++i) x[i] += Scalar(i / period % 2 == 0 ? 2 : -2) * std::numeric_limits<Scalar>::epsilon() * x[i];
+        for (std::size_t i = 0; i < x.size(); ++i)
+            x[i] += Scalar(i / period % 2 == 0 ? 2 : -2) * std::numeric_limits<Scalar>::epsilon() * x[i];
         const State there = rate(x);
         for (std::size_t i = 0; i < x.size(); ++i) largest[i] = max(largest[i], Scalar(abs(there[i] - here[i])));
     }
@@ -78,10 +84,11 @@ typename System::State rate_rounding(const System& system, const Sample& sample)
 /// less than one unit: integration measures errors against the larger one of this and of the present magnitude, so that a valve stroke of a
 /// tenth of a millimetre has as many digits as a way of metres. A state that rests at zero but for roundings counts in whole units.
 /// Where the rough run stops, the sizes are those up to there.
-/// A size stops where the digits that `tolerance` asks for are no longer there: where what rounding leaves of a rate, over the longest step, would
-/// be an error that counts. A pendulum that swings by 3e-5 m rises at 3e-9 m/s, known to 1e-17 m/s, and not to 1e-9 of that.
+/// A size stops where the digits that `tolerance` asks for are no longer there: where what rounding leaves of a rate, over the longest
+/// step, would be an error that counts. A pendulum that swings by 3e-5 m rises at 3e-9 m/s, known to 1e-17 m/s, and not to 1e-9 of that.
 template <class System, class Inputs>
-typename System::State state_scales(const System& system, const Inputs& inputs, const typename System::State& start, typename System::scalar_type until, std::size_t intervals,
+typename System::State state_scales(const System& system, const Inputs& inputs, const typename System::State& start,
+                                    typename System::scalar_type until, std::size_t intervals,
                                     typename System::scalar_type tolerance = typename System::scalar_type(1)) {
     using Scalar = typename System::scalar_type;
     using State = typename System::State;
@@ -123,7 +130,8 @@ typename System::State state_scales(const System& system, const Inputs& inputs, 
     // States that are this large are never measured against less.
     const Scalar most = Scalar(1) / Scalar(1000);
     const Scalar longest = until / Scalar(static_cast<double>(intervals));
-    for (std::size_t i = 0; i < scale.size(); ++i) scale[i] = max(scale[i], min(most, Scalar(Scalar(4) * rounding[i] * longest / tolerance)));
+    for (std::size_t i = 0; i < scale.size(); ++i)
+        scale[i] = max(scale[i], min(most, Scalar(Scalar(4) * rounding[i] * longest / tolerance)));
     return scale;
 }
 

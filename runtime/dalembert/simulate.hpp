@@ -22,7 +22,9 @@ struct ZeroInputs : detail::NoInputs {
 struct EnergyBalance {
     double largest_error = 0;   ///< J, max |E - E(0) - work|
     double largest_energy = 0;  ///< J, max (T + |V| + |internal|)
-    double relative_error() const { return largest_energy > 0 && std::isfinite(largest_energy) ? largest_error / largest_energy : largest_error; }
+    double relative_error() const {
+        return largest_energy > 0 && std::isfinite(largest_energy) ? largest_error / largest_energy : largest_error;
+    }
 };
 
 /// One point of a run. States, inputs and outputs are references: copy them to keep them.
@@ -47,13 +49,13 @@ struct SimulationResult {
 /// Integrates a system together with the work that is done on it, and calls observe(sample) at the output points.
 /// `inputs` is called as inputs(x, t). If the system has constraints, the state is projected onto them at the start, after every
 /// step and at every output point: see project; a start far from them gives Status::constraint_broken. Over positions
-/// where constraints depend on each other the run makes one long step, or ends with Status::singular_position. The run locates the guards of the system: see integrate. The caller
-/// chooses the scale of the work, the last entry of options.scale; the size of the energy is a good choice. Method::rodas5p takes the
-/// Jacobian of the system, and finds the part of `inputs` by calls near the state and within the step. It integrates the work along its
-/// dense output with a rule of order six; the difference from a rule of order four is its error.
+/// where constraints depend on each other the run makes one long step, or ends with Status::singular_position. The run locates the guards
+/// of the system: see integrate. The caller chooses the scale of the work, the last entry of options.scale; the size of the energy is a
+/// good choice. Method::rodas5p takes the Jacobian of the system, and finds the part of `inputs` by calls near the state and within the
+/// step. It integrates the work along its dense output with a rule of order six; the difference from a rule of order four is its error.
 template <class System, class Inputs, class Observer>
-SimulationResult simulate(const System& given, const Inputs& inputs, typename System::State& x, typename System::scalar_type from, typename System::scalar_type to,
-                          const SimulationOptions<System>& options, Observer&& observe) {
+SimulationResult simulate(const System& given, const Inputs& inputs, typename System::State& x, typename System::scalar_type from,
+                          typename System::scalar_type to, const SimulationOptions<System>& options, Observer&& observe) {
     check_api<System>();
     detail::SystemOfRun<System> own{given};
     const System& system = own.system;
@@ -125,7 +127,8 @@ SimulationResult simulate(const System& given, const Inputs& inputs, typename Sy
         const double error = static_cast<double>(abs(total - first - extended[n]));
         // What is no number stays to be seen.
         if (!(error <= result.energy.largest_error)) result.energy.largest_error = error;
-        result.energy.largest_energy = std::max(result.energy.largest_energy, static_cast<double>(kinetic + abs(potential) + abs(internal)));
+        result.energy.largest_energy =
+            std::max(result.energy.largest_energy, static_cast<double>(kinetic + abs(potential) + abs(internal)));
         observe(Sample<System>{t, state, u, y, kinetic, potential, internal, extended[n]});
     };
     Extended extended;
@@ -134,7 +137,8 @@ SimulationResult simulate(const System& given, const Inputs& inputs, typename Sy
     if constexpr (detail::can_make_series<System, Inputs>()) {
         if (options.method == Method::taylor && detail::has_series_in_run<System>()) {
             const detail::SystemSeries<System, Inputs> series(system, inputs);
-            detail::Integration<Extended, decltype(rhs), decltype(watch), decltype(guards), Guards> run(rhs, extended, from, to, options, watch, guards, ends);
+            detail::Integration<Extended, decltype(rhs), decltype(watch), decltype(guards), Guards> run(rhs, extended, from, to, options,
+                                                                                                        watch, guards, ends);
             result.outcome = detail::run_taylor(run, series);
             x = plain(extended);
             return result;

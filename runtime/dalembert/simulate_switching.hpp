@@ -56,10 +56,13 @@ public:
         Plain rate;
         system_.rhs(mode, at, u, t, rate);
         std::copy_n(rate.begin(), n(), dxdt.begin());
-        dxdt[n()] = system_.supplied_power(mode, at, u, t) - system_.dissipated_power(mode, at, u, t) + system_.prescribed_power(mode, at, u, t) + system_.exchanged_power(mode, at, u, t);
+        dxdt[n()] = system_.supplied_power(mode, at, u, t) - system_.dissipated_power(mode, at, u, t) +
+                    system_.prescribed_power(mode, at, u, t) + system_.exchanged_power(mode, at, u, t);
     }
     void guards(Mode mode, const State& x, const Input& u, scalar_type t, Events& g) const { system_.guards(mode, plain(x), u, t, g); }
-    void guard_rates(Mode mode, const State& x, const Input& u, scalar_type t, Events& rates) const { system_.guard_rates(mode, plain(x), u, t, rates); }
+    void guard_rates(Mode mode, const State& x, const Input& u, scalar_type t, Events& rates) const {
+        system_.guard_rates(mode, plain(x), u, t, rates);
+    }
     void kinks(Mode mode, const State& x, const Input& u, scalar_type t, Kinks& k) const { system_.kinks(mode, plain(x), u, t, k); }
     bool holds(Mode mode, const State& x, const Input& u, scalar_type t) const { return system_.holds(mode, plain(x), u, t); }
     void reset(std::size_t event, Mode mode, State& x, const Input& u, scalar_type t) const {
@@ -143,7 +146,8 @@ struct SwitchingResult {
 /// As simulate(), for a system with modes; see simulate_modes(). Calls on_change(t, event, from, to, before, after) for each event, with
 /// states of the system.
 template <class System, class Inputs, class Observer, class OnChange>
-SwitchingResult<System> simulate_switching(const System& system, const Inputs& inputs, typename System::State& x, typename System::scalar_type from, typename System::scalar_type to,
+SwitchingResult<System> simulate_switching(const System& system, const Inputs& inputs, typename System::State& x,
+                                           typename System::scalar_type from, typename System::scalar_type to,
                                            const SwitchingSimulationOptions<System>& options, Observer&& observe, OnChange&& on_change) {
     check_api<System>();
     using Scalar = typename System::scalar_type;
@@ -173,13 +177,15 @@ SwitchingResult<System> simulate_switching(const System& system, const Inputs& i
         is_first = false;
         const double error = static_cast<double>(abs(total + lost - first - extended[n]));
         if (!(error <= result.energy.largest_error)) result.energy.largest_error = error;
-        result.energy.largest_energy = std::max(result.energy.largest_energy, static_cast<double>(kinetic + abs(potential) + abs(internal)));
+        result.energy.largest_energy =
+            std::max(result.energy.largest_energy, static_cast<double>(kinetic + abs(potential) + abs(internal)));
         observe(SwitchingSample<System>{{t, state, u, y, kinetic, potential, internal, extended[n]}, mode});
     };
     const auto note = [&](const auto& change) {
         const auto before = Whole::plain(change.before), after = Whole::plain(change.after);
         // An event may be passed an instant later, in which work is done.
-        const Scalar loss = energy(change.from, before, change.t) - energy(change.to, after, change.t) + (change.after[n] - change.before[n]);
+        const Scalar loss =
+            energy(change.from, before, change.t) - energy(change.to, after, change.t) + (change.after[n] - change.before[n]);
         lost += loss;
         result.energy.largest_gain = std::max(result.energy.largest_gain, static_cast<double>(-loss));
         on_change(change.t, change.event, change.from, change.to, before, after);

@@ -21,9 +21,9 @@
 
 #include "dalembert/integration_options.hpp"
 #include "dalembert/linear/jacobian_pattern.hpp"
-#include "dalembert/status.hpp"
 #include "dalembert/methods/step_control.hpp"
 #include "dalembert/methods/stepper.hpp"
+#include "dalembert/status.hpp"
 #include "dalembert/system_derivatives.hpp"
 
 namespace dalembert {
@@ -35,8 +35,10 @@ enum class SundialsMethod {
     erk5,   ///< ARKODE, explicit: Dormand-Prince 5(4)
     erk6,   ///< ARKODE, explicit: Verner 6(5)
     erk8,   ///< ARKODE, explicit: Fehlberg 8(7)
-    dirk4,  ///< ARKODE, diagonally implicit, L-stable: QESDIRK 4(3) with 6 stages, with the Jacobian; its default, SDIRK 4(3), takes many times the steps where it is stiff
-    dirk5,  ///< ARKODE, diagonally implicit, L-stable: ESDIRK 5(4) with 7 stages, with the Jacobian; its default, ARK5(4)8L[2]SA, loses the motion of an undamped oscillator
+    dirk4,  ///< ARKODE, diagonally implicit, L-stable: QESDIRK 4(3) with 6 stages, with the Jacobian; its default, SDIRK 4(3), takes many
+            ///< times the steps where it is stiff
+    dirk5,  ///< ARKODE, diagonally implicit, L-stable: ESDIRK 5(4) with 7 stages, with the Jacobian; its default, ARK5(4)8L[2]SA, loses the
+            ///< motion of an undamped oscillator
 };
 
 namespace detail {
@@ -74,17 +76,22 @@ inline void say_nothing_of_sundials(int, const char*, const char*, char*, void*)
 /// CVODE and ARKODE number these alike.
 inline Status status_of_sundials(int flag) noexcept {
     switch (flag) {
-        case CV_TOO_MUCH_WORK: return Status::too_many_steps;
+        case CV_TOO_MUCH_WORK:
+            return Status::too_many_steps;
         case CV_TOO_MUCH_ACC:
-        case CV_ERR_FAILURE: return Status::step_too_small;
+        case CV_ERR_FAILURE:
+            return Status::step_too_small;
         case CV_CONV_FAILURE:
         case CV_LSETUP_FAIL:
-        case CV_LSOLVE_FAIL: return Status::not_converged;
+        case CV_LSOLVE_FAIL:
+            return Status::not_converged;
         case CV_RHSFUNC_FAIL:
         case CV_FIRST_RHSFUNC_ERR:
         case CV_REPTD_RHSFUNC_ERR:
-        case CV_UNREC_RHSFUNC_ERR: return Status::not_finite;
-        default: return flag >= 0 ? Status::success : Status::bad_options;
+        case CV_UNREC_RHSFUNC_ERR:
+            return Status::not_finite;
+        default:
+            return flag >= 0 ? Status::success : Status::bad_options;
     }
 }
 
@@ -96,7 +103,8 @@ class SundialsRun : SundialsHandles {
     using Matrix = SquareMatrix<realtype, typename Derivatives::Pattern, n>;
 
 public:
-    SundialsRun(SundialsMethod method, Rhs& rhs, Derivatives& derivatives, State& start, realtype from, realtype to, const IntegrationOptions<State>& options)
+    SundialsRun(SundialsMethod method, Rhs& rhs, Derivatives& derivatives, State& start, realtype from, realtype to,
+                const IntegrationOptions<State>& options)
         : method_(method), rhs_(rhs), derivatives_(derivatives), start_(start), from_(from), to_(to), options_(options) {}
 
     template <class Observer>
@@ -117,7 +125,9 @@ public:
             const realtype target = control.output_time(i);
             const auto go_to = [&](realtype end) {
                 const std::size_t taken = outcome.steps + outcome.rejected;
-                const int flag = taken < options_.max_steps ? advance(end, t, static_cast<long>(std::min(options_.max_steps - taken, std::size_t(1000000000)))) : CV_TOO_MUCH_WORK;
+                const int flag = taken < options_.max_steps
+                                     ? advance(end, t, static_cast<long>(std::min(options_.max_steps - taken, std::size_t(1000000000))))
+                                     : CV_TOO_MUCH_WORK;
                 count(outcome, before_kink);
                 return flag;
             };
@@ -135,7 +145,8 @@ public:
             outcome.status = status_of_sundials(flag);
             outcome.t = flag >= 0 ? target : t;
             if (outcome.status == Status::success && !are_finite(at, at)) outcome.status = Status::not_finite;
-            if (outcome.status != Status::success && outcome.status != Status::too_many_steps && culprit_ != n) outcome.status = Status::not_finite;  // whatever it led to
+            if (outcome.status != Status::success && outcome.status != Status::too_many_steps && culprit_ != n)
+                outcome.status = Status::not_finite;  // whatever it led to
             if (outcome.status == Status::not_finite) outcome.state = culprit_;
             if (outcome.status != Status::success) break;
             observe(target, at);
@@ -145,7 +156,9 @@ public:
     }
 
 private:
-    bool is_implicit() const { return method_ == SundialsMethod::bdf || method_ == SundialsMethod::dirk4 || method_ == SundialsMethod::dirk5; }
+    bool is_implicit() const {
+        return method_ == SundialsMethod::bdf || method_ == SundialsMethod::dirk4 || method_ == SundialsMethod::dirk5;
+    }
 
     bool prepare() {
         if (SUNContext_Create(nullptr, &context) != 0) return false;
@@ -156,13 +169,20 @@ private:
         for (std::size_t i = 0; i < n; ++i) N_VGetArrayPointer(tolerances)[i] = options_.tolerance * options_.scale[i];
         if (is_implicit() && !prepare_matrix()) return false;
         switch (method_) {
-            case SundialsMethod::bdf: return prepare_cvode(CV_BDF);
-            case SundialsMethod::adams: return prepare_cvode(CV_ADAMS);
-            case SundialsMethod::erk5: return prepare_erk(ARKODE_DORMAND_PRINCE_7_4_5);
-            case SundialsMethod::erk6: return prepare_erk(ARKODE_VERNER_8_5_6);
-            case SundialsMethod::erk8: return prepare_erk(ARKODE_FEHLBERG_13_7_8);
-            case SundialsMethod::dirk4: return prepare_ark(ARKODE_QESDIRK436L2SA_6_3_4);
-            case SundialsMethod::dirk5: return prepare_ark(ARKODE_ESDIRK547L2SA_7_4_5);
+            case SundialsMethod::bdf:
+                return prepare_cvode(CV_BDF);
+            case SundialsMethod::adams:
+                return prepare_cvode(CV_ADAMS);
+            case SundialsMethod::erk5:
+                return prepare_erk(ARKODE_DORMAND_PRINCE_7_4_5);
+            case SundialsMethod::erk6:
+                return prepare_erk(ARKODE_VERNER_8_5_6);
+            case SundialsMethod::erk8:
+                return prepare_erk(ARKODE_FEHLBERG_13_7_8);
+            case SundialsMethod::dirk4:
+                return prepare_ark(ARKODE_QESDIRK436L2SA_6_3_4);
+            case SundialsMethod::dirk5:
+                return prepare_ark(ARKODE_ESDIRK547L2SA_7_4_5);
         }
         return false;
     }
@@ -170,7 +190,8 @@ private:
     bool prepare_matrix() {
         constexpr auto size = static_cast<sunindextype>(n);
         if constexpr (Matrix::is_band) {
-            matrix = SUNBandMatrix(size, static_cast<sunindextype>(Matrix::band.upper), static_cast<sunindextype>(Matrix::band.lower), context);
+            matrix =
+                SUNBandMatrix(size, static_cast<sunindextype>(Matrix::band.upper), static_cast<sunindextype>(Matrix::band.lower), context);
             linear = matrix != nullptr ? SUNLinSol_Band(x, matrix, context) : nullptr;
         } else {
             matrix = SUNDenseMatrix(size, size, context);
@@ -182,36 +203,43 @@ private:
     bool prepare_cvode(int formulas) {
         cvode = CVodeCreate(formulas, context);
         if (cvode == nullptr || CVodeSetErrHandlerFn(cvode, say_nothing_of_sundials, nullptr) != 0) return false;
-        if (CVodeInit(cvode, rhs, from_, x) != 0 || CVodeSVtolerances(cvode, options_.tolerance, tolerances) != 0 || CVodeSetUserData(cvode, this) != 0) return false;
+        if (CVodeInit(cvode, rhs, from_, x) != 0 || CVodeSVtolerances(cvode, options_.tolerance, tolerances) != 0 ||
+            CVodeSetUserData(cvode, this) != 0)
+            return false;
         if (formulas == CV_BDF) {
             if (CVodeSetLinearSolver(cvode, linear, matrix) != 0 || CVodeSetJacFn(cvode, jacobian) != 0) return false;
         } else {
             nonlinear = SUNNonlinSol_FixedPoint(x, 0, context);
             if (nonlinear == nullptr || CVodeSetNonlinearSolver(cvode, nonlinear) != 0) return false;
         }
-        return CVodeSetInitStep(cvode, options_.step) == 0 && CVodeSetMaxStep(cvode, options_.max_step) == 0 && CVodeSetMinStep(cvode, least_) == 0;
+        return CVodeSetInitStep(cvode, options_.step) == 0 && CVodeSetMaxStep(cvode, options_.max_step) == 0 &&
+               CVodeSetMinStep(cvode, least_) == 0;
     }
 
     bool prepare_erk(ARKODE_ERKTableID table) {
         erk = ERKStepCreate(rhs, from_, x, context);
         if (erk == nullptr || ERKStepSetErrHandlerFn(erk, say_nothing_of_sundials, nullptr) != 0) return false;
-        return ERKStepSVtolerances(erk, options_.tolerance, tolerances) == 0 && ERKStepSetUserData(erk, this) == 0 && ERKStepSetTableNum(erk, table) == 0 &&
-               ERKStepSetInitStep(erk, options_.step) == 0 && ERKStepSetMaxStep(erk, options_.max_step) == 0 && ERKStepSetMinStep(erk, least_) == 0;
+        return ERKStepSVtolerances(erk, options_.tolerance, tolerances) == 0 && ERKStepSetUserData(erk, this) == 0 &&
+               ERKStepSetTableNum(erk, table) == 0 && ERKStepSetInitStep(erk, options_.step) == 0 &&
+               ERKStepSetMaxStep(erk, options_.max_step) == 0 && ERKStepSetMinStep(erk, least_) == 0;
     }
 
     bool prepare_ark(ARKODE_DIRKTableID table) {
         ark = ARKStepCreate(nullptr, rhs, from_, x, context);
         if (ark == nullptr || ARKStepSetErrHandlerFn(ark, say_nothing_of_sundials, nullptr) != 0) return false;
         // Polynomials through derivatives would carry errors of fast parts into the outputs.
-        return ARKStepSetInterpolantType(ark, ARK_INTERP_LAGRANGE) == 0 && ARKStepSVtolerances(ark, options_.tolerance, tolerances) == 0 && ARKStepSetUserData(ark, this) == 0 && ARKStepSetTableNum(ark, table, ARKODE_ERK_NONE) == 0 &&
-               ARKStepSetLinearSolver(ark, linear, matrix) == 0 && ARKStepSetJacFn(ark, jacobian) == 0 && ARKStepSetInitStep(ark, options_.step) == 0 &&
-               ARKStepSetMaxStep(ark, options_.max_step) == 0 && ARKStepSetMinStep(ark, least_) == 0;
+        return ARKStepSetInterpolantType(ark, ARK_INTERP_LAGRANGE) == 0 && ARKStepSVtolerances(ark, options_.tolerance, tolerances) == 0 &&
+               ARKStepSetUserData(ark, this) == 0 && ARKStepSetTableNum(ark, table, ARKODE_ERK_NONE) == 0 &&
+               ARKStepSetLinearSolver(ark, linear, matrix) == 0 && ARKStepSetJacFn(ark, jacobian) == 0 &&
+               ARKStepSetInitStep(ark, options_.step) == 0 && ARKStepSetMaxStep(ark, options_.max_step) == 0 &&
+               ARKStepSetMinStep(ark, least_) == 0;
     }
 
     /// Up to an output point, by the dense output of the formulas.
     int advance(realtype target, realtype& t, long most_steps) {
         if (cvode != nullptr) return CVodeSetMaxNumSteps(cvode, most_steps) == 0 ? CVode(cvode, target, x, &t, CV_NORMAL) : CV_ILL_INPUT;
-        if (erk != nullptr) return ERKStepSetMaxNumSteps(erk, most_steps) == 0 ? ERKStepEvolve(erk, target, x, &t, ARK_NORMAL) : ARK_ILL_INPUT;
+        if (erk != nullptr)
+            return ERKStepSetMaxNumSteps(erk, most_steps) == 0 ? ERKStepEvolve(erk, target, x, &t, ARK_NORMAL) : ARK_ILL_INPUT;
         return ARKStepSetMaxNumSteps(ark, most_steps) == 0 ? ARKStepEvolve(ark, target, x, &t, ARK_NORMAL) : ARK_ILL_INPUT;
     }
 
@@ -233,7 +261,8 @@ private:
         long steps = 0, errors = 0, calls = 0, implicit_calls = 0;
         if (cvode != nullptr) CVodeGetNumSteps(cvode, &steps), CVodeGetNumErrTestFails(cvode, &errors), CVodeGetNumRhsEvals(cvode, &calls);
         if (erk != nullptr) ERKStepGetNumSteps(erk, &steps), ERKStepGetNumErrTestFails(erk, &errors), ERKStepGetNumRhsEvals(erk, &calls);
-        if (ark != nullptr) ARKStepGetNumSteps(ark, &steps), ARKStepGetNumErrTestFails(ark, &errors), ARKStepGetNumRhsEvals(ark, &calls, &implicit_calls);
+        if (ark != nullptr)
+            ARKStepGetNumSteps(ark, &steps), ARKStepGetNumErrTestFails(ark, &errors), ARKStepGetNumRhsEvals(ark, &calls, &implicit_calls);
         outcome.steps = before.steps + static_cast<std::size_t>(steps);
         outcome.rejected = before.rejected + static_cast<std::size_t>(errors);
         outcome.rhs_calls = before.rhs_calls + static_cast<std::size_t>(calls + implicit_calls);
@@ -263,7 +292,10 @@ private:
         run.derivatives_.prepare(state_of(x), t);
         run.derivatives_.for_each_entry([J](std::size_t row, std::size_t column, realtype value) {
             if constexpr (Matrix::is_band) {
-                if (row <= column + Matrix::band.lower && column <= row + Matrix::band.upper) SUNBandMatrix_Column(J, static_cast<sunindextype>(column))[static_cast<std::ptrdiff_t>(row) - static_cast<std::ptrdiff_t>(column)] += value;
+                if (row <= column + Matrix::band.lower && column <= row + Matrix::band.upper)
+                    SUNBandMatrix_Column(
+                        J, static_cast<sunindextype>(column))[static_cast<std::ptrdiff_t>(row) - static_cast<std::ptrdiff_t>(column)] +=
+                        value;
             } else {
                 SUNDenseMatrix_Column(J, static_cast<sunindextype>(column))[row] += value;
             }
@@ -277,8 +309,9 @@ private:
     State& start_;
     realtype from_, to_;
     const IntegrationOptions<State>& options_;
-    realtype least_ = StepControl<State>(options_, from_, to_).smallest(to_);  ///< s; shorter steps make no progress, however many there are
-    std::size_t culprit_ = n;  ///< the state whose derivative was not finite last
+    realtype least_ =
+        StepControl<State>(options_, from_, to_).smallest(to_);  ///< s; shorter steps make no progress, however many there are
+    std::size_t culprit_ = n;                                    ///< the state whose derivative was not finite last
 };
 
 }  // namespace detail
@@ -286,18 +319,22 @@ private:
 /// As `integrate` without guards. SUNDIALS takes rhs(x, t, dxdt), derivatives as for Method::rodas5p, and of the options the tolerance
 /// with its scales (of state i the allowed error is tolerance (|x_i| + scale_i), in the mean square of all states), output points, the
 /// first and the longest step, and the number of steps. Afterwards `x` is the state at the last output point that was reached. After a
-/// failure, the time of the outcome is that of the failed step, or of a stage of it. No step reaches beyond `to` or across a kink of the options.
+/// failure, the time of the outcome is that of the failed step, or of a stage of it. No step reaches beyond `to` or across a kink of the
+/// options.
 template <class State, class Rhs, class Derivatives, class Observer>
-Outcome integrate_with_sundials(SundialsMethod method, Rhs&& rhs, Derivatives&& derivatives, State& x, typename State::value_type from, typename State::value_type to, const IntegrationOptions<State>& options,
-                                Observer&& observe) {
-    return detail::SundialsRun<State, std::remove_reference_t<Rhs>, std::remove_reference_t<Derivatives>>(method, rhs, derivatives, x, from, to, options).go(observe);
+Outcome integrate_with_sundials(SundialsMethod method, Rhs&& rhs, Derivatives&& derivatives, State& x, typename State::value_type from,
+                                typename State::value_type to, const IntegrationOptions<State>& options, Observer&& observe) {
+    return detail::SundialsRun<State, std::remove_reference_t<Rhs>, std::remove_reference_t<Derivatives>>(method, rhs, derivatives, x, from,
+                                                                                                          to, options)
+        .go(observe);
 }
 
 /// A generated system with inputs(x, t), without guards and constraints: use `simulate` for a run that passes an event of the model, or
 /// that needs its constraints.
 template <class System, class Inputs, class Observer>
-Outcome simulate_with_sundials(SundialsMethod method, const System& system, const Inputs& inputs, typename System::State& x, typename System::scalar_type from, typename System::scalar_type to,
-                                const IntegrationOptions<typename System::State>& options, Observer&& observe) {
+Outcome simulate_with_sundials(SundialsMethod method, const System& system, const Inputs& inputs, typename System::State& x,
+                               typename System::scalar_type from, typename System::scalar_type to,
+                               const IntegrationOptions<typename System::State>& options, Observer&& observe) {
     using State = typename System::State;
     const auto rhs = [&](const State& at, realtype t, State& dxdt) { system.rhs(at, inputs(at, t), t, dxdt); };
     detail::SystemDerivatives<System, Inputs> derivatives(system, inputs, options.scale);

@@ -13,9 +13,11 @@
 //     reset(event, mode, x, u, t)             changes x at the event in a mode; sets values that must be zero exactly to zero
 //     static next_modes(event, mode)          modes in order of preference, with begin() and end(); none: the run ends there, without reset
 // and may have
-//     static modes_beside(event, mode)        further modes, if none of next_modes accepts the state after the event: an impact reverses a velocity,
+//     static modes_beside(event, mode)        further modes, if none of next_modes accepts the state after the event: an impact reverses a
+//     velocity,
 //                                             and friction elsewhere then acts in the other direction
-//     holds(mode, x, u, t)                    conditions of a mode besides its guards, such as two equal velocities; checked at the start of a
+//     holds(mode, x, u, t)                    conditions of a mode besides its guards, such as two equal velocities; checked at the start
+//     of a
 //                                             mode. A guard that stays at zero would also do, except for rounding.
 //     settle(event, mode, x, u, t),
 //     static after_accumulation(event, mode)  reset and next modes after infinitely many events: the ball comes to rest
@@ -35,8 +37,8 @@
 
 #include <string>
 
-#include "dalembert/simulate.hpp"
 #include "dalembert/events/switching_run.hpp"
+#include "dalembert/simulate.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -74,25 +76,27 @@ struct SwitchingOutcome : Outcome {
 /// `inputs` is called as inputs(x, t). Calls observe(t, x, mode) at the output points, once each; if an event lies on one, with the state
 /// before it. Also where an event ends the run. Calls on_change(change) for each event, with the states before and after it.
 ///
-/// Events are located as in integrate(), between two evaluations of the guards. Steps are long while nothing moves, for example while a body
-/// sticks: with oscillating inputs, options.max_step should be shorter than half their period. Sums of steps, and the limits max_steps and
-/// max_events, are those of the whole run. Besides the statuses of integrate() there are no_start_mode, no_mode (x and mode are those before
-/// the event), accumulation, and event_storm where events follow each other without progress in time; `last` and `before_last` are the two
-/// that alternate.
+/// Events are located as in integrate(), between two evaluations of the guards. Steps are long while nothing moves, for example while a
+/// body sticks: with oscillating inputs, options.max_step should be shorter than half their period. Sums of steps, and the limits max_steps
+/// and max_events, are those of the whole run. Besides the statuses of integrate() there are no_start_mode, no_mode (x and mode are those
+/// before the event), accumulation, and event_storm where events follow each other without progress in time; `last` and `before_last` are
+/// the two that alternate.
 ///
 /// Events accumulate where three or more of their intervals shrink by a steady ratio, and the sum of all to come is less than the root of a
-/// rounding (1.5e-8) of the sequence so far, or if their times are equal but for rounding. The run then goes on without that event to the sum,
-/// a rounding or two behind the guard; `settle` corrects this. An event without after_accumulation() that happens between the bounces
+/// rounding (1.5e-8) of the sequence so far, or if their times are equal but for rounding. The run then goes on without that event to the
+/// sum, a rounding or two behind the guard; `settle` corrects this. An event without after_accumulation() that happens between the bounces
 /// accumulates with them; without them it ends the run.
 ///
 /// A state with the rate zero keeps its value exactly; with Method::rodas5p and long steps, except for rounding.
 ///
 /// Time does not run backwards: to < from gives Status::bad_options, as in integrate().
 template <class System, class Inputs, class Observer, class OnChange>
-SwitchingOutcome<typename System::Mode> simulate_modes(const System& system, const Inputs& inputs, typename System::State& x, typename System::scalar_type from,
-                                                       typename System::scalar_type to, const SwitchingOptions<System>& options, Observer&& observe, OnChange&& on_change) {
-    detail::SwitchingRun<System, Inputs, std::remove_reference_t<Observer>, std::remove_reference_t<OnChange>, SwitchingOutcome<typename System::Mode>, ModeChange<System>> run(
-        system, inputs, x, from, to, options, observe, on_change);
+SwitchingOutcome<typename System::Mode> simulate_modes(const System& system, const Inputs& inputs, typename System::State& x,
+                                                       typename System::scalar_type from, typename System::scalar_type to,
+                                                       const SwitchingOptions<System>& options, Observer&& observe, OnChange&& on_change) {
+    detail::SwitchingRun<System, Inputs, std::remove_reference_t<Observer>, std::remove_reference_t<OnChange>,
+                         SwitchingOutcome<typename System::Mode>, ModeChange<System>>
+        run(system, inputs, x, from, to, options, observe, on_change);
     return run.go(options.has_start_mode, options.start_mode);
 }
 
@@ -100,20 +104,24 @@ SwitchingOutcome<typename System::Mode> simulate_modes(const System& system, con
 template <class System, class Table>
 std::string message(const System&, const SwitchingOutcome<typename System::Mode>& outcome, const Table& names) {
     const auto happened = [](const auto& what) {
-        return "event '" + std::string(System::event_table()[what.event]) + "' in mode '" + System::mode_table()[static_cast<std::size_t>(what.mode)] + "'";
+        return "event '" + std::string(System::event_table()[what.event]) + "' in mode '" +
+               System::mode_table()[static_cast<std::size_t>(what.mode)] + "'";
     };
     Outcome plain = outcome;
     plain.guard = Outcome::none;
     std::string text = message(plain, names);
     if (outcome.status == Status::no_start_mode) {
         text += ": no mode accepts the start values";
-        return outcome.last.event == Outcome::none ? text : text + ", since event '" + System::event_table()[outcome.last.event] + "' has happened already";
+        return outcome.last.event == Outcome::none
+                   ? text
+                   : text + ", since event '" + System::event_table()[outcome.last.event] + "' has happened already";
     }
     if (outcome.last.event == Outcome::none) return text;
     if (outcome.status == Status::event) text += ": " + happened(outcome.last);
     if (outcome.status == Status::no_mode) text += ": no mode can go on after " + happened(outcome.last);
     if (outcome.status == Status::accumulation)
-        text += ": " + happened(outcome.last) + " follows itself at ever shorter intervals, which vanish at t = " + std::to_string(outcome.accumulates_at) + " s";
+        text += ": " + happened(outcome.last) +
+                " follows itself at ever shorter intervals, which vanish at t = " + std::to_string(outcome.accumulates_at) + " s";
     if (outcome.status == Status::event_storm && outcome.before_last.event != Outcome::none)
         text += ": " + happened(outcome.last) + " follows " + happened(outcome.before_last) + " again and again";
     return text;

@@ -64,7 +64,8 @@ public:
             for (std::size_t j = 0; has_feedback_ && j < u_.size(); ++j) {
                 const Scalar& gain = gains_[column][j];
                 if (gain == Scalar(0)) continue;
-                for_each_in_column<PatternU>(J_u_, x_.size(), j, [&](std::size_t row, const Scalar& value) { add(row, column, value * gain); });
+                for_each_in_column<PatternU>(J_u_, x_.size(), j,
+                                             [&](std::size_t row, const Scalar& value) { add(row, column, value * gain); });
             }
         }
     }
@@ -83,7 +84,9 @@ public:
             }
             for (std::size_t j = 0; j < u_.size(); ++j) {
                 const Scalar slope = rate[j] / (Scalar(3) * length);
-                if (slope != Scalar(0)) for_each_in_column<PatternU>(J_u_, x_.size(), j, [&](std::size_t row, const Scalar& value) { dfdt[row] += value * slope; });
+                if (slope != Scalar(0))
+                    for_each_in_column<PatternU>(J_u_, x_.size(), j,
+                                                 [&](std::size_t row, const Scalar& value) { dfdt[row] += value * slope; });
             }
         }
     }
@@ -134,7 +137,9 @@ private:
 template <class System, class = void>
 inline constexpr bool has_derivatives = false;
 template <class System>
-inline constexpr bool has_derivatives<System, std::void_t<typename System::PatternX, typename System::PatternU, typename System::JacobianX, typename System::JacobianU>> = true;
+inline constexpr bool has_derivatives<
+    System, std::void_t<typename System::PatternX, typename System::PatternU, typename System::JacobianX, typename System::JacobianU>> =
+    true;
 
 }  // namespace detail
 }  // namespace v1

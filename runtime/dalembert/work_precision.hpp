@@ -28,18 +28,18 @@ namespace detail {
 struct RunRequest {
     Method method = Method::dopri5;
     double tolerance = 1e-9;
-    double step = 0;              ///< s
-    std::size_t points = 50;      ///< the run is divided into so many parts
-    double disturbance = 0;       ///< relative, of the start
-    double limit = 10;            ///< s, after which the program gives up
-    double enough = 0;            ///< s; runs are repeated until all together took so long
+    double step = 0;          ///< s
+    std::size_t points = 50;  ///< the run is divided into so many parts
+    double disturbance = 0;   ///< relative, of the start
+    double limit = 10;        ///< s, after which the program gives up
+    double enough = 0;        ///< s; runs are repeated until all together took so long
 };
 
 struct TimedRun {
     Outcome outcome;
     double energy_error = 0;
-    double constraint_error = 0;             ///< largest position that should be zero, in its own unit
-    std::vector<double> seconds;             ///< of each repetition
+    double constraint_error = 0;                 ///< largest position that should be zero, in its own unit
+    std::vector<double> seconds;                 ///< of each repetition
     std::vector<std::vector<long double>> rows;  ///< time and compared values, at the output points
 };
 
@@ -51,7 +51,8 @@ struct Rows {
 };
 
 template <class System, class Scalar>
-void note_constraints([[maybe_unused]] const System& system, [[maybe_unused]] const typename System::State& x, [[maybe_unused]] Scalar t, [[maybe_unused]] double& error) {
+void note_constraints([[maybe_unused]] const System& system, [[maybe_unused]] const typename System::State& x, [[maybe_unused]] Scalar t,
+                      [[maybe_unused]] double& error) {
     if constexpr (needs_projection<System> && !is_switching<System>) {
         typename System::Constraints f{};
         system.constraint_positions(x, t, f);
@@ -62,8 +63,10 @@ void note_constraints([[maybe_unused]] const System& system, [[maybe_unused]] co
 /// Where nothing switches and nothing comes from outside, steps may be longer than the distance of two output points.
 template <class System>
 constexpr bool has_jumps() {
-    if constexpr (is_switching<System>) return true;
-    else return std::tuple_size<typename System::Guards>::value > 0 || std::tuple_size<typename System::Input>::value > 0;
+    if constexpr (is_switching<System>)
+        return true;
+    else
+        return std::tuple_size<typename System::Guards>::value > 0 || std::tuple_size<typename System::Input>::value > 0;
 }
 
 template <class Problem, class Options, class Scales>
@@ -82,12 +85,14 @@ void set_request(Options& options, const RunRequest& request, const Scales& scal
 
 /// One run. A Problem has the types of its system, system(), start(), inputs(system) and `until`; row(sample) returns the compared values.
 template <class Problem>
-std::pair<Outcome, double> run_once(const RunRequest& request, const typename Problem::System::State& scales, Rows<typename Problem::System::scalar_type>& rows) {
+std::pair<Outcome, double> run_once(const RunRequest& request, const typename Problem::System::State& scales,
+                                    Rows<typename Problem::System::scalar_type>& rows) {
     using System = typename Problem::System;
     using Scalar = typename System::scalar_type;
     const System system = Problem::system();
     typename System::State x = Problem::start(system);
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] += Scalar(i % 2 == 0 ? request.disturbance : -request.disturbance) * x[i];  // not all along the state
+    for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] += Scalar(i % 2 == 0 ? request.disturbance : -request.disturbance) * x[i];  // not all along the state
     const auto inputs = Problem::inputs(system);
     const auto observe = [&](const typename Running<System>::Sample& sample) {
         rows.values.push_back(Problem::row(sample));
@@ -105,7 +110,8 @@ std::pair<Outcome, double> run_once(const RunRequest& request, const typename Pr
 template <class Problem>
 typename Problem::System::State scales_of(std::size_t points) {
     const auto system = Problem::system();
-    return state_scales(system, Problem::inputs(system), Problem::start(system), static_cast<typename Problem::System::scalar_type>(Problem::until), points);
+    return state_scales(system, Problem::inputs(system), Problem::start(system),
+                        static_cast<typename Problem::System::scalar_type>(Problem::until), points);
 }
 
 template <class Problem>
@@ -129,7 +135,8 @@ TimedRun timed_run(const RunRequest& request) {
             }
         }
         // Three at least, so that one that was disturbed is seen; but of what takes long, one.
-    } while (request.enough > 0 && result.seconds.size() < 1000 && (total < request.enough || (result.seconds.size() < 3 && total < 50 * request.enough)));
+    } while (request.enough > 0 && result.seconds.size() < 1000 &&
+             (total < request.enough || (result.seconds.size() < 3 && total < 50 * request.enough)));
     return result;
 }
 
@@ -139,9 +146,15 @@ struct NamedMethod {
     Method method;
 };
 inline constexpr std::array named_methods{NamedMethod{"automatic", Method::automatic},
-                                          NamedMethod{"euler", Method::euler},           NamedMethod{"rk4", Method::rk4},       NamedMethod{"dopri5", Method::dopri5},
-                                          NamedMethod{"fehlberg78", Method::fehlberg78}, NamedMethod{"dop853", Method::dop853}, NamedMethod{"bulirsch_stoer", Method::bulirsch_stoer},
-                                          NamedMethod{"rodas5p", Method::rodas5p},       NamedMethod{"symplectic", Method::symplectic}, NamedMethod{"taylor", Method::taylor}};
+                                          NamedMethod{"euler", Method::euler},
+                                          NamedMethod{"rk4", Method::rk4},
+                                          NamedMethod{"dopri5", Method::dopri5},
+                                          NamedMethod{"fehlberg78", Method::fehlberg78},
+                                          NamedMethod{"dop853", Method::dop853},
+                                          NamedMethod{"bulirsch_stoer", Method::bulirsch_stoer},
+                                          NamedMethod{"rodas5p", Method::rodas5p},
+                                          NamedMethod{"symplectic", Method::symplectic},
+                                          NamedMethod{"taylor", Method::taylor}};
 
 extern "C" inline void give_up(int) {
     constexpr char text[] = "status=too slow\n";
@@ -163,18 +176,23 @@ int measure(const RunRequest& request, const char* path) {
     std::string seconds;
     for (const double s : run.seconds) seconds += (seconds.empty() ? "" : " ") + std::to_string(s * 1e6);
     const Outcome& outcome = run.outcome;
-    std::printf("status=%s\nt=%.17g\nsteps=%zu\nrejected=%zu\nrhs_calls=%zu\nenergy_error=%.3g\nconstraint_error=%.3g\nmicroseconds=%s\n", to_string(outcome.status), outcome.t, outcome.steps, outcome.rejected, outcome.rhs_calls,
-                run.energy_error, run.constraint_error, seconds.c_str());
+    std::printf("status=%s\nt=%.17g\nsteps=%zu\nrejected=%zu\nrhs_calls=%zu\nenergy_error=%.3g\nconstraint_error=%.3g\nmicroseconds=%s\n",
+                to_string(outcome.status), outcome.t, outcome.steps, outcome.rejected, outcome.rhs_calls, run.energy_error,
+                run.constraint_error, seconds.c_str());
     return 0;
 }
 
 template <class Scalar>
 constexpr const char* name_of_arithmetic() {
     switch (std::numeric_limits<Scalar>::digits) {
-        case std::numeric_limits<float>::digits: return "float";
-        case std::numeric_limits<double>::digits: return "double";
-        case std::numeric_limits<long double>::digits: return "long_double";
-        default: return "digits50";
+        case std::numeric_limits<float>::digits:
+            return "float";
+        case std::numeric_limits<double>::digits:
+            return "double";
+        case std::numeric_limits<long double>::digits:
+            return "long_double";
+        default:
+            return "digits50";
     }
 }
 

@@ -27,7 +27,8 @@ struct NoDerivativesOf : HasNoJacobian {
 };
 using NoDerivatives = NoDerivativesOf<std::array<double, 0>>;
 template <class Derivatives>
-inline constexpr bool can_be_implicit = !std::is_base_of_v<HasNoJacobian, Derivatives> && may_have_entries<typename Derivatives::DifferentiatedState>;
+inline constexpr bool can_be_implicit =
+    !std::is_base_of_v<HasNoJacobian, Derivatives> && may_have_entries<typename Derivatives::DifferentiatedState>;
 
 /// The magnitude of the largest eigenvalue of a Jacobian by the power method. Its vector stays from one call to the next, as the
 /// Jacobian changes little in between.
@@ -56,7 +57,8 @@ public:
 private:
     template <class Size>
     void begin(const Size& size) {
-        for (std::size_t i = 0; i < v_.size(); ++i) v_[i] = size[i] / Scalar(static_cast<double>(1 + i * 7 % 11)) * Scalar(i % 3 == 1 ? -1 : 1);
+        for (std::size_t i = 0; i < v_.size(); ++i)
+            v_[i] = size[i] / Scalar(static_cast<double>(1 + i * 7 % 11)) * Scalar(i % 3 == 1 ? -1 : 1);
         normalise(v_, size);
         is_begun_ = true;
     }
@@ -92,8 +94,8 @@ struct Choice {
     using State = DifferentiatedState;
     enum Kind : std::size_t { dopri5, dop853, rodas5p };
     Kind kind = dopri5;
-    bool is_smooth = true;  ///< in this part: dop853 has not had most of its steps rejected
-    std::size_t patience = 2;  ///< number of times in succession that stability must limit the steps
+    bool is_smooth = true;             ///< in this part: dop853 has not had most of its steps rejected
+    std::size_t patience = 2;          ///< number of times in succession that stability must limit the steps
     Scalar implicit_pace = Scalar(0);  ///< s for each step of an explicit method in the same time, when Rodas5P ran last
     std::array<std::size_t, 3> steps{};
     SpectralRadius<DifferentiatedState> radius;
@@ -107,7 +109,8 @@ class Automatic final : public Stepper<State> {
 public:
     using Memory = Choice<Scalar, typename Derivatives::DifferentiatedState>;
 
-    Automatic(Rhs rhs, Derivatives& derivatives, const IntegrationOptions<State>& options, Memory& memory) : rhs_(rhs), options_(options), derivatives_(derivatives), memory_(memory) {
+    Automatic(Rhs rhs, Derivatives& derivatives, const IntegrationOptions<State>& options, Memory& memory)
+        : rhs_(rhs), options_(options), derivatives_(derivatives), memory_(memory) {
         // What was rejected before an event says little of what comes after it.
         memory_.is_smooth = true;
         take_up(memory_.kind == Memory::rodas5p ? memory_.kind : explicit_kind());
@@ -153,19 +156,22 @@ private:
     }
 
     /// From about 1e-6 on the higher order is worth its stages.
-    typename Memory::Kind explicit_kind() const { return memory_.is_smooth && options_.tolerance * Scalar(1000000) <= Scalar(1) ? Memory::dop853 : Memory::dopri5; }
+    typename Memory::Kind explicit_kind() const {
+        return memory_.is_smooth && options_.tolerance * Scalar(1000000) <= Scalar(1) ? Memory::dop853 : Memory::dopri5;
+    }
 
     /// h times the spectral radius up to which an explicit method is stable on the negative real axis, a little less.
     Scalar limit() const { return explicit_kind() == Memory::dop853 ? Scalar(5) : Scalar(28) / Scalar(10); }
 
-    /// How many explicit steps cost as much as an implicit one: four, or more where linear systems are what takes the time. Entries of a Jacobian
-    /// tell how long the right-hand side is: some eight operations each.
+    /// How many explicit steps cost as much as an implicit one: four, or more where linear systems are what takes the time. Entries of a
+    /// Jacobian tell how long the right-hand side is: some eight operations each.
     static constexpr double explicit_steps_for_one() {
         if constexpr (has_implicit) {
             using Increment = typename Derivatives::DifferentiatedState;
             using Pattern = typename Derivatives::Pattern;
             constexpr double stages = 8, explicit_stages = 6, operations = 8;
-            const double systems = MatrixOf<Increment, Pattern>::multiplications(stages) / (operations * static_cast<double>(entries_of<Pattern>(size_of<Increment>()) + 1));
+            const double systems = MatrixOf<Increment, Pattern>::multiplications(stages) /
+                                   (operations * static_cast<double>(entries_of<Pattern>(size_of<Increment>()) + 1));
             return std::max(4.0, (2 * stages + systems) / explicit_stages);
         } else {
             return 4;
@@ -222,12 +228,12 @@ private:
     std::variant<std::monostate, Dopri5, Dop853, Implicit> stepper_;  ///< one at a time: states may be long
     Stepper<State>* now_ = nullptr;
     Memory& memory_;
-    std::size_t number_ = 0;  ///< of the point that the last step was tried from
-    std::size_t tried_ = 0, accepted_ = 0;  ///< steps in the present window
-    std::size_t all_ = 0, good_ = 0;        ///< in the long one
-    std::size_t often_ = 0;                 ///< windows in succession that speak for another method
-    Scalar length_ = Scalar(0), longest_ = Scalar(0);  ///< s, of steps
-    std::size_t stint_ = 0;                            ///< steps tried since the present method was taken up
+    std::size_t number_ = 0;                                     ///< of the point that the last step was tried from
+    std::size_t tried_ = 0, accepted_ = 0;                       ///< steps in the present window
+    std::size_t all_ = 0, good_ = 0;                             ///< in the long one
+    std::size_t often_ = 0;                                      ///< windows in succession that speak for another method
+    Scalar length_ = Scalar(0), longest_ = Scalar(0);            ///< s, of steps
+    std::size_t stint_ = 0;                                      ///< steps tried since the present method was taken up
     Scalar stint_begin_ = Scalar(0), window_begin_ = Scalar(0);  ///< s
 };
 
@@ -240,8 +246,10 @@ template <class Derivatives>
 struct ChosenDerivatives<Derivatives, true> {
     using State = typename Derivatives::DifferentiatedState;
     static constexpr bool may_fit() {
-        if constexpr (has_fixed_size<State>) return MatrixOf<State, typename Derivatives::Pattern>::fits();
-        else return true;
+        if constexpr (has_fixed_size<State>)
+            return MatrixOf<State, typename Derivatives::Pattern>::fits();
+        else
+            return true;
     }
     using type = std::conditional_t<may_fit(), Derivatives, NoDerivatives>;
 };
@@ -252,7 +260,8 @@ using ChoiceOf = Choice<Scalar, typename ChosenDerivatives<Derivatives>::type::D
 template <class Run, class Derivatives, class Memory>
 Outcome run_automatic(Run& run, Derivatives& derivatives, const IntegrationOptions<typename Run::State>& options, Memory& memory) {
     const auto before = memory.steps;
-    Outcome outcome = run_with<Automatic<typename Run::State, typename Run::RightHandSide, Derivatives>>(run, Steps::dense, derivatives, options, memory);
+    Outcome outcome =
+        run_with<Automatic<typename Run::State, typename Run::RightHandSide, Derivatives>>(run, Steps::dense, derivatives, options, memory);
     // Behind the last step there is no other that would show that it was taken.
     std::size_t seen = 0;
     for (std::size_t k = 0; k < before.size(); ++k) seen += memory.steps[k] - before[k];
@@ -268,15 +277,18 @@ Outcome run_by_method(Run& run, Derivatives& derivatives, const IntegrationOptio
     if (options.method == Method::automatic) {
         if constexpr (can_be_implicit<typename ChosenDerivatives<Derivatives>::type>) {
             using Increment = typename Derivatives::DifferentiatedState;
-            if (has_fixed_size<Increment> || MatrixOf<Increment, typename Derivatives::Pattern>::fits()) return run_automatic(run, derivatives, options, choice);
+            if (has_fixed_size<Increment> || MatrixOf<Increment, typename Derivatives::Pattern>::fits())
+                return run_automatic(run, derivatives, options, choice);
         }
         NoDerivativesOf<typename Choice::State> none;
         return run_automatic(run, none, options, choice);
     }
-    if (options.method == Method::bulirsch_stoer) return run_with<BulirschStoer<typename Run::State, typename Run::RightHandSide>>(run, Steps::to_outputs, options.tolerance);
+    if (options.method == Method::bulirsch_stoer)
+        return run_with<BulirschStoer<typename Run::State, typename Run::RightHandSide>>(run, Steps::to_outputs, options.tolerance);
     using Coordinates = typename SeparableCoordinates<typename Run::GivenRhs>::type;
     if constexpr (may_have_entries<Coordinates>)
-        if (options.method == Method::symplectic && size_of<Coordinates>() > 0) return run_with<Symplectic<typename Run::State, typename Run::RightHandSide, Coordinates>>(run, Steps::fixed);
+        if (options.method == Method::symplectic && size_of<Coordinates>() > 0)
+            return run_with<Symplectic<typename Run::State, typename Run::RightHandSide, Coordinates>>(run, Steps::fixed);
     if constexpr (can_be_implicit<Derivatives>)
         if (options.method == Method::rodas5p) return run_rodas5p(run, derivatives);
     return run_explicit(run, options.method);

@@ -10,11 +10,11 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
-#include "dalembert/methods/dop853.hpp"
 #include "dalembert/integration_options.hpp"
-#include "dalembert/status.hpp"
+#include "dalembert/methods/dop853.hpp"
 #include "dalembert/methods/stepper.hpp"
 #include "dalembert/sizes.hpp"
+#include "dalembert/status.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -26,7 +26,8 @@ template <class State>
 using AlgebraOf = std::conditional_t<has_fixed_size<State>, odeint::array_algebra, odeint::range_algebra>;
 
 template <template <class, class, class, class, class, class, class> class Method, class State>
-using OdeintStepper = Method<State, typename State::value_type, State, typename State::value_type, AlgebraOf<State>, odeint::default_operations, odeint::initially_resizer>;
+using OdeintStepper = Method<State, typename State::value_type, State, typename State::value_type, AlgebraOf<State>,
+                             odeint::default_operations, odeint::initially_resizer>;
 
 /// Between its ends a step is the cubic polynomial through both with their derivatives.
 template <class State, class Rhs>
@@ -42,7 +43,8 @@ public:
         const Scalar s = (t - from.t) / c.length;
         const Scalar r = Scalar(1) - s;
         for (std::size_t i = 0; i < x.size(); ++i)
-            x[i] = r * r * (Scalar(1) + Scalar(2) * s) * from.x[i] + s * s * (Scalar(1) + Scalar(2) * r) * c.y[i] + r * s * c.length * (r * from.dxdt[i] - s * c.dydt[i]);
+            x[i] = r * r * (Scalar(1) + Scalar(2) * s) * from.x[i] + s * s * (Scalar(1) + Scalar(2) * r) * c.y[i] +
+                   r * s * c.length * (r * from.dxdt[i] - s * c.dydt[i]);
     }
 
 protected:
@@ -68,7 +70,8 @@ private:
 };
 
 template <class State, class Rhs>
-using Euler = FixedStepper<State, Rhs, odeint::euler<State, typename State::value_type, State, typename State::value_type, AlgebraOf<State>>, 1>;
+using Euler =
+    FixedStepper<State, Rhs, odeint::euler<State, typename State::value_type, State, typename State::value_type, AlgebraOf<State>>, 1>;
 template <class State, class Rhs>
 using RungeKutta4 = FixedStepper<State, Rhs, OdeintStepper<odeint::runge_kutta4, State>, 4>;
 
@@ -118,17 +121,25 @@ Outcome run_explicit(Run& run, Steps steps) {
 template <class Run>
 Outcome run_explicit(Run& run, Method method) {
     switch (method) {
-        case Method::euler: return run_explicit<Euler>(run, Steps::fixed);
-        case Method::rk4: return run_explicit<RungeKutta4>(run, Steps::fixed);
-        case Method::dopri5: return run_explicit<DormandPrince5>(run, Steps::dense);
-        case Method::dopri5_controlled: return run_explicit<DormandPrince5>(run, Steps::to_outputs);
-        case Method::dop853: return run_explicit<DormandPrince853>(run, Steps::dense);
-        case Method::fehlberg78: return run_explicit<Fehlberg78>(run, Steps::to_outputs);
+        case Method::euler:
+            return run_explicit<Euler>(run, Steps::fixed);
+        case Method::rk4:
+            return run_explicit<RungeKutta4>(run, Steps::fixed);
+        case Method::dopri5:
+            return run_explicit<DormandPrince5>(run, Steps::dense);
+        case Method::dopri5_controlled:
+            return run_explicit<DormandPrince5>(run, Steps::to_outputs);
+        case Method::dop853:
+            return run_explicit<DormandPrince853>(run, Steps::dense);
+        case Method::fehlberg78:
+            return run_explicit<Fehlberg78>(run, Steps::to_outputs);
         case Method::automatic:
         case Method::bulirsch_stoer:
         case Method::symplectic:
-        case Method::rodas5p: break;
-        case Method::taylor: return run.refuse(Status::no_series);
+        case Method::rodas5p:
+            break;
+        case Method::taylor:
+            return run.refuse(Status::no_series);
     }
     return run.refuse();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// The interface between the driver of an integration and a method. One interface with virtual functions: a step costs more than a call, and the
-// control of steps and events is compiled once, not once for each method.
+// The interface between the driver of an integration and a method. One interface with virtual functions: a step costs more than a call, and
+// the control of steps and events is compiled once, not once for each method.
 #pragma once
 
 #include <cmath>

@@ -33,7 +33,8 @@ struct CoordinatesOf<System, std::void_t<typename System::SeparableCoordinates>>
     using type = typename System::SeparableCoordinates;
 };
 
-/// A right-hand side whose state begins with coordinates, as many as an array of the type has entries, and their velocities, and is separable.
+/// A right-hand side whose state begins with coordinates, as many as an array of the type has entries, and their velocities, and is
+/// separable.
 template <class Rhs, class CoordinateArray>
 struct SeparableRhs {
     using Coordinates = CoordinateArray;
@@ -56,8 +57,8 @@ struct SeparableCoordinates<Rhs, std::void_t<typename Rhs::Coordinates>> {
     using type = typename Rhs::Coordinates;
 };
 
-/// McLachlan's method of order 4 with six stages (SIAM J. Sci. Comput. 16 (1995), SB3A) of Boost.Odeint, whose coefficients have the digits of
-/// a double. States behind q and v are integrals; of what is separable, of nothing: they stay.
+/// McLachlan's method of order 4 with six stages (SIAM J. Sci. Comput. 16 (1995), SB3A) of Boost.Odeint, whose coefficients have the digits
+/// of a double. States behind q and v are integrals; of what is separable, of nothing: they stay.
 template <class State, class Rhs, class Part>
 class Symplectic final : public CubicStepper<State, Rhs> {
     using Scalar = typename State::value_type;
@@ -86,7 +87,9 @@ public:
     }
 
 private:
-    odeint::symplectic_rkn_sb3a_mclachlan<Part, Part, Scalar, Part, Part, Scalar, AlgebraOf<Part>, odeint::default_operations, odeint::initially_resizer> stepper_;
+    odeint::symplectic_rkn_sb3a_mclachlan<Part, Part, Scalar, Part, Part, Scalar, AlgebraOf<Part>, odeint::default_operations,
+                                          odeint::initially_resizer>
+        stepper_;
 };
 
 }  // namespace detail

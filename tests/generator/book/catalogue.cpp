@@ -48,19 +48,23 @@ std::string verdict(const std::string& entry, int code = 0) { return row(entry, 
 /// What a wrong equation is said to have been meant to be.
 std::string mended(const std::string& equation) { return row("equation = \"" + equation + "\"", 1)["suggestion"]; }
 
-std::string model(const char* name) { return "model = \"" + (std::filesystem::path(SOURCE_DIR) / "systems" / "mechanics" / name).string() + ".toml\"\n"; }
+std::string model(const char* name) {
+    return "model = \"" + (std::filesystem::path(SOURCE_DIR) / "systems" / "mechanics" / name).string() + ".toml\"\n";
+}
 
 }  // namespace
 
 TEST_CASE("identities on letters") {
     CHECK(verdict("equation = \"sin(u + v) = sin(u)*cos(v) + cos(u)*sin(v)\"") == "proven");
-    CHECK(verdict("equation = \"sqrt(m^2) = m\"") == "proven");            // it is positive
-    CHECK(verdict("equation = \"sqrt(u^2) = u\"", 1) == "wrong");          // this one is not
+    CHECK(verdict("equation = \"sqrt(m^2) = m\"") == "proven");    // it is positive
+    CHECK(verdict("equation = \"sqrt(u^2) = u\"", 1) == "wrong");  // this one is not
     CHECK(verdict("with = { p = \"rho*R*T\" }\nequation = \"diff(p, T)/p = 1/T\"") == "proven");
-    CHECK(verdict("with = { x = \"l*sin(phi)\", y = \"-l*cos(phi)\" }\nequation = \"m/2*(dot(x)^2 + dot(y)^2) = m*l^2*dot(phi)^2/2\"") == "proven");
+    CHECK(verdict("with = { x = \"l*sin(phi)\", y = \"-l*cos(phi)\" }\nequation = \"m/2*(dot(x)^2 + dot(y)^2) = m*l^2*dot(phi)^2/2\"") ==
+          "proven");
     CHECK(verdict("equation = \"ddot(phi) = dot(phi)*a\"", 1) == "wrong");  // nothing says how it moves
     CHECK(verdict("equation = \"m = l\"", 1) == "dimensionally wrong");
-    CHECK(verdict("letters = { b = { unit = \"1\", for = \"k = 1..3\" } }\nequation = \"sum(k, 1, 3, b[k]) = b[1] + b[2] + b[3]\"") == "proven");
+    CHECK(verdict("letters = { b = { unit = \"1\", for = \"k = 1..3\" } }\nequation = \"sum(k, 1, 3, b[k]) = b[1] + b[2] + b[3]\"") ==
+          "proven");
 }
 
 TEST_CASE("integrals, limits, and places") {
@@ -75,8 +79,9 @@ TEST_CASE("integrals, limits, and places") {
 }
 
 TEST_CASE("what has no value is not proven to have one") {
-    for (const char* equation : {"integral(1/x^2, x, -1, 1) = -2", "integral(1/(x - 1)^2, x, 0, 2) = -2", "integral(1/x, x, -1, 1) = 0", "integral(1/x, x, 0, 1) = 1", "limit(abs(u)/u, u, 0) = 1",
-                                 "limit(sqrt(u^2)/u, u, 0) = 1", "limit(sign(u), u, 0) = 0", "dot(u) = 0", "at(phi, t, 0) = phi", "integral(phi, t, 0, s) = phi*s"}) {
+    for (const char* equation : {"integral(1/x^2, x, -1, 1) = -2", "integral(1/(x - 1)^2, x, 0, 2) = -2", "integral(1/x, x, -1, 1) = 0",
+                                 "integral(1/x, x, 0, 1) = 1", "limit(abs(u)/u, u, 0) = 1", "limit(sqrt(u^2)/u, u, 0) = 1",
+                                 "limit(sign(u), u, 0) = 0", "dot(u) = 0", "at(phi, t, 0) = phi", "integral(phi, t, 0, s) = phi*s"}) {
         INFO(equation);
         const std::string entry = "equation = \"" + std::string(equation) + "\"";
         CHECK(verdict(entry) == "not checkable");
@@ -87,13 +92,15 @@ TEST_CASE("what has no value is not proven to have one") {
 }
 
 TEST_CASE("integrals are what quadrature says, too") {
-    for (const char* equation : {"integral(tan(x), x, 0, 2) = -log(abs(cos(2)))", "integral(1/x^3, x, -1, 2) = 3/8", "integral(1/cos(x)^2, x, 0, 3) = tan(3)", "integral(1/(x - l), x, 0*l, 3*l) = log(2)"}) {
+    for (const char* equation : {"integral(tan(x), x, 0, 2) = -log(abs(cos(2)))", "integral(1/x^3, x, -1, 2) = 3/8",
+                                 "integral(1/cos(x)^2, x, 0, 3) = tan(3)", "integral(1/(x - l), x, 0*l, 3*l) = log(2)"}) {
         INFO(equation);
         const std::string entry = "equation = \"" + std::string(equation) + "\"";
         CHECK(verdict(entry) == "not checkable");
     }
-    for (const char* equation : {"integral(1/sqrt(x), x, 0, 1) = 2", "integral(tan(x), x, 0, 1) = -log(abs(cos(1)))", "integral(s*exp(-a*s), s, 0, infinity) = 1/a^2",
-                                 "integral(r^2, r, l, 0*l) = -l^3/3", "integral(integral(r*q, q, 0, 1), r, 0, l) = l^2/4"}) {
+    for (const char* equation : {"integral(1/sqrt(x), x, 0, 1) = 2", "integral(tan(x), x, 0, 1) = -log(abs(cos(1)))",
+                                 "integral(s*exp(-a*s), s, 0, infinity) = 1/a^2", "integral(r^2, r, l, 0*l) = -l^3/3",
+                                 "integral(integral(r*q, q, 0, 1), r, 0, l) = l^2/4"}) {
         INFO(equation);
         const std::string entry = "equation = \"" + std::string(equation) + "\"";
         CHECK(verdict(entry) == "proven");
@@ -118,14 +125,18 @@ TEST_CASE("points at random are small and large, and say what case none of them 
 
 TEST_CASE("cases") {
     const auto latex = [](const std::string& text) { return "latex = '''" + text + "'''\n"; };
-    const std::string falling = R"(|u| = \begin{cases} u & u \ge 0 \\ -u & u < 0 \end{cases})", otherwise = R"(|u - v| = \begin{cases} u - v & \text{if } u > v \\ v - u & \text{otherwise} \end{cases})",
-                      turned = R"(|u| = \begin{cases} u & u < 0 \\ -u & u \ge 0 \end{cases})", three = R"(\min\{\max\{u, -1\}, 1\} = \begin{cases} -1 & u < -1 \\ 1 & u > 1 \\ u & \text{sonst} \end{cases})",
-                      partly = R"(|u| = \begin{cases} u & 0 < u < 1 \\ -u & u < 0 \end{cases})", single = R"(v = \begin{cases} v & u = 0 \\ u & \text{otherwise} \end{cases})";
+    const std::string falling = R"(|u| = \begin{cases} u & u \ge 0 \\ -u & u < 0 \end{cases})",
+                      otherwise = R"(|u - v| = \begin{cases} u - v & \text{if } u > v \\ v - u & \text{otherwise} \end{cases})",
+                      turned = R"(|u| = \begin{cases} u & u < 0 \\ -u & u \ge 0 \end{cases})",
+                      three = R"(\min\{\max\{u, -1\}, 1\} = \begin{cases} -1 & u < -1 \\ 1 & u > 1 \\ u & \text{sonst} \end{cases})",
+                      partly = R"(|u| = \begin{cases} u & 0 < u < 1 \\ -u & u < 0 \end{cases})",
+                      single = R"(v = \begin{cases} v & u = 0 \\ u & \text{otherwise} \end{cases})";
     CHECK(verdict(latex(falling)) == "proven");
     CHECK(verdict(latex(otherwise)) == "proven");
     CHECK(verdict(latex(turned), 1) == "wrong");
     CHECK(verdict(latex(three)) == "numerically equal");  // products of signs are not multiplied out
-    const std::string doubly = R"(|u| = \begin{cases} u + 1 & u > 0 \\ u - 1 & u > 0 \\ -u & u < 0 \end{cases})", in_order = R"(\min\{1, \max\{-1, u\}\} = \begin{cases} -1 & u < -1 \\ u & u < 1 \\ 1 & \text{otherwise} \end{cases})";
+    const std::string doubly = R"(|u| = \begin{cases} u + 1 & u > 0 \\ u - 1 & u > 0 \\ -u & u < 0 \end{cases})",
+                      in_order = R"(\min\{1, \max\{-1, u\}\} = \begin{cases} -1 & u < -1 \\ u & u < 1 \\ 1 & \text{otherwise} \end{cases})";
     CHECK(verdict(latex(doubly), 1) == "wrong");  // the first that holds counts
     CHECK(verdict(latex(in_order)) == "numerically equal");
     CHECK(verdict(latex(partly)) == "proven");  // it says nothing beyond one
@@ -178,7 +189,9 @@ equation = "v = v"
 
 TEST_CASE("a mistake in the keys of an entry, or in another file, does not stop the others") {
     const Folder folder;
-    const std::string path = folder.write("text.toml", head + "[entries.\"1\"]\nequatoin = \"u = u\"\n[entries.\"2\"]\nequation = \"u = (u\"\n[entries.\"3\"]\nequation = \"u = u\"\n");
+    const std::string path = folder.write(
+        "text.toml",
+        head + "[entries.\"1\"]\nequatoin = \"u = u\"\n[entries.\"2\"]\nequation = \"u = (u\"\n[entries.\"3\"]\nequation = \"u = u\"\n");
     const std::string broken = folder.write("broken.toml", "[catalogue]\nformat = 1\nsource = \"Any\"\n[letters]\na = \"furlong\"\n");
     const Answer answer = ask("check", {broken, path, "-o", folder.path() / "pages"});
     CHECK(answer.code == 2);
@@ -205,7 +218,8 @@ TEST_CASE("letters of other letters in integrals") {
 TEST_CASE("numbers and letters as LaTeX has them") {
     const auto latex = [](const std::string& text) { return "latex = '''" + text + "'''\n"; };
     const std::string speed = R"(\sqrt{2 g h})";
-    for (const char* number : {R"(6.26\,\mathrm{m/s})", R"(6{,}26\,\mathrm{m}/\mathrm{s})", R"(62.6\times 10^{-1}\,\mathrm{m/s})", R"(0.0626\cdot 10^2\,\mathrm{m/s})"}) {
+    for (const char* number : {R"(6.26\,\mathrm{m/s})", R"(6{,}26\,\mathrm{m}/\mathrm{s})", R"(62.6\times 10^{-1}\,\mathrm{m/s})",
+                               R"(0.0626\cdot 10^2\,\mathrm{m/s})"}) {
         INFO(number);
         const std::string printed = speed + " = " + number;
         CHECK(verdict(latex(printed)) == "proven");
@@ -241,12 +255,16 @@ TEST_CASE("numbers are right to the digits that are printed") {
 
 TEST_CASE("vectors and matrices") {
     CHECK(verdict("equation = \"cross(vector(u, v, w), vector(v, w, u)) = vector(v*u - w^2, w*v - u^2, u*w - v^2)\"") == "proven");
-    CHECK(verdict("with = { A = \"matrix(row(u, v), row(v, w))\" }\nequation = \"A*inverse(A) = matrix(row(1, 0), row(0, 1))\"") == "proven");
+    CHECK(verdict("with = { A = \"matrix(row(u, v), row(v, w))\" }\nequation = \"A*inverse(A) = matrix(row(1, 0), row(0, 1))\"") ==
+          "proven");
     CHECK(verdict("with = { A = \"matrix(row(u, v), row(v, w))\" }\nequation = \"det(A) = u*w - v^2\"") == "proven");
     CHECK(verdict("with = { q = \"vector(u, v)\" }\nequation = \"diff(transpose(q)*q, q) = 2*transpose(q)\"") == "proven");
     CHECK(verdict("equation = \"vector(u, v) - vector(u, v) = 0\"") == "proven");
-    CHECK(row("equation = \"cross(vector(u, v, w), vector(v, w, u)) = vector(v*u - w^2, w*v - u^2, u*w + v^2)\"", 1)["suggestion"].get<std::string>().find("u*w - v^2") != std::string::npos);
-    CHECK(verdict(model("spherical_pendulum") + "equation = \"position[bob] = vector(l*sin(theta)*cos(phi), -l*cos(theta), l*sin(theta)*sin(phi))\"") == "proven");
+    CHECK(row("equation = \"cross(vector(u, v, w), vector(v, w, u)) = vector(v*u - w^2, w*v - u^2, u*w + v^2)\"", 1)["suggestion"]
+              .get<std::string>()
+              .find("u*w - v^2") != std::string::npos);
+    CHECK(verdict(model("spherical_pendulum") +
+                  "equation = \"position[bob] = vector(l*sin(theta)*cos(phi), -l*cos(theta), l*sin(theta)*sin(phi))\"") == "proven");
 }
 
 TEST_CASE("a single slip is found") {
@@ -256,7 +274,7 @@ TEST_CASE("a single slip is found") {
     CHECK(mended("(u + v)^2 = u^2 + u*v + v^2") == "(u + v)^2 = u^2 + 2*(u*v) + v^2");
     CHECK(mended("w*(u + v) = w*u + v") != "");
     CHECK(mended("integral(r^2, r, 0, l) = l^2/3") == "integral(r^2, r, 0, l) = l^3/3");  // dimensionally wrong
-    CHECK(mended("u*v = u^3 + v^5 + 1").empty());                                          // no single one
+    CHECK(mended("u*v = u^3 + v^5 + 1").empty());                                         // no single one
 }
 
 TEST_CASE("against a model") {
@@ -266,15 +284,18 @@ TEST_CASE("against a model") {
     CHECK(wrong["suggestion"] == "potential_energy = m*g*l*(1 - cos(theta))");
     CHECK(wrong["counterexample"]["values"].contains("theta"));
     CHECK(verdict(model("spherical_pendulum") + "printed = \"2.222\"") == "proven");
-    CHECK(verdict(model("spherical_pendulum") + "letters = { delta = \"1\" }\nequation = \"(kinetic_energy - kinetic_energy)*delta = 0\"") == "proven");
+    CHECK(verdict(model("spherical_pendulum") +
+                  "letters = { delta = \"1\" }\nequation = \"(kinetic_energy - kinetic_energy)*delta = 0\"") == "proven");
 }
 
 TEST_CASE("LaTeX") {
     CHECK(verdict("latex = '''\\sin(u + v) = \\sin u \\cos v + \\cos u \\sin v \\quad (1.1)'''") == "proven");
     CHECK(verdict("latex = '''\\int_0^l r^2 dr = \\frac{l^3}{3}'''") == "proven");
-    CHECK(verdict(model("spherical_pendulum") + "notation = { V = \"potential_energy\" }\nlatex = '''V = mgl (1 - \\cos(\\theta)) . \\quad (2.219)'''") == "proven");
+    CHECK(verdict(model("spherical_pendulum") +
+                  "notation = { V = \"potential_energy\" }\nlatex = '''V = mgl (1 - \\cos(\\theta)) . \\quad (2.219)'''") == "proven");
     CHECK(verdict(model("spherical_pendulum") + "notation = { T = \"kinetic_energy\", '\\mathbf{r}' = \"position[bob]\" }\n"
-                  "latex = '''T = \\frac{1}{2} m \\dot{\\mathbf{r}}^T \\dot{\\mathbf{r}} = \\frac{1}{2} ml^2 (\\dot{\\theta}^2 + \\dot{\\varphi}^2 \\sin^2(\\theta)) . \\quad (2.218)'''") == "proven");
+                                                "latex = '''T = \\frac{1}{2} m \\dot{\\mathbf{r}}^T \\dot{\\mathbf{r}} = \\frac{1}{2} ml^2 "
+                                                "(\\dot{\\theta}^2 + \\dot{\\varphi}^2 \\sin^2(\\theta)) . \\quad (2.218)'''") == "proven");
 }
 
 TEST_CASE("verdicts come from the derivation, not from what is expected") {

@@ -111,18 +111,99 @@ const Wrong unsaid[]{
 
 /// One to three changes.
 std::string mutated(std::string text, std::mt19937& engine) {
-    static const std::vector<std::string> words{"{", "}", "(", ")", "[", "]", "^", "_", "\\frac", "\\left(", "\\right)", "\\left.", "\\right|", "d", "dx", "\\partial", "\\int", "\\sum_{i=1}^n", "\\begin{bmatrix}", "\\end{bmatrix}",
-                                                "\\begin{cases}", "\\end{cases}", "&", "\\\\", "=", "|", "\\|", "\\text{und}", "\\text{f", "\\sin", "\\dot", "\\mathbf", "\\Delta", "\\delta", "^T", "^{-1}", "10^{99}", ",", ".", "\\quad", "$", "%",
-                                                "\\", "'", "!", "\xc3", "\xc2\xb0", "\\stackrel{!}", "\\mathrm{m}", "/", "-", "\\in", "\\forall", "0", "1,5", "{{{", "}}}", "\\underbrace{", "\\sqrt[", "\n", "\\over", "\\langle", "\\rangle", "\\dots", "\\max_", "\\partial_", "{}^A", "d^3", "<", ">", "[k]", "(k+1)", "\\mathbf{1", "\\text{a b}"};
+    static const std::vector<std::string> words{"{",
+                                                "}",
+                                                "(",
+                                                ")",
+                                                "[",
+                                                "]",
+                                                "^",
+                                                "_",
+                                                "\\frac",
+                                                "\\left(",
+                                                "\\right)",
+                                                "\\left.",
+                                                "\\right|",
+                                                "d",
+                                                "dx",
+                                                "\\partial",
+                                                "\\int",
+                                                "\\sum_{i=1}^n",
+                                                "\\begin{bmatrix}",
+                                                "\\end{bmatrix}",
+                                                "\\begin{cases}",
+                                                "\\end{cases}",
+                                                "&",
+                                                "\\\\",
+                                                "=",
+                                                "|",
+                                                "\\|",
+                                                "\\text{und}",
+                                                "\\text{f",
+                                                "\\sin",
+                                                "\\dot",
+                                                "\\mathbf",
+                                                "\\Delta",
+                                                "\\delta",
+                                                "^T",
+                                                "^{-1}",
+                                                "10^{99}",
+                                                ",",
+                                                ".",
+                                                "\\quad",
+                                                "$",
+                                                "%",
+                                                "\\",
+                                                "'",
+                                                "!",
+                                                "\xc3",
+                                                "\xc2\xb0",
+                                                "\\stackrel{!}",
+                                                "\\mathrm{m}",
+                                                "/",
+                                                "-",
+                                                "\\in",
+                                                "\\forall",
+                                                "0",
+                                                "1,5",
+                                                "{{{",
+                                                "}}}",
+                                                "\\underbrace{",
+                                                "\\sqrt[",
+                                                "\n",
+                                                "\\over",
+                                                "\\langle",
+                                                "\\rangle",
+                                                "\\dots",
+                                                "\\max_",
+                                                "\\partial_",
+                                                "{}^A",
+                                                "d^3",
+                                                "<",
+                                                ">",
+                                                "[k]",
+                                                "(k+1)",
+                                                "\\mathbf{1",
+                                                "\\text{a b}"};
     const auto pick = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(engine); };
     for (std::size_t changes = 1 + pick(3); changes > 0 && !text.empty(); --changes) {
         const std::size_t at = pick(text.size());
         switch (pick(5)) {
-            case 0: text.erase(at, 1 + pick(6)); break;
-            case 1: text.insert(at, words[pick(words.size())]); break;
-            case 2: text[at] = static_cast<char>(32 + pick(95)); break;
-            case 3: text.insert(at, text.substr(pick(text.size()), 1 + pick(20))); break;
-            default: std::swap(text[at], text[pick(text.size())]); break;
+            case 0:
+                text.erase(at, 1 + pick(6));
+                break;
+            case 1:
+                text.insert(at, words[pick(words.size())]);
+                break;
+            case 2:
+                text[at] = static_cast<char>(32 + pick(95));
+                break;
+            case 3:
+                text.insert(at, text.substr(pick(text.size()), 1 + pick(20)));
+                break;
+            default:
+                std::swap(text[at], text[pick(text.size())]);
+                break;
         }
     }
     return text;
@@ -137,14 +218,17 @@ bool ends_well(const std::string& latex) {
             bool is_inside = true;
             for (const ExpressionPtr& side : read.equation.sides) {
                 if (in_model_language(*side).empty()) return false;
-                for_each(*side, [&](const Expression& e) { is_inside = is_inside && e.span.begin <= e.span.end && e.span.end <= latex.size(); });
+                for_each(*side,
+                         [&](const Expression& e) { is_inside = is_inside && e.span.begin <= e.span.end && e.span.end <= latex.size(); });
             }
             if (!is_inside) return false;
         }
         return !all.empty();
     } catch (const Failure& failure) {
         for (const Diagnostic& diagnostic : failure.diagnostics())
-            if (!diagnostic.span || diagnostic.span.begin > diagnostic.span.end || diagnostic.span.end > latex.size() || diagnostic.message.empty()) return false;
+            if (!diagnostic.span || diagnostic.span.begin > diagnostic.span.end || diagnostic.span.end > latex.size() ||
+                diagnostic.message.empty())
+                return false;
         return true;
     }
 }
@@ -202,7 +286,30 @@ TEST_CASE("long and deep texts end with a sentence") {
     };
     CHECK(id_of("a = " + repeated("x+", 30'000) + "x") == "too-long");
     CHECK(id_of("a = " + repeated("x+", 5'000) + "x") == "read");
-    for (const char* open : {"(", "{", "\\left(", "\\sqrt{", "\\frac{1}{", "-", "\\sin(", "\\dot{", "x^{", "\\underbrace{", "\\int ", "\\begin{matrix}", "|a+", "\\stackrel{!}{", "\\frac{d}{dt} ", "{{\\dot ", "\\langle ", "\\min_x ", "\\partial_t ", "\\int_V ", "f(|", "\\mathbf{a+", "<", "{a \\over "})
+    for (const char* open : {"(",
+                             "{",
+                             "\\left(",
+                             "\\sqrt{",
+                             "\\frac{1}{",
+                             "-",
+                             "\\sin(",
+                             "\\dot{",
+                             "x^{",
+                             "\\underbrace{",
+                             "\\int ",
+                             "\\begin{matrix}",
+                             "|a+",
+                             "\\stackrel{!}{",
+                             "\\frac{d}{dt} ",
+                             "{{\\dot ",
+                             "\\langle ",
+                             "\\min_x ",
+                             "\\partial_t ",
+                             "\\int_V ",
+                             "f(|",
+                             "\\mathbf{a+",
+                             "<",
+                             "{a \\over "})
         CHECK_MESSAGE(id_of("a = " + repeated(open, 2'000) + "x") != "read", open);
 }
 
@@ -247,7 +354,8 @@ TEST_CASE("what can be read beside an equation that cannot") {
     refused.clear();
     CHECK(numbers(R"(\begin{align} a &= \frac{b + \foo}{2} \\ q \\ |c| &= {d} \end{align})", refused) == std::vector<std::size_t>{3});
     CHECK(refused == std::vector<std::size_t>{1, 2});
-    for (const char* latex : {R"(a = b \\ x > \foo)", R"(a = b \\ \text{for } x = \foo)", R"(a = b, \quad (x = \foo))", R"(a = b \\ \text{where $x > 0$})", R"(a = \foo \\ b)"}) {
+    for (const char* latex : {R"(a = b \\ x > \foo)", R"(a = b \\ \text{for } x = \foo)", R"(a = b, \quad (x = \foo))",
+                              R"(a = b \\ \text{where $x > 0$})", R"(a = \foo \\ b)"}) {
         INFO(std::string(latex));
         CHECK_THROWS_AS(numbers(latex, refused), Failure);
     }

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <filesystem>
 
+#include "generator/command/verb.hpp"
 #include "report/budget.hpp"
 #include "report/precision_table.hpp"
-#include "generator/command/verb.hpp"
 
 using namespace dalembert;
 
@@ -19,8 +19,12 @@ Answer cost(const std::vector<std::string>& arguments) { return ask("cost", argu
 
 /// q'' = c q/m from q = 1, q' = rate.
 std::string one_mass(const char* stiffness, const char* rate, const char* until) {
-    return std::string("[model]\nformat = 1\nname = \"mass\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\na = { value = 1, unit = \"m\" }\nc = { value = ") + stiffness +
-           ", unit = \"N/m\" }\n[coordinates]\nq = { unit = \"m\", start = 1, start_rate = " + rate + " }\n[bodies.b]\nmass = \"m\"\nposition = [\"q\", 0, 0]\n[potentials.p]\nenergy = \"c*q^2/2\"\n[runs.reference]\nuntil = " + until + "\n";
+    return std::string(
+               "[model]\nformat = 1\nname = \"mass\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\na = { value = 1, unit = \"m\" }\nc = "
+               "{ value = ") +
+           stiffness + ", unit = \"N/m\" }\n[coordinates]\nq = { unit = \"m\", start = 1, start_rate = " + rate +
+           " }\n[bodies.b]\nmass = \"m\"\nposition = [\"q\", 0, 0]\n[potentials.p]\nenergy = \"c*q^2/2\"\n[runs.reference]\nuntil = " +
+           until + "\n";
 }
 
 /// The classical Runge-Kutta method for q'' = -q in double, seen at 51 points: largest errors of q and q', which are 1 at most.
@@ -30,7 +34,8 @@ double error_of_rk4(std::size_t steps, double until) {
     double error = 0;
     for (std::size_t i = 1; i <= steps; ++i) {
         const auto [q, v] = x;
-        const double k1 = v, l1 = -q, k2 = v + h / 2 * l1, l2 = -(q + h / 2 * k1), k3 = v + h / 2 * l2, l3 = -(q + h / 2 * k2), k4 = v + h * l3, l4 = -(q + h * k3);
+        const double k1 = v, l1 = -q, k2 = v + h / 2 * l1, l2 = -(q + h / 2 * k1), k3 = v + h / 2 * l2, l3 = -(q + h / 2 * k2),
+                     k4 = v + h * l3, l4 = -(q + h * k3);
         x = {q + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4), v + h / 6 * (l1 + 2 * l2 + 2 * l3 + l4)};
         const double t = h * static_cast<double>(i);
         if (i % (steps / 50) == 0) error = std::max({error, std::fabs(x[0] - std::cos(t)), std::fabs(x[1] + std::sin(t))});
@@ -43,7 +48,8 @@ double error_of_rk4(std::size_t steps, double until) {
 TEST_CASE("errors of an oscillator are those of an integration by hand, and a stopped measurement goes on") {
     const Folder place;
     const std::string model = place.write("mass.toml", one_mass("1", "0", "10"));
-    const std::vector<std::string> call{model, "--methods", "rk4,dopri5", "--arithmetics", "float,double", "--limit", "2", "--no-plot", "--format", "json", "-o", place.path()};
+    const std::vector<std::string> call{model, "--methods", "rk4,dopri5", "--arithmetics", "float,double", "--limit",
+                                        "2",   "--no-plot", "--format",   "json",          "-o",           place.path()};
     // Results cannot be written where a folder is in the way: what was measured stays.
     std::filesystem::create_directory(place.path() / "mass_cost.csv");
     const Answer stopped = cost(call);
@@ -88,7 +94,8 @@ TEST_CASE("errors of an oscillator are those of an integration by hand, and a st
 TEST_CASE("where a disturbance grows like exp(t), errors are counted as long as it is small") {
     const Folder place;
     const std::string model = place.write("mass.toml", one_mass("-1", "-1", "25"));
-    const Answer told = cost({model, "--methods", "dopri5", "--arithmetics", "double", "--limit", "2", "--no-plot", "--format", "json", "-o", place.path()});
+    const Answer told = cost(
+        {model, "--methods", "dopri5", "--arithmetics", "double", "--limit", "2", "--no-plot", "--format", "json", "-o", place.path()});
     REQUIRE(told.code == 0);
     const nlohmann::json reference = told.json()["machines"][0]["reference"];
     CHECK(reference["growth"] > 1e10);
@@ -99,7 +106,10 @@ TEST_CASE("where a disturbance grows like exp(t), errors are counted as long as 
 TEST_CASE("a closed form is the reference of what it gives, and one that is wrong is refused") {
     const Folder place;
     const std::string model = one_mass("1", "0", "10");
-    const auto with = [&](const std::string& form) { return cost({place.write("mass.toml", model + "exact = { q = \"" + form + "\" }\n"), "--methods", "rk4", "--arithmetics", "double", "--limit", "2", "--no-plot", "--format", "json", "-o", place.path()}); };
+    const auto with = [&](const std::string& form) {
+        return cost({place.write("mass.toml", model + "exact = { q = \"" + form + "\" }\n"), "--methods", "rk4", "--arithmetics", "double",
+                     "--limit", "2", "--no-plot", "--format", "json", "-o", place.path()});
+    };
     const Answer right = with("a*cos(sqrt(c/m)*t)");
     REQUIRE(right.code == 0);
     CHECK(right.json()["machines"][0]["reference"]["closed_forms"] == nlohmann::json{"q"});
@@ -113,7 +123,8 @@ TEST_CASE("a closed form is the reference of what it gives, and one that is wron
 TEST_CASE("a budget is kept, or refused with what would be needed") {
     const Folder place;
     const std::string model = place.write("mass.toml", one_mass("1", "0", "10"));
-    const Answer fits = cost({model, "--budget", "10 ms step, 1 ms", "--methods", "euler,rk4", "--arithmetics", "double", "--limit", "2", "--format", "json"});
+    const Answer fits = cost(
+        {model, "--budget", "10 ms step, 1 ms", "--methods", "euler,rk4", "--arithmetics", "double", "--limit", "2", "--format", "json"});
     REQUIRE(fits.code == 0);
     const nlohmann::json json = fits.json();
     CHECK(json["budget"]["step"] == 0.01);
@@ -121,8 +132,10 @@ TEST_CASE("a budget is kept, or refused with what would be needed") {
     CHECK(json["best"]["method"] == "rk4");
     CHECK(json["best"]["arithmetic"] == "double");
     for (const auto& candidate : json["candidates"])
-        if (candidate["method"] == "rk4" && candidate["arithmetic"] == "double" && candidate["parts"] == 1) CHECK(candidate["error"] == doctest::Approx(error_of_rk4(1000, 10)).epsilon(1e-2));
-    const Answer never = cost({model, "--budget", "10 ms step, 1e-6 us", "--methods", "euler,rk4", "--arithmetics", "double", "--limit", "2"});
+        if (candidate["method"] == "rk4" && candidate["arithmetic"] == "double" && candidate["parts"] == 1)
+            CHECK(candidate["error"] == doctest::Approx(error_of_rk4(1000, 10)).epsilon(1e-2));
+    const Answer never =
+        cost({model, "--budget", "10 ms step, 1e-6 us", "--methods", "euler,rk4", "--arithmetics", "double", "--limit", "2"});
     CHECK(never.code == 1);
     CHECK(never.out.find("none fits: the fastest that reaches the end takes") != std::string::npos);
     const Answer coarse = cost({model, "--budget", "1 s step, 1 ms", "--methods", "rk4", "--limit", "2"});

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "run/optimum.hpp"
 #include "generator/command/verb.hpp"
+#include "run/optimum.hpp"
 
 using namespace dalembert;
 
@@ -46,7 +46,8 @@ double distance_with_drag(double alpha) {
 }  // namespace
 
 TEST_CASE("the best angle in vacuum is (2.65), its distance (2.64)") {
-    const Answer answer = optimise({projectile, "--run", "flight_vacuum", "--maximise", "distance", "--over", "alpha=10deg:80deg", "--format", "json"});
+    const Answer answer =
+        optimise({projectile, "--run", "flight_vacuum", "--maximise", "distance", "--over", "alpha=10deg:80deg", "--format", "json"});
     REQUIRE(answer.code == 0);
     CHECK(answer.err.empty());
     const auto json = answer.json();
@@ -58,13 +59,16 @@ TEST_CASE("the best angle in vacuum is (2.65), its distance (2.64)") {
     CHECK(json.at("place") == "inside");
     CHECK(json.at("event") == "ground");
     CHECK(json.at("others").empty());
-    const auto x = [](double a) { return v * std::cos(a) * (v * std::sin(a) + std::sqrt(v * v * std::pow(std::sin(a), 2) + 2 * g * h)) / g; };
+    const auto x = [](double a) {
+        return v * std::cos(a) * (v * std::sin(a) + std::sqrt(v * v * std::pow(std::sin(a), 2) + 2 * g * h)) / g;
+    };
     const double curvature = (x(alpha + 1e-3) - 2 * x(alpha) + x(alpha - 1e-3)) / 1e-6;
     CHECK(std::fabs(json.at("second_derivative").get<double>() / curvature - 1) < 1e-4);
 }
 
 TEST_CASE("with drag, where no formula exists") {
-    const Answer answer = optimise({projectile, "--run", "flight", "--maximise", "distance", "--over", "alpha=10deg:80deg", "--format", "json"});
+    const Answer answer =
+        optimise({projectile, "--run", "flight", "--maximise", "distance", "--over", "alpha=10deg:80deg", "--format", "json"});
     REQUIRE(answer.code == 0);
     const auto json = answer.json();
     const double alpha = json.at("at").get<double>();
@@ -77,8 +81,10 @@ TEST_CASE("with drag, where no formula exists") {
 
 TEST_CASE("what is minimised, several optima, ends of the range, runs that stop") {
     const Folder folder;
-    const std::string head = "[model]\nformat = 1\nname = \"waves\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\nw = { value = 1, unit = \"1/s\" }\n"
-                             "[coordinates]\nq = { unit = \"m\", start_rate = 1 }\n[bodies.b]\nmass = \"m\"\nposition = [\"q\", 0, 0]\n[runs.reference]\nuntil = 1\n";
+    const std::string head =
+        "[model]\nformat = 1\nname = \"waves\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\nw = { value = 1, unit = \"1/s\" }\n"
+        "[coordinates]\nq = { unit = \"m\", start_rate = 1 }\n[bodies.b]\nmass = \"m\"\nposition = [\"q\", 0, 0]\n[runs.reference]\nuntil "
+        "= 1\n";
     const std::string waves = folder.write("waves.toml", head + "[outputs]\ny = { value = \"q*sin(w*t)*exp(-w*t/10)\", unit = \"m\" }\n");
     const Answer several = optimise({waves, "--maximise", "y", "--over", "w=0.5:10", "--format", "json"});
     REQUIRE(several.code == 0);
@@ -117,7 +123,8 @@ TEST_CASE("bad questions") {
     asked({"--run", "flying", "--maximise", "distance", "--over", "alpha=10deg:80deg"}, "the model has no run 'flying'");
     asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=80deg:10deg"}, "give the smaller value first");
     asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=0deg:80deg"}, "its range begins at");
-    asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=10m:80m"}, "the value of 'alpha' must be in '1', but '10m' is in 'm'");
+    asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=10m:80m"},
+          "the value of 'alpha' must be in '1', but '10m' is in 'm'");
     asked({"--run", "flight", "--maximise", "distance", "--over", "alpha=10deg"}, "is not of the form PARAMETER=LOW:HIGH");
     asked({"--run", "flight", "--over", "alpha=10deg:80deg"}, "give either --maximise OUTPUT or --minimise OUTPUT");
 }

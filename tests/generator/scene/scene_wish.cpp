@@ -41,10 +41,13 @@ TEST_CASE("a scene is asked for with effects added or left out") {
 }
 
 TEST_CASE("scenes that cannot be asked for") {
-    CHECK(refusal("mechanics/projectile", "atmosphere-wind") == "model 'projectile' has no effect 'wind', which 'atmosphere-wind' should leave out; its effects are 'air' and 'ground'");
-    CHECK(refusal("mechanics/projectile", "space-air") == "model 'projectile' has no scene 'space'; its scenes are 'vacuum', 'atmosphere', 'flight_vacuum' and 'flight'");
+    CHECK(refusal("mechanics/projectile", "atmosphere-wind") ==
+          "model 'projectile' has no effect 'wind', which 'atmosphere-wind' should leave out; its effects are 'air' and 'ground'");
+    CHECK(refusal("mechanics/projectile", "space-air") ==
+          "model 'projectile' has no scene 'space'; its scenes are 'vacuum', 'atmosphere', 'flight_vacuum' and 'flight'");
     CHECK(refusal("mechanics/projectile", "atmosphere+air") == "scene 'atmosphere' already has 'air', so it cannot be added");
     CHECK(refusal("mechanics/projectile", "vacuum-air") == "scene 'vacuum' already lacks 'air', so it cannot be left out");
-    CHECK(refusal("hydraulics/hydraulic_cylinder", "real-compressible") == "scene 'real-compressible' leaves out 'compressible', which 'thermal' implies");
+    CHECK(refusal("hydraulics/hydraulic_cylinder", "real-compressible") ==
+          "scene 'real-compressible' leaves out 'compressible', which 'thermal' implies");
     CHECK(refusal("heat/block", "rows+columns") == "scene 'rows+columns' contains 'rows' and 'columns', two levels of 'bound'");
 }
