@@ -78,8 +78,8 @@ private:
             diagnostics_.error(
                 Id::unit_mismatch, friction.coefficient->span,
                 fmt::format("the force of friction '{}' is its coefficient times its normal force; it must be in '{}', but is in '{}'",
-                            friction.name, force.described(), (normal.dimension * sliding.dimension).described()),
-                {{friction.normal_force->span, fmt::format("the normal force is in '{}'", normal.dimension.described())}});
+                            friction.name, force.usual_unit(), (normal.dimension * sliding.dimension).usual_unit()),
+                {{friction.normal_force->span, fmt::format("the normal force is in '{}'", normal.dimension.usual_unit())}});
     }
 
     void agree(const Profile& profile, const ItemUnits& units) {

@@ -69,8 +69,8 @@ Measure Units::mismatch(const Expression& at, std::string message, std::initiali
 void Units::expect(const Expression& expression, const Dimension& expected, const std::string& what, const Bound& bound) {
     const Measure measure = of(expression, bound);
     if (!measure.fits_all && measure.dimension != expected)
-        mismatch(expression, fmt::format("{} must be in '{}', but '{}' is in '{}'", what, expected.described(), expression.written(),
-                                         measure.dimension.described()), {&expression});
+        mismatch(expression, fmt::format("{} must be in '{}', but '{}' is in '{}'", what, expected.usual_unit(), expression.written(),
+                                         measure.dimension.usual_unit()), {&expression});
 }
 
 Dimension Units::of_coordinate(std::string_view name) const {
@@ -84,15 +84,15 @@ Measure Units::agreeing(const Expression& whole, const Expression& a, const Meas
     const bool lacks_unit = is_plain_number(a) || is_plain_number(b);
     return mismatch(
         whole,
-        fmt::format("'{}' is in '{}' while '{}' is in '{}'; the two must agree{}", a.written(), ma.dimension.described(), b.written(),
-                    mb.dimension.described(), lacks_unit ? "; write the unit of a number after it, as in '(5 bar)'" : ""),
+        fmt::format("'{}' is in '{}' while '{}' is in '{}'; the two must agree{}", a.written(), ma.dimension.usual_unit(), b.written(),
+                    mb.dimension.usual_unit(), lacks_unit ? "; write the unit of a number after it, as in '(5 bar)'" : ""),
         {&a, &b});
 }
 
 void Units::dimensionless(const Expression& e, const std::string& what, const Bound& bound) {
     const Measure measure = of(e, bound);
     if (!measure.fits_all && !measure.dimension.is_none())
-        mismatch(e, fmt::format("{} must be dimensionless, but '{}' is in '{}'", what, e.written(), measure.dimension.described()), {&e});
+        mismatch(e, fmt::format("{} must be dimensionless, but '{}' is in '{}'", what, e.written(), measure.dimension.usual_unit()), {&e});
 }
 
 Measure Units::of(const Expression& e, const Bound& bound) {
@@ -131,7 +131,7 @@ Measure Units::power(const Expression& e, const Bound& bound) {
     const auto exponent = constant_value(*e.children[1]);
     if (!exponent)
         return mismatch(e, fmt::format("'{}' is in '{}' and can only be raised to a power that is a number", e.children[0]->written(),
-                                       base.dimension.described()), {e.children[0].get()});
+                                       base.dimension.usual_unit()), {e.children[0].get()});
     const auto numerator = to_int(cln::numerator(*exponent));
     const auto denominator = to_int(cln::denominator(*exponent));
     if (!numerator || !denominator || std::abs(*numerator) > 24 || *denominator > 24)

@@ -202,6 +202,8 @@ ExitCode equilibrium_command(const Options& options, Streams streams) {
     result.is_motion = !options.moving.empty();
     result.states = with_values(states, found.x);
     result.inputs = with_values(inputs, found.u);
+    for (std::size_t i = 0; i < found.y.size(); ++i)
+        result.outputs.push_back({system.outputs[i].name, found.y[i], system.outputs[i].unit});
     if (found.linearisation) result.linearisation = linearisation_of(*found.linearisation, states);
     else result.restless = restless_state(states, moving, found.x, found.rates, result.residual);
     if (result.found()) streams.err << doubts_of_found(values, system, found.x, found.u);

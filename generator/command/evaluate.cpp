@@ -23,7 +23,12 @@ using GiNaC::ex;
 
 namespace {
 
-using Named = std::vector<std::pair<std::string, ex>>;
+struct NamedValue {
+    std::string name;
+    ex value;
+    std::string unit;  ///< in SI; empty where the model gives none
+};
+using Named = std::vector<NamedValue>;
 
 /// Values as decimals. Results are correct in all digits that are asked for as long as no more than twice as many cancel.
 class Evaluation {
@@ -41,7 +46,7 @@ public:
     std::optional<std::string> why_mode_refuses() const { return dalembert::why_mode_refuses(system_, at_, digits_); }
     EvaluateResult::Numbers operator()(const Named& entries) const {
         EvaluateResult::Numbers numbers;
-        for (const auto& [name, value] : entries) numbers.emplace_back(name, (*this)(name, value));
+        for (const auto& [name, value, unit] : entries) numbers.push_back({name, (*this)(name, value), unit});
         return numbers;
     }
 
@@ -80,13 +85,13 @@ Named symbols_of(const System& system, std::initializer_list<SymbolKind> kinds) 
     for (const SymbolKind kind : kinds)
         for (const Variable& variable : system.symbols.all(kind))
             if (kind != SymbolKind::coordinate || system.symbols.has_value(variable.position))
-                entries.emplace_back(variable.name, variable.symbol);
+                entries.push_back({variable.name, variable.symbol, variable.unit});
     return entries;
 }
 
 Named outputs_of(const System& system) {
     Named outputs;
-    for (const OutputEquation& output : system.outputs) outputs.emplace_back(output.name, output.value);
+    for (const OutputEquation& output : system.outputs) outputs.push_back({output.name, output.value, output.unit});
     return outputs;
 }
 
@@ -94,19 +99,21 @@ Named unknowns_of_loads(const System& system) {
     Named unknowns;
     for (const Load* item : system.scene.loads) {
         const LoadSolution& load = system.load(item->name, item->span);
-        for (std::size_t k = 0; k < load.unknowns.size(); ++k) unknowns.emplace_back(item->unknowns[k].name, load.unknowns[k]);
+        for (std::size_t k = 0; k < load.unknowns.size(); ++k) unknowns.push_back({item->unknowns[k].name, load.unknowns[k], item->unknowns[k].unit.si()});
     }
     return unknowns;
 }
 
 Named energies_and_powers(const System& system) {
-    Named powers{{"kinetic_energy", system.kinetic_energy},
-                 {"potential_energy", system.potential_energy},
-                 {"supplied_power", system.supplied_power},
-                 {"dissipated_power", system.dissipated_power},
-                 {"prescribed_power", system.prescribed_power}};
-    if (system.has_balances()) powers.emplace_back("internal_energy", system.internal_energy);
-    if (system.has_exchange()) powers.emplace_back("exchanged_power", system.exchanged_power);
+    Named powers;
+    const auto add = [&](const char* quantity, const ex& value) { powers.push_back({quantity, value, find_quantity(quantity)->unit}); };
+    add("kinetic_energy", system.kinetic_energy);
+    add("potential_energy", system.potential_energy);
+    add("supplied_power", system.supplied_power);
+    add("dissipated_power", system.dissipated_power);
+    add("prescribed_power", system.prescribed_power);
+    if (system.has_balances()) add("internal_energy", system.internal_energy);
+    if (system.has_exchange()) add("exchanged_power", system.exchanged_power);
     return powers;
 }
 

@@ -112,7 +112,7 @@ GalleryRun run_entry(const GalleryMachine& entry) {
         const Plot& plot = simulation.settings.plots.front();
         panel = {plot.title, plot.x, plot.y};
     }
-    result.picture = small_plot(in_units(run.recording, simulation.units), panel);
+    result.picture = small_plot(for_plots(run.recording, simulation.units), panel);
     result.stiff_steps = simulation.run.method == "automatic" ? run.outcome.steps_by.back() : 0;
     result.status = to_string(run.outcome.status);
     result.is_good = run.outcome.status == Status::success || run.outcome.status == Status::event;

@@ -45,11 +45,16 @@ FileContents files(const Pages& pages, const Options& options) {
     return made;
 }
 
-Pages pages_for(const Pages& all, const Options& options) {
+Pages pages_for(const Pages& all, const Options& options, Streams streams) {
     if (options.topic.empty()) return options.format == "text" ? Pages{index_page(all)} : all;
     Pages found = pages_about(all, options.topic);
     if (found.empty()) {
         const std::string hint = did_you_mean(options.topic, words_of(all));
+        found = pages_mentioning(all, options.topic);
+        if (!found.empty()) {
+            streams.err << fmt::format("dalembert: the reference has no entry '{}'{}; these entries mention it:\n", options.topic, hint);
+            return found;
+        }
         throw Failure(Diagnostic{Id::bad_option, {},
                                  fmt::format("the reference has no word '{}'{}", options.topic,
                                              hint.empty() ? "; `dalembert help` lists the pages" : hint)});
@@ -68,7 +73,7 @@ ExitCode help_command(const Options& options, Streams streams) {
         streams.out << text.make();
         return ExitCode::good;
     }
-    const Pages pages = pages_for(reference_pages(), options);
+    const Pages pages = pages_for(reference_pages(), options, streams);
     if (!options.pages.empty()) {
         write_files(files(pages, options));
     } else if (is_html) {

@@ -32,7 +32,8 @@ void refuse_other_machines(const System& system) {
     const auto& q = system.symbols.all(SymbolKind::coordinate);
     if (q.empty())
         refuse(scene.model->name_span,
-               fmt::format("scene '{}' has no coordinates, so it has no mass matrix and no modal form", scene.name));
+               fmt::format("scene '{}' has no coordinates, so it has no mass matrix and no modal form; `dalembert equilibrium` prints "
+                           "the eigenvalues of such a model", scene.name));
     if (system.symbols.positions() != q.size())
         refuse(q[system.symbols.attitudes().front().coordinates[0]].declared->span,
                "an attitude is a quaternion, with more states than velocities; a modal form needs coordinates, such as angles");

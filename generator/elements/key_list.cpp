@@ -7,8 +7,9 @@ std::string unit_of(const Key& key) {
     if (key.unit) return key.names == nothing ? key.unit->written : "that of the name";
     if (!key.dimension) return {};
     const int power = key.dimension->exponent(6).numerator;
-    const std::string rest = (*key.dimension / own_unit().dimension.raised({power, 1})).usual_unit();
-    if (power == 0) return rest;
+    const std::string usual = (*key.dimension / own_unit().dimension.raised({power, 1})).usual_unit();
+    if (power == 0) return usual;
+    const std::string rest = usual.substr(0, usual.find(" or "));
     const std::string own = std::abs(power) == 1 ? "U" : fmt::format("U^{}", std::abs(power));
     if (power < 0) return rest + "/" + own;
     return rest == "1" ? own : rest.starts_with("1/") ? own + rest.substr(1) : rest + "*" + own;

@@ -2,6 +2,7 @@
 // What is compiled around a generated header: a plant with the inputs of a run, and programs that measure it.
 #pragma once
 
+#include "elements/runs.hpp"
 #include "emit/header.hpp"
 
 namespace dalembert {

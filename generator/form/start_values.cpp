@@ -11,7 +11,9 @@ using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::numeric;
 
-StartValues::StartValues(const System& system) : StartValues(system, Values(system.scene, system.translate)) {}
+StartValues::StartValues(const System& system) : StartValues(system, Values(system.scene, system.translate)) {
+    when_ = "at the start with the values of the model file";
+}
 
 StartValues::StartValues(const System& system, const Values& values) : system_(system), start_(values.substitution()) {
     add_steps(start_, system.symbols, 30);
@@ -39,7 +41,7 @@ void StartValues::check(const SignRule& rule, const ex& e, const Span& place, co
     const char* must = number ? broken(rule, number->csgn(), (*number - 1).csgn()) : "must be above zero";
     if (must == nullptr) return;
     const std::string shown = number ? fmt::format("{:.6g}{}", number->to_double(), with_space(rule.unit)) : "no number";
-    throw Failure(Diagnostic{Id::value_out_of_range, place, fmt::format("{} is {} at the start, but {}", what, shown, must)});
+    throw Failure(Diagnostic{Id::value_out_of_range, place, fmt::format("{} is {} {}, but {}", what, shown, when_, must)});
 }
 
 }  // namespace dalembert

@@ -8,6 +8,7 @@ namespace dalembert {
 
 class StartValues {
 public:
+    /// The values of the model file.
     explicit StartValues(const System& system);
     StartValues(const System& system, const Values& values);
 
@@ -21,6 +22,7 @@ public:
 
 private:
     const System& system_;
+    const char* when_ = "at the start";
     GiNaC::exmap start_;
 };
 

@@ -76,20 +76,6 @@ std::string Dimension::in_base_units() const {
     return below.find('*') == std::string::npos ? fmt::format("{}/{}", above, below) : fmt::format("{}/({})", above, below);
 }
 
-std::string Dimension::described() const {
-    struct Named {
-        Dimension dimension;
-        const char* name;
-    };
-    static const std::array named{
-        Named{force(), "N"}, Named{energy(), "J or N*m"}, Named{power(), "W"}, Named{force() / length() / length(), "Pa"},
-        Named{force() / length(), "N/m"}, Named{force() / speed(), "N*s/m"},
-    };
-    for (const Named& entry : named)
-        if (entry.dimension == *this) return fmt::format("{} ({})", in_base_units(), entry.name);
-    return in_base_units();
-}
-
 std::string Dimension::usual_unit() const {
     struct Named {
         Dimension dimension;
@@ -97,11 +83,23 @@ std::string Dimension::usual_unit() const {
     };
     const Dimension surface = length() * length();
     const std::array named{
-        Named{force(), "N"}, Named{energy(), "J"}, Named{power(), "W"}, Named{pressure(), "Pa"},
-        Named{force() / length(), "N/m"}, Named{force() / speed(), "N*s/m"}, Named{energy() * time(), "J*s"},
-        Named{energy() / mass(), "J/kg"}, Named{energy() / mass() / temperature(), "J/(kg*K)"},
-        Named{power() / temperature(), "W/K"}, Named{power() / length() / temperature(), "W/(m*K)"},
-        Named{power() / surface, "W/m^2"}, Named{power() / surface / temperature(), "W/(m^2*K)"}, Named{power() / volume(), "W/m^3"},
+        Named{force(), "N"},
+        Named{energy(), "J or N*m"},
+        Named{power(), "W"},
+        Named{pressure(), "Pa"},
+        Named{pressure() * time(), "Pa*s"},
+        Named{force() / length(), "N/m"},
+        Named{force() / speed(), "kg/s or N*s/m"},
+        Named{energy() * time(), "J*s or N*m*s"},
+        Named{energy() / mass(), "J/kg or m^2/s^2"},
+        Named{energy() / mass() / temperature(), "J/(kg*K)"},
+        Named{energy() / temperature(), "J/K"},
+        Named{power() / temperature(), "W/K"},
+        Named{temperature() / power(), "K/W"},
+        Named{power() / length() / temperature(), "W/(m*K)"},
+        Named{power() / surface, "W/m^2"},
+        Named{power() / surface / temperature(), "W/(m^2*K)"},
+        Named{power() / volume(), "W/m^3"},
     };
     for (const Named& entry : named)
         if (entry.dimension == *this) return entry.name;

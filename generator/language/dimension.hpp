@@ -48,9 +48,7 @@ public:
 
     /// In base units: "kg*m/s^2", "1/s", "1".
     std::string in_base_units() const;
-    /// In base units, with the usual name where there is one: "kg*m/s^2 (N)".
-    std::string described() const;
-    /// The usual unit: "N", "W/(m*K)", else in base units.
+    /// The usual unit, or both where two are: "N", "J or N*m", "W/(m*K)"; else in base units.
     std::string usual_unit() const;
     Fraction exponent(std::size_t index) const { return exponents_[index]; }
 

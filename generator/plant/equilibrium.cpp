@@ -25,11 +25,15 @@ PlantEquilibrium find(const EquilibriumSearchOfPlant& search) {
                             numbers_of(found.x),
                             numbers_of(found.u),
                             {},
+                            {},
                             {}};
     State rates;
     system.rhs(found.x, found.u, 0.0, rates);
     result.rates = numbers_of(rates);
     if (found.status != Status::success) return result;
+    typename System::Output y;
+    system.output(found.x, found.u, 0.0, y);
+    result.y = numbers_of(y);
     const auto rows = search.takes_rows_of_plant ? constraint_rows(system, found.x, 0.0) : constraint_rows_of(search.rows);
     const auto linear = linearise(system, found.x, found.u, 0.0, rows);
     result.linearisation = PlantLinearisation{rows_of(linear.A), rows_of(linear.B), rows_of(linear.C), rows_of(linear.D),

@@ -40,7 +40,7 @@ struct PlantEquilibrium {
     std::string status, kind;
     std::size_t dimension = 0, iterations = 0;
     double residual = 0;
-    std::vector<double> x, u, rates;
+    std::vector<double> x, u, rates, y;
     std::optional<PlantLinearisation> linearisation;  ///< where there is an equilibrium
 };
 

@@ -70,8 +70,8 @@ std::optional<std::string> unit_problem(const System& system, const PrintedEquat
         if (diagnostics.has_errors()) return diagnostics.all().front().message;
         if (measure.fits_all) continue;
         if (common && measure.dimension != *common)
-            return fmt::format("'{}' is in '{}' while '{}' is in '{}'", first->written(), common->described(), side->written(),
-                               measure.dimension.described());
+            return fmt::format("'{}' is in '{}' while '{}' is in '{}'", first->written(), common->usual_unit(), side->written(),
+                               measure.dimension.usual_unit());
         common = measure.dimension;
         first = side.get();
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cctype>
 
 #include "reference/pages.hpp"
 
@@ -20,6 +21,11 @@ std::vector<Row> rows_called(const std::vector<Row>& rows, const std::string& na
         if (is_called || (row.level > 0 && takes_parts)) found.push_back(row);
     }
     return found;
+}
+
+bool mentions(const std::string& text, const std::string& word) {
+    const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+    return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
 }  // namespace
@@ -44,6 +50,27 @@ Pages pages_about(const Pages& pages, const std::string& word) {
             rest.rows = rows_called(section.rows, word);
             if (rest.rows.empty() && has_section) rest.rows = rows_called(section.rows, word.substr(point + 1));
             if (!rest.rows.empty() && section.link.empty()) part.sections.push_back(std::move(rest));
+        }
+        if (!part.sections.empty()) found.push_back(std::move(part));
+    }
+    return found;
+}
+
+Pages pages_mentioning(const Pages& pages, const std::string& word) {
+    Pages found;
+    for (const Page& page : pages) {
+        Page part{page.name, page.title, {}, {}};
+        for (const Section& section : page.sections) {
+            if (!section.link.empty()) continue;  // its rows are sections of another page
+            Section rest{section.name};
+            rest.columns = section.columns;
+            rest.rows_are = section.rows_are;
+            rest.docs_are = section.docs_are;
+            const bool is_about = mentions(section.name, word) || mentions(section.doc, word);
+            if (is_about) rest.doc = section.doc;
+            for (const Row& row : section.rows)
+                if (mentions(row.name, word) || mentions(row.doc, word)) rest.rows.push_back(row);
+            if (is_about || !rest.rows.empty()) part.sections.push_back(std::move(rest));
         }
         if (!part.sections.empty()) found.push_back(std::move(part));
     }

@@ -19,6 +19,8 @@ Page json_page();
 /// What the pages say of a word: the name of a page, of a section ("bodies"), of a row ("mass") or of both ("bodies.mass"). Of each page
 /// the sections and rows with that name remain. Empty when there is none.
 Pages pages_about(const Pages& pages, const std::string& word);
+/// Where pages_about finds nothing: the sections and rows whose name or sentences contain the word, whatever its case.
+Pages pages_mentioning(const Pages& pages, const std::string& word);
 /// Every word for which there is something.
 std::vector<std::string> words_of(const Pages& pages);
 

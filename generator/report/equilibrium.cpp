@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include "report/json_output.hpp"
 #include "text/nearest.hpp"
@@ -33,6 +36,29 @@ std::string headline(const EquilibriumResult& result) {
     return result.is_motion ? "a steady motion\n" : "an isolated equilibrium\n";
 }
 
+/// "21.8 h".
+std::string duration_text(double seconds) {
+    struct Unit {
+        double size;
+        const char* name;
+    };
+    constexpr std::array units{Unit{86400, "d"}, Unit{3600, "h"}, Unit{60, "min"}};
+    for (const Unit& unit : units)
+        if (seconds >= 2 * unit.size) return fmt::format("{:.4g} {}", seconds / unit.size, unit.name);
+    return fmt::format("{:.4g} s", seconds);
+}
+
+/// The time in which the motion decays, or grows, by the factor e, and its period; nothing for an eigenvalue that is only rounding.
+std::string times_text(const Complex& value, double largest) {
+    std::string text;
+    const double rounding = 1e-12 * largest;
+    if (std::abs(value.real()) > rounding)
+        text += fmt::format("   {} {}", value.real() < 0 ? "time constant" : "grows with", duration_text(1 / std::abs(value.real())));
+    if (std::abs(value.imag()) > rounding)
+        text += fmt::format("{} period {}", text.empty() ? "  " : ",", duration_text(2 * std::numbers::pi / std::abs(value.imag())));
+    return text;
+}
+
 std::string eigenvalues_text(const EquilibriumLinearisation& linear, std::size_t states) {
     std::string text;
     if (linear.free_states.size() < states) {
@@ -43,19 +69,28 @@ std::string eigenvalues_text(const EquilibriumLinearisation& linear, std::size_t
     } else {
         text += "eigenvalues of A [1/s]\n";
     }
-    for (const Complex& value : linear.eigenvalues) text += fmt::format("  {:>12.6g} {:+.6g} i\n", value.real() + 0.0, value.imag() + 0.0);
+    double largest = 0;
+    for (const Complex& value : linear.eigenvalues) largest = std::max(largest, std::abs(value));
+    for (const Complex& value : linear.eigenvalues)
+        text += fmt::format("  {:>12.6g} {:<16}{}\n", value.real() + 0.0, fmt::format("{:+.6g} i", value.imag() + 0.0), times_text(value, largest));
     return text;
 }
 
 }  // namespace
 
 std::string as_text(const EquilibriumResult& result) {
-    std::string text = result.subject.title() + ": " + headline(result) + values_text(result.states) + values_text(result.inputs);
+    std::string text = result.subject.title() + ": " + headline(result) + values_text(result.states) + values_text(result.inputs) +
+                       values_text(result.outputs);
     if (!result.found()) return text;
     const EquilibriumLinearisation& linear = *result.linearisation;
-    for (const auto& [name, rows] :
-         {std::pair("A", &linear.A), std::pair("B", &linear.B), std::pair("C", &linear.C), std::pair("D", &linear.D)})
-        if (!rows->empty()) text += fmt::format("{}\n", name) + rows_text(*rows);
+    const auto add = [&](const char* title, const MatrixRows& rows, const std::vector<ResultValue>& of_rows, const char* rate_of,
+                         const std::vector<ResultValue>& of_columns) {
+        if (!rows.empty() && !of_columns.empty()) text += title + rows_text(rows, names_of(of_rows, rate_of), names_of(of_columns));
+    };
+    add("A\n", linear.A, result.states, "d/dt ", result.states);
+    add("B\n", linear.B, result.states, "d/dt ", result.inputs);
+    add("C\n", linear.C, result.outputs, "", result.states);
+    add("D\n", linear.D, result.outputs, "", result.inputs);
     return text + eigenvalues_text(linear, result.states.size());
 }
 
@@ -70,6 +105,7 @@ nlohmann::ordered_json as_json(const EquilibriumResult& result) {
     json["state"] = json_object(result.states);
     json["input"] = json_object(result.inputs);
     if (!result.found()) return json;
+    json["output"] = json_object(result.outputs);
     const EquilibriumLinearisation& linear = *result.linearisation;
     json["A"] = linear.A;
     json["B"] = linear.B;

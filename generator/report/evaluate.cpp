@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 
@@ -27,8 +28,11 @@ constexpr std::array evaluated_groups{
 };
 
 std::string lines(const char* title, const EvaluateResult::Numbers& numbers) {
+    std::size_t width = 0;
+    for (const auto& one : numbers) width = std::max(width, one.value.size());
     std::string text = numbers.empty() ? "" : fmt::format("{}\n", title);
-    for (const auto& [name, number] : numbers) text += fmt::format("  {:<20} {}\n", name, number);
+    for (const auto& [name, number, unit] : numbers)
+        text += fmt::format("  {:<20} {:<{}}{}\n", name, number, unit.empty() ? 0 : width, unit.empty() ? "" : " " + unit);
     return text;
 }
 
@@ -57,14 +61,14 @@ nlohmann::ordered_json as_json(const EvaluateResult& result) {
     if (!result.subject.mode.empty()) json["mode"] = result.subject.mode;
     const auto add = [&](const char* key, const EvaluateResult::Numbers& numbers) {
         json[key] = nlohmann::ordered_json::object();
-        for (const auto& [name, value] : numbers) json[key][name] = number(value);
+        for (const auto& [name, value, unit] : numbers) json[key][name] = number(value);
     };
     for (const EvaluatedGroup& group : evaluated_groups) add(group.key, result.*group.numbers);
     if (!result.unknowns.empty()) add("unknown", result.unknowns);
     for (const EvaluateResult::AtRest& one : result.frictions)
         json["sticking"][one.name] = {
             {"sticks", one.sticks}, {"margin", number(one.margin)}, {"needed_coefficient", number(one.needed_coefficient)}};
-    for (const auto& [name, value] : result.energies_and_powers) json[name] = number(value);
+    for (const auto& [name, value, unit] : result.energies_and_powers) json[name] = number(value);
     return json;
 }
 

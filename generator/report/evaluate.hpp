@@ -12,7 +12,10 @@ namespace dalembert {
 
 /// Values at one point, in SI. Numbers are decimals with as many significant digits as were asked for, which may be more than a double has.
 struct EvaluateResult {
-    using Numbers = std::vector<std::pair<std::string, std::string>>;  ///< names and values
+    struct Number {
+        std::string name, value, unit;  ///< the unit is empty where the model gives none
+    };
+    using Numbers = std::vector<Number>;
     struct AtRest {
         std::string name;                        ///< of the friction
         bool sticks;

@@ -3,18 +3,31 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace dalembert {
 
-std::string rows_text(const MatrixRows& rows) {
-    std::string text;
-    for (const auto& row : rows) {
-        text += " ";
-        for (const double value : row) text += fmt::format(" {:>12.5g}", value + 0.0);  // no -0
+std::string rows_text(const MatrixRows& rows, const std::vector<std::string>& row_names, const std::vector<std::string>& column_names) {
+    std::size_t width = 0;
+    for (const std::string& name : row_names) width = std::max(width, name.size());
+    std::vector<std::size_t> widths;
+    for (const std::string& name : column_names) widths.push_back(std::max<std::size_t>(12, name.size()));
+    std::string text = fmt::format("  {:<{}}", "", width);
+    for (std::size_t j = 0; j < column_names.size(); ++j) text += fmt::format(" {:>{}}", column_names[j], widths[j]);
+    text += "\n";
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        text += fmt::format("  {:<{}}", row_names[i], width);
+        for (std::size_t j = 0; j < rows[i].size(); ++j) text += fmt::format(" {:>{}.5g}", rows[i][j] + 0.0, widths[j]);  // no -0
         text += "\n";
     }
     return text;
+}
+
+std::vector<std::string> names_of(const std::vector<ResultValue>& values, const std::string& prefix) {
+    std::vector<std::string> names;
+    for (const ResultValue& one : values) names.push_back(prefix + one.name);
+    return names;
 }
 
 std::string values_text(const std::vector<ResultValue>& values) {

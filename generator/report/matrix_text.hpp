@@ -14,8 +14,10 @@ namespace dalembert {
 using Complex = std::complex<double>;
 using MatrixRows = std::vector<std::vector<double>>;
 
-/// A line each row.
-std::string rows_text(const MatrixRows& rows);
+/// A line with the names of the columns, then a line each row.
+std::string rows_text(const MatrixRows& rows, const std::vector<std::string>& row_names, const std::vector<std::string>& column_names);
+/// Each behind a prefix.
+std::vector<std::string> names_of(const std::vector<ResultValue>& values, const std::string& prefix = "");
 /// A line each.
 std::string values_text(const std::vector<ResultValue>& values);
 

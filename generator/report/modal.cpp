@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "report/json_output.hpp"
 #include "text/nearest.hpp"
@@ -44,14 +45,15 @@ std::string reduction_text(const ModalReduction& reduction) {
     return text + fmt::format(" 1/s: {}\n", quoted_list(reduction.apart));
 }
 
-std::string matrix_text(const ModalMatrix& matrix) {
-    if (matrix.rows.empty()) return "";
+std::string matrix_text(const ModalMatrix& matrix, const std::vector<std::string>& coordinates, const std::vector<std::string>& inputs) {
+    const std::vector<std::string>& columns = matrix.name == "B" ? inputs : coordinates;
+    if (matrix.rows.empty() || columns.empty()) return "";
     const std::string title = fmt::format("{}{}\n", matrix.name, matrix.definiteness.empty() ? "" : ", " + matrix.definiteness);
-    return matrix.definiteness == "zero" ? title : title + rows_text(matrix.rows);
+    return matrix.definiteness == "zero" ? title : title + rows_text(matrix.rows, coordinates, columns);
 }
 
 std::string table_of_modes(const std::vector<ModalMode>& modes) {
-    std::string text = fmt::format("modes{:26} {:>12} {:>12}   alpha\n", "", "rad/s", "damping");
+    std::string text = fmt::format("modes  eigenvalue [1/s] {:9} {:>12} {:>12} {:>12}   alpha (2.134)\n", "", "[rad/s]", "[Hz]", "damping");
     for (std::size_t k = 0; k < modes.size(); ++k) {
         const ModalMode& mode = modes[k];
         const double frequency = mode.frequency();
@@ -59,7 +61,8 @@ std::string table_of_modes(const std::vector<ModalMode>& modes) {
         const std::string value =
             mode.is_real ? written(mode.eigenvalue, frequency) : fmt::format("{}+- {:.5g}i", real, mode.eigenvalue.imag());
         const auto ratio = mode.damping_ratio();
-        text += fmt::format("  {:<3} {:<25} {:>12.5g} {:>12}   {}\n", k + 1, value, frequency,
+        text += fmt::format("  {:<4} {:<24} {:>12.5g} {:>12.5g} {:>12}   {}\n", k + 1, value, frequency,
+                            frequency / (2 * std::numbers::pi),
                             ratio ? fmt::format("{:.5g}", std::abs(*ratio) < 1e-10 ? 0.0 : *ratio) : "-",
                             mode.size > 1 ? fmt::format("coupled, block {}", mode.block) : written(mode.alpha, std::abs(mode.alpha)));
     }
@@ -116,7 +119,7 @@ std::string as_text(const ModalResult& result) {
     std::string text = result.subject.title() + ": " + headline(result);
     if (!result.is_linear) text += values_text(result.states) + values_text(result.inputs);
     if (result.reduction) text += reduction_text(*result.reduction);
-    for (const ModalMatrix& matrix : result.matrices) text += matrix_text(matrix);
+    for (const ModalMatrix& matrix : result.matrices) text += matrix_text(matrix, result.modal_coordinates(), names_of(result.inputs));
     if (result.found()) {
         text += table_of_modes(result.modes) + eigenvectors_text(result.modes, result.modal_coordinates()) + blocks_text(result.modes);
     } else if (!result.reduction || (result.reduction->is_closed && !result.reduction->coordinates.empty())) {

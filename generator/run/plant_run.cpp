@@ -2,6 +2,7 @@
 #include "run/plant_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -115,6 +116,21 @@ std::vector<ShownUnit> shown_units(const System& system) {
                          cln::double_approx(unit->offset)});
     }
     return units;
+}
+
+Recording for_plots(const Recording& recording, std::vector<ShownUnit> units) {
+    struct Unit {
+        const char* name;
+        double seconds, from;
+    };
+    constexpr std::array by_size{Unit{"d", 86400, 3 * 86400}, Unit{"h", 3600, 3 * 3600}, Unit{"min", 60, 20 * 60}};
+    const double span = recording.rows.empty() ? 0 : recording.rows.back()[0] - recording.rows.front()[0];
+    for (const Unit& unit : by_size) {
+        if (!(span >= unit.from)) continue;
+        units.push_back({recording.columns[0].name, unit.name, unit.seconds, 0});
+        break;
+    }
+    return in_units(recording, units);
 }
 
 }  // namespace dalembert

@@ -31,5 +31,7 @@ HeldRows held_rows(const System& system, const Values& values, bool may_change);
 
 /// What is recorded in a declared unit that is not SI.
 std::vector<ShownUnit> shown_units(const System& system);
+/// The recording for plots: in the units that the model declares, its time in minutes, hours or days where there are many.
+Recording for_plots(const Recording& recording, std::vector<ShownUnit> units);
 
 }  // namespace dalembert

@@ -59,6 +59,13 @@ std::string per_second(const Unit& unit) {
     return si.find('/') == std::string::npos ? si + "/s" : (unit.dimension / Dimension::time()).in_base_units();
 }
 
+/// "rad" becomes "rad/s^2".
+std::string per_second_squared(const Unit& unit) {
+    const std::string si = unit.si();
+    if (si == "1") return "1/s^2";
+    return si.find('/') == std::string::npos ? si + "/s^2" : (unit.dimension / Dimension::time() / Dimension::time()).in_base_units();
+}
+
 }  // namespace
 
 Symbols::Symbols(const Scene& scene, const Names& names) {
@@ -88,7 +95,8 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
             {item.name, member.index, is_member, rate_unit,
              item.quasi_axis ? std::string("angular velocity about the own ") + "xyz"[*item.quasi_axis] + " axis"
                              : "time derivative of " + member.name()});
-        add(SymbolKind::acceleration, "ddot(" + member.name() + ")", false, {item.name, member.index, is_member, "", ""});
+        add(SymbolKind::acceleration, "ddot(" + member.name() + ")", false,
+            {item.name, member.index, is_member, per_second_squared(item.unit), ""});
         if (!scene.modes.empty())
             add(SymbolKind::jerk, "dot(ddot(" + member.name() + "))", false, {item.name, member.index, is_member, "", ""});
     }
@@ -100,7 +108,8 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
         add(SymbolKind::state, name, item.root || stays_positive(item, names),
             {item.name, member.index, is_member, unit, item.root && !item.doc.empty() ? "root of: " + item.doc : item.doc, &item,
              item.root});
-        add(SymbolKind::state_rate, "dot(" + name + ")", false, {item.name, member.index, is_member, "", "", nullptr, item.root});
+        add(SymbolKind::state_rate, "dot(" + name + ")", false,
+            {item.name, member.index, is_member, item.root ? "" : per_second(item.unit), "", nullptr, item.root});
     }
     find_attitudes(scene);
     for (const auto& member : scene.constraints) {

@@ -34,7 +34,11 @@ expect 0 'degC .*degree Celsius' "$PROGRAM" help units
 expect 0 'number of intervals' "$PROGRAM" help simulate
 expect 2 'NAME=WHOLE_NUMBER' "$PROGRAM" derive "$model" --size N
 expect 2 'no size' "$PROGRAM" derive "$model" --size N=3
-expect 2 "did you mean 'bodies'" "$PROGRAM" help bodie
+expect 2 "did you mean 'bodies'" "$PROGRAM" help bodeis
+# A word without an entry shows the entries that mention it.
+expect 0 "no entry 'frequency'.*these entries mention it" "$PROGRAM" help frequency
+expect 0 '^modal' "$PROGRAM" help frequency
+expect 0 'ddot(s) .* m/s^2' "$PROGRAM" evaluate "$model"
 expect 2 "'q' is not a parameter of scene 'lab'" "$PROGRAM" generate "$model" --fix q -o "$here/none"
 expect 2 "did you mean 'm_W'" "$PROGRAM" generate "$model" --fix m_w -o "$here/none"
 expect 2 "'g' is fixed twice" "$PROGRAM" generate "$model" --fix g,g=9.8 -o "$here/none"
@@ -73,6 +77,8 @@ expect 2 'value-out-of-range' "$PROGRAM" simulate "$SOURCE/systems/mechanics/sph
 # What takes long to compile.
 if [ -n "${DALEMBERT_FULL:-}" ]; then
   expect 0 'isolated' "$PROGRAM" equilibrium "$model"
+  expect 0 '^  tip  *[-0-9.e]* m$' "$PROGRAM" equilibrium "$model"
+  expect 0 'd/dt dot(s)  *-36.099 ' "$PROGRAM" equilibrium "$model"
   # A linear system, one that is not and is linearised, and one of whose modes only some are free.
   expect 0 'coupled, block 1' "$PROGRAM" modal "$SOURCE/systems/mechanics/drive_train.toml"
   expect 0 "stiffness_matrix\[s, phi\] depends\|depends on 'phi'" "$PROGRAM" modal "$model" --state phi=0
