@@ -128,7 +128,7 @@ std::vector<std::pair<std::size_t, Slip>> slips_in(const System& system, const P
     for (std::size_t i = 0; i < entry.shown.size(); ++i)
         for (Slip& slip : slips_of(entry.shown[i], letters, options))
             if (entry.solved.empty() || slip.side != 0) found.emplace_back(i, std::move(slip));  // what is solved for is no slip
-    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.second.kind < b.second.kind; });
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return is_tried_before(a.second, b.second); });
     return found;
 }
 
@@ -172,6 +172,7 @@ std::optional<Suggestion> suggest(const System& system, const Member<PrintedEqua
         for (const ExpressionPtr& side : equation.sides) for_each(*side, [&](const Expression&) { ++parts; });
     if (parts > budget::suggestion_parts) return std::nullopt;  // its changes are as many, and each is as long
     SlipOptions options{true};
+    for (const PrintedLetter& letter : printed.shown_letters) options.said.insert(letter.name);
     if (text != nullptr) options.spelled = [text](const Expression& e) { return text->spelled(e); };
     std::size_t tried = 0;
     int quadratures = 0;
