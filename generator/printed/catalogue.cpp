@@ -302,7 +302,7 @@ PrintedEquation checked_entry(const Catalogue& catalogue, const CatalogueEntry& 
         return is_own || (named != nullptr && named->item->span.source == letter.span.source);
     };
     for (const CatalogueLetter* letter : letters_of(catalogue, entry, used))
-        if (letter->value && is_meant(*letter)) result.at.push_back({make_name(letter->name, letter->span), letter->value});
+        if (letter->value && is_meant(*letter)) result.at.push_back({make_name(letter->name, letter->span), letter->value, true});
     result.shown = result.equations;
     result.shown_letters = result.letters;
     take_matrices_apart(result);

@@ -279,6 +279,14 @@ std::string LatexText::spelled(const Expression& e) const {
 
 std::string LatexText::printed(std::size_t which) const { return on_one_line(equations_[which].span.text()); }
 
+LatexMacros LatexText::macros() const {
+    LatexMacros macros;
+    if (catalogue_.preamble) define_macros(macros, *catalogue_.preamble);
+    for (const auto& [name, body] : catalogue_.macros) define_macro(macros, name, body);
+    define_macros(macros, *entry_.latex);
+    return macros;
+}
+
 bool LatexText::reads_as(const std::string& latex, std::size_t which, const Equation& meant) const {
     CatalogueEntry other = entry_;
     other.latex = excerpt_of(std::make_shared<const Source>("mended", latex));
@@ -296,7 +304,7 @@ std::optional<std::string> LatexText::mended(std::size_t which, const Slip& slip
     const Excerpt& latex = *entry_.latex;
     const Span own = trimmed(from.span);
     const Span whole = latex.whole(), equation = equations_[which].span;
-    if (!is_printed(from) || whole.text() != latex.text) return std::nullopt;  // escapes
+    if (!is_printed(from) || !is_plain()) return std::nullopt;
     const std::string_view text = from.span.source->text();
     const auto with = [&](const Span& place, const std::string& instead) -> std::optional<std::string> {
         const auto between = [&](std::size_t begin, std::size_t end) { return std::string(text.substr(begin, end - begin)); };

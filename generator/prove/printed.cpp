@@ -311,8 +311,12 @@ PrintedCheck check_printed(const System& system, const Member<PrintedEquation>& 
                 one = {one.written, {Verdict::dimensionally_wrong, equation.sizes}};
             return one;
         }));
-    for (std::size_t i = 0; i < checked.equations.size(); ++i)
-        if (checked.equations[i].sizes.empty()) name_entry(result.equations[i].comparison, checked.equations[i].entry);
+    for (std::size_t i = 0; i < checked.equations.size(); ++i) {
+        PrintedResult& one = result.equations[i];
+        one.entry = checked.equations[i].entry;
+        one.is_left_out = !checked.equations[i].sizes.empty();
+        if (!one.is_left_out) name_entry(one.comparison, one.entry);
+    }
     return result;
 }
 
@@ -325,7 +329,7 @@ bool is_trivial(const System& system, const Member<PrintedEquation>& entry) {
         const auto is_row = [](const Equation& equation) { return !equation.entry.empty(); };
         const auto is_trivial = [&](const Equation& equation) { return check.is_trivial(equation); };
         std::vector<Equation> rows, others;
-        std::partition_copy(checked.equations.begin(), checked.equations.end(), std::back_inserter(rows), std::back_inserter(others), is_row);
+        for (const Equation& equation : checked.equations) (is_row(equation) ? rows : others).push_back(equation);
         return std::any_of(others.begin(), others.end(), is_trivial) ||
                (!rows.empty() && std::all_of(rows.begin(), rows.end(), is_trivial));
     }

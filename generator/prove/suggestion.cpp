@@ -142,6 +142,8 @@ std::pair<std::size_t, std::size_t> changed_part(std::string_view before, std::s
     const auto is_inside = [&](std::size_t i) { return (static_cast<unsigned char>(after[i]) & 0xC0) == 0x80; };  // of a character
     while (begin > 0 && begin < after.size() && is_inside(begin)) --begin;
     while (end < after.size() && is_inside(end)) ++end;
+    if (begin < after.size() && after[begin] == '\\' && end == begin + 1)
+        while (end < after.size() && is_letter(end)) ++end;
     std::size_t command = begin;
     while (command > 0 && is_letter(command - 1)) --command;
     if (command > 0 && after[command - 1] == '\\' && (begin == command || (begin < after.size() && is_letter(begin)))) {
