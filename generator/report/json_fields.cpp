@@ -126,6 +126,7 @@ constexpr auto of_check = std::to_array<JsonField>({
     {"summary.<VERDICT>", "of a catalogue: number of entries with this verdict; `entries` is the number of all"},
     {"files[]", "of several files: the result of each"},
     {"passed", "true if everything is as expected; exit code 0"},
+    {"pages[]", "with -o, the pages that were written"},
 });
 
 constexpr auto of_evaluate = std::to_array<JsonField>({
