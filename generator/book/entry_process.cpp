@@ -65,7 +65,11 @@ Json as_json(const PrintedRow& row) {
               {"equation", row.equation},
               {"reason", row.reason},
               {"difference", row.difference},
+              {"at", row.at},
+              {"given", row.given},
+              {"hint", row.hint},
               {"formulas", row.formulas},
+              {"meant", row.meant},
               {"derived", row.derived}};
     if (row.expected) json["expected"] = static_cast<int>(*row.expected);
     if (row.found) json["found"] = static_cast<int>(*row.found);
@@ -89,8 +93,12 @@ PrintedRow row_of(const Json& json, Sources& sources) {
     row.equation = json["equation"];
     row.reason = json["reason"];
     row.difference = json["difference"];
+    row.at = json["at"].get<std::vector<std::string>>();
+    row.given = json["given"].get<std::vector<std::string>>();
+    row.hint = json["hint"];
     row.formulas = json["formulas"];
-    row.derived = json["derived"];
+    row.meant = json["meant"];
+    row.derived = json["derived"].get<std::vector<std::string>>();
     if (json.contains("expected")) row.expected = static_cast<Verdict>(json["expected"].get<int>());
     if (json.contains("found")) row.found = static_cast<Verdict>(json["found"].get<int>());
     row.parts.equations = json["equations"];

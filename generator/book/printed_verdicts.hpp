@@ -19,13 +19,18 @@ struct PrintedRow {
     std::string difference = {};
     std::optional<CounterExample> counterexample = {};
     std::optional<Suggestion> suggestion = {};
-    std::string formulas = {};           ///< the equations as they are written, in MathML, where pages were asked for
-    std::string derived = {};            ///< what the derivation has instead of the first side, where pages were asked for
+    std::vector<std::string> at = {};    ///< the point that the entry names, "phi = 0"
+    std::vector<std::string> given = {}; ///< what the entry says of its letters, "r_S = position[bar]"
+    std::string hint = {};               ///< of a wrong one: in which sense it holds all the same
+    std::string formulas = {};           ///< the equations as they are printed, in MathML, where pages were asked for
+    std::string meant = {};              ///< the suggestion likewise
+    std::vector<std::string> derived = {};  ///< what the derivation has instead of first sides, where pages were asked for
     EntryParts parts = {};               ///< of an entry in LaTeX
 
     Verdict verdict() const { return found.value_or(Verdict::not_checkable); }
     bool as_expected() const;
-    /// The verdict in words; if some equations could not be read, with their number: "proven; 3 of 4 equations are read".
+    /// The verdict in words with the point where it holds, "proven at phi = 0"; if some equations could not be read, with their number:
+    /// "proven; 3 of 4 equations are read".
     std::string verdict_text() const;
     /// A sentence for each equation that could not be read: "equation 2: ...".
     std::vector<std::string> not_read() const;
@@ -46,6 +51,7 @@ public:
 
 private:
     PrintedRow& row_of(const std::string& id, const PrintedEquation& entry);
+    void show(PrintedRow& row, const System& system, const PrintedCheck& check, const LatexText* text) const;
     bool for_pages_;
     std::vector<PrintedRow> rows_;
 };

@@ -54,12 +54,12 @@ unsigned ExpressionCheck::allow(const Expression& e, unsigned depends, const cha
     return depends;
 }
 
-std::string ExpressionCheck::hint(const std::string& name) const {
+std::string ExpressionCheck::hint(const Expression& e) const {
     for (const char* ending : {"_ddot", "_dot"})
-        if (const std::string base = name.substr(0, name.size() - std::min(name.size(), std::string(ending).size()));
-            name.ends_with(ending) && names_.find(base) != nullptr)
+        if (const std::string base = e.name.substr(0, e.name.size() - std::min(e.name.size(), std::string(ending).size()));
+            e.name.ends_with(ending) && names_.find(base) != nullptr)
             return fmt::format("; write {}({})", ending + 1, base);
-    return did_you_mean(name, names_.all());
+    return hint_for_unknown(e, names_);
 }
 
 unsigned ExpressionCheck::name(const Expression& e) {
@@ -83,7 +83,7 @@ unsigned ExpressionCheck::name(const Expression& e) {
         const bool is_function = find_function(e.name) != nullptr || is_special_form(e.name) || is_printed_form(e.name);
         error(Id::unknown_name, e.span,
               is_function ? fmt::format("'{}' is a function and needs its arguments in brackets", e.name)
-                          : fmt::format("'{}' is not defined{}", e.name, hint(e.name)));
+                          : fmt::format("'{}' is not defined{}", e.name, hint(e)));
         return 0;
     }
     index(e, *named->item);

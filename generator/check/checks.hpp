@@ -30,6 +30,9 @@ std::string with_article(const std::string& words);
 /// The same of one printed equation.
 void check_expressions(const PrintedEquation& printed, const Names& names, Diagnostics& diagnostics);
 
+/// Behind "'r_bold_S' is not defined": how to say what is printed as "\mathbf r_S", or which known name may be meant.
+std::string hint_for_unknown(const Expression& name, const Names& names);
+
 /// That no expression is too large when the definitions in it are written out. For what has passed the other checks.
 void check_written_sizes(const Model& model, Diagnostics& diagnostics);
 void check_written_sizes(const PrintedEquation& printed, const Names& names, Diagnostics& diagnostics);

@@ -29,7 +29,7 @@ private:
     /// Reports a dependence that the site does not allow.
     unsigned allow(const Expression& e, unsigned depends, const char* is_a);
     /// A rate as C++ calls it, or a name like it.
-    std::string hint(const std::string& name) const;
+    std::string hint(const Expression& e) const;
     unsigned name(const Expression& e);
     unsigned sizes_only(const Expression& e);
     unsigned definition(const Expression& e, const Definition& item);

@@ -157,7 +157,8 @@ private:
         if (std::none_of(file_.unreadable.begin(), file_.unreadable.end(), is_same)) file_.unreadable.push_back(d);
     }
 
-    void has_no_verdict(const BookProblem& problem) {
+    void has_no_verdict(BookProblem problem) {
+        problem.rows_before = file_.part.rows.size();
         file_.part.problems.push_back(problem);
         write_(as_text(problem, width_));
     }
@@ -212,7 +213,9 @@ ExitCode check_command(const Options& options, Streams streams) {
     if (!options.pages.empty()) {
         std::vector<BookPart> parts;
         for (const CheckedFile& file : result.files) parts.push_back(file.part);
-        write_files(book_pages(parts, options.pages));
+        const FileContents pages = book_pages(parts, options.pages);
+        write_files(pages);
+        result.pages = paths_of(pages);
     }
     write_result(result, options, streams);
     std::vector<Diagnostic> unreadable;

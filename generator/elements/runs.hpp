@@ -53,6 +53,7 @@ struct PrintedLetter {
 struct AtPoint {
     ExpressionPtr variable;
     ExpressionPtr value;
+    bool is_letter = false;  ///< the number of a letter of the text, and no point that the entry names
 };
 
 struct PrintedEquation : Item {
@@ -91,7 +92,8 @@ void describe(Visitor& v, E& printed) {
     v.by_hand("equations", {.type = ValueType::equations, .doc = "several equations under one number"});
     v.by_hand("with", {.type = ValueType::expressions_by_name,
         .doc = "letters of the text that the model does not have, with their meaning"});
-    v.by_hand("at", {.type = ValueType::expressions_by_name, .doc = "a point where the equation holds: { phi = 0, \"dot(phi)\" = 0 }"});
+    v.by_hand("at", {.type = ValueType::expressions_by_name,
+        .doc = "a point: values that are inserted everywhere, in the equation too: { phi = 0, \"dot(phi)\" = 0 }"});
     v.choice("expect", printed.expected, {.words = "verdict", .doc = "verdict of a known misprint"}, expected_verdicts());
     v("source", printed.source, {.doc = "place of the equation, if it is not in the source of the model"});
     v.either("equation", "equations", "an equation or a list of equations");

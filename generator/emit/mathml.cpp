@@ -185,6 +185,8 @@ std::string call(const Expression& e) {
 
 }  // namespace
 
+std::string letter_text(std::string_view word) { return letter(word); }
+
 std::string html_text(std::string_view text) {
     std::string result;
     for (const char c : text) {

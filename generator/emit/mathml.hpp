@@ -18,6 +18,9 @@ std::string mathml_of_text(const std::string& text);
 /// <math display="block">...</math>, or nothing of nothing.
 std::string math_element(const std::string& inside);
 
+/// "φ" of "phi"; other words stay as they are.
+std::string letter_text(std::string_view word);
+
 /// With & and < and > as HTML needs them.
 std::string html_text(std::string_view text);
 

@@ -57,6 +57,7 @@ struct Equation {
     std::vector<ExpressionPtr> sides;
     Span span;
     std::string entry = {};  ///< of an equation of matrices that is taken apart, "row 1, column 2"
+    std::string sizes = {};  ///< of a third row that the text leaves out in the plane: what is wrong if it is not zero
 };
 
 /// "k = 1..N": the members of a family.

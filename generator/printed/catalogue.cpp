@@ -15,7 +15,6 @@
 #include "printed/latex_words.hpp"
 #include "printed/letter_dependences.hpp"
 #include "read/matrices.hpp"
-#include "text/nearest.hpp"
 
 namespace dalembert {
 
@@ -130,7 +129,7 @@ void check_known(const PrintedEquation& entry, const Names& names, Diagnostics& 
         const bool is_letter = std::any_of(entry.shown_letters.begin(), entry.shown_letters.end(),
                                            [&](const PrintedLetter& letter) { return letter.name == e.name; });
         if (is_letter || names.find(e.name) != nullptr || find_quantity(e.name) != nullptr || !told.insert(e.name).second) return;
-        diagnostics.error(Id::unknown_name, e.span, fmt::format("'{}' is not defined{}", e.name, did_you_mean(e.name, names.all())));
+        diagnostics.error(Id::unknown_name, e.span, fmt::format("'{}' is not defined{}", e.name, hint_for_unknown(e, names)));
     };
     for (const Equation& equation : entry.shown)
         for (const ExpressionPtr& side : equation.sides) for_each(*side, visit);
@@ -303,7 +302,7 @@ PrintedEquation checked_entry(const Catalogue& catalogue, const CatalogueEntry& 
         return is_own || (named != nullptr && named->item->span.source == letter.span.source);
     };
     for (const CatalogueLetter* letter : letters_of(catalogue, entry, used))
-        if (letter->value && is_meant(*letter)) result.at.push_back({make_name(letter->name, letter->span), letter->value});
+        if (letter->value && is_meant(*letter)) result.at.push_back({make_name(letter->name, letter->span), letter->value, true});
     result.shown = result.equations;
     result.shown_letters = result.letters;
     take_matrices_apart(result);

@@ -36,21 +36,30 @@ const std::map<std::string, std::string, std::less<>> function_commands{
     {"atan", "\\arctan"}, {"sinh", "\\sinh"}, {"cosh", "\\cosh"}, {"tanh", "\\tanh"},   {"exp", "\\exp"},
     {"log", "\\ln"},      {"min", "\\min"},   {"max", "\\max"}};
 
-/// Line breaks, alignment and repeated blanks say nothing.
+/// Line breaks, comments, repeated blanks, and the alignment of lines say nothing; '&' and '\\\\' of a matrix or of cases do.
 std::string on_one_line(std::string_view text) {
     std::string line;
+    int environments = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool is_escaped = i > 0 && text[i - 1] == '\\';
         char c = text[i];
-        if (c == '&' && !is_escaped) c = ' ';
-        if (c == '\\' && i + 1 < text.size() && text[i + 1] == '\\') {
-            ++i;
-            c = ' ';
+        if (c == '%') {
+            while (i + 1 < text.size() && text[i + 1] != '\n') ++i;
+            continue;
         }
-        if (c == '\n' || c == '\t' || c == '\r') c = ' ';
+        if (text.substr(i).starts_with("\\begin{")) ++environments;
+        if (text.substr(i).starts_with("\\end{")) --environments;
+        if (c == '\\' && i + 1 < text.size() && (text[i + 1] != '\\' || environments > 0)) {  // a command, or the end of a row
+            line += c;
+            c = text[++i];
+            line += c == '\n' ? ' ' : c;
+            continue;
+        }
+        if (c == '\\') ++i;
+        const bool is_alignment = c == '&' && environments == 0;
+        if (c == '\\' || is_alignment || c == '\n' || c == '\t' || c == '\r') c = ' ';
         if (c != ' ' || (!line.empty() && line.back() != ' ')) line += c;
     }
-    while (line.ends_with(' ')) line.pop_back();
+    while (line.ends_with(' ') && !line.ends_with("\\ ")) line.pop_back();
     return line;
 }
 
@@ -270,6 +279,14 @@ std::string LatexText::spelled(const Expression& e) const {
 
 std::string LatexText::printed(std::size_t which) const { return on_one_line(equations_[which].span.text()); }
 
+LatexMacros LatexText::macros() const {
+    LatexMacros macros;
+    if (catalogue_.preamble) define_macros(macros, *catalogue_.preamble);
+    for (const auto& [name, body] : catalogue_.macros) define_macro(macros, name, body);
+    define_macros(macros, *entry_.latex);
+    return macros;
+}
+
 bool LatexText::reads_as(const std::string& latex, std::size_t which, const Equation& meant) const {
     CatalogueEntry other = entry_;
     other.latex = excerpt_of(std::make_shared<const Source>("mended", latex));
@@ -287,7 +304,7 @@ std::optional<std::string> LatexText::mended(std::size_t which, const Slip& slip
     const Excerpt& latex = *entry_.latex;
     const Span own = trimmed(from.span);
     const Span whole = latex.whole(), equation = equations_[which].span;
-    if (!is_printed(from) || whole.text() != latex.text) return std::nullopt;  // escapes
+    if (!is_printed(from) || !is_plain()) return std::nullopt;
     const std::string_view text = from.span.source->text();
     const auto with = [&](const Span& place, const std::string& instead) -> std::optional<std::string> {
         const auto between = [&](std::size_t begin, std::size_t end) { return std::string(text.substr(begin, end - begin)); };
@@ -310,6 +327,9 @@ std::optional<std::string> LatexText::mended(std::size_t which, const Slip& slip
         if (old_name != function_commands.end() && new_name != function_commands.end() && own.text().starts_with(old_name->second))
             if (auto result = with({own.source, own.begin, own.begin + old_name->second.size()}, new_name->second)) return result;
     }
+    // The minus stands before all that the first factor begins: before "\frac" for that above it.
+    if (from.kind == Kind::negate && from.children[0] == slip.mended && own.text().starts_with('-'))
+        if (auto result = with({own.source, own.begin, own.begin + 1}, "")) return result;
     try {
         const std::string instead = text_of(to, as_sum);
         const Span wide = with_brackets(own);

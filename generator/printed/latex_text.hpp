@@ -22,6 +22,10 @@ public:
     std::string printed(std::size_t which) const;
     /// The same with the slip mended; nothing where no text is found that reads as just that.
     std::optional<std::string> mended(std::size_t which, const Slip& slip) const;
+    /// Whether places in the file are places in the LaTeX: it has no escapes.
+    bool is_plain() const { return entry_.latex->whole().text() == entry_.latex->text; }
+    /// Of the catalogue and of the entry.
+    LatexMacros macros() const;
 
 private:
     bool is_printed(const Expression& e) const { return originals_.contains(&e); }

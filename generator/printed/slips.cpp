@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "language/vocabulary.hpp"
 #include "language/expression_text.hpp"
@@ -20,6 +21,7 @@ struct Change {
     ExpressionPtr tree;     ///< the whole with the change
     ExpressionPtr printed;  ///< the part that is changed
     ExpressionPtr mended;
+    int weight = 0;         ///< among those of one kind
 };
 
 ExpressionPtr rebuilt(const Expression& e, std::vector<ExpressionPtr> children) {
@@ -55,12 +57,53 @@ constexpr NamePair mixed_up[]{{"sin", "cos"},   {"sinh", "cosh"}, {"sin", "sinh"
                               {"asin", "acos"}, {"tan", "atan"},  {"exp", "expm1"}, {"log", "log1p"}, {"min", "max"}};
 constexpr NamePair rarely_mixed_up[]{{"tanh", "cosh"}, {"tanh", "sinh"}, {"tan", "sin"}, {"tan", "cos"}};
 
-/// A letter of the text may stand for an expression. Dots of a letter belong to the text.
+/// A letter of the text may stand for an expression. Dots of a letter belong to the text, and so does a row of a single entry.
 bool stands_for_letter(const Expression& e) {
-    if (!e.span || (e.kind == Kind::call && (e.name == "dot" || e.name == "ddot"))) return false;
+    if (!e.span || (e.kind == Kind::call && (e.name == "dot" || e.name == "ddot" || e.name == "row"))) return false;
     return std::any_of(e.children.begin(), e.children.end(), [&](const ExpressionPtr& child) {
         return child->span.source == e.span.source && child->span.begin == e.span.begin && child->span.end == e.span.end;
     });
+}
+
+/// The minus that the first factor of a term has; null where it has none.
+ExpressionPtr leading_minus(const ExpressionPtr& e) {
+    if (e->kind == Kind::negate) return e;
+    return e->kind == Kind::multiply || e->kind == Kind::divide ? leading_minus(e->children[0]) : nullptr;
+}
+
+/// The term with another part in the place of that minus.
+ExpressionPtr with_leading(const ExpressionPtr& e, const ExpressionPtr& instead) {
+    return e->kind == Kind::negate ? instead : rebuilt(*e, {with_leading(e->children[0], instead), e->children[1]});
+}
+
+/// 2, -2, 1/2: numbers alone, without units.
+bool is_number(const Expression& e) {
+    if (e.kind == Kind::number) return is_integer(e.value) && e.name.empty();
+    return (e.kind == Kind::negate || e.kind == Kind::divide) &&
+           std::all_of(e.children.begin(), e.children.end(), [](const ExpressionPtr& child) { return is_number(*child); });
+}
+
+/// 2/4 and 3/1, which nobody prints.
+bool is_unreduced(const Expression& e) {
+    const auto is_whole = [](const Expression& part) { return part.kind == Kind::number && is_integer(part.value); };
+    if (e.kind != Kind::divide || !is_whole(*e.children[0]) || !is_whole(*e.children[1])) return false;
+    const Rational &above = e.children[0]->value, &below = e.children[1]->value;
+    return below == 1 || (!is_zero(below) && cln::denominator(above / below) != cln::numerator(below));
+}
+
+/// Of several slips in a factor that come to the same the shortest text is meant: one number less, another number, a factor, a fraction.
+enum FactorWeight : int { left_out, other_number, other_factor, broken_number };
+
+/// Whether all letters of a side are what others say of them. There a slip is seldom.
+bool is_said(const Expression& side, const SlipOptions& options) {
+    if (!options.is_wide) return false;
+    bool has_letter = false, is_all = true;
+    for_each(side, [&](const Expression& e) {
+        if (e.kind != Kind::name || e.name == "t" || e.name == "pi") return;
+        has_letter = true;
+        is_all = is_all && (find_quantity(e.name) != nullptr || options.said.contains(e.name));
+    });
+    return side.kind == Kind::name || (has_letter && is_all);
 }
 
 class Slips {
@@ -70,10 +113,13 @@ public:
     /// Every change of a tree. `is_term` says that it stands alone or in a sum, so that it may have a sign and a factor of its own.
     std::vector<Change> of(const ExpressionPtr& e, bool is_term) {
         std::vector<Change> found;
-        const auto add = [&](SlipKind kind, std::string words, const ExpressionPtr& tree) {
-            found.push_back({kind, std::move(words), tree, e, tree});
+        const auto add = [&](SlipKind kind, std::string words, const ExpressionPtr& tree, int weight = 0) {
+            found.push_back({kind, std::move(words), tree, e, tree, weight});
         };
-        if (is_term) term(e, add);
+        if (is_term) {
+            if (const ExpressionPtr minus = leading_minus(e); minus && minus != e) found.push_back(without_minus(e, minus));
+            term(e, add);
+        }
         if (stands_for_letter(*e)) return found;
         switch (e->kind) {
             case Kind::number: number(*e, add); return found;
@@ -99,6 +145,7 @@ public:
                 std::vector<ExpressionPtr> children = e->children;
                 children[i] = change.tree;
                 change.tree = rebuilt(*e, std::move(children));
+                if (is_unreduced(*change.tree)) change.weight = broken_number;
                 found.push_back(std::move(change));
             }
         }
@@ -107,6 +154,13 @@ public:
 
 private:
     std::string spelled(const Expression& e) const { return options_.spelled ? options_.spelled(e) : in_model_language(e); }
+
+    /// The minus alone is changed, so that the rest of the term stays as it is printed.
+    Change without_minus(const ExpressionPtr& e, const ExpressionPtr& minus) const {
+        std::string text = spelled(*e);
+        text.erase(0, text.find_first_not_of("- "));
+        return {SlipKind::sign, fmt::format("the sign of '{}'", text), with_leading(e, minus->children[0]), minus, minus->children[0]};
+    }
 
     template <class Add>
     void square(const ExpressionPtr& e, Add add) {
@@ -117,12 +171,12 @@ private:
     void term(const ExpressionPtr& e, Add add) {
         if (e->kind == Kind::number && is_zero(e->value)) return;
         const std::string text = spelled(*e);
-        if (e->kind != Kind::negate) add(SlipKind::sign, fmt::format("the sign of '{}'", text), node(Kind::negate, e->span, {e}));
+        if (!leading_minus(e)) add(SlipKind::sign, fmt::format("the sign of '{}'", text), node(Kind::negate, e->span, {e}));
         for (const int factor : {2, 3, 4}) {
             add(SlipKind::factor, fmt::format("'{}' lacks a factor {}", text, factor),
-                node(Kind::multiply, e->span, {make_number(factor, e->span), e}));
+                node(Kind::multiply, e->span, {make_number(factor, e->span), e}), other_factor);
             add(SlipKind::factor, fmt::format("'{}' is {} times too large", text, factor),
-                node(Kind::divide, e->span, {e, make_number(factor, e->span)}));
+                node(Kind::divide, e->span, {e, make_number(factor, e->span)}), other_factor);
         }
         if (!options_.is_wide) return;
         for (const KnownLetter& letter : letters_) {
@@ -138,11 +192,14 @@ private:
     void number(const Expression& e, Add add) {
         const auto other = [&](const Rational& value) { return make_number(value, e.span); };
         if (is_zero(e.value)) return;
-        add(SlipKind::factor, fmt::format("{} instead of {}", spelled(*other(e.value + 1)), spelled(e)), other(e.value + 1));
-        if (e.value != 1)
-            add(SlipKind::factor, fmt::format("{} instead of {}", spelled(*other(e.value - 1)), spelled(e)), other(e.value - 1));
-        add(SlipKind::factor, fmt::format("{} instead of {}", spelled(*other(e.value * 2)), spelled(e)), other(e.value * 2));
-        add(SlipKind::factor, fmt::format("{} instead of {}", spelled(*other(e.value / 2)), spelled(e)), other(e.value / 2));
+        const auto instead = [&](const Rational& value) {
+            add(SlipKind::factor, fmt::format("{} instead of {}", spelled(*other(value)), spelled(e)), other(value),
+                is_integer(value) || !is_integer(e.value) ? other_number : broken_number);
+        };
+        instead(e.value + 1);
+        if (e.value != 1) instead(e.value - 1);
+        instead(e.value * 2);
+        instead(e.value / 2);
     }
 
     template <class Add>
@@ -211,6 +268,7 @@ private:
     void product(const Expression& e, Add add) {
         const ExpressionPtr &a = e.children[0], &b = e.children[1];
         const bool times = e.kind == Kind::multiply;
+        if (options_.is_wide) number_left_out(e, add);
         if (times) add(SlipKind::exponent, fmt::format("'{}' belongs below", spelled(*b)), node(Kind::divide, e.span, {a, b}));
         else add(SlipKind::exponent, fmt::format("'{}' belongs above", spelled(*b)), node(Kind::multiply, e.span, {a, b}));
         if (times && options_.is_wide && a->kind != Kind::multiply && a->kind != Kind::divide)
@@ -223,6 +281,20 @@ private:
         if (is_sum(*b)) opened(*b, rebuilt(e, {a, b->children[0]}), b->children[1]);
         if (is_sum(*a)) opened(*a, a->children[0], rebuilt(e, {a->children[1], b}));
         if (!times && b->kind == Kind::multiply) opened(*b, rebuilt(e, {a, b->children[0]}), b->children[1]);
+    }
+
+    template <class Add>
+    void number_left_out(const Expression& e, Add add) {
+        const ExpressionPtr &a = e.children[0], &b = e.children[1];
+        const auto leave_out = [&](const ExpressionPtr& number, const ExpressionPtr& rest, const char* words) {
+            const ExpressionPtr minus = leading_minus(number);
+            const ExpressionPtr size = minus ? with_leading(number, minus->children[0]) : number;
+            if (!is_number(*number) || is_number(*rest) || (size->kind == Kind::number && size->value == 1)) return;
+            add(SlipKind::factor, fmt::format(fmt::runtime(words), spelled(*size), spelled(*rest)),
+                minus ? node(Kind::negate, e.span, {rest}) : rest, left_out);
+        };
+        leave_out(b, a, e.kind == Kind::multiply ? "no factor {} behind '{}'" : "no division by {} of '{}'");
+        if (e.kind == Kind::multiply) leave_out(a, b, "no factor {} before '{}'");
     }
 
     template <class Add>
@@ -297,19 +369,21 @@ private:
 std::vector<Slip> slips_of(const Equation& equation, const std::vector<KnownLetter>& letters, const SlipOptions& options) {
     Slips slips(letters, options);
     std::vector<Slip> result;
-    for (std::size_t i = 0; i < equation.sides.size(); ++i)
+    for (std::size_t i = 0; i < equation.sides.size(); ++i) {
+        const bool is_seldom = is_said(*equation.sides[i], options);
         for (Change& change : slips.of(equation.sides[i], !is_sum(*equation.sides[i]))) {
             Equation other = equation;
             other.sides[i] = std::move(change.tree);
-            result.push_back(
-                {change.kind, i, std::move(change.words), std::move(other), std::move(change.printed), std::move(change.mended)});
+            result.push_back({change.kind, i, std::move(change.words), std::move(other), std::move(change.printed), std::move(change.mended),
+                              is_seldom, options.is_wide ? change.weight : 0});
         }
-    // Of a letter that is said to be something the slip is seldom.
-    const auto rank = [&](const Slip& slip) {
-        return std::pair(slip.kind, options.is_wide && equation.sides[slip.side]->kind == Kind::name);
-    };
-    std::stable_sort(result.begin(), result.end(), [&](const Slip& a, const Slip& b) { return rank(a) < rank(b); });
+    }
+    std::stable_sort(result.begin(), result.end(), is_tried_before);
     return result;
+}
+
+bool is_tried_before(const Slip& a, const Slip& b) {
+    return std::tuple(a.is_seldom, a.kind, a.weight) < std::tuple(b.is_seldom, b.kind, b.weight);
 }
 
 }  // namespace dalembert

@@ -3,6 +3,8 @@
 // of the checker has to see.
 #pragma once
 
+#include <set>
+
 #include "language/expression.hpp"
 
 namespace dalembert {
@@ -17,7 +19,12 @@ struct Slip {
     Equation equation;
     ExpressionPtr printed;  ///< the part that is different, as it is printed
     ExpressionPtr mended;   ///< what stands there instead
+    bool is_seldom = false; ///< on a side that is made of what the entry says of its letters, such as d/dt (T + V)
+    int weight = 0;         ///< among those of a kind: what changes less of the text is less
 };
+
+/// What is seldom comes last; then by kind, and by weight.
+bool is_tried_before(const Slip& a, const Slip& b);
 
 struct SlipOptions {
     /// Also slips that are many: a letter that lacks as a factor or is one too much, the square of a bracket or rate, all hyperbolic
@@ -25,6 +32,8 @@ struct SlipOptions {
     bool is_wide = false;
     /// How the words of a slip write parts of the equation; in the model language, if left out.
     std::function<std::string(const Expression&)> spelled = {};
+    /// Letters that others say what they stand for: a slip beside them is seldom.
+    std::set<std::string> said = {};
 };
 
 /// A letter that another may be taken for, by its stem ("m_1" and "m_2") or its unit. The unit is text: letters of one unit have the same.
@@ -33,7 +42,7 @@ struct KnownLetter {
     std::string unit;
 };
 
-/// Every equation that differs from this one by a single slip, by kind and then by place. What stands for one letter of a text, and so has
+/// Every equation that differs from this one by a single slip, as is_tried_before says and then by place. What stands for one letter of a text, and so has
 /// the same place as its parts, is changed as a whole only.
 std::vector<Slip> slips_of(const Equation& equation, const std::vector<KnownLetter>& letters, const SlipOptions& options = {});
 

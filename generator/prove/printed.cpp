@@ -51,6 +51,9 @@ std::vector<const PrintedLetter*> ordered_letters(const PrintedEquation& printed
 /// A side that is a number with a unit, its own or that of the entry.
 std::optional<PrintedNumber> number_in(const PrintedEquation& printed, const Expression& side) {
     auto number = printed_number(side);
+    // A zero alone fits every unit, and says something exact.
+    const bool is_zero_alone = side.kind == Expression::Kind::number && is_zero(side.value) && number && number->half_unit * 2 == 1;
+    if (is_zero_alone && (!printed.number_unit || printed.number_unit->dimension == Dimension{})) return std::nullopt;
     if (number && !number->unit) number->unit = printed.number_unit;
     if (number && !number->unit && is_rounded(side)) number->unit = Unit{};
     return number && number->unit ? number : std::nullopt;
@@ -303,9 +306,17 @@ PrintedCheck check_printed(const System& system, const Member<PrintedEquation>& 
     for (const Equation& equation : checked.equations)
         result.equations.push_back(checkable(PrintedResult{std::string(equation.span.text()), {Verdict::not_checkable}}, [&] {
             if (!check) check.emplace(system, checked, indices);
-            return check->run(equation);
+            PrintedResult one = check->run(equation);
+            if (!equation.sizes.empty() && one.comparison.verdict == Verdict::wrong)
+                one = {one.written, {Verdict::dimensionally_wrong, equation.sizes}};
+            return one;
         }));
-    for (std::size_t i = 0; i < checked.equations.size(); ++i) name_entry(result.equations[i].comparison, checked.equations[i].entry);
+    for (std::size_t i = 0; i < checked.equations.size(); ++i) {
+        PrintedResult& one = result.equations[i];
+        one.entry = checked.equations[i].entry;
+        one.is_left_out = !checked.equations[i].sizes.empty();
+        if (!one.is_left_out) name_entry(one.comparison, one.entry);
+    }
     return result;
 }
 
@@ -313,9 +324,15 @@ bool is_trivial(const System& system, const Member<PrintedEquation>& entry) {
     const Indices indices = Translator::indices_of(entry);
     const PrintedEquation checked = with_solution_inserted(*entry.item);
     EntryCheck check(system, checked, indices);
-    if (entry.item->solved.empty())
-        return std::any_of(checked.equations.begin(), checked.equations.end(),
-                           [&](const Equation& equation) { return check.is_trivial(equation); });
+    if (entry.item->solved.empty()) {
+        // Some rows of a vector may be 0 = 0, but not all.
+        const auto is_row = [](const Equation& equation) { return !equation.entry.empty(); };
+        const auto is_trivial = [&](const Equation& equation) { return check.is_trivial(equation); };
+        std::vector<Equation> rows, others;
+        for (const Equation& equation : checked.equations) (is_row(equation) ? rows : others).push_back(equation);
+        return std::any_of(others.begin(), others.end(), is_trivial) ||
+               (!rows.empty() && std::all_of(rows.begin(), rows.end(), is_trivial));
+    }
     // What solves an equation makes it 0 = 0 for all letters; but a solution that is zero is none that would be printed.
     return std::any_of(entry.item->equations.begin(), entry.item->equations.end(),
                        [&](const Equation& equation) { return check.vanishes(*equation.sides[1]); });

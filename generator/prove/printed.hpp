@@ -22,6 +22,9 @@ struct PrintedResult {
     std::optional<GiNaC::ex> derived =
         {};  ///< what the derivation has for the left side; with is_motion an equation of motion that is zero
     bool is_motion = false;
+    std::string entry = {};     ///< of an equation of matrices: which entry this is, "row 1, column 2"
+    bool is_left_out = false;   ///< a third row that the text does not print
+    std::string hint = {};      ///< of a wrong one: "holds to first order about phi = 0"
 };
 
 struct PrintedCheck {

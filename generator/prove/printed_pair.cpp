@@ -37,6 +37,7 @@ PrintedResult PairCheck::run(const ex& left_side, const ex& right_side) {
         if (result.comparison.verdict != Verdict::wrong) return result;
         result.difference = rest;
         result.counterexample = counterexample(left, right, *result.comparison.counterexample);
+        result.hint = order_hint(left, right);
         return result;
     }
     if (holds_on_motion(rest, result)) {
@@ -51,8 +52,12 @@ PrintedResult PairCheck::run(const ex& left_side, const ex& right_side) {
     }
     result.comparison = prover_.compare_at_points(
         [this](const ex& e, const Point& point, int digits) { return value_on_motion(e, point, digits); }, left, right);
-    if (result.comparison.verdict != Verdict::wrong) result.difference.reset();
-    else result.counterexample = counterexample(left, right, *result.comparison.counterexample);
+    if (result.comparison.verdict != Verdict::wrong) {
+        result.difference.reset();
+        return result;
+    }
+    result.counterexample = counterexample(left, right, *result.comparison.counterexample);
+    result.hint = order_hint(left, right);
     return result;
 }
 

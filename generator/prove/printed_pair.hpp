@@ -38,6 +38,14 @@ private:
     GiNaC::ex at_point(const GiNaC::ex& e) const {
         return at_.empty() ? e : system_.symbols.without_definitions(e).subs(at_, GiNaC::subs_options::no_pattern);
     }
+    /// Of a printed equation that is linear: "holds to first order about x = 0, phi = 0" where that is proven; else empty.
+    std::string order_hint(const GiNaC::ex& left, const GiNaC::ex& right);
+    /// Coordinates, velocities, and what is solved for.
+    std::vector<GiNaC::ex> small_quantities() const;
+    GiNaC::ex at_rest(const GiNaC::ex& e) const;
+    /// Of first order in the small quantities.
+    GiNaC::ex linear_terms(const GiNaC::ex& e) const;
+    bool holds_with_linear_motion(const GiNaC::ex& rest);
     GiNaC::ex mass(std::size_t j, std::size_t l) const;
     /// M qdd = force on the motion.
     GiNaC::ex force(std::size_t j) const { return prepared(system_.motion.force[j]); }

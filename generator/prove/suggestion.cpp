@@ -128,7 +128,7 @@ std::vector<std::pair<std::size_t, Slip>> slips_in(const System& system, const P
     for (std::size_t i = 0; i < entry.shown.size(); ++i)
         for (Slip& slip : slips_of(entry.shown[i], letters, options))
             if (entry.solved.empty() || slip.side != 0) found.emplace_back(i, std::move(slip));  // what is solved for is no slip
-    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.second.kind < b.second.kind; });
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return is_tried_before(a.second, b.second); });
     return found;
 }
 
@@ -142,6 +142,8 @@ std::pair<std::size_t, std::size_t> changed_part(std::string_view before, std::s
     const auto is_inside = [&](std::size_t i) { return (static_cast<unsigned char>(after[i]) & 0xC0) == 0x80; };  // of a character
     while (begin > 0 && begin < after.size() && is_inside(begin)) --begin;
     while (end < after.size() && is_inside(end)) ++end;
+    if (begin < after.size() && after[begin] == '\\' && end == begin + 1)
+        while (end < after.size() && is_letter(end)) ++end;
     std::size_t command = begin;
     while (command > 0 && is_letter(command - 1)) --command;
     if (command > 0 && after[command - 1] == '\\' && (begin == command || (begin < after.size() && is_letter(begin)))) {
@@ -172,6 +174,7 @@ std::optional<Suggestion> suggest(const System& system, const Member<PrintedEqua
         for (const ExpressionPtr& side : equation.sides) for_each(*side, [&](const Expression&) { ++parts; });
     if (parts > budget::suggestion_parts) return std::nullopt;  // its changes are as many, and each is as long
     SlipOptions options{true};
+    for (const PrintedLetter& letter : printed.shown_letters) options.said.insert(letter.name);
     if (text != nullptr) options.spelled = [text](const Expression& e) { return text->spelled(e); };
     std::size_t tried = 0;
     int quadratures = 0;

@@ -22,7 +22,7 @@ struct Suggestion {
 /// and the letters of the entry.
 std::vector<KnownLetter> known_letters(const System& system, const PrintedEquation& entry);
 
-/// Every single slip in the equations of an entry as they are written, and in which; by kind, then by place.
+/// Every single slip in the equations of an entry as they are written, and in which; as is_tried_before says, then by place.
 std::vector<std::pair<std::size_t, Slip>> slips_in(const System& system, const PrintedEquation& entry, const SlipOptions& options = {});
 
 /// An entry with one of its equations, as they are written, replaced.

@@ -241,20 +241,39 @@ std::string place_of(std::size_t k, const MatrixExpression& m) {
     return m.rows == 1 ? fmt::format("column {}", k + 1) : fmt::format("row {}, column {}", k / m.columns + 1, k % m.columns + 1);
 }
 
-/// The equations of the entries. A number zero is a matrix of zeros.
-void take_apart(const Equation& equation, const std::vector<MatrixExpression>& sides, std::vector<Equation>& to) {
+/// What a row has of the third axis of a body: position[bob, 3]; null where it has none.
+const Expression* third_axis(const Expression& row) {
+    const Expression* found = nullptr;
+    for_each(row, [&](const Expression& e) {
+        const QuantitySpec* quantity = e.kind == Kind::name ? find_quantity(e.name) : nullptr;
+        const bool is_of_axis = quantity != nullptr && quantity->subscript == Subscript::body_and_axis && e.children.size() == 2;
+        if (is_of_axis && e.children[1]->kind == Kind::number && e.children[1]->value == 3) found = &e;
+    });
+    return found;
+}
+
+/// The equations of the entries. A number zero is a matrix of zeros. In the plane a vector of a body may be printed with two rows: then the
+/// third one has to be zero.
+void take_apart(const Equation& equation, std::vector<MatrixExpression> sides, std::vector<Equation>& to) {
     const auto largest =
-        std::max_element(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.entries.size() < b.entries.size(); });
+        *std::max_element(sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.entries.size() < b.entries.size(); });
+    std::string left_out;
     for (std::size_t i = 0; i < sides.size(); ++i) {
-        const bool is_zero_number =
-            sides[i].is_number() && sides[i].entries[0]->kind == Kind::number && is_zero(sides[i].entries[0]->value);
-        if (!is_zero_number && (sides[i].rows != largest->rows || sides[i].columns != largest->columns))
-            fail(Id::size_mismatch, equation.sides[i]->span,
-                 fmt::format("'{}' is {}, but another side of the equation is {}", equation.sides[i]->written(), size_of(sides[i]),
-                             size_of(*largest)));
+        MatrixExpression& side = sides[i];
+        const bool is_zero_number = side.is_number() && side.entries[0]->kind == Kind::number && is_zero(side.entries[0]->value);
+        if (is_zero_number || (side.rows == largest.rows && side.columns == largest.columns)) continue;
+        std::string sentence = fmt::format("'{}' is {}, but another side of the equation is {}", equation.sides[i]->written(),
+                                           size_of(side), size_of(largest));
+        const bool has_two_of_three = side.rows == 2 && side.columns == 1 && largest.rows == 3 && largest.columns == 1;
+        const Expression* third = has_two_of_three ? third_axis(*largest.entries[2]) : nullptr;
+        if (third == nullptr) fail(Id::size_mismatch, equation.sides[i]->span, std::move(sentence));
+        side.rows = 3;
+        side.entries.push_back(make_number(0, equation.sides[i]->span));
+        left_out = fmt::format("{2}, of which the third row is not zero; for two rows write vector({0}[{1}, 1], {0}[{1}, 2])", third->name,
+                               third->children[0]->name, sentence);
     }
-    for (std::size_t k = 0; k < largest->entries.size(); ++k) {
-        Equation one{{}, equation.span, place_of(k, *largest)};
+    for (std::size_t k = 0; k < largest.entries.size(); ++k) {
+        Equation one{{}, equation.span, place_of(k, largest), k == 2 ? left_out : ""};
         for (const MatrixExpression& side : sides) one.sides.push_back(side.entries.size() == 1 ? side.entries[0] : side.entries[k]);
         to.push_back(std::move(one));
     }

@@ -12,6 +12,7 @@ struct BookProblem {
     std::string id;
     std::string verdict;  ///< "not read", "not checked"
     std::string reason;
+    std::size_t rows_before = 0;  ///< rows of the part that stand before it
 };
 
 /// What was found of one model or catalogue.
@@ -20,7 +21,7 @@ struct BookPart {
     std::string about;    ///< edition, or which part
     std::vector<PrintedRow> rows;
     VerdictCounts counts;
-    std::vector<BookProblem> problems = {};  ///< behind the rows
+    std::vector<BookProblem> problems = {};
 };
 
 /// book.html and errata.html in a folder.

@@ -118,18 +118,27 @@ std::string end_of_text(const CheckedFile& file) {
 }
 
 std::string as_text(const CheckResult& result) {
-    if (result.files.size() == 1) return "";
+    std::string pages;
+    for (const std::filesystem::path& page : result.pages) pages += fmt::format("{}\n", page.string());
+    if (result.files.size() == 1) return pages;
     return result.counts().line(fmt::format("printed equations in {} files", result.files.size()).c_str()) +
-           (result.is_whole() ? "" : "; not all could be read") + (result.failed() ? "; not all as expected\n" : "\n");
+           (result.is_whole() ? "" : "; not all could be read") + (result.failed() ? "; not all as expected\n" : "\n") + pages;
 }
 
 nlohmann::ordered_json as_json(const CheckResult& result) {
-    if (result.files.size() == 1) return as_json(result.files[0]);
+    std::vector<std::string> pages;
+    for (const std::filesystem::path& page : result.pages) pages.push_back(page.string());
+    if (result.files.size() == 1) {
+        nlohmann::ordered_json json = as_json(result.files[0]);
+        if (!pages.empty()) json["pages"] = pages;
+        return json;
+    }
     nlohmann::ordered_json json = json_result("check");
     json["files"] = nlohmann::ordered_json::array();
     for (const CheckedFile& file : result.files) json["files"].push_back(as_json(file));
     json["summary"] = result.counts().json();
     json["passed"] = !result.failed() && result.is_whole();
+    if (!pages.empty()) json["pages"] = pages;
     return json;
 }
 

@@ -48,6 +48,7 @@ struct CheckedFile {
 
 struct CheckResult {
     std::vector<CheckedFile> files;
+    std::vector<std::filesystem::path> pages = {};  ///< that were written
     VerdictCounts counts() const;
     bool failed() const;
     /// Every file and entry could be read.
@@ -61,7 +62,7 @@ std::string as_text(const CheckedScene& scene);
 std::string as_text(const BookProblem& problem, std::size_t width);
 /// The last lines of a file.
 std::string end_of_text(const CheckedFile& file);
-/// The last line of several files.
+/// The last line of several files, and the pages that were written.
 std::string as_text(const CheckResult& result);
 /// Of several files a list, else the object of the only one.
 nlohmann::ordered_json as_json(const CheckResult& result);

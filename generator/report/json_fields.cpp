@@ -110,6 +110,9 @@ constexpr auto of_check = std::to_array<JsonField>({
     {"printed[].reason", "reason why the equation is not checkable; else empty"},
     {"printed[].assumptions[]", "assumptions of the proof"},
     {"printed[].difference", "left side minus right side, after inserting the derivation"},
+    {"printed[].at[]", "point that the entry names with `at`, as in phi = 0"},
+    {"printed[].with[]", "meanings of the letters of the entry"},
+    {"printed[].hint", "of a wrong equation: that it holds to first order, if it does; else empty"},
     {"printed[].suggestion", "of a wrong equation: the correct equation, if a single slip explains the error; proven"},
     {"printed[].slip", "the slip in words"},
     {"printed[].suggestion_printed", "of an entry in LaTeX: the suggestion in the notation of the text"},
@@ -123,6 +126,7 @@ constexpr auto of_check = std::to_array<JsonField>({
     {"summary.<VERDICT>", "of a catalogue: number of entries with this verdict; `entries` is the number of all"},
     {"files[]", "of several files: the result of each"},
     {"passed", "true if everything is as expected; exit code 0"},
+    {"pages[]", "with -o, the pages that were written"},
 });
 
 constexpr auto of_evaluate = std::to_array<JsonField>({

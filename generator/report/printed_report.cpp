@@ -70,6 +70,7 @@ std::string report_text(const PrintedRow& row, std::size_t width) {
         text +=
             fmt::format("      {} {}\n", verdict == Verdict::proven_under_assumption ? "assuming:  " : "reason:    ", safe_line(reason));
     if (!row.difference.empty()) text += fmt::format("      difference: {}\n", row.difference);
+    if (!row.hint.empty()) text += fmt::format("      hint:       {}\n", row.hint);
     if (row.suggestion) text += suggestion_text(*row.suggestion);
     for (const std::string& sentence : row.not_read()) text += fmt::format("      not read:   {}\n", safe_line(sentence));
     if (row.counterexample) {
@@ -97,6 +98,9 @@ nlohmann::ordered_json report_json(const PrintedRow& row, const std::string& sou
         {"reason", reason_of(row)},
         {"assumptions", assumptions},
         {"difference", row.difference},
+        {"at", row.at},
+        {"with", row.given},
+        {"hint", row.hint},
         {"suggestion", row.suggestion ? row.suggestion->equation : ""},
         {"slip", row.suggestion ? row.suggestion->words : ""},
         {"suggestion_printed", row.suggestion ? row.suggestion->printed : ""},

@@ -119,19 +119,19 @@ struct EliminationPlan {
 
     /// By row, then column; `outside` where nothing is.
     static constexpr std::array<std::uint16_t, n * n> make_numbers() noexcept {
-        std::array<std::uint16_t, n * n> numbers{};
+        std::array<std::uint16_t, n * n> result{};
         std::uint16_t next = 0;
-        for (std::size_t i = 0; i < n * n; ++i) numbers[i] = elimination.filled.at[i / n][i % n] ? next++ : static_cast<std::uint16_t>(outside);
-        return numbers;
+        for (std::size_t i = 0; i < n * n; ++i) result[i] = elimination.filled.at[i / n][i % n] ? next++ : static_cast<std::uint16_t>(outside);
+        return result;
     }
     static constexpr std::array<std::uint16_t, n * n> numbers = make_numbers();
     static constexpr std::size_t number(std::size_t row, std::size_t column) noexcept { return numbers[row * n + column]; }
 
     /// When an unknown is eliminated.
     static constexpr std::array<std::size_t, n> make_rank() noexcept {
-        std::array<std::size_t, n> rank{};
-        for (std::size_t k = 0; k < n; ++k) rank[elimination.order[k]] = k;
-        return rank;
+        std::array<std::size_t, n> result{};
+        for (std::size_t k = 0; k < n; ++k) result[elimination.order[k]] = k;
+        return result;
     }
     static constexpr std::array<std::size_t, n> rank = make_rank();
     static constexpr bool is_lower(std::size_t row, std::size_t column) noexcept { return rank[row] > rank[column]; }

@@ -91,7 +91,7 @@ TEST_CASE("the JSON fields are the documented ones") {
         {"generate", {{SOURCE_DIR "/systems/heat/fin.toml", "--size", "N=50", "-o", folder}, {systems + "cart_pendulum.toml", "-o", folder}, {systems + "n_pendulum.toml", "--size", "N=2", "-o", folder}}},
         {"compile", {{systems + "n_pendulum.toml", "--size", "N=2", "-o", folder}}},
         {"effects", {{systems + "projectile.toml", "-o", folder, "--no-plot"}, {braked, "-o", folder, "--no-plot"}}},
-        {"check", {{systems + "coupled_springs.toml"}, {systems + "cart_pendulum.toml"}, {book}, {book, systems + "pulley.toml"}}},
+        {"check", {{systems + "coupled_springs.toml", "-o", folder}, {systems + "cart_pendulum.toml"}, {book}, {book, systems + "pulley.toml"}}},
         {"evaluate", {{systems + "cart_pendulum.toml"}, {systems + "friction_limits.toml"}, {systems + "n_pendulum.toml", "--size", "N=2"}, {SOURCE_DIR "/systems/hydraulics/torricelli.toml"}, {sliding, "--mode", "floor_sticks"}}},
         {"simulate", {{sliding, "--until", "1", "--no-plot", "-o", folder}, {systems + "n_pendulum.toml", "--size", "N=2", "--until", "0.01", "--method", "dop853", "--no-plot", "-o", folder}, {SOURCE_DIR "/systems/heat/voltage_regulator.toml", "--until", "1", "--no-plot", "-o", folder}}},
         {"equilibrium", {{model}, {sliding, "--mode", "floor_sticks"}}},
