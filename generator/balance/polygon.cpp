@@ -5,6 +5,7 @@
 #include <cln/rational_io.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace dalembert {
 
