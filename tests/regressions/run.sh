@@ -8,6 +8,7 @@ case $1 in */*) folder=$(dirname "$1") ;; *) folder=regressions ;; esac
 folder=$(cd "$(dirname "$0")/../$folder" && pwd)
 name=$(basename "$1")
 model=$folder/$name.toml
+[ -f "$folder/$name.sh" ] || { echo "there is no $folder/$name.sh" >&2; exit 2; }
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
 cd "$here" || exit 1
