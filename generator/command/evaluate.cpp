@@ -80,12 +80,21 @@ Values values_of(const Options& options, const System& system) {
     return values;
 }
 
+/// Symbols of accelerations and of rates of states have no unit of their own.
+std::string unit_of(const Variable& variable, const System& system) {
+    if (variable.kind == SymbolKind::acceleration)
+        return per_second(system.symbols.all(SymbolKind::coordinate)[variable.position].declared->unit, 2);
+    if (variable.kind == SymbolKind::state_rate && !variable.is_root)
+        return per_second(system.symbols.all(SymbolKind::state)[variable.position].declared->unit);
+    return variable.unit;
+}
+
 Named symbols_of(const System& system, std::initializer_list<SymbolKind> kinds) {
     Named entries;
     for (const SymbolKind kind : kinds)
         for (const Variable& variable : system.symbols.all(kind))
             if (kind != SymbolKind::coordinate || system.symbols.has_value(variable.position))
-                entries.push_back({variable.name, variable.symbol, variable.unit});
+                entries.push_back({variable.name, variable.symbol, unit_of(variable, system)});
     return entries;
 }
 

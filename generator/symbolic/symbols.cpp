@@ -52,21 +52,13 @@ std::string key(SymbolKind kind, const std::string& base, int index) {
     return std::to_string(static_cast<int>(kind)) + ":" + base + ":" + std::to_string(index);
 }
 
-/// "rad" becomes "rad/s".
-std::string per_second(const Unit& unit) {
-    const std::string si = unit.si();
-    if (si == "1") return "1/s";
-    return si.find('/') == std::string::npos ? si + "/s" : (unit.dimension / Dimension::time()).in_base_units();
-}
-
-/// "rad" becomes "rad/s^2".
-std::string per_second_squared(const Unit& unit) {
-    const std::string si = unit.si();
-    if (si == "1") return "1/s^2";
-    return si.find('/') == std::string::npos ? si + "/s^2" : (unit.dimension / Dimension::time() / Dimension::time()).in_base_units();
-}
-
 }  // namespace
+
+std::string per_second(const Unit& unit, int times) {
+    const std::string si = unit.si(), seconds = times == 1 ? "s" : "s^2";
+    if (si == "1") return "1/" + seconds;
+    return si.find('/') == std::string::npos ? si + "/" + seconds : (unit.dimension / Dimension::time().raised({times, 1})).in_base_units();
+}
 
 Symbols::Symbols(const Scene& scene, const Names& names) {
     for (const auto& member : scene.parameters) {
@@ -95,8 +87,7 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
             {item.name, member.index, is_member, rate_unit,
              item.quasi_axis ? std::string("angular velocity about the own ") + "xyz"[*item.quasi_axis] + " axis"
                              : "time derivative of " + member.name()});
-        add(SymbolKind::acceleration, "ddot(" + member.name() + ")", false,
-            {item.name, member.index, is_member, per_second_squared(item.unit), ""});
+        add(SymbolKind::acceleration, "ddot(" + member.name() + ")", false, {item.name, member.index, is_member, "", ""});
         if (!scene.modes.empty())
             add(SymbolKind::jerk, "dot(ddot(" + member.name() + "))", false, {item.name, member.index, is_member, "", ""});
     }
@@ -108,8 +99,7 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
         add(SymbolKind::state, name, item.root || stays_positive(item, names),
             {item.name, member.index, is_member, unit, item.root && !item.doc.empty() ? "root of: " + item.doc : item.doc, &item,
              item.root});
-        add(SymbolKind::state_rate, "dot(" + name + ")", false,
-            {item.name, member.index, is_member, item.root ? "" : per_second(item.unit), "", nullptr, item.root});
+        add(SymbolKind::state_rate, "dot(" + name + ")", false, {item.name, member.index, is_member, "", "", nullptr, item.root});
     }
     find_attitudes(scene);
     for (const auto& member : scene.constraints) {

@@ -54,6 +54,9 @@ struct Variable {
     GiNaC::ex symbol;  ///< an ex, because a GiNaC::symbol by value forgets that it is real or positive
 };
 
+/// The unit, in SI, of the first or second derivative by time: "rad" becomes "rad/s" or "rad/s^2".
+std::string per_second(const Unit& unit, int times = 1);
+
 class Symbols;
 
 /// A letter of parameters alone that the derivation adds to the definitions, because what it stands for is too large to be written
