@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "report/json_output.hpp"
+#include "text/durations.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -38,14 +38,8 @@ std::string headline(const EquilibriumResult& result) {
 
 /// "21.8 h".
 std::string duration_text(double seconds) {
-    struct Unit {
-        double size;
-        const char* name;
-    };
-    constexpr std::array units{Unit{86400, "d"}, Unit{3600, "h"}, Unit{60, "min"}};
-    for (const Unit& unit : units)
-        if (seconds >= 2 * unit.size) return fmt::format("{:.4g} {}", seconds / unit.size, unit.name);
-    return fmt::format("{:.4g} s", seconds);
+    const TimeUnit& unit = readable_unit(seconds);
+    return fmt::format("{:.4g} {}", seconds / unit.seconds, unit.name);
 }
 
 /// The time in which the motion decays, or grows, by the factor e, and its period; nothing for an eigenvalue that is only rounding.

@@ -2,7 +2,6 @@
 #include "run/plant_run.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +9,7 @@
 #include "form/state_places.hpp"
 #include "language/parser.hpp"
 #include "text/diagnostic.hpp"
+#include "text/durations.hpp"
 
 namespace dalembert {
 
@@ -119,17 +119,9 @@ std::vector<ShownUnit> shown_units(const System& system) {
 }
 
 Recording for_plots(const Recording& recording, std::vector<ShownUnit> units) {
-    struct Unit {
-        const char* name;
-        double seconds, from;
-    };
-    constexpr std::array by_size{Unit{"d", 86400, 3 * 86400}, Unit{"h", 3600, 3 * 3600}, Unit{"min", 60, 20 * 60}};
     const double span = recording.rows.empty() ? 0 : recording.rows.back()[0] - recording.rows.front()[0];
-    for (const Unit& unit : by_size) {
-        if (!(span >= unit.from)) continue;
-        units.push_back({recording.columns[0].name, unit.name, unit.seconds, 0});
-        break;
-    }
+    const TimeUnit& unit = readable_unit(span);
+    if (unit.seconds > 1) units.push_back({recording.columns[0].name, unit.name, unit.seconds, 0});
     return in_units(recording, units);
 }
 
