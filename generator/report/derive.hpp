@@ -2,6 +2,9 @@
 // The result of `dalembert derive`.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
 #include "pipeline.hpp"
 
 namespace dalembert {
