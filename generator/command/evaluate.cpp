@@ -108,7 +108,8 @@ Named unknowns_of_loads(const System& system) {
     Named unknowns;
     for (const Load* item : system.scene.loads) {
         const LoadSolution& load = system.load(item->name, item->span);
-        for (std::size_t k = 0; k < load.unknowns.size(); ++k) unknowns.push_back({item->unknowns[k].name, load.unknowns[k], item->unknowns[k].unit.si()});
+        for (std::size_t k = 0; k < load.unknowns.size(); ++k)
+            unknowns.push_back({item->unknowns[k].name, load.unknowns[k], item->unknowns[k].unit.si()});
     }
     return unknowns;
 }

@@ -155,7 +155,8 @@ std::string call(const Expression& e) {
     if (e.name == "exp" && count == 1) return fmt::format("<msup><mi>e</mi>{}</msup>", row(part(0)));
     if (e.name == "diff" && count == 2) return fraction("<mo>∂</mo>", "<mo>∂</mo>" + part(1)) + factor(*e.children[0]);
     if (e.name == "integral" && count == 4)
-        return fmt::format("<msubsup><mo>∫</mo>{}{}</msubsup>{}<mi>d</mi>{}", row(part(2)), row(part(3)), factor(*e.children[0]), part(1));
+        return fmt::format("<msubsup><mo>∫</mo>{}{}</msubsup>{}<mi>d</mi>{}", row(part(2)), row(part(3)), factor(*e.children[0]),
+                           part(1));
     if (e.name == "limit" && count >= 3) {
         const std::string place =
             count == 3 ? part(2) : fmt::format("<msup>{}{}</msup>", row(part(2)), sign(e.children[3]->kind == Kind::negate ? "−" : "+"));

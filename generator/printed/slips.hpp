@@ -19,11 +19,11 @@ struct Slip {
     Equation equation;
     ExpressionPtr printed;  ///< the part that is different, as it is printed
     ExpressionPtr mended;   ///< what stands there instead
-    bool is_seldom = false; ///< on a side that is made of what the entry says of its letters, such as d/dt (T + V)
-    int weight = 0;         ///< among those of a kind: what changes less of the text is less
+    bool is_seldom = false; ///< on a side of letters that the entry defines, as d/dt (T + V): misprints there are rare
+    int weight = 0;         ///< orders the slips of one kind: a smaller change of the text has a smaller weight
 };
 
-/// What is seldom comes last; then by kind, and by weight.
+/// Rare slips come last; the others are ordered by kind, then by weight.
 bool is_tried_before(const Slip& a, const Slip& b);
 
 struct SlipOptions {
@@ -32,7 +32,7 @@ struct SlipOptions {
     bool is_wide = false;
     /// How the words of a slip write parts of the equation; in the model language, if left out.
     std::function<std::string(const Expression&)> spelled = {};
-    /// Letters that others say what they stand for: a slip beside them is seldom.
+    /// Letters that the entry defines: a slip beside them is rare.
     std::set<std::string> said = {};
 };
 
@@ -42,8 +42,8 @@ struct KnownLetter {
     std::string unit;
 };
 
-/// Every equation that differs from this one by a single slip, as is_tried_before says and then by place. What stands for one letter of a text, and so has
-/// the same place as its parts, is changed as a whole only.
+/// Every equation that differs from this one by a single slip, in the order of is_tried_before and then by place. A part that stands for
+/// one letter of a text has the same place as its own parts; it is changed as a whole only.
 std::vector<Slip> slips_of(const Equation& equation, const std::vector<KnownLetter>& letters, const SlipOptions& options = {});
 
 }  // namespace dalembert

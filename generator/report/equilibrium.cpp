@@ -66,7 +66,8 @@ std::string eigenvalues_text(const EquilibriumLinearisation& linear, std::size_t
     double largest = 0;
     for (const Complex& value : linear.eigenvalues) largest = std::max(largest, std::abs(value));
     for (const Complex& value : linear.eigenvalues)
-        text += fmt::format("  {:>12.6g} {:<16}{}\n", value.real() + 0.0, fmt::format("{:+.6g} i", value.imag() + 0.0), times_text(value, largest));
+        text += fmt::format("  {:>12.6g} {:<16}{}\n", value.real() + 0.0, fmt::format("{:+.6g} i", value.imag() + 0.0),
+                            times_text(value, largest));
     return text;
 }
 

@@ -30,9 +30,9 @@ struct EquilibriumResult {
     std::size_t iterations = 0;
     bool is_motion = false;           ///< coordinates go on at constant speed
     std::vector<ResultValue> states = {}, inputs = {};
-    std::vector<ResultValue> outputs = {};  ///< of what was found
-    std::optional<Restless> restless = {}; ///< of what was not found; nothing where it is a constraint that is not met
-    std::optional<EquilibriumLinearisation> linearisation = {};  ///< of what was found
+    std::vector<ResultValue> outputs = {};  ///< at the equilibrium; empty where none was found
+    std::optional<Restless> restless = {}; ///< where none was found; empty if a constraint is not met
+    std::optional<EquilibriumLinearisation> linearisation = {};  ///< at the equilibrium
     bool found() const { return linearisation.has_value(); }
 };
 

@@ -32,7 +32,7 @@ std::vector<std::string> names_of(const std::vector<ResultValue>& values, const 
 
 std::string values_text(const std::vector<ResultValue>& values) {
     std::string text;
-    for (const ResultValue& one : values) text += fmt::format("  {:<16} {:>22} {}\n", one.name, one.value, one.unit);
+    for (const ResultValue& one : values) text += fmt::format("  {:<16} {:>22} {}\n", one.name, one.value + 0.0, one.unit);  // no -0
     return text;
 }
 

@@ -225,7 +225,10 @@ void add_results(SimulationReport& report, const PlantRunResult& run, const dale
                  const std::string& name) {
     const ScratchFolder scratch;
     const std::string base = (std::filesystem::path(scratch.path()) / name).string();
-    report.drawn = settings.draw && draw(settings.declared_plots ? for_plots(run.recording, units) : run.recording, panels_of(settings.plots), title, base);
+    if (settings.draw) {
+        const Recording drawn = settings.declared_plots ? for_plots(run.recording, units) : run.recording;
+        report.drawn = draw(drawn, panels_of(settings.plots), title, base);
+    }
     report.files.emplace_back(folder / (name + ".csv"), csv_text(settings.declared_csv ? in_units(run.recording, units) : run.recording));
     if (report.lost) report.files.emplace_back(folder / (name + "_events.csv"), events_csv(run, plant));
     if (report.drawn)

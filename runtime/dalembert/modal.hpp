@@ -392,8 +392,8 @@ inline Modes modes(const LinearSystem& system) {
 
 namespace detail {
 
-/// -M by_q, -M by_v and M by_u of accelerations. Entries below the rounding of what they are made of are zero, and pairs that differ by it
-/// are equal.
+/// C = -M by_q, D = -M by_v and B = M by_u, from the derivatives of the accelerations. An entry below its rounding error becomes zero.
+/// Two entries that differ by their rounding error become equal.
 inline LinearSystem from_accelerations(const Eigen::MatrixXd& M, const Eigen::MatrixXd& by_q, const Eigen::MatrixXd& by_v,
                                        const Eigen::MatrixXd& by_u, double rounding) {
     const Eigen::Index n = M.rows();

@@ -73,7 +73,8 @@ head -1 "$here/out/cart_pendulum_lab.csv" | grep -q '^t \[s\],s \[m\],phi \[rad\
 # A run that leaves where its equations have values ends with code 4, names the state, and keeps what was computed.
 expect 4 "not finite; state 'dot(x)'" "$PROGRAM" simulate "$SOURCE/tests/golden/blow_up.toml" --until 10 --no-plot -o "$here/blow_up"
 [ -s "$here/blow_up/blow_up_full.csv" ] || { echo "FAILED: what was computed before the stop is not kept"; failures=$((failures + 1)); }
-expect 2 'value-out-of-range' "$PROGRAM" simulate "$SOURCE/systems/mechanics/spherical_pendulum.toml" --scene free --state theta=4 --until 1 --no-plot -o "$here/pole"
+expect 2 'value-out-of-range' "$PROGRAM" simulate "$SOURCE/systems/mechanics/spherical_pendulum.toml" --scene free --state theta=4 \
+  --until 1 --no-plot -o "$here/pole"
 # What takes long to compile.
 if [ -n "${DALEMBERT_FULL:-}" ]; then
   expect 0 'isolated' "$PROGRAM" equilibrium "$model"

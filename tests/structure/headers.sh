@@ -8,7 +8,8 @@ alone() {
   [ "$2" = dalembert/sundials.hpp ] && ! [ -e /usr/include/cvode/cvode.h ] && return  # where SUNDIALS is not installed
   local standard=c++20
   [ "$1" = runtime ] && standard=c++17
-  printf '#include "%s"\n' "$2" | "$CXX" -std=$standard -fsyntax-only -I "$1" -I runtime -I /usr/include/eigen3 -x c++ - || { echo "$1/$2 does not compile alone" >&2; exit 1; }
+  printf '#include "%s"\n' "$2" | "$CXX" -std=$standard -fsyntax-only -I "$1" -I runtime -I /usr/include/eigen3 -x c++ - ||
+    { echo "$1/$2 does not compile alone" >&2; exit 1; }
 }
 export -f alone
 export CXX

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Gaussian elimination on a sparsity pattern, carried out at compile time: in which order unknowns are eliminated, which places fill up, and
-// the list of all operations. Duff, Erisman, Reid: Direct Methods for Sparse Matrices, 2nd edition, chapters 7 and 10.
+// Gaussian elimination on a sparsity pattern, carried out at compile time: in which order unknowns are eliminated, which places fill up,
+// and the list of all operations. Duff, Erisman, Reid: Direct Methods for Sparse Matrices, 2nd edition, chapters 7 and 10.
 #pragma once
 
 #include <array>
@@ -38,7 +38,8 @@ constexpr Places<n> places_of() noexcept {
     for (std::size_t column = 0; column < n; ++column) {
         places.at[column][column] = true;
         if constexpr (Pattern::is_sparse) {
-            for (std::size_t k = Pattern::column_starts[column]; k < Pattern::column_starts[column + 1]; ++k) places.at[Pattern::row_indices[k]][column] = true;
+            for (std::size_t k = Pattern::column_starts[column]; k < Pattern::column_starts[column + 1]; ++k)
+                places.at[Pattern::row_indices[k]][column] = true;
         } else {
             for (std::size_t row = 0; row < n; ++row) places.at[row][column] = row == column || may_be_nonzero<Pattern>(row, column);
         }
@@ -121,7 +122,8 @@ struct EliminationPlan {
     static constexpr std::array<std::uint16_t, n * n> make_numbers() noexcept {
         std::array<std::uint16_t, n * n> result{};
         std::uint16_t next = 0;
-        for (std::size_t i = 0; i < n * n; ++i) result[i] = elimination.filled.at[i / n][i % n] ? next++ : static_cast<std::uint16_t>(outside);
+        for (std::size_t i = 0; i < n * n; ++i)
+            result[i] = elimination.filled.at[i / n][i % n] ? next++ : static_cast<std::uint16_t>(outside);
         return result;
     }
     static constexpr std::array<std::uint16_t, n * n> numbers = make_numbers();
@@ -157,13 +159,16 @@ struct EliminationPlan {
     static constexpr std::array<std::size_t, n + 1> upper_starts = starts([](std::size_t p) { return right_of(p); });
     static constexpr std::array<std::size_t, n + 1> update_starts = starts([](std::size_t p) { return below(p) * right_of(p); });
 
+    static constexpr EntryOperation operation(std::size_t target, std::size_t left, std::size_t right) noexcept {
+        return {static_cast<std::uint16_t>(target), static_cast<std::uint16_t>(left), static_cast<std::uint16_t>(right)};
+    }
     /// Entries of L, pivot by pivot: its number, its row, its column.
     static constexpr std::array<EntryOperation, off_diagonal + 1> make_lower() noexcept {
         std::array<EntryOperation, off_diagonal + 1> list{};
         std::size_t next = 0;
         for (const std::size_t p : elimination.order)
             for (std::size_t i = 0; i < n; ++i)
-                if (elimination.filled.at[i][p] && is_lower(i, p)) list[next++] = {static_cast<std::uint16_t>(number(i, p)), static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(p)};
+                if (elimination.filled.at[i][p] && is_lower(i, p)) list[next++] = operation(number(i, p), i, p);
         return list;
     }
     /// Entries of U beside the diagonal, likewise.
@@ -172,7 +177,7 @@ struct EliminationPlan {
         std::size_t next = 0;
         for (const std::size_t p : elimination.order)
             for (std::size_t j = 0; j < n; ++j)
-                if (elimination.filled.at[p][j] && is_lower(j, p)) list[next++] = {static_cast<std::uint16_t>(number(p, j)), static_cast<std::uint16_t>(p), static_cast<std::uint16_t>(j)};
+                if (elimination.filled.at[p][j] && is_lower(j, p)) list[next++] = operation(number(p, j), p, j);
         return list;
     }
     static constexpr std::array<EntryOperation, updates + 1> make_updates() noexcept {
@@ -182,7 +187,7 @@ struct EliminationPlan {
             for (std::size_t i = 0; i < n; ++i) {
                 if (!elimination.filled.at[i][p] || !is_lower(i, p)) continue;
                 for (std::size_t j = 0; j < n; ++j)
-                    if (elimination.filled.at[p][j] && is_lower(j, p)) list[next++] = {static_cast<std::uint16_t>(number(i, j)), static_cast<std::uint16_t>(number(i, p)), static_cast<std::uint16_t>(number(p, j))};
+                    if (elimination.filled.at[p][j] && is_lower(j, p)) list[next++] = operation(number(i, j), number(i, p), number(p, j));
             }
         return list;
     }

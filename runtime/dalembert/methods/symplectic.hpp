@@ -58,7 +58,7 @@ struct SeparableCoordinates<Rhs, std::void_t<typename Rhs::Coordinates>> {
 };
 
 /// McLachlan's method of order 4 with six stages (SIAM J. Sci. Comput. 16 (1995), SB3A) of Boost.Odeint, whose coefficients have the digits
-/// of a double. States behind q and v are integrals; of what is separable, of nothing: they stay.
+/// of a double. The states behind q and v are integrals. A separable right-hand side has no rates for them, so they stay.
 template <class State, class Rhs, class Part>
 class Symplectic final : public CubicStepper<State, Rhs> {
     using Scalar = typename State::value_type;
