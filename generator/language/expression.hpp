@@ -58,6 +58,7 @@ struct Equation {
     Span span;
     std::string entry = {};  ///< of an equation of matrices that is taken apart, "row 1, column 2"
     std::string sizes = {};  ///< of a third row that the text leaves out in the plane: what is wrong if it is not zero
+    bool is_near_zero = false;  ///< printed with '\approx 0', which does not say how near
 };
 
 /// "k = 1..N": the members of a family.

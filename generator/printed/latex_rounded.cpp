@@ -43,13 +43,15 @@ bool is_number_alone(const ExpressionPtr& e) {
     return scaled && !scaled->rest;
 }
 
+bool is_plain_zero(const ExpressionPtr& e) { return e->kind == Expression::Kind::number && is_zero(e->value) && e->written() == "0"; }
+
 }  // namespace
 
 std::vector<Equation> with_rounded_numbers(const LatexEquation& read) {
     const std::vector<ExpressionPtr>& sides = read.equation.sides;
     std::vector<Equation> result;
     const auto add = [&](const ExpressionPtr& a, const ExpressionPtr& b) {
-        if (!result.empty() && result.back().sides.back() == a) result.back().sides.push_back(b);
+        if (!result.empty() && !result.back().is_near_zero && result.back().sides.back() == a) result.back().sides.push_back(b);
         else result.push_back({{a, b}, read.equation.span});
     };
     for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
@@ -61,6 +63,11 @@ std::vector<Equation> with_rounded_numbers(const LatexEquation& read) {
             if (!is_number_alone(sides[before])) add(sides[before], sides[i + 1]);
             else if (!is_number_alone(sides[behind])) add(sides[i], sides[behind]);
             else add(sides[i], sides[i + 1]);
+            continue;
+        }
+        if (read.relations[i] == Relation::approximately && (is_plain_zero(sides[i]) || is_plain_zero(sides[i + 1]))) {
+            result.push_back({{sides[i], sides[i + 1]}, read.equation.span});
+            result.back().is_near_zero = true;
             continue;
         }
         if (is_left || is_right || read.relations[i] != Relation::approximately) {

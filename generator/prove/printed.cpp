@@ -309,6 +309,8 @@ PrintedCheck check_printed(const System& system, const Member<PrintedEquation>& 
             PrintedResult one = check->run(equation);
             if (!equation.sizes.empty() && one.comparison.verdict == Verdict::wrong)
                 one = {one.written, {Verdict::dimensionally_wrong, equation.sizes}};
+            if (equation.is_near_zero && one.comparison.verdict == Verdict::wrong)
+                one.comparison = {Verdict::not_checkable, "the two sides differ, and '\\approx' does not say how near they are"};
             return one;
         }));
     for (std::size_t i = 0; i < checked.equations.size(); ++i) {

@@ -273,7 +273,7 @@ void take_apart(const Equation& equation, std::vector<MatrixExpression> sides, s
                                third->children[0]->name, sentence);
     }
     for (std::size_t k = 0; k < largest.entries.size(); ++k) {
-        Equation one{{}, equation.span, place_of(k, largest), k == 2 ? left_out : ""};
+        Equation one{{}, equation.span, place_of(k, largest), k == 2 ? left_out : "", equation.is_near_zero};
         for (const MatrixExpression& side : sides) one.sides.push_back(side.entries.size() == 1 ? side.entries[0] : side.entries[k]);
         to.push_back(std::move(one));
     }

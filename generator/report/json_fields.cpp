@@ -113,7 +113,7 @@ constexpr auto of_check = std::to_array<JsonField>({
     {"printed[].difference", "left side minus right side, after inserting the derivation"},
     {"printed[].at[]", "point that the entry names with `at`, as in phi = 0"},
     {"printed[].with[]", "meanings of the letters of the entry"},
-    {"printed[].hint", "of a wrong equation: that it holds to first order, if it does; else empty"},
+    {"printed[].hint", "of an equation whose sides differ: that it holds to first order, if it does; else empty"},
     {"printed[].suggestion", "of a wrong equation: the correct equation, if a single slip explains the error; proven"},
     {"printed[].slip", "the slip in words"},
     {"printed[].suggestion_printed", "of an entry in LaTeX: the suggestion in the notation of the text"},
