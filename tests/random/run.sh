@@ -50,7 +50,7 @@ one() {
   fi
   timeout 600 "$PROGRAM" simulate model.toml --no-plot >printed 2>&1 || status=$?
   case $status in
-    0) awk '/^note: near balance/ { told = 1 } /energy error/ { seen = 1; bad = !($NF + 0 < 1e-8) } END { exit seen && !told ? bad : 0 }' printed || { echo "energy is lost, exit code 0"; cat printed; return 1; } ;;
+    0) awk '/^note: near equal pressures/ { told = 1 } /energy error/ { seen = 1; bad = !($NF + 0 < 1e-8) } END { exit seen && !told ? bad : 0 }' printed || { echo "energy is lost, exit code 0"; cat printed; return 1; } ;;
     1) grep -q '^dalembert: warning' printed || { echo "exit code 1 without a warning"; cat printed; return 1; }; echo "seed $seed, warned: $(grep -m1 '^dalembert: warning' printed)" ;;
     2 | 4) grep -qE 'error\[|stopped|warning' printed || { echo "exit code $status without a sentence"; cat printed; return 1; }
            refused=$((refused + 1)); echo "seed $seed, exit code $status: $(grep -m1 -E 'error\[|stopped' printed)"; [ -s "${name}_full.csv" ] || return 0 ;;

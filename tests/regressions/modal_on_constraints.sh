@@ -5,7 +5,7 @@ limit=600
 dalembert 0 modal "$model" --scene skate
 prints "^independent coordinates: 'x' and 'theta'"
 prints "^also free, with the eigenvalues 0 1/s: 'y'"
-prints '^  4   -1\.9355 '
+prints '^  4    -1\.9355 '
 dalembert 0 modal "$model" --scene wheels
 near "angular frequency" "$(number '^  [0-9]+ +\+-')" 6.32456 1e-4
 dalembert 0 equilibrium "$model" --scene wheels

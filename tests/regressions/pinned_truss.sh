@@ -8,4 +8,4 @@ prints "free states under the constraints: 'phi' and 'dot\(phi\)'"
 near "angular frequency" "$(number '^ +-?0 \+')" 3.74357 1e-5
 dalembert 0 modal "$model"
 prints "independent coordinates: 'phi';"
-near "angular frequency by modal" "$(number '1   \+-')" 3.74357 1e-4
+near "angular frequency by modal" "$(number '^  1 +\+-')" 3.74357 1e-4

@@ -6,8 +6,8 @@ prints '^  dot\(E\) = P$'
 prints '^  dot\(clicks\[2\]\) = '
 prints_not 'T_far'
 dalembert 0 evaluate "$model" --input gust=2
-prints '^  spare +7$'
-prints '^  gust +2$'
+prints '^  spare +7 +m$'
+prints '^  gust +2 +N$'
 dalembert 0 derive "$model" --scene both
 prints '^  dot\(T_far\) = 0$'
 
