@@ -5,8 +5,9 @@
 #include <deque>
 #include <map>
 #include <optional>
-#include <set>
+#include <queue>
 #include <unordered_map>
+#include <utility>
 
 namespace dalembert {
 
@@ -42,8 +43,50 @@ template <class Place>
 struct Candidate {
     std::uint64_t fingerprint;
     std::vector<Place> places;
-    int queued = 0;                      ///< its entry in the queue, 0 for none
-    std::optional<Letter> letter = {};   ///< once it is computed
+    int queued = 0;                     ///< what the queue says that it saves, 0 where it is not in it
+    int guessed = 0;                    ///< where more, to be queued so, 0 where not
+    std::optional<Letter> letter = {};  ///< once it is computed
+};
+
+/// Where each fingerprint was seen first, and its candidate once it was seen again. Open addressing: there are millions.
+template <class Place>
+class FirstPlaces {
+public:
+    static constexpr std::uint32_t nobody = UINT32_MAX;
+    struct Seen {
+        std::uint64_t fingerprint;
+        std::uint32_t id;
+        bool is_used;
+        Place first;
+    };
+
+    /// And whether it is new here.
+    std::pair<Seen*, bool> emplace(std::uint64_t fingerprint, const Place& place) {
+        if (2 * (count_ + 1) > slots_.size()) grow();
+        Seen& seen = slot(fingerprint);
+        if (seen.is_used) return {&seen, false};
+        seen = {fingerprint, nobody, true, place};
+        ++count_;
+        return {&seen, true};
+    }
+
+private:
+    Seen& slot(std::uint64_t fingerprint) {
+        std::size_t i = fingerprint * 0x9E3779B97F4A7C15ULL >> shift_;
+        while (slots_[i].is_used && slots_[i].fingerprint != fingerprint) i = (i + 1) & (slots_.size() - 1);
+        return slots_[i];
+    }
+
+    void grow() {
+        std::vector<Seen> old(std::size_t(1) << (64 - --shift_), Seen{});
+        old.swap(slots_);
+        for (const Seen& seen : old)
+            if (seen.is_used) slot(seen.fingerprint) = seen;
+    }
+
+    unsigned shift_ = 55;
+    std::vector<Seen> slots_;
+    std::size_t count_ = 0;
 };
 
 /// Candidates by what they save. Among equals the one found first comes first, so the choice is the same on every run. They are
@@ -56,25 +99,32 @@ public:
     /// Notes a place. `guess` says, not too low, what the candidate saves when it has so many places.
     template <class Guess>
     void note(std::uint64_t fingerprint, const Place& place, const Guess& guess) {
-        const auto [seen, is_new] = seen_.emplace(fingerprint, Seen{place, nobody});
+        const auto [seen, is_new] = seen_.emplace(fingerprint, place);
         if (is_new) return;
-        if (seen->second.id == nobody) {
-            seen->second.id = entries_.size();
-            entries_.push_back({fingerprint, {seen->second.first}});
+        if (seen->id == FirstPlaces<Place>::nobody) {
+            seen->id = static_cast<std::uint32_t>(entries_.size());
+            entries_.push_back({fingerprint, {seen->first}});
         }
-        Entry& entry = entries_[seen->second.id];
+        Entry& entry = entries_[seen->id];
         entry.places.push_back(place);
-        if (const int saved = guess(entry); saved > entry.queued) requeue(seen->second.id, saved);
+        const int saved = guess(entry);
+        if (saved <= std::max(entry.queued, entry.guessed)) return;
+        if (entry.guessed == 0) grown_.push_back(seen->id);
+        entry.guessed = saved;
     }
 
     /// The candidate that saves most by the exact count, which replaces guesses as they come to the front.
     template <class Count>
     std::optional<std::size_t> best(const Count& count) {
+        for (const std::uint32_t id : grown_) requeue(id, std::exchange(entries_[id].guessed, 0));
+        grown_.clear();
         while (!queue_.empty()) {
-            const auto [negative_saved, id] = *queue_.begin();
-            const int saved = count(entries_[id]);
-            if (saved == -negative_saved) return id;
-            requeue(id, saved);
+            const auto [queued, id] = queue_.top();
+            const bool is_current = queued == entries_[id].queued;  // else it has another place in the queue by now, or none
+            const int saved = is_current ? count(entries_[id]) : 0;
+            if (is_current && saved == queued) return id;
+            queue_.pop();
+            if (is_current) requeue(id, saved);
         }
         return std::nullopt;
     }
@@ -83,22 +133,22 @@ public:
     void take_out(std::size_t id) { requeue(id, 0); }
 
 private:
-    static constexpr std::size_t nobody = SIZE_MAX;
-    struct Seen {
-        Place first;
-        std::size_t id;
+    struct Queued {
+        int saved;
+        std::uint32_t id;
+        friend bool operator<(const Queued& a, const Queued& b) { return a.saved != b.saved ? a.saved < b.saved : a.id > b.id; }
     };
 
     void requeue(std::size_t id, int saved) {
         int& queued = entries_[id].queued;
-        if (queued > 0) queue_.erase({-queued, id});
         queued = std::max(saved, 0);
-        if (queued > 0) queue_.insert({-queued, id});
+        if (queued > 0) queue_.push({queued, static_cast<std::uint32_t>(id)});
     }
 
-    std::unordered_map<std::uint64_t, Seen> seen_;
-    std::deque<Entry> entries_;  ///< a deque, because entries are referred to while others are added
-    std::set<std::pair<int, std::size_t>> queue_;
+    FirstPlaces<Place> seen_;
+    std::vector<std::uint32_t> grown_;  ///< since the best was asked for
+    std::deque<Entry> entries_;         ///< a deque, because entries are referred to while others are added
+    std::priority_queue<Queued> queue_;
 };
 
 /// Numbers coefficients and their ratios, so that the many comparisons need no exact arithmetic.
@@ -158,8 +208,10 @@ public:
             const auto product = products_.best([&](Pair& p) { return users(p); });
             if (!sum && !product) break;
             // Sums first where both save as much: a product inside them is found again afterwards.
-            if (sum && (!product || sums_[*sum].queued >= products_[*product].queued)) apply_sum(*sum);
-            else apply_product(*product);
+            if (sum && (!product || sums_[*sum].queued >= products_[*product].queued))
+                apply_sum(*sum);
+            else
+                apply_product(*product);
         }
         for (std::size_t f = 0; f < members_.size(); ++f) {
             network_.functions[f].clear();
