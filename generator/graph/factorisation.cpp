@@ -37,14 +37,16 @@ bool should_unroll(std::size_t n, const std::vector<bool>& is_zero) {
 }
 
 std::vector<NodeId> factorise(Program& program, std::size_t n, std::size_t multipliers, const std::vector<NodeId>& mass,
-                              const Reciprocal& reciprocal, const std::vector<NodeId>& chosen) {
+                              const Reciprocal& reciprocal, const std::vector<NodeId>& chosen, std::vector<NodeId>* scaled) {
     std::vector<NodeId> factors(mass.size(), program.constant(0));
+    if (scaled != nullptr) *scaled = factors;
     std::vector<NodeId> v(n, program.constant(0));  // L_ij*D_j of the current row
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             std::vector<std::pair<NodeId, NodeId>> products;
             for (std::size_t k = 0; k < j; ++k) products.emplace_back(v[k], factors[lower_index(j, k)]);
             v[j] = minus_products(program, mass[lower_index(i, j)], products);
+            if (scaled != nullptr) (*scaled)[lower_index(i, j)] = v[j];
         }
         std::vector<std::pair<NodeId, NodeId>> products;
         NodeId alone{};  // what the pivot of a constraint would be without those before it

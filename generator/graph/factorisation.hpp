@@ -21,13 +21,13 @@ namespace dalembert {
 
 struct Solve {
     std::size_t n = 0;
-    std::size_t multipliers = 0;        ///< the last rows of M, that belong to constraints
+    std::size_t multipliers = 0;  ///< the last rows of M, that belong to constraints
     bool unrolled = true;
-    bool is_constant = false;           ///< M depends on parameters alone: factored when they are set
-    std::vector<bool> is_zero;          ///< lower triangle of M, row by row: zero for every motion
-    std::uint32_t first_cached = 0;     ///< unrolled and constant: cached values of reciprocal pivots and L, row by row
-    std::size_t left_out = 0;           ///< multipliers, the last ones, that are left out at the start: note [choice]
-    std::uint32_t first_chosen = 0;     ///< where some are: cached values of the factors, one a multiplier
+    bool is_constant = false;        ///< M depends on parameters alone: factored when they are set
+    std::vector<bool> is_zero;       ///< lower triangle of M, row by row: zero for every motion
+    std::uint32_t first_cached = 0;  ///< unrolled and constant: cached values of reciprocal pivots and L, row by row
+    std::size_t left_out = 0;        ///< multipliers, the last ones, that are left out at the start: note [choice]
+    std::uint32_t first_chosen = 0;  ///< where some are: cached values of the factors, one a multiplier
 };
 
 inline std::size_t lower_index(std::size_t row, std::size_t column) { return row * (row + 1) / 2 + column; }
@@ -40,9 +40,10 @@ using Reciprocal = std::function<NodeId(NodeId)>;
 
 /// Reciprocal pivots 1/D and the unit lower triangle L. L[lower_index(i,i)] is the reciprocal pivot of row i; of the last `multipliers`
 /// rows it is zero where the constraint is dropped, see note [multipliers]. `chosen`: factors of note [choice], one a multiplier; none
-/// where all are solved for.
+/// where all are solved for. `scaled`: takes L*D below the diagonal, for proofs.
 std::vector<NodeId> factorise(Program& program, std::size_t n, std::size_t multipliers, const std::vector<NodeId>& mass,
-                              const Reciprocal& reciprocal = nullptr, const std::vector<NodeId>& chosen = {});
+                              const Reciprocal& reciprocal = nullptr, const std::vector<NodeId>& chosen = {},
+                              std::vector<NodeId>* scaled = nullptr);
 
 /// D L' x where M x = b, the first half of the solve.
 std::vector<NodeId> solve_lower(Program& program, std::size_t n, const std::vector<NodeId>& factors, std::vector<NodeId> b);

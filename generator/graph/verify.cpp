@@ -357,7 +357,9 @@ private:
     }
 
     void solve_is_right(const std::string& name, std::size_t n, std::size_t multipliers, const std::vector<bool>& is_zero) {
-        Comparison result = solve_gives_solution(n, multipliers, is_zero, code_.atoms);
+        Program program;
+        const SolveNodes nodes = solve_in_letters(program, n, multipliers, is_zero);
+        Comparison result = solve_gives_solution(program, nodes, n, multipliers, is_zero, code_.atoms);
         if (code_.solve.left_out > 0 && !leaves_out_any(n, multipliers, is_zero)) result = {Verdict::wrong};
         AuditEntry& e = entry(name);
         if (is_worse(result.verdict, e.result.verdict)) e.result = std::move(result);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "graph/code.hpp"
 
+#include <set>
 #include <utility>
 
 #include "generator/machine.hpp"
@@ -8,6 +9,7 @@
 #include "graph/factorisation.hpp"
 #include "graph/lower.hpp"
 #include "graph/verify.hpp"
+#include "graph/verify_solve.hpp"
 #include "symbolic/functions.hpp"
 
 using namespace dalembert;
@@ -72,6 +74,35 @@ TEST_CASE("rates, Jacobian, outputs and energies together share what they have i
         }
     }
     CHECK_FALSE(make_code(*machine_of("cart_pendulum").system)->has_together);
+}
+
+TEST_CASE("a solve with a defect is not proven") {
+    const Machine machine = machine_from(block);
+    const Atoms atoms(machine.system->symbols);
+    // Rows of the lower triangle of M, x where it is not zero; the last ones are those of constraints.
+    struct Case {
+        std::vector<std::string> rows;
+        std::size_t constraints;
+    };
+    for (const Case& one : {Case{{"x", "xx", "xxx"}, 0}, {{"x", "x", "xx", "0x", "x0xx"}, 0}, {{"x", "xx", "0xx", "00xx"}, 0}, {{"x", "0x", "00x", "xx0", "0xx"}, 2}}) {
+        const std::size_t n = one.rows.size();
+        std::vector<bool> is_zero;
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t j = 0; j <= i; ++j) is_zero.push_back(j >= one.rows[i].size() ? j != i || i + one.constraints >= n : one.rows[i][j] != 'x');
+        Program program;
+        SolveNodes nodes = solve_in_letters(program, n, one.constraints, is_zero);
+        const auto verdict = [&] { return solve_gives_solution(program, nodes, n, one.constraints, is_zero, atoms).verdict; };
+        CHECK(verdict() == Verdict::proven);
+        std::set<std::size_t> on_diagonal;
+        for (std::size_t i = 0; i < n; ++i) on_diagonal.insert(lower_index(i, i));
+        for (auto* part : {&nodes.scaled, &nodes.factors, &nodes.halfway, &nodes.solved})
+            for (std::size_t k = 0; k < part->size(); ++k) {
+                if (part == &nodes.scaled && on_diagonal.contains(k)) continue;
+                const NodeId right = std::exchange((*part)[k], program.sum({{false, (*part)[k]}, {true, program.constant(7)}}));
+                CHECK(verdict() == Verdict::wrong);
+                (*part)[k] = right;
+            }
+    }
 }
 
 TEST_CASE("columns with one entry in the same row are solved together") {
