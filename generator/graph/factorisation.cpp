@@ -15,8 +15,9 @@ constexpr std::size_t most_entries_per_row = 3;
 /// a - sum of b_k*c_k, products with zero left out.
 NodeId minus_products(Program& program, NodeId a, const std::vector<std::pair<NodeId, NodeId>>& products) {
     std::vector<std::pair<bool, NodeId>> terms{{false, a}};
-    for (const auto& [b, c] : products) terms.emplace_back(true, program.product({b, c}));
-    return program.sum(std::move(terms));
+    for (const auto& [b, c] : products)
+        if (!program.is_constant(b, 0) && !program.is_constant(c, 0)) terms.emplace_back(true, program.product({b, c}));
+    return terms.size() == 1 ? a : program.sum(std::move(terms));
 }
 
 }  // namespace
