@@ -13,7 +13,7 @@ using GiNaC::ex;
 namespace {
 
 Comparison is_zero_by_normal_form(const ex& difference) {
-    if (difference.is_zero()) return {Verdict::proven};
+    if (difference.expand().is_zero()) return {Verdict::proven};
     try {
         return {NormalForm().is_zero(difference) ? Verdict::proven : Verdict::wrong};
     } catch (const NoNormalForm& reason) {
