@@ -233,7 +233,8 @@ constexpr auto table = std::to_array<Verb>({
     {"evaluate", "print state derivative, outputs and energies at one point", evaluate_command, take_evaluate},
     {"simulate", "simulate a model or a compiled plant (FILE.so); write CSV and plots", simulate_command,
      take_simulate},
-    {"equilibrium", "find an equilibrium (a steady state), its outputs and the linearisation there, with its eigenvalues and time constants",
+    {"equilibrium",
+     "find an equilibrium (a steady state), its outputs and the linearisation there, with its eigenvalues and time constants",
      equilibrium_command, take_equilibrium},
     {"modal", "print eigenvalue, natural frequency, damping ratio and eigenvector of each mode, and the modal form, of a linear "
               "mechanical system or of the linearisation at its start; for a model without coordinates, as of heat, see equilibrium",
