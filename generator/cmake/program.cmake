@@ -52,6 +52,8 @@ set(embedded
     templates/mode_types.hpp.in
     templates/mode_events_apart.hpp.in
     templates/plant.cpp.in
+    templates/plant_table.h.in
+    templates/plant_table_modes.h.in
     templates/work_precision.cpp.in
     templates/cost.cpp.in
     templates/accuracy.cpp.in

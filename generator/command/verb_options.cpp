@@ -8,6 +8,7 @@
 
 #include "command/project_kinds.hpp"
 #include "elements/methods.hpp"
+#include "export/target.hpp"
 #include "graph/passes.hpp"
 #include "text/budgets.hpp"
 #include "text/nearest.hpp"
@@ -113,6 +114,11 @@ void VerbOptions::rewriting() {
 void VerbOptions::language() {
     const auto [names, docs] = names_and_docs(languages(), "language of the header:");
     one_of(verb_.add_option("--language", options.language, docs), names);
+}
+
+void VerbOptions::target() {
+    const auto [names, docs] = names_and_docs(targets(), "tool that takes the export:");
+    one_of(verb_.add_option("--to", options.target, docs)->required(), names);
 }
 
 void VerbOptions::kind() {

@@ -58,6 +58,7 @@ public:
     void explain(const char* doc);
     void rewriting();
     void language();
+    void target();
     /// Of projects.
     void kind();
     void dump();

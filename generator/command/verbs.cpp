@@ -16,6 +16,7 @@ ExitCode new_command(const Options& options, Streams streams);
 ExitCode derive_command(const Options& options, Streams streams);
 ExitCode generate_command(const Options& options, Streams streams);
 ExitCode compile_command(const Options& options, Streams streams);
+ExitCode export_command(const Options& options, Streams streams);
 ExitCode check_command(const Options& options, Streams streams);
 ExitCode evaluate_command(const Options& options, Streams streams);
 ExitCode simulate_command(const Options& options, Streams streams);
@@ -70,6 +71,18 @@ void take_generate(VerbOptions& o) {
 void take_compile(VerbOptions& o) {
     o.model();
     o.output();
+    o.format();
+    o.rewriting();
+}
+
+void take_export(VerbOptions& o) {
+    o.model();
+    o.target();
+    o.output();
+    o.add("--fix", o.options.fix,
+          "parameters that become numbers in the code: `parameters` for all, or names, each with =VALUE if it differs from the default");
+    o.flag("--sources-only", o.options.sources_only, "write sources only, also for a target with compiled files");
+    o.add("--mode", o.options.mode, "mode of a machine with modes, for a target that cannot switch");
     o.format();
     o.rewriting();
 }
@@ -228,6 +241,7 @@ constexpr auto table = std::to_array<Verb>({
     {"generate", "write the C++ header", generate_command, take_generate},
     {"compile", "write the model as a plant: a shared library with a table of C functions, and the C header of this table", compile_command,
      take_compile},
+    {"export", "write the model for another tool, with its exact derivatives", export_command, take_export},
     {"check", "prove derivations and check printed equations, of models (in every scene, or the chosen one) and of catalogues",
      check_command, take_check},
     {"evaluate", "print state derivative, outputs and energies at one point", evaluate_command, take_evaluate},

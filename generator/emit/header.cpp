@@ -17,9 +17,9 @@ Header make_header(const std::vector<const Code*>& modes, const FieldCode* field
     check_identifiers(system);
     const Scene& scene = system.scene;
     const std::optional<PlantFields> rods = fields != nullptr ? std::optional(make_fields(*fields)) : std::nullopt;
-    return {header_name(scene, language), language.name_space(scene),
-            language.file(make_plant(modes, header_equations(modes)), rods ? &*rods : nullptr, scene,
-                          banner(modes, proofs, effects_out, command))};
+    Plant plant = make_plant(modes, header_equations(modes));
+    std::string text = language.file(plant, rods ? &*rods : nullptr, scene, banner(modes, proofs, effects_out, command));
+    return {header_name(scene, language), language.name_space(scene), std::move(text), rods ? whole_plant(plant, *rods) : std::move(plant)};
 }
 
 }  // namespace dalembert

@@ -12,6 +12,7 @@ struct Header {
     std::string file_name;   ///< NAME_SCENE.hpp, or as the language ends
     std::string name_space;  ///< what stands before its names
     std::string text;
+    Plant plant;             ///< as users see it: names, units, sizes, patterns of all states
 };
 
 /// The name of the header of a scene, without making it.

@@ -154,6 +154,16 @@ constexpr auto of_evaluate = std::to_array<JsonField>({
     {"exchanged_power", "power across the border of the model, W; if the model has fluids or heat elements"},
 });
 
+constexpr auto of_export = std::to_array<JsonField>({
+    {"scene", "name of the scene"},
+    {"sizes.<NAME>", "sizes of families"},
+    {"target", "tool that the files are for"},
+    {"all_proven", "true if all of the code is proven; false if a part is only numerically equal"},
+    {"files[].path", "file that was written"},
+    {"files[].bytes", "its size"},
+    {"notes[]", "names that were mapped, and what the tool does not see of the model"},
+});
+
 constexpr auto of_compile = std::to_array<JsonField>({
     {"scene", "name of the scene"},
     {"sizes.<NAME>", "sizes of families"},
@@ -271,6 +281,7 @@ constexpr auto schemas = std::to_array<JsonSchema>({
     {"derive", of_derive},
     {"generate", of_generate},
     {"compile", of_compile},
+    {"export", of_export},
     {"check", of_check},
     {"evaluate", of_evaluate},
     {"simulate", of_simulate},

@@ -61,6 +61,8 @@ struct Options {
     std::vector<std::string> without;     ///< names of passes
     std::string fix;                      ///< parameters that become numbers
     std::string language = languages().front().name;
+    std::string target;                   ///< of export
+    bool sources_only = false;
     std::string trig = "library";         ///< whose sine and cosine the header calls
     double ulp_limit = 8;                 ///< of errors in double
 };

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/export.hpp"
+
+#include <algorithm>
+
+#include "command/write_result.hpp"
+#include "export/plant_in_c.hpp"
+#include "export/target.hpp"
+#include "prove/constraint_validity.hpp"
+#include "form/state_places.hpp"
+#include "run/plant_run.hpp"
+#include "run/settings.hpp"
+#include "run/shared.hpp"
+#include "text/template.hpp"
+
+namespace dalembert {
+
+namespace {
+
+/// x at the start of the default parameters, in the order of the header.
+std::vector<double> start_values(const System& system) {
+    Values values(system.scene, system.translate);
+    meet_constraints(system, values);
+    const StatePlaces places = place_states(system);
+    const std::vector<double> state = numbers_of(values.state());
+    std::vector<double> x(places.count, 0);
+    for (std::size_t i = 0; i < state.size(); ++i) x[places.positions[i]] = state[i];
+    return x;
+}
+
+ExportSubject subject_of_export(const Machine& machine, const Header& header) {
+    const System& system = *machine.system;
+    ExportSubject subject{machine, header.plant, header.name_space, start_values(system),
+                          parameter_numbers(system, Values(system.scene, system.translate)), {}};
+    subject.c_files = {{header.file_name, header.text},
+                       {"dalembert_plant.h", std::string(embedded_file("plant.h"))},
+                       {subject.name + "_plant.h", plant_in_c(subject.plant, subject.name, subject.start_values, subject.parameter_defaults)}};
+    return subject;
+}
+
+}  // namespace
+
+ExitCode export_command(const Options& options, Streams streams) {
+    const auto rows = targets();
+    const Target& target = *std::find_if(rows.begin(), rows.end(), [&](const Target& t) { return options.target == t.name; });
+    const auto model = loaded(options, streams);
+    Machine machine = derive_machine(model, options.choice.scene, options.choice.sizes, parse_fixed(options.fix, model->names));
+    show_warnings(machine, streams);
+    show_doubts(machine, streams);
+    refuse_rest(*machine.system, "export");
+    ask_of_code(machine, options);
+    machine.language = &language_named("c");
+    const Header header = generate(machine);
+    Exported exported = target.make(subject_of_export(machine, header), {options.sources_only, options.mode});
+    ExportResult result{subject_of(machine.system->scene), target.name, proofs_of(machine).all_proven(), {}, std::move(exported.notes)};
+    for (auto& [path, content] : exported.files) {
+        path = options.output / path;
+        result.files.push_back({path, content.size()});
+    }
+    write_files(exported.files);
+    write_result(result, options, streams);
+    return ExitCode::good;
+}
+
+}  // namespace dalembert

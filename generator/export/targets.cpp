@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/target.hpp"
+
+namespace dalembert {
+
+namespace {
+
+/// The plant itself.
+Exported plant_files(const ExportSubject& subject, const ExportWish&) {
+    Exported result{subject.c_files, {}};
+    result.files.emplace_back(subject.name + "_plant.c", "/* SPDX-License-Identifier: BSL-1.0 */\n/* Exports the plant of a shared library. */\n#include \"" +
+                                                             subject.name + "_plant.h\"\n\nconst dalembert_plant* dalembert_plant_table(void) { return " +
+                                                             subject.name + "_plant_table(); }\n");
+    return result;
+}
+
+constexpr Target table[]{
+    {"c", "the model as a table of C functions, in C99: for programs of your own", plant_files},
+};
+
+}  // namespace
+
+std::span<const Target> targets() { return table; }
+
+}  // namespace dalembert

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/export.hpp"
+
+#include <fmt/format.h>
+
+#include "report/json_output.hpp"
+
+namespace dalembert {
+
+std::string as_text(const ExportResult& result) {
+    std::string text = fmt::format("{}\nfor {}, {}:\n", result.subject.title(), result.target,
+                                   result.all_proven ? "everything proven" : "some parts only numerically equal");
+    for (const ExportResult::File& file : result.files) text += fmt::format("  {} ({} bytes)\n", file.path.string(), file.bytes);
+    for (const std::string& note : result.notes) text += fmt::format("note: {}\n", note);
+    return text;
+}
+
+nlohmann::ordered_json as_json(const ExportResult& result) {
+    nlohmann::ordered_json json = json_result("export", result.subject);
+    json["target"] = result.target;
+    json["all_proven"] = result.all_proven;
+    json["files"] = nlohmann::ordered_json::array();
+    for (const ExportResult::File& file : result.files) json["files"].push_back({{"path", file.path.string()}, {"bytes", file.bytes}});
+    json["notes"] = result.notes;
+    return json;
+}
+
+}  // namespace dalembert
