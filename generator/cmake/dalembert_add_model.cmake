@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: BSL-1.0
 # dalembert_add_model(TARGET MODEL file.toml [SCENE scene] [SIZES N=5 ...] [FIX parameters | NAME[=VALUE] ...] [TRIG combined] [TAYLOR] [TOGETHER]
-#                     [LANGUAGE C])
+#                     [LANGUAGE C] [EXPORT fmi2 ...])
 #
 # Generates the header of one scene of a model at build time, as TARGET.hpp (TARGET.h with LANGUAGE C), and makes an interface library TARGET for those who
 # include it. FIX makes parameters numbers; TRIG combined takes sine and cosine in float from one reduction; with TAYLOR it has Taylor
-# series of the motion, with TOGETHER one function for rates, Jacobian, outputs and energies. The header is generated again when the model file or the generator changes.
+# series of the motion, with TOGETHER one function for rates, Jacobian, outputs and energies. The header is generated again when the model
+# file or the generator changes. EXPORT names tools (see `dalembert export`): what they take is written to the folder TARGET.exported/TOOL by
+# the target all; the property DALEMBERT_EXPORTS of TARGET is the folder TARGET.exported.
 function(dalembert_add_model target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "TAYLOR;TOGETHER" "MODEL;SCENE;TRIG;LANGUAGE" "SIZES;FIX")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "TAYLOR;TOGETHER" "MODEL;SCENE;TRIG;LANGUAGE" "SIZES;FIX;EXPORT")
   if(NOT arg_MODEL)
     message(FATAL_ERROR "dalembert_add_model(${target}): MODEL is missing")
   endif()
@@ -28,6 +30,7 @@ function(dalembert_add_model target)
   if(arg_TRIG)
     list(APPEND options --trig ${arg_TRIG})
   endif()
+  set(export_options ${options})
   if(arg_TAYLOR)
     list(APPEND options --taylor)
   endif()
@@ -67,4 +70,16 @@ function(dalembert_add_model target)
   add_dependencies(${target} ${target}_generated)
   target_include_directories(${target} INTERFACE ${folder})
   target_compile_features(${target} INTERFACE ${standard})
+  set(exports ${CMAKE_CURRENT_BINARY_DIR}/${target}.exported)
+  foreach(tool IN LISTS arg_EXPORT)
+    add_custom_command(
+      OUTPUT ${exports}/${tool}.written
+      COMMAND ${program} export ${model} --to ${tool} ${export_options} -o ${exports}/${tool}
+      COMMAND ${CMAKE_COMMAND} -E touch ${exports}/${tool}.written
+      DEPENDS ${model} ${program}
+      COMMENT "Exporting ${target} to ${tool}"
+      VERBATIM)
+    add_custom_target(${target}_${tool} ALL DEPENDS ${exports}/${tool}.written)
+  endforeach()
+  set_target_properties(${target} PROPERTIES DALEMBERT_EXPORTS ${exports})
 endfunction()

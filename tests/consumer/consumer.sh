@@ -16,6 +16,7 @@ grep -q '^7 parameters are left' "$here/fixed"
 "$here/build/c_controller" | tee "$here/in_c"
 grep -q '^in C: phi = 0.29' "$here/in_c"
 grep -q 'combined_sin_and_cos' "$here/build/fixed_cart.generated/fixed_cart.hpp"
+test -s "$(cat "$here/build/exports.txt")/cart_pendulum_lab_plant.c"
 
 # Nothing to do while nothing changed; generated again after a change.
 cmake --build "$here/build" | grep -q 'no work to do'

@@ -120,6 +120,7 @@ TEST_CASE("the JSON fields are the documented ones") {
           {systems + "cart_pendulum.toml", "-o", folder},
           {systems + "n_pendulum.toml", "--size", "N=2", "-o", folder}}},
         {"compile", {{systems + "n_pendulum.toml", "--size", "N=2", "-o", folder}}},
+        {"export", {{systems + "n_pendulum.toml", "--size", "N=2", "--to", "c", "-o", folder}}},
         {"effects", {{systems + "projectile.toml", "-o", folder, "--no-plot"}, {braked, "-o", folder, "--no-plot"}}},
         {"check",
          {{systems + "coupled_springs.toml", "-o", folder}, {systems + "cart_pendulum.toml"}, {book}, {book, systems + "pulley.toml"}}},
