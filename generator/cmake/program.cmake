@@ -71,6 +71,9 @@ set(embedded
     runtime/dalembert/ldlt.hpp
     runtime/dalembert/plant.h
     runtime/dalembert/unroll.hpp
+    runtime/export/derivatives.h.in
+    runtime/export/pattern_of_entries.h.in
+    runtime/export/casadi.c.in
     runtime/c/math_functions.h.in
     runtime/c/scalar_functions.h.in
     runtime/c/angle_functions.h.in

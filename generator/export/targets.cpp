@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/casadi.hpp"
 #include "export/target.hpp"
 
 namespace dalembert {
@@ -16,6 +17,7 @@ Exported plant_files(const ExportSubject& subject, const ExportWish&) {
 
 constexpr Target table[]{
     {"c", "the model as a table of C functions, in C99: for programs of your own", plant_files},
+    {"casadi", "functions for CasADi's `external`: C files and a shared library", casadi_files},
 };
 
 }  // namespace

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/casadi.hpp"
+
+#include <fmt/format.h>
+
+#include "export/c_library.hpp"
+#include "export/derivatives_in_c.hpp"
+#include "text/template.hpp"
+
+namespace dalembert {
+
+Exported casadi_files(const ExportSubject& subject, const ExportWish& wish) {
+    DerivativesInC derivatives = derivatives_in_c(subject, wish, "CasADi");
+    std::map<std::string, std::string> values = derivatives.numbers;
+    values["T"] = derivatives.has_time ? ", t" : "";
+    const std::string main_file = subject.name + "_casadi.c";
+    Exported result{{subject.c_files.front()}, {}};  // the header; nothing here asks for the table
+    result.files.push_back(std::move(derivatives.file));
+    result.files.emplace_back(main_file, fill_template(embedded_file("casadi.c.in"), values));
+    if (!wish.sources_only) result.files.emplace_back(subject.name + ".so", c_library(result.files, main_file));
+    if (derivatives.has_time) result.notes.push_back("the model depends on time: t is the last argument of f and y");
+    if (!subject.plant.outputs.empty())
+        result.notes.push_back("derivatives of outputs by parameters are not there: CasADi gets NaN where it asks for them");
+    return result;
+}
+
+}  // namespace dalembert
