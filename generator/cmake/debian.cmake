@@ -11,7 +11,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 # To derive and generate, the program needs its libraries alone; to simulate, a compiler; to plot, gnuplot. The runtime is made of headers.
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++ | c++-compiler, gnuplot-nox | gnuplot, libboost-dev, libeigen3-dev")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++ | c++-compiler, gcc | c-compiler, gnuplot-nox | gnuplot, libboost-dev, libeigen3-dev")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS cmake)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "equations of machines: derived, proven and written as C++ or C")
 set(CPACK_PACKAGE_DESCRIPTION
