@@ -57,7 +57,7 @@ struct dalembert_run {
     size_t blamed;     /* state, with dalembert_not_finite and dalembert_step_too_small; constraint, with constraint_broken and singular_position */
     size_t last_event; /* event or guard, with range_left, no_mode, event_storm and accumulation */
 
-    struct dalembert_run_inside* inside;
+    struct dalembert_run_inside* inside; /* how it works */
 };
 
 /* All memory at once; its size depends only on the plant. Null if there is none. `self` stays the caller's. */
@@ -86,5 +86,121 @@ static inline void dalembert_run_message(const dalembert_run* run, enum dalember
 static inline size_t dalembert_run_saved_size(const dalembert_run* run);
 static inline void dalembert_run_save(const dalembert_run* run, void* block);
 static inline void dalembert_run_load(dalembert_run* run, const void* block);
+
+/* What follows is how it works; nothing of it is for callers. */
+
+/* A step that may or may not be taken: from where the run is to `end`. */
+typedef struct dalembert_candidate {
+    double length, end; /* s */
+    double *y, *error, *dydt;
+    int has_derivative; /* dydt is that at the end */
+    int is_finite;
+} dalembert_candidate;
+
+/* Where a step begins. */
+typedef struct dalembert_point {
+    const double *x, *dxdt;
+    double t;
+} dalembert_point;
+
+/* A square matrix whose entries lie near the diagonal, column by column; one that is factored has room for what row exchanges bring. */
+typedef struct dalembert_band {
+    size_t n, lower, upper;
+    int is_factored;
+    double* entries;
+    size_t* exchanges;
+} dalembert_band;
+
+/* What is remembered of a guard; see note [rest] in dalembert_events.h. */
+typedef struct dalembert_watch {
+    double largest;   /* of all values */
+    double excursion; /* of the values since the last change */
+    double last;      /* where the last step began */
+    double rest;      /* of the values between the changes that made it rest */
+    double last_change;
+    int has_changed, small_changes, soon_changes; /* in a row */
+    int rests;
+    int sign, kept; /* where it rests: the last sign, and for how many steps */
+    int patience;   /* steps with one sign after which it rests no more; twice as many each time */
+    int settled;    /* the side where the run is: -1, 1, or 0 when not known yet */
+} dalembert_watch;
+
+/* How independent constraints are: 1 at their best, falling to 0 in proportion to the distance from a singular position. */
+typedef struct dalembert_independence {
+    double value;
+    size_t constraint; /* that depends most on the others */
+    size_t rank;
+    int is_chosen_anew;
+} dalembert_independence;
+
+/* x(s) = x(0) + h times the integral of the polynomial that has these slopes at some points, from 0 to s; see dalembert_collocation.h. */
+typedef struct dalembert_polynomial {
+    const double* x;
+    double h;
+    size_t count;
+    double points[9], nodes[9], weights[9]; /* nodes and weights are those of Gauss's quadrature */
+    double* slopes[9];
+} dalembert_polynomial;
+
+/* What a run remembers from one step to the next, besides arrays. */
+typedef struct dalembert_run_memory {
+    double t, from, span, h, last_error; /* of step control: the logarithm of the error before */
+    int is_started, goes_on;             /* the next step follows the last one; else integration starts anew there */
+    size_t steps, rejected, rhs_calls, jacobians, kinks_passed, implicit_steps;
+    double mark; /* time of the last look at the pace */
+    size_t tries_at_mark;
+    double last_event; /* s */
+    size_t part_events, stalled;
+    double noticed;
+    int has_noticed, may_touch, cuts;
+    int is_implicit, is_radius_begun; /* see dalembert_choice.h */
+    size_t patience, often, tried, accepted, stint;
+    double longest, window_begin, stint_begin, implicit_pace;
+    dalembert_independence now; /* where the last usual step began */
+    double measured;
+    int looks;
+    size_t rank;
+} dalembert_run_memory;
+
+typedef struct dalembert_run_inside {
+    dalembert_modes modes;
+    size_t guards; /* values to watch */
+    double to;
+    const unsigned char* is_ignored; /* events that are not looked at */
+    int is_trial, stops, was_crossed;
+    size_t event;
+    /* Kept: */
+    char* kept_block;
+    size_t kept_size;
+    dalembert_run_memory* kept;
+    double *dxdt, *radius;
+    dalembert_watch* watches;
+    double* row_sizes;
+    int *is_used, *chosen; /* constraints */
+    /* Room to work in: */
+    double *u, *u_ahead, *u_behind;
+    double *k[16], *dense[4], *stage, *other, *difference;
+    double *from_x, *from_dxdt, from_t, *next_x, *start_x, *coast_x;
+    int is_dense;
+    dalembert_candidate c, part, behind;
+    unsigned char *ends, *is_strict, *begins_at_zero;
+    int* side;
+    double *at_start, *at_before, *sample, *lowest, *low, *at_end, *found, *near_values, *far_values, *seen;
+    double begin; /* of the step whose stages are watched */
+    int is_watching, sees_ends, spares_stages, has_kinks, is_cut;
+    int has_matrix;
+    dalembert_band J, W;
+    double *J_values, *J_u, *dfdt, *prepared_x, *prepared_u, prepared_t;
+    int is_prepared;
+    double *projection, *weighted, *gram, *pivots, *pivots_of_chosen;
+    size_t *order, *order_of_chosen;
+    int* is_held; /* those that are never left out */
+    unsigned char* is_done;
+    dalembert_polynomial guess, long_step, other_step;
+    double *reach, *rounding, next_sample; /* of a rough run */
+} dalembert_inside;
+
+#include "dalembert_steps.h"
+#include "dalembert_run_calls.h"
 
 #endif

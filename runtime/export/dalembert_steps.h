@@ -1,0 +1,326 @@
+/* SPDX-License-Identifier: BSL-1.0 */
+/* Drives a run: a step that can be accepted, an event that is passed, an end that is named. */
+#ifndef DALEMBERT_STEPS_H
+#define DALEMBERT_STEPS_H
+
+#include "dalembert_choice.h"
+#include "dalembert_control.h"
+#include "dalembert_dop853.h"
+
+static inline void dalembert_make_step(dalembert_run* run, dalembert_candidate* c) {
+    const dalembert_point here = dalembert_here(run);
+    if (run->inside->kept->is_implicit) dalembert_rodas5p_take(run, &here, c);
+    else dalembert_dop853_take(run, &here, c);
+}
+/* The state at t within the step that was made last. */
+static inline void dalembert_within_from(dalembert_run* run, const dalembert_point* from, const dalembert_candidate* c, double t, double* x) {
+    if (run->inside->kept->is_implicit) dalembert_rodas5p_between(run, from, c, t, x);
+    else dalembert_dop853_between(run, from, c, t, x);
+}
+static inline void dalembert_within(dalembert_run* run, const dalembert_candidate* c, double t, double* x) {
+    const dalembert_point here = dalembert_here(run);
+    dalembert_within_from(run, &here, c, t, x);
+}
+
+#include "dalembert_events.h"
+#include "dalembert_singular.h"
+
+/* Names the state to blame: not finite itself, or else the one whose derivative is at x or a little further on. */
+static inline enum dalembert_status dalembert_blame(dalembert_run* run, double further) {
+    dalembert_inside* const in = run->inside;
+    const size_t n = run->plant->states;
+    memcpy(in->other, run->x, n * sizeof(double));
+    run->blamed = DALEMBERT_NONE;
+    for (int look = 0; look < 2 && run->blamed == DALEMBERT_NONE; ++look) {
+        dalembert_rate(run, in->other, run->t + (look > 0 ? further : 0), in->difference);
+        for (size_t i = n; i-- > 0;)
+            if (!isfinite(in->difference[i])) run->blamed = i;
+        for (size_t i = n; i-- > 0;)
+            if (!isfinite(in->other[i])) run->blamed = i;
+        for (size_t i = 0; i < n; ++i) in->other[i] += further * in->difference[i];
+    }
+    return dalembert_not_finite;
+}
+
+static inline enum dalembert_status dalembert_end_at(dalembert_run* run, enum dalembert_status status, size_t guard) {
+    run->inside->event = guard;
+    return status;
+}
+
+/* A step that cannot be made next to the zero of a guard that ends the run, or next to a singular position, ends because of that. */
+static inline enum dalembert_status dalembert_stop(dalembert_run* run, enum dalembert_status status) {
+    if ((status == dalembert_not_finite || status == dalembert_step_too_small) && run->inside->guards > 0) {
+        const size_t guard = dalembert_vanishing_guard(run);
+        if (guard != DALEMBERT_NONE) return dalembert_end_at(run, dalembert_range_left, guard);
+    }
+    if (status == dalembert_not_finite) status = dalembert_blame(run, 64 * dalembert_smallest(run->inside->kept->span, run->t));
+    return dalembert_named_singular(run, status);
+}
+
+static inline void dalembert_move(dalembert_run* run, double t, const double* x) {
+    run->t = t;
+    if (x != run->x) memcpy(run->x, x, run->plant->states * sizeof(double));
+}
+
+/* Where the right-hand side is smooth across guards, it is not they that cut a step short that runs into an input that jumps. */
+static inline int dalembert_is_sure_of_end(const dalembert_run* run) {
+    return !run->inside->spares_stages && dalembert_ending_guard(run->inside) != DALEMBERT_NONE;
+}
+
+static inline int dalembert_project_run(dalembert_run* run, double t, double* x) {
+    if (run->plant->modes > 0 || !run->plant->is_projected) return 0;
+    run->blamed = dalembert_project(run->plant, run->self, 0, t, x, run->inside->projection);
+    return 1;
+}
+static inline int dalembert_is_broken(const dalembert_run* run) {
+    return run->plant->modes == 0 && run->plant->is_projected && run->blamed != DALEMBERT_NONE;
+}
+
+static inline void dalembert_accept(dalembert_run* run, const dalembert_candidate* c) {
+    dalembert_inside* const in = run->inside;
+    dalembert_run_memory* const k = in->kept;
+    const size_t n = run->plant->states;
+    if (c->length > 0) {
+        ++run->steps;
+        ++k->accepted;
+        k->longest = fmax(k->longest, c->length);
+        if (k->is_implicit) ++run->implicit_steps;
+    }
+    memcpy(in->from_x, run->x, n * sizeof(double));
+    memcpy(in->from_dxdt, in->dxdt, n * sizeof(double));
+    in->from_t = run->t;
+    in->was_crossed = 0;
+    dalembert_move(run, c->end, c->y);
+    for (size_t i = 0; i < in->guards; ++i) in->watches[i].settled = in->side[i];
+    /* On the zero of a guard that ends the run the right-hand side may have no value. */
+    if (in->guards > 0 && in->is_cut && dalembert_is_sure_of_end(run)) {
+        memcpy(in->dxdt, c->dydt, n * sizeof(double));
+        return;
+    }
+    const int is_moved = in->guards > 0 && in->is_cut ? 0 : dalembert_project_run(run, run->t, run->x);
+    if (c->has_derivative && !is_moved) memcpy(in->dxdt, c->dydt, n * sizeof(double));
+    else dalembert_rate(run, run->x, run->t, in->dxdt);
+}
+
+/* Makes the step; with guards, only up to its first event. */
+static inline void dalembert_try_step(dalembert_run* run, dalembert_candidate* c) {
+    dalembert_inside* const in = run->inside;
+    if (in->guards == 0) dalembert_make_step(run, c);
+    else dalembert_search(run, c, dalembert_tiny(&in->modes, run->t), dalembert_resolution(run, c->end));
+}
+
+/* On its zero a jump may have a value that holds on neither side: a run that starts there starts just behind it. */
+static inline void dalembert_leave_zero(dalembert_run* run) {
+    dalembert_inside* const in = run->inside;
+    const size_t n = run->plant->states;
+    const double ahead = 16 * DBL_EPSILON * fmax(fabs(run->t), in->kept->span);
+    int is_on_zero = 0;
+    for (size_t i = 0; i < in->guards; ++i) is_on_zero = is_on_zero || in->watches[i].settled == 0;
+    if (!is_on_zero || !(run->t + ahead < in->to)) return;
+    for (size_t i = 0; i < n; ++i) in->other[i] = run->x[i] + ahead * in->dxdt[i];
+    dalembert_rate(run, in->other, run->t + ahead, in->difference);
+    if (!dalembert_all_finite(n, in->other) || !dalembert_all_finite(n, in->difference) || !dalembert_leave_zero_at(run, in->other, run->t + ahead)) return;
+    dalembert_move(run, run->t + ahead, in->other);
+    memcpy(in->dxdt, in->difference, n * sizeof(double));
+}
+
+/* The first point behind the event along dx/dt. What the longer step reached there may have used the right-hand side of the other side; it is taken only where
+ * that makes no difference. If neither is there, the event is yet to come. */
+static inline int dalembert_find_other_side(dalembert_run* run, double* t, double* x) {
+    dalembert_inside* const in = run->inside;
+    const dalembert_candidate* const behind = &in->behind;
+    const size_t n = run->plant->states;
+    const double tiny = dalembert_tiny(&in->modes, run->t);
+    const int goes_on = dalembert_all_finite(n, in->dxdt);
+    for (double ahead = behind->end - run->t; goes_on && ahead <= tiny && run->t + ahead <= in->to; ahead *= 2) {
+        *t = run->t + ahead;
+        for (size_t i = 0; i < n; ++i) x[i] = run->x[i] + ahead * in->dxdt[i];
+        if (dalembert_has_changed_at(run, x, *t)) return 1;
+        if (!(ahead > 0)) break;
+    }
+    int is_near = behind->is_finite;
+    for (size_t i = 0; i < n; ++i)
+        is_near = is_near && fabs(behind->y[i] - run->x[i]) <= 64 * DBL_EPSILON * fmax(run->scale[i], fabs(run->x[i]));
+    *t = behind->end;
+    memcpy(x, behind->y, n * sizeof(double));
+    return behind->is_finite && dalembert_any_negative(in->guards, in->found) &&
+           (is_near || behind->length <= tiny || in->kept->cuts >= dalembert_most_cuts);
+}
+
+/* At the end of a step that was cut for an event: ends there, or starts anew behind it. */
+static inline enum dalembert_status dalembert_pass_event(dalembert_run* run, int* is_anew) {
+    dalembert_inside* const in = run->inside;
+    dalembert_run_memory* const k = in->kept;
+    *is_anew = 0;
+    if (dalembert_is_broken(run)) return dalembert_constraint_broken;
+    if (in->guards == 0 || !in->is_cut) return dalembert_good;
+    double t = run->t;
+    if (!dalembert_is_sure_of_end(run) && !dalembert_find_other_side(run, &t, in->next_x)) {
+        k->may_touch = 1;
+        ++k->cuts;
+        return dalembert_good;
+    }
+    const size_t ending = dalembert_ending_guard(in);
+    if (ending != DALEMBERT_NONE) return dalembert_end_at(run, dalembert_range_left, ending);
+    *is_anew = 1;
+    dalembert_move(run, t, in->next_x);
+    size_t first = 0;
+    while (first < in->guards && !(in->found[first] < 0)) ++first;
+    const size_t changed = dalembert_pass_guards(run, t);
+    k->part_events += changed;
+    k->kinks_passed += changed;
+    k->stalled = k->part_events > 1 && !(run->t - k->last_event > dalembert_smallest(k->span, run->t)) ? k->stalled + 1 : 0;
+    k->last_event = run->t;
+    k->last_error = 0;
+    dalembert_rate(run, run->x, run->t, in->dxdt);
+    if (!dalembert_all_finite(run->plant->states, run->x) || !dalembert_all_finite(run->plant->states, in->dxdt)) return dalembert_not_finite;
+    if (run->on_event != NULL && !in->is_trial) run->on_event(run->context, run, run->t, first, in->modes.mode, in->modes.mode);
+    return k->part_events > run->options.most_events || k->stalled > 100 + in->guards ? dalembert_end_at(run, dalembert_event_storm, first) : dalembert_good;
+}
+
+/* From just before a kink that is known to just behind it. */
+static inline void dalembert_pass_stop(dalembert_run* run, double behind) {
+    dalembert_inside* const in = run->inside;
+    for (size_t i = 0; i < run->plant->states; ++i) run->x[i] += (behind - run->t) * in->dxdt[i];
+    run->t = behind;
+    if (in->guards > 0) in->kept->kinks_passed += dalembert_pass_known(run);
+    in->kept->last_error = 0;
+    dalembert_rate(run, run->x, run->t, in->dxdt);
+}
+
+/* Whether the rest of the run takes more than most_steps at the pace of the last 2 million, so that it ends in seconds and not in minutes. */
+static inline int dalembert_is_hopeless(dalembert_run* run) {
+    dalembert_run_memory* const k = run->inside->kept;
+    const size_t tries = run->steps + run->rejected;
+    if (tries - k->tries_at_mark < 2000000) return 0;
+    const double pace = (run->t - k->mark) / (double)(tries - k->tries_at_mark);
+    k->mark = run->t;
+    k->tries_at_mark = tries;
+    return pace * (double)run->options.most_steps < run->inside->to - run->t;
+}
+
+/* The longest step where the caller does not say. */
+static inline double dalembert_longest_step(const dalembert_run* run) {
+    if (run->options.longest_step > 0) return run->options.longest_step;
+    const int may_miss = run->inside->guards > 0 || run->plant->constraints > 0 || run->inputs.function != NULL;
+    return may_miss ? run->inside->kept->span / 500 : HUGE_VAL;
+}
+
+/* One step that can be accepted, of at most h and not beyond `target`; leaves the size of the next one in h. */
+static inline enum dalembert_status dalembert_acceptable_step(dalembert_run* run, double target) {
+    dalembert_inside* const in = run->inside;
+    dalembert_run_memory* const k = in->kept;
+    dalembert_candidate* const c = &in->c;
+    const double limit = target - run->t, longest = dalembert_longest_step(run);
+    int not_finite = 0;
+    while (1) {
+        if (run->steps + run->rejected >= run->options.most_steps || dalembert_is_hopeless(run)) return dalembert_too_many_steps;
+        if (k->h > longest) k->h = longest;
+        int clipped = k->h >= limit;
+        c->length = clipped ? limit : k->h;
+        c->end = clipped ? target : run->t + c->length;
+        if (!(c->length > dalembert_smallest(k->span, run->t)) && !clipped) return not_finite ? dalembert_not_finite : dalembert_step_too_small;
+        dalembert_choose_method(run);
+        dalembert_try_step(run, c);
+        clipped = clipped || in->is_cut;
+        if (c->is_finite && !in->is_cut && k->is_implicit) {
+            const dalembert_point here = dalembert_here(run);
+            dalembert_rodas5p_check(run, &here, c);
+        }
+        const double e = c->is_finite ? dalembert_error_norm(run, run->x, c->y, c->error) : 0;
+        if (!c->is_finite || !(e <= 1) || (in->guards > 0 && !dalembert_keeps_rest(run, c->y, c->end)) ||
+            (!in->is_cut && dalembert_spoils_constraints(run, c))) {
+            not_finite = not_finite || !c->is_finite;
+            if (c->is_finite) run->blamed = dalembert_worst(run, c);
+            ++run->rejected;
+            k->h = c->length * (e <= 1 ? 0.25 : dalembert_factor_of_failure(run, e));
+            continue;
+        }
+        /* After a step that was cut to end on a given time, the size from before is as good a guess as ever. */
+        const double factor = dalembert_factor(run, e);
+        k->h = clipped ? fmax(k->h, c->length * factor) : c->length * factor;
+        return dalembert_good;
+    }
+}
+
+/* A new beginning: after the start, an event that changes the mode, or a change from outside. */
+static inline enum dalembert_status dalembert_begin_anew(dalembert_run* run) {
+    dalembert_inside* const in = run->inside;
+    dalembert_run_memory* const k = in->kept;
+    const size_t n = run->plant->states;
+    k->part_events = k->stalled = 0;
+    k->last_error = 0;
+    k->tried = k->accepted = k->often = k->stint = 0;
+    k->longest = 0;
+    in->is_prepared = 0;
+    in->is_cut = 0;
+    if (run->options.method != dalembert_automatic) dalembert_choose_method(run);
+    if (!dalembert_all_finite(n, run->x)) return dalembert_blame(run, 0);
+    (void)dalembert_project_run(run, run->t, run->x);
+    if (dalembert_is_broken(run)) return dalembert_constraint_broken;
+    dalembert_rate(run, run->x, run->t, in->dxdt);
+    if (!dalembert_all_finite(n, run->x) || !dalembert_all_finite(n, in->dxdt)) return dalembert_blame(run, 0);
+    if (in->guards > 0) {
+        const size_t guard = dalembert_start_guards(run);
+        if (dalembert_any_nan(in->guards, in->found)) return dalembert_not_finite;
+        if (guard != DALEMBERT_NONE) return dalembert_end_at(run, dalembert_range_left, guard);
+        dalembert_leave_zero(run);
+    }
+    k->h = dalembert_first_step(run);
+    k->goes_on = 1;
+    return dalembert_good;
+}
+
+/* The next time of `stops`, with room before and behind it; `to` where there is none. */
+static inline void dalembert_next_stop(const dalembert_run* run, double* before, double* behind) {
+    size_t low = 0, high = run->options.stop_count; /* the first one behind t */
+    while (low < high) {
+        const size_t middle = (low + high) / 2;
+        if (run->options.stops[middle] > run->t) high = middle;
+        else low = middle + 1;
+    }
+    *before = *behind = run->inside->to;
+    for (; low < run->options.stop_count; ++low) {
+        const double stop = run->options.stops[low], room = dalembert_smallest(run->inside->kept->span, stop);
+        if (!(stop - room > run->t) || !(stop - room < run->inside->to)) continue;
+        *before = stop - room;
+        *behind = stop + room;
+        return;
+    }
+}
+
+/* In the present mode up to `to`, or to an event: dalembert_range_left, with its number in inside->event. */
+static inline enum dalembert_status dalembert_integrate(dalembert_run* run, double to) {
+    dalembert_inside* const in = run->inside;
+    dalembert_run_memory* const k = in->kept;
+    const size_t n = run->plant->states;
+    in->to = to;
+    if (!k->goes_on) {
+        const enum dalembert_status status = dalembert_begin_anew(run);
+        if (status != dalembert_good) return status;
+    }
+    while (run->t < to && !in->stops) {
+        double before, behind;
+        int is_anew = 0;
+        dalembert_next_stop(run, &before, &behind);
+        double target = fmin(to, before);
+        const enum dalembert_ahead ahead = dalembert_look_ahead(run, before, &target);
+        if (ahead == dalembert_ahead_stuck) return dalembert_stop(run, dalembert_singular_position);
+        if (ahead == dalembert_ahead_clear) {
+            enum dalembert_status status = dalembert_acceptable_step(run, target);
+            if (status != dalembert_good) return dalembert_stop(run, status);
+            dalembert_accept(run, &in->c);
+        }
+        if (run->on_step != NULL && !in->is_trial && run->t > in->from_t) in->stops = run->on_step(run->context, run) != 0;
+        if (ahead == dalembert_ahead_clear) {
+            const enum dalembert_status status = dalembert_pass_event(run, &is_anew);
+            if (status != dalembert_good) return status == dalembert_range_left ? status : dalembert_stop(run, status);
+        }
+        if (!(run->t < before) && !(run->t > before) && run->t < to) dalembert_pass_stop(run, behind);
+        if (!dalembert_all_finite(n, run->x) || !dalembert_all_finite(n, in->dxdt)) return dalembert_blame(run, 0);
+        if (is_anew) k->h = dalembert_first_step(run);
+    }
+    return dalembert_good;
+}
+
+#endif
