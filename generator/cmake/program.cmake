@@ -13,11 +13,12 @@ if(PkgConfig_FOUND)
   pkg_check_modules(TOMLPLUSPLUS ${needed} IMPORTED_TARGET tomlplusplus)
   pkg_check_modules(ZIP ${needed} IMPORTED_TARGET libzip)
   pkg_check_modules(MATIO ${needed} IMPORTED_TARGET matio)
+  pkg_check_modules(PUGIXML ${needed} IMPORTED_TARGET pugixml)
 endif()
 find_package(fmt ${needed})
 find_package(nlohmann_json ${needed})
 find_package(CLI11 ${needed})
-set(libraries PkgConfig::GINAC PkgConfig::CLN PkgConfig::TOMLPLUSPLUS PkgConfig::ZIP PkgConfig::MATIO fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11 Boost::headers Eigen3::Eigen)
+set(libraries PkgConfig::GINAC PkgConfig::CLN PkgConfig::TOMLPLUSPLUS PkgConfig::PUGIXML PkgConfig::ZIP PkgConfig::MATIO fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11 Boost::headers Eigen3::Eigen)
 set(missing "")
 foreach(library IN LISTS libraries)
   if(NOT TARGET ${library})
@@ -85,6 +86,9 @@ set(embedded
     runtime/c/junctions.h.in
     runtime/c/series_functions.h.in
     runtime/c/ldlt.h.in)
+# And what exports carry: runs and modes over a plant, and the adapters of FMI.
+file(GLOB exported RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS runtime/export/dalembert_*.h runtime/export/fmi*.[ch])
+list(APPEND embedded ${exported})
 # And the projects that `dalembert new` writes.
 file(GLOB projects RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS templates/new/*/*.in)
 list(APPEND embedded ${projects})

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "export/casadi.hpp"
+#include "export/fmi.hpp"
 #include "export/target.hpp"
 
 namespace dalembert {
@@ -18,6 +19,8 @@ Exported plant_files(const ExportSubject& subject, const ExportWish&) {
 constexpr Target table[]{
     {"c", "the model as a table of C functions, in C99: for programs of your own", plant_files},
     {"casadi", "functions for CasADi's `external`: C files and a shared library", casadi_files},
+    {"fmi2", "a functional mock-up unit (FMI 2.0) for model exchange and co-simulation", fmi2_files},
+    {"fmi3", "a functional mock-up unit (FMI 3.0) for model exchange and co-simulation", fmi3_files},
 };
 
 }  // namespace
