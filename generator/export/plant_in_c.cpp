@@ -47,7 +47,7 @@ constexpr Row constraint_rows[]{
 
 /// Shortest text that is read as the same number.
 std::string number(double value) {
-    if (std::isinf(value)) return value > 0 ? "INFINITY" : "-INFINITY";
+    if (std::isinf(value)) return value > 0 ? "HUGE_VAL" : "-HUGE_VAL";  // INFINITY is a float: clang warns
     const std::string text = fmt::format("{}", value);
     return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
 }
