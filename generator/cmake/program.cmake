@@ -77,6 +77,9 @@ set(embedded
     runtime/export/derivatives.h.in
     runtime/export/pattern_of_entries.h.in
     runtime/export/casadi.c.in
+    runtime/export/acados.c.in
+    runtime/export/acados_explicit.c.in
+    runtime/export/acados_model.py.in
     runtime/c/math_functions.h.in
     runtime/c/scalar_functions.h.in
     runtime/c/angle_functions.h.in

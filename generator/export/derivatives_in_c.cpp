@@ -100,19 +100,6 @@ private:
     const char* by_;
 };
 
-/// Lines of a constant array.
-std::string listed(const std::vector<std::size_t>& numbers) {
-    constexpr std::size_t longest = 120;
-    std::string text, line;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        line += std::to_string(numbers[i]) + (i + 1 < numbers.size() ? ", " : "");
-        if (line.size() < longest) continue;
-        text += line + "\n    ";
-        line.clear();
-    }
-    return text + line;
-}
-
 std::string matrix(PlantPattern pattern, const std::string& name, const char* by) {
     // Without columns the starts may be left out.
     if (pattern.column_starts.empty()) pattern.column_starts.assign(pattern.columns + 1, 0);
@@ -123,13 +110,26 @@ std::string matrix(PlantPattern pattern, const std::string& name, const char* by
     return fill_template(embedded_file("pattern_of_entries.h.in"),
                          {{"NAME", name},
                           {"BY", by},
-                          {"PATTERN", listed(numbers)},
+                          {"PATTERN", number_lines(numbers)},
                           {"ENTRIES", entries.each("out[{k}] = J[{s}];", {"J", "out"})},
+                          {"SPREAD", entries.each(fmt::format("out[{} * {{c}} + {{r}}] = J[{{s}}];", pattern.rows).c_str(), {"J", "out"})},
                           {"PRODUCT", entries.each("out[{r}] += J[{s}] * v[{c}];", {"J", "v", "out"})},
                           {"TRANSPOSED", entries.each("out[{c}] += J[{s}] * w[{r}];", {"J", "w", "out"})}});
 }
 
 }  // namespace
+
+std::string number_lines(const std::vector<std::size_t>& numbers) {
+    constexpr std::size_t longest = 120;
+    std::string text, line;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        line += std::to_string(numbers[i]) + (i + 1 < numbers.size() ? ", " : "");
+        if (line.size() < longest) continue;
+        text += line + "\n    ";
+        line.clear();
+    }
+    return text + line;
+}
 
 DerivativesInC derivatives_in_c(const ExportSubject& subject, const ExportWish& wish, const char* tool) {
     const Plant& plant = subject.plant;

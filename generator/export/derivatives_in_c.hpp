@@ -17,6 +17,9 @@ struct DerivativesInC {
     std::pair<std::filesystem::path, std::string> file;  ///< NAME_derivatives.h
 };
 
+/// The entries of a constant array, in lines.
+std::string number_lines(const std::vector<std::size_t>& numbers);
+
 /// Throws Failure (bad-option) for a machine that switches where `wish` chooses no mode, or none that it has. `tool`: in that sentence.
 DerivativesInC derivatives_in_c(const ExportSubject& subject, const ExportWish& wish, const char* tool);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/acados.hpp"
 #include "export/casadi.hpp"
 #include "export/fmi.hpp"
 #include "export/target.hpp"
@@ -21,6 +22,7 @@ constexpr Target table[]{
     {"casadi", "functions for CasADi's `external`: C files and a shared library", casadi_files},
     {"fmi2", "a functional mock-up unit (FMI 2.0) for model exchange and co-simulation", fmi2_files},
     {"fmi3", "a functional mock-up unit (FMI 3.0) for model exchange and co-simulation", fmi3_files},
+    {"acados", "the functions of the dynamics for acados, what `casadi` writes, and a Python file that makes an AcadosModel", acados_files},
 };
 
 }  // namespace
