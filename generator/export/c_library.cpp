@@ -9,6 +9,7 @@
 #include "plant/compiler.hpp"
 #include "text/diagnostic.hpp"
 #include "text/process.hpp"
+#include "text/template.hpp"
 
 namespace dalembert {
 
@@ -50,16 +51,26 @@ std::string machine_of(const std::vector<std::string>& compiler) {
     return said.substr(0, said.find_first_of("\r\n"));
 }
 
+FileContents texts_of_runs() {
+    FileContents texts;
+    for (const EmbeddedFile& file : embedded_files())
+        if (file.name.starts_with("dalembert_") && file.name.ends_with(".h")) texts.emplace_back(file.name, file.text);
+    return texts;
+}
+
+// Calls of sin and the like need not set errno: equal calls become one.
+std::vector<std::string> c_library_options() { return {"-std=c99", "-O2", "-fno-math-errno", "-fPIC", "-shared", "-fvisibility=hidden"}; }
+
 std::string c_library(const FileContents& files, const std::string& main_file, std::vector<std::string> compiler) {
     const ScratchFolder scratch;
     const std::filesystem::path folder = scratch.path(), library = folder / "made.so";
     FileContents sources;
     for (const auto& [path, content] : files) sources.emplace_back(folder / path, content);
     write_files(sources);
-    // Calls of sin and the like need not set errno: equal calls become one. Nothing in the library tells where it was made.
-    compiler.insert(compiler.end(), {"-std=c99", "-O2", "-fno-math-errno", "-fPIC", "-shared", "-fvisibility=hidden",
-                                     fmt::format("-ffile-prefix-map={}=.", folder.string()), "-o", library.string(),
-                                     (folder / main_file).string(), "-lm"});
+    // Nothing in the library tells where it was made.
+    for (const std::vector<std::string>& options : {c_library_options(), {fmt::format("-ffile-prefix-map={}=.", folder.string()), "-o", library.string(),
+                                                                          (folder / main_file).string(), "-lm"}})
+        compiler.insert(compiler.end(), options.begin(), options.end());
     called(compiler, fmt::format("the exported file '{}'", main_file));
     return read_file(library);
 }

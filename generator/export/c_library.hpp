@@ -9,6 +9,12 @@
 
 namespace dalembert {
 
+/// What runs of a plant are made of: runtime/export/dalembert_*.h.
+FileContents texts_of_runs();
+
+/// How a C99 compiler makes shared libraries.
+std::vector<std::string> c_library_options();
+
 /// The compilers that $CC names, with their options: one, or several for several machines, with semicolons between them.
 std::vector<std::vector<std::string>> c_compilers();
 

@@ -245,7 +245,7 @@ Unit evaluate(const Expression& e) {
 
 std::vector<UnitRow> unit_rows() {
     std::vector<UnitRow> rows;
-    for (const auto& [name, known] : known_units()) rows.push_back({name, known.takes_prefix, known.doc});
+    for (const auto& [name, known] : known_units()) rows.push_back({name, known.takes_prefix, known.doc, known.unit});
     return rows;
 }
 

@@ -5,12 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "language/dimension.hpp"
+
 namespace dalembert {
 
 struct UnitRow {
     std::string name;
     bool takes_prefix = false;
     std::string doc;
+    Unit unit = {};
 };
 
 std::vector<UnitRow> unit_rows();

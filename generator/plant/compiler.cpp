@@ -18,19 +18,15 @@ namespace {
 
 [[noreturn]] void fail(std::string message) { throw Failure(Diagnostic{Id::tool_failed, {}, std::move(message)}, ExitCode::tool_missing); }
 
-std::vector<std::string> command_of(const char* variable, const char* otherwise) {
-    const char* const command = std::getenv(variable);
-    std::istringstream words(command != nullptr ? command : "");
-    std::vector<std::string> result;
-    for (std::string word; words >> word;) result.push_back(word);
-    return result.empty() ? std::vector<std::string>{otherwise} : result;
-}
-
 }  // namespace
 
-std::vector<std::string> compiler_command() { return command_of("CXX", "c++"); }
-
-std::vector<std::string> c_compiler_command() { return command_of("CC", "cc"); }
+std::vector<std::string> compiler_command() {
+    const char* variable = std::getenv("CXX");
+    std::istringstream words(variable != nullptr && *variable != '\0' ? variable : "c++");
+    std::vector<std::string> result;
+    for (std::string word; words >> word;) result.push_back(word);
+    return result.empty() ? std::vector<std::string>{"c++"} : result;
+}
 
 std::string runtime_folder() {
     std::error_code error;
@@ -52,24 +48,6 @@ void compile(const std::vector<std::string>& arguments) {
     if (compiled.exit_code == 127)
         fail(fmt::format("the compiler '{}' cannot be started; set CXX to a C++17 compiler (on Debian: apt-get install g++)", name));
     if (compiled.exit_code != 0) fail(fmt::format("the compiler '{}' refuses the generated program: {}", name, complaint(compiled.errors)));
-}
-
-std::string shared_library_of_c(const FileContents& texts, const std::string& main, const std::vector<std::string>& options) {
-    const ScratchFolder scratch;
-    const fs::path folder = scratch.path(), made = folder / "made.so";
-    FileContents placed = texts;
-    for (auto& [path, content] : placed) path = folder / path;
-    write_files(placed);
-    std::vector<std::string> command = c_compiler_command();
-    const std::string name = command.front();
-    command.insert(command.end(), {"-std=c99", "-O2", "-fPIC", "-shared", "-fvisibility=hidden"});
-    command.insert(command.end(), options.begin(), options.end());
-    command.insert(command.end(), {"-o", made.string(), (folder / main).string(), "-lm"});
-    const ProcessResult compiled = run_process(command);
-    if (compiled.exit_code == 127)
-        fail(fmt::format("the compiler '{}' cannot be started; set CC to a C99 compiler (on Debian: apt-get install gcc)", name));
-    if (compiled.exit_code != 0) fail(fmt::format("the compiler '{}' refuses the generated program: {}", name, complaint(compiled.errors)));
-    return read_file(made);
 }
 
 std::string for_the_compiler(const std::string& header) {

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The compilers that generated text is given to: $CXX, or c++; and for C $CC, or cc.
+// The C++ compiler that generated text is given to: $CXX, or c++.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "text/files.hpp"
-
 namespace dalembert {
 
 /// The compiler with the options that belong to it, as $CXX says.
 std::vector<std::string> compiler_command();
-
-std::vector<std::string> c_compiler_command();
 
 /// The folder of the runtime headers: `include` beside the program, or beside its folder. Throws Failure (tool-failed).
 std::string runtime_folder();
@@ -20,10 +16,7 @@ std::string runtime_folder();
 /// Calls the compiler as C++17 with the runtime in reach. Throws Failure (tool-failed, exit code 3) where it cannot be started or refuses.
 void compile(const std::vector<std::string>& arguments);
 
-/// A shared library of C99, as bytes: `main` is compiled, which includes the others of `texts`. Throws Failure (tool-failed, exit code 3).
-std::string shared_library_of_c(const FileContents& texts, const std::string& main, const std::vector<std::string>& options = {});
-
-/// A C++ header with what stands before one of so many characters: functions of many thousands of operations take a compiler that
+/// The same with what stands before a header of so many characters: functions of many thousands of operations take a compiler that
 /// optimises them hours, and run a few times slower without.
 std::string for_the_compiler(const std::string& header);
 
