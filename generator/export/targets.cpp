@@ -2,6 +2,7 @@
 #include "export/acados.hpp"
 #include "export/casadi.hpp"
 #include "export/fmi.hpp"
+#include "export/python.hpp"
 #include "export/target.hpp"
 
 namespace dalembert {
@@ -23,6 +24,7 @@ constexpr Target table[]{
     {"fmi2", "a functional mock-up unit (FMI 2.0) for model exchange and co-simulation", fmi2_files},
     {"fmi3", "a functional mock-up unit (FMI 3.0) for model exchange and co-simulation", fmi3_files},
     {"acados", "the functions of the dynamics for acados, what `casadi` writes, and a Python file that makes an AcadosModel", acados_files},
+    {"python", "a package for Python with numpy: functions for many points at once, runs, and solve_ivp", python_files},
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ Number = Union[float, str]
 #: Numbers in the order of a table, or those of some names.
 Values = Union[np.ndarray, Sequence[float], Mapping[str, Number]]
 
-# As in enum dalembert_value of dalembert_many.h.
+# As in enum dalembert_value of many_points.h.
 (_RHS, _JACOBIAN_X, _JACOBIAN_U, _JACOBIAN_P, _JACOBIAN_T, _OUTPUT, _OUTPUT_X, _OUTPUT_U, _MASS, _ENERGIES, _POWERS, _GUARDS, _GUARD_RATES,
  _KINKS, _HOLDS, _CONSTRAINT_POSITIONS, _CONSTRAINT_RATES, _CONSTRAINT_JACOBIAN) = range(18)
 

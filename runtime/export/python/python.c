@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSL-1.0 */
 /* What Python calls by ctypes, in one library with a plant. The text of the plant is included before this one: so the compiler sees both. */
-#include "dalembert_many.h"
-#include "dalembert_record.h"
+#include "many_points.h"
+#include "recorded_run.h"
 
 #if defined(_WIN32)
 #define DALEMBERT_SHOWN __declspec(dllexport)

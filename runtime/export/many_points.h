@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSL-1.0 */
 /* Values of a plant at many points at once. A language that calls C slowly calls it once for all of them. */
-#ifndef DALEMBERT_MANY_H
-#define DALEMBERT_MANY_H
+#ifndef MANY_POINTS_H
+#define MANY_POINTS_H
 
 #include "dalembert_plant.h"
 

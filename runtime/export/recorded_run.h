@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSL-1.0 */
 /* A run that is recorded: states at given times by dense output, and a list of its events. For languages with arrays. */
-#ifndef DALEMBERT_RECORD_H
-#define DALEMBERT_RECORD_H
+#ifndef RECORDED_RUN_H
+#define RECORDED_RUN_H
 
 #include "dalembert_run.h"
 
