@@ -66,7 +66,8 @@ Exported acados_files(const ExportSubject& subject, const ExportWish& wish) {
     values["IDENTITY"] = identity(states);
     result.files.emplace_back(subject.name + "_acados.c", fill_template(embedded_file("acados.c.in"), values));
     const char* call = derivatives.has_time ? "f(result.x, result.u, result.p, result.t)" : "f(result.x, result.u, result.p)";
-    std::string expressions = derivatives.has_time ? "    result.t = ca.MX.sym(\"t\")\n" : fmt::format("    result.f_expl_expr = {}\n", call);
+    std::string expressions =
+        derivatives.has_time ? "    result.t = ca.MX.sym(\"t\")\n" : fmt::format("    result.f_expl_expr = {}\n", call);
     expressions += fmt::format("    result.f_impl_expr = result.xdot - {}\n", call);
     result.files.emplace_back(subject.name + "_acados_model.py",
                               fill_template(embedded_file("acados_model.py.in"),
@@ -84,8 +85,8 @@ Exported acados_files(const ExportSubject& subject, const ExportWish& wish) {
         result.notes.push_back("the model depends on time, and explicit functions of acados do not know it: use the implicit ones, with "
                                "integrator_type = \"IRK\"");
     if (subject.plant.constraints && !subject.plant.constraints->list.empty())
-        result.notes.push_back("accelerations and forces of constraints are solved for in f: for acados it is an ordinary differential equation, "
-                               "without z; it starts where the constraints hold, and keeps them as well as the integrator does");
+        result.notes.push_back("accelerations and forces of constraints are solved for in f: for acados it is an ordinary differential "
+                               "equation, without z; it starts where the constraints hold, and keeps them as well as the integrator does");
     return result;
 }
 
