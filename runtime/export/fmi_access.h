@@ -62,10 +62,17 @@ static const double* fmi_outputs(fmi_machine* m) {
     return m->outputs;
 }
 
-/* In co-simulation there are none. */
+/* In co-simulation there are none. An event that has just happened may leave its indicator at zero, or a rounding below. Importers look for changes
+ * of sign alone, so it counts from there on, as something positive: else they would miss the next event, or see one where it rises. */
 static const double* fmi_indicators(fmi_machine* m) {
     if (m->modes) dalembert_modes_values(m->modes, m->t, m->x, m->indicators);
+    for (size_t i = 0; i < m->plant->events; ++i)
+        if (m->behind[i] <= 0.0) m->indicators[i] = m->indicators[i] - m->behind[i] + DBL_MIN;
     return m->indicators;
+}
+
+static void fmi_note_indicators(fmi_machine* m) {
+    if (m->modes) dalembert_modes_values(m->modes, m->t, m->x, m->behind);
 }
 
 static double fmi_energy_of(const fmi_machine* m, size_t index) {

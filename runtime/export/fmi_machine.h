@@ -62,6 +62,7 @@ typedef struct fmi_machine {
     unsigned char* is_given;
     int* solved_for;          /* by constraint, what the plant solves for at the start */
     double *rates, *outputs, *indicators;
+    double* behind;           /* by indicator of an event: where it stood, at or below zero, when the last event was handled */
     double *by_state, *by_input, *by_parameter, *by_time;     /* of the rates, in the pattern of the plant */
     double *outputs_by_state, *outputs_by_input;
     double* work;
@@ -141,6 +142,7 @@ static void fmi_begin_anew(fmi_machine* m) {
     m->known = 0;
     for (size_t i = 0; i < plant->parameters; ++i) m->p[i] = plant->parameter_defaults[i];
     for (size_t i = 0; i < plant->inputs; ++i) m->u[i] = fmi_input_start(plant->input_table[i].low, plant->input_table[i].high);
+    for (size_t i = 0; i < dalembert_event_values(plant); ++i) m->behind[i] = 1.0;
     memset(m->is_given, 0, plant->states);
     plant->set_parameters(m->self, m->p);
     if (plant->solve_for) plant->solve_for(m->self, m->solved_for);
@@ -155,10 +157,10 @@ static fmi_machine* fmi_new(int is_co_simulation, const char* name) {
     const size_t indicators = dalembert_event_values(plant);
     m->plant = plant;
     m->layout = fmi_layout_of(n, inputs, outputs, parameters, indicators, plant->modes);
-    double** const vectors[] = {&m->x,        &m->u,        &m->p,            &m->given,   &m->rates,            &m->outputs,          &m->indicators,
+    double** const vectors[] = {&m->x,        &m->u,        &m->p,            &m->given,   &m->rates,            &m->outputs,          &m->indicators,       &m->behind,
                                 &m->by_state, &m->by_input, &m->by_parameter, &m->by_time, &m->outputs_by_state, &m->outputs_by_input,
                                 &m->work};
-    const size_t sizes[] = {n, inputs, parameters, n, n, outputs, indicators,
+    const size_t sizes[] = {n, inputs, parameters, n, n, outputs, indicators, indicators,
                             fmi_entries(&plant->pattern_x, n, n), fmi_entries(&plant->pattern_u, n, inputs), fmi_entries(&plant->pattern_p, n, parameters),
                             n, outputs * n, outputs * inputs,
                             2 * n + 2 * outputs + 2 * plant->constraints + plant->degrees + parameters};

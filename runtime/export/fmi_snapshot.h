@@ -10,7 +10,7 @@ typedef struct fmi_snapshot {
     uint64_t check; /* of all that follows */
     uint64_t phase, mode, flags;
     double start, stop, tolerance, t;
-} fmi_snapshot; /* then x, given, u, p, is_given; then the modes or the run */
+} fmi_snapshot; /* then x, given, u, p, what indicators count from, is_given; then the modes or the run */
 
 /* FNV-1a (Fowler, Noll, Vo), 64 bits. */
 static uint64_t fmi_hash(uint64_t hash, const void* bytes, size_t count) {
@@ -24,7 +24,9 @@ static uint64_t fmi_snapshot_kind(const fmi_machine* m) {
     return fmi_hash(token, m->run ? "step" : "exchange", 4);
 }
 
-static size_t fmi_snapshot_numbers(const fmi_machine* m) { return 2 * m->plant->states + m->plant->inputs + m->plant->parameters; }
+static size_t fmi_snapshot_numbers(const fmi_machine* m) {
+    return 2 * m->plant->states + m->plant->inputs + m->plant->parameters + dalembert_event_values(m->plant);
+}
 /* Flags of states fill whole numbers, so that what lies behind them is aligned. */
 static size_t fmi_snapshot_flags(const fmi_machine* m) { return (m->plant->states + 7) / 8 * 8; }
 
@@ -62,6 +64,7 @@ static void fmi_save(const fmi_machine* m, void* block) {
     to = fmi_copy_out(to, m->given, plant->states * sizeof(double));
     to = fmi_copy_out(to, m->u, plant->inputs * sizeof(double));
     to = fmi_copy_out(to, m->p, plant->parameters * sizeof(double));
+    to = fmi_copy_out(to, m->behind, dalembert_event_values(plant) * sizeof(double));
     fmi_copy_out(to, m->is_given, plant->states);
     to += fmi_snapshot_flags(m);
     if (m->run) dalembert_run_save(m->run, to);
@@ -94,6 +97,7 @@ static void fmi_load(fmi_machine* m, const void* block) {
     from = fmi_copy_in(m->given, from, plant->states * sizeof(double));
     from = fmi_copy_in(m->u, from, plant->inputs * sizeof(double));
     from = fmi_copy_in(m->p, from, plant->parameters * sizeof(double));
+    from = fmi_copy_in(m->behind, from, dalembert_event_values(plant) * sizeof(double));
     fmi_copy_in(m->is_given, from, plant->states);
     from += fmi_snapshot_flags(m);
     plant->set_parameters(m->self, m->p);

@@ -25,6 +25,7 @@ static fmi_status fmi_leave_initialisation(fmi_machine* m, const char* function)
     if (fmi_start(m, function) != fmi_ok) return fmi_error;
     m->phase = m->run ? fmi_stepping : fmi_event_mode;
     m->is_disturbed = 0;
+    fmi_note_indicators(m);
     return fmi_ok;
 }
 
@@ -70,6 +71,7 @@ static fmi_status fmi_handle_events(fmi_machine* m, fmi_news* news, const char* 
         if (dalembert_project(plant, m->self, m->mode, m->t, m->x, m->work + n) != DALEMBERT_NONE) status = dalembert_constraint_broken;
         for (size_t i = 0; i < n; ++i) news->states_changed = news->states_changed || m->x[i] != m->work[i];
     }
+    fmi_note_indicators(m);
     if (m->mode != before && (m->logged & (1u << fmi_log_events))) {
         char text[300];
         snprintf(text, sizeof text, "At %.17g s: from mode %s to %s.", m->t, plant->mode_names[before], plant->mode_names[m->mode]);
