@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The functions that are exported for CasADi and acados, beside the table of the same plant: signatures, patterns, values, Jacobians and
+// products, also where arguments or results are left out, where parameters change from call to call, and in several threads.
+//     functions --modes PLANT.so
+//     functions NAME PLANT.so CASADI.so ACADOS.so [MODE]
+#include <cstring>
+#include <thread>
+
+#include "export/expected_values.hpp"
+
+namespace {
+
+using CasadiFunction = LoadedFunction<long long, int>;
+using AcadosFunction = LoadedFunction<int, void*>;
+
+const dalembert_plant& table_of(const char* file) {
+    const auto table = reinterpret_cast<dalembert_plant_function>(dlsym(loaded(file), DALEMBERT_PLANT_FUNCTION));
+    require(table != nullptr, std::string(file) + " is no plant");
+    return *table();
+}
+
+class Random {
+public:
+    double operator()() {
+        state_ ^= state_ << 13, state_ ^= state_ >> 7, state_ ^= state_ << 17;
+        return static_cast<double>(state_ >> 11) / 9007199254740992.0;
+    }
+    Vector vector(std::size_t n) {
+        Vector v(n);
+        for (double& value : v) value = 2 * (*this)() - 1;
+        return v;
+    }
+    /// Near the start, with parameters near the defaults; the first one exactly there.
+    Point point(ExpectedValues& plant, bool is_first) {
+        Point q{{}, Vector(plant.inputs()), Vector(plant.parameters()), (*this)()};
+        for (std::size_t i = 0; i < q.p.size(); ++i) q.p[i] = plant.table.parameter_defaults[i] * (is_first ? 1 : 1 + 0.01 * (*this)());
+        q.x = plant.start(q.p);
+        for (double& value : q.x) value = value * (1 + 0.1 * (*this)()) + 0.01 * ((*this)() - 0.5);
+        for (std::size_t i = 0; i < q.u.size(); ++i)
+            q.u[i] = std::isfinite(plant.table.input_table[i].low) ? plant.table.input_table[i].low : (*this)();
+        return q;
+    }
+
+private:
+    unsigned long long state_ = 88172645463325252ULL;
+};
+
+std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+std::vector<std::string> with(const std::string& before, std::vector<std::string> names) {
+    for (std::string& name : names) name = before + name;
+    return names;
+}
+
+class Casadi {
+public:
+    Casadi(void* library, const dalembert_plant& table) : f(library, "f"), jac(library, "jac_f"), fwd(library, "fwd1_f"), adj(library, "adj1_f") {
+        has_time = f.in.size() == 4;
+        std::vector<std::string> ins{"x", "u", "p"};
+        if (has_time) ins.push_back("t");
+        const auto signatures = [&](const CasadiFunction& value, const CasadiFunction& jacobian, const CasadiFunction& forward,
+                                    const CasadiFunction& adjoint, const std::string& name) {
+            value.names_are(ins, {name});
+            const auto all = joined(ins, {"out_" + name});
+            jacobian.names_are(all, with("jac_" + name + "_", ins));
+            forward.names_are(joined(all, with("fwd_", ins)), {"fwd_" + name});
+            adjoint.names_are(joined(all, {"adj_" + name}), with("adj_", ins));
+            const auto otherwise = value.symbol<double (*)(long long)>("_default_in");
+            require(otherwise(0) == 0 && otherwise(1) == 0 && std::isnan(otherwise(2)) && otherwise(-1) == 0, name + ": defaults");
+        };
+        signatures(f, jac, fwd, adj, "xdot");
+        CasadiFunction(library, "start").names_are({"p"}, {"x"});
+        const CasadiFunction parameters(library, "parameters");
+        same("parameters", parameters({})[0], Vector(table.parameter_defaults, table.parameter_defaults + table.parameters));
+        if (table.outputs == 0) {
+            require(dlsym(library, "y") == nullptr, "y without outputs");
+            return;
+        }
+        for (const char* name : {"y", "jac_y", "fwd1_y", "adj1_y"}) outputs.emplace_back(library, name);
+        signatures(outputs[0], outputs[1], outputs[2], outputs[3], "y");
+    }
+
+    std::vector<Vector> arguments(const Point& q, const std::vector<Vector>& more = {}) const {
+        std::vector<Vector> a{q.x, q.u, q.p};
+        if (has_time) a.push_back({q.t});
+        a.insert(a.end(), more.begin(), more.end());
+        return a;
+    }
+
+    /// `functions`: value, Jacobian and products. By time and, of outputs, by parameters as `J` says.
+    void check(const CasadiFunction& value, const CasadiFunction& jacobian, const CasadiFunction& forward, const CasadiFunction& adjoint,
+               const Point& q, const Vector& values, const std::vector<Vector>& J, Random& random) const {
+        const std::size_t rows = values.size();
+        const std::string name = value.name();
+        same(name, value(arguments(q))[0], values);
+        const std::vector<Vector> found = jacobian.whole(arguments(q, {Vector()}));
+        for (std::size_t i = 0; i < J.size(); ++i) same("jac_" + name + ", by " + std::to_string(i), found[i], J[i]);
+        for (unsigned which = 0; which < (1U << J.size()); ++which) {  // all choices of results
+            std::vector<bool> wanted(J.size());
+            for (std::size_t i = 0; i < J.size(); ++i) wanted[i] = (which >> i & 1) != 0;
+            const std::vector<Vector> some = jacobian(arguments(q, {Vector()}), wanted);
+            for (std::size_t i = 0; i < J.size(); ++i)
+                if (wanted[i]) same("part of jac_" + name, jacobian.out[i].spread(some[i]), J[i]);
+                else require(std::all_of(some[i].begin(), some[i].end(), [](double v) { return v == -12345.0; }), "a result that nobody wants");
+        }
+        // Forward: all seeds that J knows, and each alone.
+        std::vector<Vector> seeds, none(J.size() + 1);
+        Vector all(rows, 0.0);
+        double size = 0;
+        for (const Vector& A : J) {
+            const bool is_known = std::all_of(A.begin(), A.end(), [](double v) { return std::isfinite(v); });
+            seeds.push_back(is_known ? random.vector(rows == 0 ? 0 : A.size() / rows) : Vector());
+            if (seeds.back().empty()) continue;
+            std::vector<Vector> alone = none;
+            alone[seeds.size()] = seeds.back();
+            same("fwd1_" + name, forward(arguments(q, alone))[0], product(A, seeds.back(), rows), 1e-13, size_of(A, seeds.back()));
+            all = sum(all, product(A, seeds.back(), rows)), size = std::max(size, size_of(A, seeds.back()));
+        }
+        std::vector<Vector> together = {Vector()};
+        together.insert(together.end(), seeds.begin(), seeds.end());
+        same("fwd1_" + name, forward(arguments(q, together))[0], all, 1e-13, size);
+        same("fwd1_" + name + " without seeds", forward(arguments(q, none))[0], Vector(rows, 0.0));
+        // Adjoint.
+        const Vector seed = random.vector(rows);
+        const std::vector<Vector> against = adjoint(arguments(q, {Vector(), seed}));
+        for (std::size_t i = 0; i < J.size(); ++i) {
+            const Vector expected = transposed_product(J[i], seed, J[i].size() / rows);
+            same("adj1_" + name, against[i], expected, 1e-13, size_of(J[i], seed));
+            std::vector<bool> wanted(J.size(), false);
+            wanted[i] = true;
+            same("part of adj1_" + name, adjoint(arguments(q, {Vector(), seed}), wanted)[i], expected, 1e-13, size_of(J[i], seed));
+        }
+    }
+
+    void check(ExpectedValues& plant, const Point& q, Random& random) const {
+        plant.at(q);
+        std::vector<Vector> J{plant.by_x, plant.by_u, plant.by_p}, S{plant.C, plant.D, Vector(plant.outputs() * plant.parameters(), NAN)};
+        if (has_time) J.push_back(plant.by_time), S.push_back(Vector(plant.outputs(), NAN));
+        else same("df/dt", plant.by_time, Vector(plant.states(), 0.0));
+        check(f, jac, fwd, adj, q, plant.rates, J, random);
+        if (!outputs.empty()) check(outputs[0], outputs[1], outputs[2], outputs[3], q, plant.y, S, random);
+    }
+
+    bool has_time;
+    CasadiFunction f, jac, fwd, adj;
+    std::vector<CasadiFunction> outputs;
+};
+
+void check_acados(void* library, const std::string& name, ExpectedValues& plant, const Point& q, bool has_time, Random& random) {
+    plant.at(q);
+    const std::size_t n = plant.states(), m = plant.inputs(), p = plant.parameters();
+    const auto function = [&](const char* which) { return AcadosFunction(library, name + "_" + which); };
+    const auto columns = [&](const Vector& A, const Vector& S, std::size_t count) {  // A*S
+        Vector result;
+        for (std::size_t c = 0; c < count; ++c) {
+            const Vector one = product(A, Vector(S.begin() + static_cast<long>(c * n), S.begin() + static_cast<long>((c + 1) * n)), n);
+            result.insert(result.end(), one.begin(), one.end());
+        }
+        return result;
+    };
+    const Vector Sx = random.vector(n * n), Su = random.vector(n * m), Sp = random.vector(n * p), lambda = random.vector(n), xdot = random.vector(n);
+    const double size = std::max({size_of(plant.by_x, {1}), size_of(plant.by_u, {1}), size_of(plant.by_p, {1})}) * static_cast<double>(n);
+    if (has_time) {
+        require(dlsym(library, (name + "_expl_ode_fun").c_str()) == nullptr, "explicit functions of a model that depends on time");
+    } else {
+        same("expl_ode_fun", function("expl_ode_fun")({q.x, q.u, q.p})[0], plant.rates);
+        const std::vector<Vector> forward = function("expl_vde_forw")({q.x, Sx, Su, q.u, q.p});
+        same("expl_vde_forw", forward[0], plant.rates);
+        same("expl_vde_forw, Sx", forward[1], columns(plant.by_x, Sx, n), 1e-13, size);
+        same("expl_vde_forw, Su", forward[2], sum(plant.by_u, columns(plant.by_x, Su, m)), 1e-13, size);
+        Vector adjoint = transposed_product(plant.by_x, lambda, n);
+        const Vector by_u = transposed_product(plant.by_u, lambda, m);
+        adjoint.insert(adjoint.end(), by_u.begin(), by_u.end());
+        same("expl_vde_adj", function("expl_vde_adj")({q.x, lambda, q.u, q.p})[0], adjoint, 1e-13, size);
+        same("expl_vde_forw_p", function("expl_vde_forw_p")({q.x, Sp, q.u, q.p})[0], sum(plant.by_p, columns(plant.by_x, Sp, p)), 1e-13, size);
+    }
+    const std::vector<Vector> arguments{q.x, xdot, q.u, {}, {q.t}, q.p};
+    const Vector residual = sum(xdot, negative(plant.rates));
+    Vector identity(n * n, 0.0);
+    for (std::size_t i = 0; i < n; ++i) identity[i * n + i] = 1;
+    const Vector by_x = negative(plant.by_x), by_u = negative(plant.by_u);
+    const auto results = [&](const char* which, const std::vector<Vector>& expected) {
+        const std::vector<Vector> found = function(which).whole(arguments);
+        require(found.size() == expected.size(), std::string(which) + ": number of results");
+        for (std::size_t i = 0; i < found.size(); ++i) same(which, found[i], expected[i], 1e-14, i == 0 ? size_of(xdot, {1}) : 0);
+    };
+    results("impl_dae_fun", {residual});
+    results("impl_dae_fun_jac_x_xdot_z", {residual, by_x, identity, {}});
+    results("impl_dae_fun_jac_x_xdot_u_z", {residual, by_x, identity, by_u, {}});
+    results("impl_dae_fun_jac_x_xdot_u", {residual, by_x, identity, by_u});
+    results("impl_dae_jac_x_xdot_u_z", {by_x, identity, by_u, {}});
+    results("impl_dae_jac_p", {negative(plant.by_p)});
+}
+
+/// Each thread has its own parameters, and changes them from call to call.
+void check_threads(const Casadi& casadi, const dalembert_plant& table, unsigned mode) {
+    std::vector<std::thread> threads;
+    for (int k = 0; k < 4; ++k)
+        threads.emplace_back([&, k] {
+            ExpectedValues plant(table, mode);
+            Random random;
+            for (int i = 0; i < k; ++i) random();
+            std::vector<Point> points;
+            std::vector<Vector> expected;
+            for (int i = 0; i < 3; ++i) {
+                points.push_back(random.point(plant, i == 0));
+                plant.at(points.back());
+                expected.push_back(plant.rates);
+            }
+            for (std::size_t i = 0; i < 600; ++i) {
+                const Vector found = casadi.f(casadi.arguments(points[i % 3]))[0];
+                for (std::size_t j = 0; j < found.size(); ++j)
+                    require(found[j] == expected[i % 3][j] || !(std::abs(found[j] - expected[i % 3][j]) > 1e-12 * std::abs(found[j])),
+                            "another value in another thread");
+            }
+        });
+    for (std::thread& thread : threads) thread.join();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc == 3 && std::strcmp(argv[1], "--modes") == 0) {
+        const dalembert_plant& table = table_of(argv[2]);
+        for (std::size_t i = 0; i < table.modes; ++i) std::printf("%s\n", table.mode_names[i]);
+        return 0;
+    }
+    if (argc < 5) return 2;
+    const dalembert_plant& table = table_of(argv[2]);
+    unsigned mode = 0;
+    while (argc > 5 && mode < table.modes && std::strcmp(table.mode_names[mode], argv[5]) != 0) ++mode;
+    require(argc == 5 ? table.modes == 0 : mode < table.modes, "the mode");
+    void* const acados = loaded(argv[4]);
+    void* const library = loaded(argv[3]);
+    const Casadi casadi(library, table);
+    ExpectedValues plant(table, mode);
+    Random random;
+    int finite = 0;
+    for (int i = 0; i < 10; ++i) {
+        const Point q = random.point(plant, i == 0);
+        same("start", CasadiFunction(library, "start")({q.p})[0], plant.start(q.p));
+        casadi.check(plant, q, random);
+        check_acados(acados, argv[1], plant, q, casadi.has_time, random);
+        finite += plant.is_finite();
+    }
+    require(finite >= 5, "most points are outside of the model");
+    // What is left out is zero.
+    Point zero{Vector(table.states, 0.0), Vector(table.inputs, 0.0), Vector(table.parameters, 0.0), 0};
+    const std::vector<Vector> nothing(casadi.f.in.size());
+    plant.at(zero);
+    same("f of nothing", casadi.f(nothing)[0], plant.rates);
+    check_threads(casadi, table, mode);
+    std::printf("%zu values\n", compared());
+    return 0;
+}

@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What is exported for CasADi and acados is the plant that `dalembert compile` makes: every function, in every mode. Its files compile without
+# a warning, for other types of CasADi, too; with FLAGS (sanitizers) if there are any.
+# Needs the program (PROGRAM) and the sources (SOURCE). Arguments: names of models of systems/; all of them if there are none.
+set -euo pipefail
+: "${PROGRAM:?the program}" "${SOURCE:?the sources}"
+here=$(mktemp -d)
+trap 'rm -rf "$here"' EXIT
+failed() { echo "FAILED: $*"; exit 1; }
+read -ra flags <<<"${FLAGS:-}"
+warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror)
+"${CXX:-c++}" -std=c++17 -O1 "${flags[@]}" -Wall -Wextra -Wconversion -Wshadow -I "$SOURCE/runtime" -I "$SOURCE/tests" \
+  "$SOURCE/tests/export/functions.cpp" -o "$here/functions" -ldl -pthread
+models=()
+for model in "$@"; do models+=("$SOURCE"/systems/*/"$model".toml); done
+[ $# -gt 0 ] || mapfile -t models < <(find "$SOURCE/systems" -name '*.toml' -not -path '*/book/*' -not -path '*/parts/*' | sort)
+count=0
+for model in "${models[@]}"; do
+  size=()
+  [ "$(basename "$model")" != n_pendulum.toml ] || size=(--size N=3)
+  for scene in $("$PROGRAM" scenes "$model" --format json | sed -n 's/^ *"scene": "\(.*\)",*$/\1/p'); do
+    rm -rf "$here/plant"
+    "$PROGRAM" compile "$model" --scene "$scene" "${size[@]}" -o "$here/plant" >"$here/said" 2>&1 || {
+      grep -q 'nothing-left' "$here/said" || failed "$model $scene is not compiled"
+      continue
+    }
+    plant=$(ls "$here"/plant/*.so)
+    name=$(basename "$plant" .so)
+    mapfile -t modes < <("$here/functions" --modes "$plant")
+    if [ ${#modes[@]} -gt 0 ]; then
+      ! "$PROGRAM" export "$model" --to casadi --scene "$scene" "${size[@]}" -o "$here/c" >"$here/said" 2>&1 || failed "$model $scene switches"
+      grep -q -e '--mode' "$here/said" || failed "$model $scene: $(cat "$here/said")"
+      [ ! -e "$here/c" ] || failed "$model $scene leaves files behind"
+    else
+      modes=("")
+    fi
+    for mode in "${modes[@]}"; do
+      choice=()
+      [ -z "$mode" ] || choice=(--mode "$mode")
+      rm -rf "$here/c"
+      "$PROGRAM" export "$model" --to acados --scene "$scene" "${choice[@]}" "${size[@]}" -o "$here/c" >"$here/said" 2>&1 ||
+        failed "$model $scene $mode: $(cat "$here/said")"
+      for compiler in ${COMPILERS:-"${CC:-cc}"}; do
+        compile() { "$compiler" -std=c99 -O2 "${warnings[@]}" "$@" || failed "$name $mode with $compiler"; }
+        compile "${flags[@]}" -fPIC -shared "$here/c/${name}_acados.c" -o "$here/acados.so" -lm
+        compile "${flags[@]}" -fPIC -shared -fvisibility=hidden "$here/c/${name}_casadi.c" -o "$here/casadi.so" -lm
+      done
+      compile -Dcasadi_int=int -Dcasadi_real=float -DDALEMBERT_PREFIX=other_ -DDALEMBERT_NO_THREADS -c "$here/c/${name}_casadi.c" -o "$here/other.o"
+      nm "$here/other.o" | grep ' T jac_other_f$' >/dev/null || failed "$name: a prefix"
+      python3 -m py_compile "$here/c/${name}_acados_model.py" || failed "$name: Python"
+      for library in "$here/c/$name.so" "$here/casadi.so"; do
+        compared=$("$here/functions" "$name" "$plant" "$library" "$here/acados.so" ${mode:+"$mode"} 2>&1) || failed "$name $mode: $compared"
+      done
+      count=$((count + 1))
+    done
+  done
+done
+[ "$count" -gt 0 ] || failed "nothing was compared"
+echo "$count exports have the functions of their plants"
