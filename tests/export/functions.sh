@@ -20,7 +20,7 @@ for model in "${models[@]}"; do
   size=()
   [ "$(basename "$model")" != n_pendulum.toml ] || size=(--size N=3)
   for scene in $("$PROGRAM" scenes "$model" --format json | sed -n 's/^ *"scene": "\(.*\)",*$/\1/p'); do
-    rm -rf "$here/plant"
+    rm -rf "$here/plant" "$here/c"
     "$PROGRAM" compile "$model" --scene "$scene" "${size[@]}" -o "$here/plant" >"$here/said" 2>&1 || {
       grep -q 'nothing-left' "$here/said" || failed "$model $scene is not compiled"
       continue
