@@ -74,11 +74,18 @@ static void fmi_save(const fmi_machine* m, void* block) {
     memcpy(block, &head, sizeof head);
 }
 
-/* False if the block is not the state of an instance of this FMU and type, or was damaged. */
+/* Whether a block is the state of an instance of this FMU and type: only then it has the size of one. */
+static int fmi_has_kind(const fmi_machine* m, const void* block) {
+    fmi_snapshot head;
+    memcpy(&head, block, sizeof head);
+    return head.kind == fmi_snapshot_kind(m);
+}
+
+/* And was not damaged. */
 static int fmi_is_snapshot(const fmi_machine* m, const void* block) {
     fmi_snapshot head;
     memcpy(&head, block, sizeof head);
-    return head.kind == fmi_snapshot_kind(m) && head.check == fmi_snapshot_check(m, block);
+    return fmi_has_kind(m, block) && head.check == fmi_snapshot_check(m, block);
 }
 
 static void fmi_load(fmi_machine* m, const void* block) {
@@ -112,6 +119,7 @@ static void fmi_load(fmi_machine* m, const void* block) {
 /* The functions of both standards. */
 static fmi_status fmi_get_snapshot(const fmi_machine* m, void** place, const char* function) {
     if (!place) return fmi_say_of(m, fmi_error, function, "no place for the state is given");
+    if (*place && !fmi_has_kind(m, *place)) return fmi_say_of(m, fmi_error, function, "the state to be replaced is that of another type");
     if (!*place) *place = malloc(fmi_snapshot_size(m));
     if (!*place) return fmi_say_of(m, fmi_error, function, "there is no memory");
     fmi_save(m, *place);
@@ -125,7 +133,7 @@ static fmi_status fmi_set_snapshot(fmi_machine* m, const void* block, const char
 }
 
 static fmi_status fmi_serialise(const fmi_machine* m, const void* block, void* bytes, size_t count, const char* function) {
-    if (!block || !bytes || count < fmi_snapshot_size(m)) return fmi_say_of(m, fmi_error, function, "the state or enough room for it is missing");
+    if (!block || !fmi_has_kind(m, block) || !bytes || count < fmi_snapshot_size(m)) return fmi_say_of(m, fmi_error, function, "the state or enough room for it is missing");
     memcpy(bytes, block, fmi_snapshot_size(m));
     return fmi_ok;
 }

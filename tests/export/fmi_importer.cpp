@@ -128,30 +128,41 @@ void compare_ends(const Subject& s, const Trajectory& run, const Table& fine, do
     }
 }
 
+/// The largest deviation of the times of changes of mode, in parts of what is allowed. The end of infinitely many bounces is only as good as the last of
+/// them that an importer sees: an FMU cannot go on in time by itself.
 double compare_changes(const Trajectory& run, const Table& events) {
-    std::vector<std::pair<double, std::string>> expected;
-    for (std::size_t r = 0; r < events.rows; ++r) {
-        if (!events.columns.contains("to")) return 0;
+    struct Expected {
+        double t, allowed;
+    };
+    std::vector<Expected> expected;
+    for (std::size_t r = 0; r < events.rows && events.columns.contains("to"); ++r) {
         if (events.columns.at("from")[r] == events.columns.at("to")[r]) continue;
-        expected.emplace_back(events.number("t", r), events.columns.at("to")[r]);
+        const double t = events.number("t", r);
+        const bool is_end = r > 0 && events.columns.at("event")[r - 1] == events.columns.at("event")[r] && t - events.number("t", r - 1) < 1e-6;
+        expected.push_back({t, is_end ? 1e-6 : 1e-8 * std::max(1.0, t)});
     }
-    // Several changes at one time are one for an importer.
-    const auto collapse = [](auto& list, const auto& time) {
+    // Several changes at one time are one for an importer, and those at the start are none.
+    const auto tidy = [](auto& list) {
+        std::erase_if(list, [](const auto& e) { return e.t == 0; });
         for (std::size_t i = 0; i + 1 < list.size();)
-            if (std::abs(time(list[i + 1]) - time(list[i])) < 1e-9) list.erase(list.begin() + long(i));
+            if (std::abs(list[i + 1].t - list[i].t) < 1e-9) list.erase(list.begin() + long(i));
             else ++i;
     };
-    collapse(expected, [](const auto& e) { return e.first; });
     std::vector<ModeChange> found = run.changes;
-    collapse(found, [](const ModeChange& e) { return e.t; });
-    std::erase_if(found, [](const ModeChange& e) { return e.t == 0; });
-    std::erase_if(expected, [](const auto& e) { return e.first == 0; });
-    double worst = 0;
+    tidy(expected);
+    tidy(found);
     if (found.size() != expected.size()) {
         fail("the mode changes " + std::to_string(found.size()) + " times, not " + std::to_string(expected.size()));
-        return 1;
+        return 0;
     }
-    for (std::size_t i = 0; i < found.size(); ++i) worst = std::max(worst, std::abs(found[i].t - expected[i].first));
+    double worst = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const double late = std::abs(found[i].t - expected[i].t);
+        worst = std::max(worst, late);
+        char text[200];
+        std::snprintf(text, sizeof text, "a change of mode at %.12g s, not at %.12g s", found[i].t, expected[i].t);
+        check(late <= expected[i].allowed, text);
+    }
     return worst;
 }
 
@@ -396,7 +407,6 @@ int whole(const std::string& path, const std::string& runs, const std::string& l
         compare_ends(s, run, fine, 1e-8, "model exchange");
         by_exchange = compare(s, run, fine, rough, 1e-8, 30, "model exchange");
         in_time = compare_changes(run, events);
-        check(in_time <= 1e-8 * std::max(1.0, s.until), "an event is late by " + std::to_string(in_time) + " s");
         if (!run.is_over) jacobians = check_derivatives(s, *exchange, s.until, run.x.back(), d.mode() ? exchange->mode(*d.mode()) : 0, plant, self);
     }
     const auto steps = unit.instantiate(true);
