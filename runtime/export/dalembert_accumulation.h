@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSL-1.0 */
-/* Events that accumulate: a ball bounces infinitely often before it rests, at intervals that shrink like a geometric sequence. The time at which they vanish
- * is the sum of the series. It is used when what is left of that sum is less than the root of a rounding of the whole: then whatever makes the sequence only
- * nearly geometric does no harm, and the rounding of times not yet. */
+/* Events that accumulate: a ball bounces infinitely often before it rests, at intervals that shrink like a geometric sequence. The time
+ * at which they vanish is the sum of the series. It is used when what is left of that sum is less than the root of a rounding of the
+ * whole: then whatever makes the sequence only nearly geometric does no harm, and the rounding of times not yet. */
 #ifndef DALEMBERT_ACCUMULATION_H
 #define DALEMBERT_ACCUMULATION_H
 
@@ -35,14 +35,17 @@ static inline double dalembert_time_block(const dalembert_times* a, int ago, int
 /* How many intervals make a block that is at most half of the one before: with ratios next to one the sum would be known badly. */
 static inline int dalembert_block_size(const dalembert_times* a) {
     int size = 1;
-    while (2 * size <= dalembert_most_intervals && a->count > 6 * size && 2 * dalembert_time_block(a, 0, size) > dalembert_time_block(a, 1, size)) size *= 2;
+    while (2 * size <= dalembert_most_intervals && a->count > 6 * size &&
+           2 * dalembert_time_block(a, 0, size) > dalembert_time_block(a, 1, size))
+        size *= 2;
     return size;
 }
 
 static inline int dalembert_is_steady(const dalembert_times* a) {
     if (a->count < 4) return 0;
     const int size = dalembert_block_size(a);
-    const double last = dalembert_time_block(a, 0, size), before = dalembert_time_block(a, 1, size), first = dalembert_time_block(a, 2, size);
+    const double last = dalembert_time_block(a, 0, size), before = dalembert_time_block(a, 1, size),
+                 first = dalembert_time_block(a, 2, size);
     if (!(last > 0 && last < before && before < first)) return 0;
     const double ratio = last / before;
     return fabs(ratio - before / first) <= fmin(ratio, 1 - ratio) / 8;
@@ -91,11 +94,14 @@ static inline int dalembert_is_certain(const dalembert_times* a) {
 
 static inline double dalembert_last_interval(const dalembert_times* a) { return dalembert_time_ago(a, 0) - dalembert_time_ago(a, 1); }
 /* Whether the last two are no further apart than `longest`. */
-static inline int dalembert_is_repeated(const dalembert_times* a, double longest) { return a->count > 1 && dalembert_last_interval(a) <= longest; }
+static inline int dalembert_is_repeated(const dalembert_times* a, double longest) {
+    return a->count > 1 && dalembert_last_interval(a) <= longest;
+}
 
 /* Whether it has happened between the last two times of the other one. */
 static inline int dalembert_is_between(const dalembert_times* a, const dalembert_times* other) {
-    return a->count > 1 && other->count > 1 && dalembert_time_ago(a, 0) >= dalembert_time_ago(other, 1) && dalembert_time_ago(a, 0) <= dalembert_time_ago(other, 0);
+    return a->count > 1 && other->count > 1 && dalembert_time_ago(a, 0) >= dalembert_time_ago(other, 1) &&
+           dalembert_time_ago(a, 0) <= dalembert_time_ago(other, 0);
 }
 
 /* The time at which the intervals vanish, in s. */

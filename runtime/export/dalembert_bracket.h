@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSL-1.0 */
-/* A closing bracket around the first time at which one of several functions is negative; at `near` none is, at `far` one is. ITP: Oliveira, Takahashi: An
- * enhancement of the bisection method average performance preserving minmax optimality, ACM TOMS 47 (2020), article 5: regula falsi, drawn a little to the
- * middle so that both ends move, and kept so close to the middle that a few evaluations more than those of bisection are enough for whatever function. */
+/* A closing bracket around the first time at which one of several functions is negative; at `near` none is, at `far` one is. ITP:
+ * Oliveira, Takahashi: An enhancement of the bisection method average performance preserving minmax optimality, ACM TOMS 47 (2020),
+ * article 5: regula falsi, drawn a little to the middle so that both ends move, and kept so close to the middle that a few evaluations
+ * more than those of bisection are enough for whatever function. */
 #ifndef DALEMBERT_BRACKET_H
 #define DALEMBERT_BRACKET_H
 
@@ -12,7 +13,8 @@ typedef struct dalembert_bracket {
     double near, far, width, reach;
 } dalembert_bracket;
 
-static inline void dalembert_open_bracket(dalembert_inside* in, dalembert_bracket* b, double near, const double* at_near, double far, const double* at_far) {
+static inline void dalembert_open_bracket(dalembert_inside* in, dalembert_bracket* b, double near, const double* at_near, double far,
+                                          const double* at_far) {
     b->near = near;
     b->far = far;
     b->width = far - near;

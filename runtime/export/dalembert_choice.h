@@ -17,13 +17,14 @@ static inline double dalembert_grow(dalembert_inside* in, const double* size) {
     const dalembert_band* const J = &in->J;
     memset(in->other, 0, J->n * sizeof(double));
     for (size_t c = 0; c < J->n; ++c)
-        for (size_t r = dalembert_band_begin(J, c); r < dalembert_band_end(J, c); ++r) in->other[r] += *dalembert_band_at(J, r, c) * in->radius[c];
+        for (size_t r = dalembert_band_begin(J, c); r < dalembert_band_end(J, c); ++r)
+            in->other[r] += *dalembert_band_at(J, r, c) * in->radius[c];
     memcpy(in->radius, in->other, J->n * sizeof(double));
     return dalembert_normalise(J->n, in->radius, size);
 }
 
-/* The magnitude of the largest eigenvalue of the Jacobian by the power method. Its vector stays from one call to the next, as the Jacobian changes little in
- * between. Not a number if the Jacobian is not finite. */
+/* The magnitude of the largest eigenvalue of the Jacobian by the power method. Its vector stays from one call to the next, as the
+ * Jacobian changes little in between. Not a number if the Jacobian is not finite. */
 static inline double dalembert_spectral_radius(dalembert_inside* in, const double* size) {
     double growth = 0;
     /* Of two complex conjugate eigenvalues the growth of one product swings about their magnitude; that of two does so less. */
@@ -41,8 +42,8 @@ static inline double dalembert_spectral_radius(dalembert_inside* in, const doubl
     return growth;
 }
 
-/* How many explicit steps cost as much as an implicit one: four, or more where linear systems are what takes the time. Entries of a Jacobian tell how long the
- * right-hand side is: some eight operations each. */
+/* How many explicit steps cost as much as an implicit one: four, or more where linear systems are what takes the time. Entries of a
+ * Jacobian tell how long the right-hand side is: some eight operations each. */
 static inline double dalembert_explicit_steps_for_one(const dalembert_run* run) {
     const dalembert_band* const J = &run->inside->J;
     const double n = (double)J->n, lower = (double)J->lower, width = (double)(J->lower + J->upper);

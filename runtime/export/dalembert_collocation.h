@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSL-1.0 */
-/* One long step of Gauss's collocation: x(s) = x(0) + h times the integral from 0 to s of the polynomial that has given slopes at some points; s = 1 is a time h
- * behind s = 0. */
+/* One long step of Gauss's collocation: x(s) = x(0) + h times the integral from 0 to s of the polynomial that has given slopes at some
+ * points; s = 1 is a time h behind s = 0. */
 #ifndef DALEMBERT_COLLOCATION_H
 #define DALEMBERT_COLLOCATION_H
 

@@ -1,19 +1,23 @@
 /* SPDX-License-Identifier: BSL-1.0 */
-/* How independent the constraints of a plant are at a state: the smallest pivot of A D^-1 A', where D is the diagonal of M, each row beside its largest size so
- * far. Constraints that follow from others everywhere do not count.
+/* How independent the constraints of a plant are at a state: the smallest pivot of A D^-1 A', where D is the diagonal of M, each row
+ * beside its largest size so far. Constraints that follow from others everywhere do not count.
  *
- * note [choice]: Of constraints that follow from each other wherever they hold a plant solves for as many as are independent. Any choice of them has singular
- * positions of its own, where the machine has none. So at the beginning of a step a run compares it with the best pivots that elimination finds there, and
- * chooses anew where what the chosen rows span has become small beside those. Within a step the choice stays. */
+ * note [choice]: Of constraints that follow from each other wherever they hold a plant solves for as many as are independent. Any choice
+ * of them has singular positions of its own, where the machine has none. So at the beginning of a step a run compares it with the best
+ * pivots that elimination finds there, and chooses anew where what the chosen rows span has become small beside those. Within a step the
+ * choice stays. */
 #ifndef DALEMBERT_INDEPENDENCE_H
 #define DALEMBERT_INDEPENDENCE_H
 
 #include "dalembert_run.h"
 
 /* Whether a run looks for singular positions of its constraints. */
-static inline int dalembert_has_measure(const dalembert_run* run) { return run->plant->modes == 0 && run->plant->is_projected && run->plant->constraints > 0; }
+static inline int dalembert_has_measure(const dalembert_run* run) {
+    return run->plant->modes == 0 && run->plant->is_projected && run->plant->constraints > 0;
+}
 
-/* Constraints that follow from others were left out of the equations: their residuals correct nothing. One that is dependent at the start alone does later. */
+/* Constraints that follow from others were left out of the equations: their residuals correct nothing. One that is dependent at the
+ * start alone does later. */
 static inline void dalembert_see_used(dalembert_run* run, const double* x, double t) {
     dalembert_inside* const in = run->inside;
     const size_t m = run->plant->constraints, n = run->plant->degrees;
@@ -115,7 +119,7 @@ static inline dalembert_independence dalembert_measure(dalembert_run* run, const
         in->kept->rank = p->constraint_rank;
         if (learns) {
             (void)dalembert_eliminate(run, copy, in->chosen, in->pivots_of_chosen, in->order_of_chosen);
-            result.is_chosen_anew = dalembert_choose_constraints(run);
+            result.is_chosen_anew = dalembert_choose_constraints(run) != 0;
         }
     } else if (learns && rank > in->kept->rank) {
         in->kept->rank = rank;

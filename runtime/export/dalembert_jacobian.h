@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSL-1.0 */
-/* What the Rosenbrock method needs of a plant: its Jacobian with that of the inputs, in a matrix that is a band, and LU factors of such a matrix with row
- * exchanges (Golub, Van Loan: Matrix Computations, 4th edition, section 4.3). A full matrix is a band as wide as itself. */
+/* What the Rosenbrock method needs of a plant: its Jacobian with that of the inputs, in a matrix that is a band, and LU factors of such
+ * a matrix with row exchanges (Golub, Van Loan: Matrix Computations, 4th edition, section 4.3). A full matrix is a band as wide as
+ * itself. */
 #ifndef DALEMBERT_JACOBIAN_H
 #define DALEMBERT_JACOBIAN_H
 
@@ -13,7 +14,9 @@ static inline double* dalembert_band_at(const dalembert_band* m, size_t row, siz
 }
 /* Rows of a column, of which the last is the one before the end. */
 static inline size_t dalembert_band_begin(const dalembert_band* m, size_t column) { return column > m->upper ? column - m->upper : 0; }
-static inline size_t dalembert_band_reach(const dalembert_band* m, size_t k, size_t reach) { return k + reach + 1 < m->n ? k + reach + 1 : m->n; }
+static inline size_t dalembert_band_reach(const dalembert_band* m, size_t k, size_t reach) {
+    return k + reach + 1 < m->n ? k + reach + 1 : m->n;
+}
 static inline size_t dalembert_band_end(const dalembert_band* m, size_t column) { return dalembert_band_reach(m, column, m->lower); }
 
 /* How far the entries of the Jacobian reach from the diagonal. */
@@ -30,13 +33,38 @@ static inline void dalembert_find_band(const dalembert_plant* plant, dalembert_b
         }
 }
 
-/* False for a pivot that is zero or not finite, or whose inverse is not. L stays where it was made: its rows are exchanged while solving. */
+/* 1/pivot in its place. False for a pivot that is zero or not finite, or whose inverse is not. */
+static inline int dalembert_invert_pivot(double* pivot) {
+    const int is_number = isfinite(*pivot) && (*pivot > 0 || *pivot < 0);
+    *pivot = 1 / *pivot;
+    return is_number && isfinite(*pivot);
+}
+
+/* Without row exchanges, so that what does not move keeps its value exactly. False where too many digits of a pivot cancel. */
+static inline int dalembert_band_factor_straight(dalembert_band* m) {
+    for (size_t k = 0; k < m->n; ++k) m->sizes[k] = fabs(*dalembert_band_at(m, k, k));
+    for (size_t k = 0; k < m->n; ++k) {
+        double* const column = dalembert_band_at(m, k, k);
+        const size_t below = dalembert_band_reach(m, k, m->lower) - k, last_column = dalembert_band_reach(m, k, m->upper);
+        m->exchanges[k] = k;
+        if (!(fabs(*column) > sqrt(DBL_EPSILON) * m->sizes[k]) || !dalembert_invert_pivot(column)) return 0;
+        for (size_t r = 1; r < below; ++r) column[r] *= column[0];
+        for (size_t c = k + 1; c < last_column; ++c) {
+            double* const other = dalembert_band_at(m, k, c);
+            const double factor = other[0];
+            if (!(factor > 0 || factor < 0 || isnan(factor))) continue;
+            for (size_t r = 1; r < below; ++r) other[r] -= column[r] * factor;
+            if (c - k < below) m->sizes[c] += fabs(column[c - k] * factor);
+        }
+    }
+    return 1;
+}
+
+/* With row exchanges. L stays where it was made: its rows are exchanged while solving. */
 static inline int dalembert_band_factor(dalembert_band* m) {
     size_t last_column = 0; /* that a row of U reaches so far */
-    for (size_t c = 0; c < m->n; ++c) /* a row that comes up from below brings entries that reach `lower` further to the right */
-        for (size_t r = c > m->lower + m->upper ? c - m->lower - m->upper : 0; r + m->upper < c; ++r) *dalembert_band_at(m, r, c) = 0;
     for (size_t k = 0; k < m->n; ++k) {
-        const size_t last_row = dalembert_band_reach(m, k, m->lower);
+        const size_t last_row = dalembert_band_reach(m, k, m->lower), below = last_row - k;
         size_t pivot = k;
         for (size_t r = k + 1; r < last_row; ++r)
             if (fabs(*dalembert_band_at(m, r, k)) > fabs(*dalembert_band_at(m, pivot, k))) pivot = r;
@@ -48,10 +76,7 @@ static inline int dalembert_band_factor(dalembert_band* m) {
             *dalembert_band_at(m, pivot, c) = other;
         }
         double* const column = dalembert_band_at(m, k, k);
-        if (!isfinite(*column) || !(*column > 0 || *column < 0)) return 0;
-        *column = 1 / *column;
-        if (!isfinite(*column)) return 0;
-        const size_t below = last_row - k;
+        if (!dalembert_invert_pivot(column)) return 0;
         for (size_t r = 1; r < below; ++r) column[r] *= column[0];
         for (size_t c = k + 1; c < last_column; ++c) {
             double* const other = dalembert_band_at(m, k, c);
@@ -135,15 +160,17 @@ static inline void dalembert_prepare_jacobian(dalembert_run* run, const double* 
     dalembert_add_feedback(run, t);
 }
 
-/* df/dt at the point of the Jacobian, for a step of this length. For du/dt: the derivative of the polynomial of degree 4 through equal parts of the step. It
- * looks no further than the step does, and is exact for inputs that rest. */
+/* df/dt at the point of the Jacobian, for a step of this length. For du/dt: the derivative of the polynomial of degree 4 through equal
+ * parts of the step. It looks no further than the step does, and is exact for inputs that rest. */
 static inline void dalembert_time_derivative(dalembert_run* run, double t, double length, double* dfdt) {
     static const double weights[] = {48, -36, 16, -3};
     const dalembert_plant* const plant = run->plant;
     dalembert_inside* const in = run->inside;
     const size_t n = plant->states;
-    if (plant->jacobian_t != NULL) plant->jacobian_t(run->self, in->modes.mode, in->prepared_x, in->prepared_u, t, dfdt);
-    else memset(dfdt, 0, n * sizeof(double));
+    if (plant->jacobian_t != NULL)
+        plant->jacobian_t(run->self, in->modes.mode, in->prepared_x, in->prepared_u, t, dfdt);
+    else
+        memset(dfdt, 0, n * sizeof(double));
     if (plant->jacobian_u == NULL || plant->inputs == 0 || run->inputs.function == NULL) return;
     memset(in->u_behind, 0, plant->inputs * sizeof(double));
     for (int k = 1; k <= 4; ++k) {

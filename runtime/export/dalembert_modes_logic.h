@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: BSL-1.0 */
 /* What follows an event; see dalembert_modes.h.
  *
- * note [acceptance]: A mode accepts a state when each guard that is watched in it is positive, or is zero and rises, or is zero with a rate that is exactly
- * zero, as at rest. Zero is exact: resets put guards there. A mode does not accept a state with a positive guard that falls to zero within an instant (1024
- * roundings of the time). Such a guard, or one that is zero and falls, is an event that happens at once. If no candidate accepts the state,
- *  1. the event is passed an instant later, behind the zero: there an input has jumped, or a rate is no longer zero, for example of a body that leaves a
- *     belt with the same friction that held it;
- *  2. else the first candidate is taken in which nothing is worse than events that happen at once, and of these the first in order of declaration is passed
- *     there, and so on: events of independent parts of a machine may fall together, and an impact may cause another. Modes that only lead to each other that
- *     way, as where sliding friction is larger than what holds, are an event storm. */
+ * note [acceptance]: A mode accepts a state when each guard that is watched in it is positive, or is zero and rises, or is zero with a
+ * rate that is exactly zero, as at rest. Zero is exact: resets put guards there. A mode does not accept a state with a positive guard
+ * that falls to zero within an instant (1024 roundings of the time). Such a guard, or one that is zero and falls, is an event that
+ * happens at once. If no candidate accepts the state,
+ *  1. the event is passed an instant later, behind the zero: there an input has jumped, or a rate is no longer zero, for example of a
+ *     body that leaves a belt with the same friction that held it;
+ *  2. else the first candidate is taken in which nothing is worse than events that happen at once, and of these the first in order of
+ *     declaration is passed there, and so on: events of independent parts of a machine may fall together, and an impact may cause
+ *     another. Modes that only lead to each other that way, as where sliding friction is larger than what holds, are an event storm. */
 #ifndef DALEMBERT_MODES_LOGIC_H
 #define DALEMBERT_MODES_LOGIC_H
 
@@ -22,17 +23,20 @@ static inline int dalembert_all_finite(size_t n, const double* x) {
 
 static inline void dalembert_inputs_at(const dalembert_modes* m, double t, const double* x, double* u) {
     const size_t size = m->plant->inputs * sizeof(double);
-    if (m->inputs.function != NULL) m->inputs.function(m->inputs.context, t, x, u);
-    else if (m->inputs.held != NULL) memcpy(u, m->inputs.held, size);
-    else memset(u, 0, size);
+    if (m->inputs.function != NULL)
+        m->inputs.function(m->inputs.context, t, x, u);
+    else if (m->inputs.held != NULL)
+        memcpy(u, m->inputs.held, size);
+    else
+        memset(u, 0, size);
 }
 
 /* A step that changes nothing any more at t, in s; and one so short that it does no harm when its stages lie on both sides of a jump. */
 static inline double dalembert_smallest(double span, double t) { return 16 * DBL_EPSILON * fmax(fabs(t), span * DBL_EPSILON); }
 static inline double dalembert_tiny(const dalembert_modes* m, double t) { return 64 * dalembert_smallest(m->kept->span, t); }
 
-/* Whether a mode can take a state; *event: the first event that happens there at once. What falls through zero within an instant does; where `is_late`, so
- * does what fell within the last two. */
+/* Whether a mode can take a state; *event: the first event that happens there at once. What falls through zero within an instant does;
+ * where `is_late`, so does what fell within the last two. */
 static inline int dalembert_accepts(const dalembert_modes* m, unsigned mode, double t, const double* x, int is_late, size_t* event) {
     const dalembert_plant* const p = m->plant;
     const double instant = dalembert_tiny(m, t);
@@ -53,7 +57,8 @@ static inline int dalembert_accepts(const dalembert_modes* m, unsigned mode, dou
 }
 
 /* Takes the first of `count` modes (null: all) that accepts the state, or else the first one in which an event happens at once. */
-static inline int dalembert_choose(dalembert_modes* m, const unsigned* modes, size_t count, double t, const double* x, int is_late, size_t* event) {
+static inline int dalembert_choose(dalembert_modes* m, const unsigned* modes, size_t count, double t, const double* x, int is_late,
+                                   size_t* event) {
     int is_found = 0;
     dalembert_inputs_at(m, t, x, m->u);
     for (size_t i = 0; i < count; ++i) {
@@ -83,16 +88,18 @@ static inline void dalembert_apply(const dalembert_modes* m, const dalembert_eff
 }
 
 /* x = start + (t - before) f(start) in a mode. */
-static inline void dalembert_go_on(const dalembert_modes* m, unsigned mode, const double* start, double at, double before, double t, double* x) {
+static inline void dalembert_go_on(const dalembert_modes* m, unsigned mode, const double* start, double at, double before, double t,
+                                   double* x) {
     dalembert_inputs_at(m, at, start, m->u);
     m->plant->rhs(m->self, mode, start, m->u, at, m->dxdt);
     for (size_t i = 0; i < m->plant->states; ++i) x[i] = start[i] + (t - before) * m->dxdt[i];
 }
 
-/* The run is in front of the zero, with m->before. Where an input jumps, or a guard leaves zero with a rate that is zero itself but grows, as with friction
- * that is the same at rest, a mode only accepts what is behind: the motion goes on for an instant before the reset. Where `is_late`, another event may have
- * happened in that instant: it is the next. */
-static inline int dalembert_change_behind(dalembert_modes* m, const dalembert_effect* effect, size_t count, int is_late, double* t, double* x, size_t* event) {
+/* The run is in front of the zero, with m->before. Where an input jumps, or a guard leaves zero with a rate that is zero itself but
+ * grows, as with friction that is the same at rest, a mode only accepts what is behind: the motion goes on for an instant before the
+ * reset. Where `is_late`, another event may have happened in that instant: it is the next. */
+static inline int dalembert_change_behind(dalembert_modes* m, const dalembert_effect* effect, size_t count, int is_late, double* t,
+                                          double* x, size_t* event) {
     const size_t n = m->plant->states;
     const unsigned to = m->mode;
     const double here = *t, ahead = here + dalembert_tiny(m, here);
@@ -111,8 +118,8 @@ static inline int dalembert_change_behind(dalembert_modes* m, const dalembert_ef
     return 0;
 }
 
-/* A guard that is zero but for a rounding, on the wrong side, and rises: a mode accepts it an instant later, or a few, where the guard rises from a rate that
- * is zero itself. False, and nothing has changed, if none does without further events. */
+/* A guard that is zero but for a rounding, on the wrong side, and rises: a mode accepts it an instant later, or a few, where the guard
+ * rises from a rate that is zero itself. False, and nothing has changed, if none does without further events. */
 static inline int dalembert_change_ahead(dalembert_modes* m, const unsigned* modes, size_t count, double* t, double* x, size_t* event) {
     const size_t n = m->plant->states;
     const unsigned as_before = m->mode;
@@ -124,7 +131,8 @@ static inline int dalembert_change_ahead(dalembert_modes* m, const unsigned* mod
             size_t next = DALEMBERT_NONE;
             const double ahead = here + instant;
             dalembert_go_on(m, modes[i], m->after, here + instant / 2, here, ahead, x);
-            if (ahead > here && dalembert_all_finite(n, x) && dalembert_choose(m, modes + i, 1, ahead, x, 0, &next) && next == DALEMBERT_NONE) {
+            if (ahead > here && dalembert_all_finite(n, x) && dalembert_choose(m, modes + i, 1, ahead, x, 0, &next) &&
+                next == DALEMBERT_NONE) {
                 *t = ahead;
                 *event = DALEMBERT_NONE;
                 return 1;
@@ -136,19 +144,23 @@ static inline int dalembert_change_ahead(dalembert_modes* m, const unsigned* mod
 }
 
 /* The effect on x, and a mode for it among `count` candidates. */
-static inline enum dalembert_status dalembert_change(dalembert_modes* m, const dalembert_effect* effect, size_t count, double* t, double* x, size_t* next) {
+static inline enum dalembert_status dalembert_change(dalembert_modes* m, const dalembert_effect* effect, size_t count, double* t, double* x,
+                                                     size_t* next) {
     const dalembert_plant* const p = m->plant;
     const size_t n = p->states;
     memcpy(m->before, x, n * sizeof(double));
     dalembert_apply(m, effect, *t, x);
     const int is_finite = dalembert_all_finite(n, x);
     int is_found = is_finite && dalembert_choose(m, m->candidates, count, *t, x, 0, next);
-    if (is_finite && (!is_found || *next != DALEMBERT_NONE)) is_found = dalembert_change_behind(m, effect, count, 0, t, x, next) || is_found;
+    if (is_finite && (!is_found || *next != DALEMBERT_NONE))
+        is_found = dalembert_change_behind(m, effect, count, 0, t, x, next) || is_found;
     if (is_finite && (is_found ? *next != DALEMBERT_NONE && m->kept->is_circle : !effect->is_end)) {
         const size_t others = p->transitions(effect->event, effect->from, dalembert_beside, m->others);
         /* Two frictions on one rate: where one lets go, the other holds. */
-        if (is_found) (void)dalembert_change_ahead(m, m->others, others, t, x, next);
-        else is_found = dalembert_choose(m, m->others, others, *t, x, 0, next);
+        if (is_found)
+            (void)dalembert_change_ahead(m, m->others, others, t, x, next);
+        else
+            is_found = dalembert_choose(m, m->others, others, *t, x, 0, next);
     }
     if (!is_found && is_finite) is_found = dalembert_change_ahead(m, m->candidates, count, t, x, next);
     /* Two springs that meet a body at one position: between the two events stands a mode that only that position allows. */
@@ -202,8 +214,8 @@ static inline size_t dalembert_leader_of(const dalembert_modes* m, size_t event)
     return DALEMBERT_NONE;
 }
 
-/* Where the event accumulates, the run goes on at the time at which its intervals vanish. What accumulates at the same time, as in parts of a machine that are
- * alike, goes with it; so does what happens between, as friction that turns round at the top of each bounce. */
+/* Where the event accumulates, the run goes on at the time at which its intervals vanish. What accumulates at the same time, as in parts
+ * of a machine that are alike, goes with it; so does what happens between, as friction that turns round at the top of each bounce. */
 static inline enum dalembert_status dalembert_pass_accumulation(dalembert_modes* m, size_t happened, double* t, double* x, size_t* event) {
     const dalembert_plant* const p = m->plant;
     const dalembert_times* const times = &m->times[happened];
@@ -216,7 +228,8 @@ static inline enum dalembert_status dalembert_pass_accumulation(dalembert_modes*
     for (size_t e = 0; e < p->events; ++e) {
         const int is_certain = dalembert_is_certain(&m->times[e]);
         const double apart = fabs(dalembert_end_of_times(&m->times[e]) - end);
-        m->is_over[e] = e == leader || (p->is_watched(m->mode, e) && dalembert_goes_on_after(m, e) && is_certain && apart <= dalembert_tiny(m, *t));
+        m->is_over[e] =
+            e == leader || (p->is_watched(m->mode, e) && dalembert_goes_on_after(m, e) && is_certain && apart <= dalembert_tiny(m, *t));
         m->is_ignored[e] = m->is_over[e] || e == happened || (is_certain && apart <= (end - *t) / 8 + dalembert_tiny(m, *t));
     }
     if (end > *t && m->coast != NULL && !m->coast(m->context, m->is_ignored, end, t, x)) return dalembert_good;

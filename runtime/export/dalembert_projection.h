@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSL-1.0 */
-/* Brings states back to constraints, by the smallest step in the metric of the mass matrix: integration uses only second derivatives, and drifts away. */
+/* Brings states back to constraints, by the smallest step in the metric of the mass matrix: integration uses only second derivatives,
+ * and drifts away. */
 #ifndef DALEMBERT_PROJECTION_H
 #define DALEMBERT_PROJECTION_H
 
@@ -24,12 +25,14 @@ static inline double dalembert_largest(size_t n, const double* values) {
 }
 
 /* Newton's method for positions or rates. Stops where the residual shrinks no more; of a last step that made it larger nothing is left. */
-static inline double dalembert_newton(const dalembert_plant* plant, const void* self, unsigned mode, double t, double* x, int is_rate, double* work) {
+static inline double dalembert_newton(const dalembert_plant* plant, const void* self, unsigned mode, double t, double* x, int is_rate,
+                                      double* work) {
     const size_t m = plant->constraints, n = plant->degrees;
     double* const before = work;
     double* const residual = before + plant->states;
     double* const step = residual + m;
-    void (*const value)(const void*, unsigned, const double*, double, double*) = is_rate ? plant->constraint_rates : plant->constraint_positions;
+    void (*const value)(const void*, unsigned, const double*, double, double*) =
+        is_rate ? plant->constraint_rates : plant->constraint_positions;
     value(self, mode, x, t, residual);
     double size = dalembert_largest(m, residual);
     for (int i = 0; i < (is_rate ? 3 : 10) && size > 0; ++i) {
@@ -37,7 +40,8 @@ static inline double dalembert_newton(const dalembert_plant* plant, const void* 
         plant->correction(self, mode, x, t, residual, step);
         if (is_rate)
             for (size_t j = 0; j < n; ++j) x[plant->velocity_place + j] -= step[j];
-        else plant->move_back(self, x, step);
+        else
+            plant->move_back(self, x, step);
         value(self, mode, x, t, residual);
         const double now = dalembert_largest(m, residual);
         if (!(now < size)) {
@@ -52,7 +56,8 @@ static inline double dalembert_newton(const dalembert_plant* plant, const void* 
 }
 
 /* A constraint whose position or rate is not zero beside sum |A_ij q_j| or sum |A_ij v_j|, and beside half of the digits of a unit. */
-static inline size_t dalembert_broken_constraint(const dalembert_plant* plant, const void* self, unsigned mode, double t, const double* x, double* work) {
+static inline size_t dalembert_broken_constraint(const dalembert_plant* plant, const void* self, unsigned mode, double t, const double* x,
+                                                 double* work) {
     const size_t m = plant->constraints, n = plant->degrees, velocities = plant->velocity_place;
     double* const f = work;
     double* const w = f + m;
@@ -71,8 +76,8 @@ static inline size_t dalembert_broken_constraint(const dalembert_plant* plant, c
     return DALEMBERT_NONE;
 }
 
-/* Brings x back to the constraints of the plant, and quaternions to the norm one; nothing where plant->is_projected is zero. Returns the number of the
- * constraint that cannot be met, or DALEMBERT_NONE. `work`: dalembert_projection_room() numbers. */
+/* Brings x back to the constraints of the plant, and quaternions to the norm one; nothing where plant->is_projected is zero. Returns the
+ * number of the constraint that cannot be met, or DALEMBERT_NONE. `work`: dalembert_projection_room() numbers. */
 static inline size_t dalembert_project(const dalembert_plant* plant, const void* self, unsigned mode, double t, double* x, double* work) {
     if (!plant->is_projected) return DALEMBERT_NONE;
     memset(work, 0, plant->degrees * sizeof(double));

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSL-1.0 */
-/* Rodas5P, a Rosenbrock method for stiff plants: Steinebach: Construction of Rosenbrock-Wanner method Rodas5P and numerical benchmarks within the Julia
- * Differential Equations package, BIT Numerical Mathematics 63 (2023), article 27. Order 5 with one of order 4 in it, 8 stages, L-stable, stiffly accurate,
- * dense output of order 4. In the form without products with the Jacobian (Hairer, Wanner: Solving Ordinary Differential Equations II, section IV.7): with
- * W = 1/(h gamma) - J the stages are W u_i = f(t + time_i h, x + sum a_ij u_j) + sum c_ij/h u_j + gradient_i h df/dt, and y = (the last stage's state) + u_8,
- * of which u_8 is the error. */
+/* Rodas5P, a Rosenbrock method for stiff plants: Steinebach: Construction of Rosenbrock-Wanner method Rodas5P and numerical benchmarks
+ * within the Julia Differential Equations package, BIT Numerical Mathematics 63 (2023), article 27. Order 5 with one of order 4 in it, 8
+ * stages, L-stable, stiffly accurate, dense output of order 4. In the form without products with the Jacobian (Hairer, Wanner: Solving
+ * Ordinary Differential Equations II, section IV.7): with W = 1/(h gamma) - J the stages are W u_i = f(t + time_i h, x + sum a_ij u_j) +
+ * sum c_ij/h u_j + gradient_i h df/dt, and y = (the last stage's state) + u_8, of which u_8 is the error. */
 #ifndef DALEMBERT_RODAS5P_H
 #define DALEMBERT_RODAS5P_H
 
@@ -28,25 +28,28 @@ static const double dalembert_rodas5p_c[8][7] = {
     {165.43517024871676, -0.4592823456491126, 42.90938336958603, -5.961986721573306},
     {24.854864614690072, -3.0009227002832186, 47.4931110020768, 5.5814197821558125, -0.6610691825249471},
     {30.91273214028599, -3.1208243349937974, 77.79954646070892, 34.28646028294783, -19.097331116725623, -28.087943162872662},
-    {37.80277123390563, -3.2571969029072276, 112.26918849496327, 66.9347231244047, -40.06618937091002, -54.66780262877968, -9.48861652309627},
+    {37.80277123390563, -3.2571969029072276, 112.26918849496327, 66.9347231244047, -40.06618937091002, -54.66780262877968,
+     -9.48861652309627},
 };
 /* Of the stages' times, and of df/dt. */
-static const double dalembert_rodas5p_times[8] = {0, 0.6358126895828704, 0.4095798393397535, 0.9769306725060716, 0.4288403609558664, 1, 1, 1};
+static const double dalembert_rodas5p_times[8] = {0, 0.6358126895828704, 0.4095798393397535, 0.9769306725060716, 0.4288403609558664, 1, 1,
+                                                  1};
 static const double dalembert_rodas5p_gradient[8] = {
     0.21193756319429014, -0.42387512638858027, -0.3384627126235924, 1.8046452872882734, 2.325825639765069, 0, 0, 0};
 /* Of the dense output x + s (y - x + (1 - s) (d[0] + s (d[1] + s d[2]))), s from 0 to 1. */
 static const double dalembert_rodas5p_dense[3][8] = {
-    {25.948786856663858, -2.5579724845846235, 10.433815404888879, -2.3679251022685204, 0.524948541321073, 1.1241088310450404, 0.4272876194431874,
-     -0.17202221070155493},
-    {-9.91568850695171, -0.9689944594115154, 3.0438037242978453, -24.495224566215796, 20.176138334709044, 15.98066361424651, -6.789040303419874,
-     -6.710236069923372},
-    {11.419903575922262, 2.8879645146136994, 72.92137995996029, 80.12511834632643, -52.072871366152654, -59.78993625266729, -0.15582684282751913,
-     4.883087185713722},
+    {25.948786856663858, -2.5579724845846235, 10.433815404888879, -2.3679251022685204, 0.524948541321073, 1.1241088310450404,
+     0.4272876194431874, -0.17202221070155493},
+    {-9.91568850695171, -0.9689944594115154, 3.0438037242978453, -24.495224566215796, 20.176138334709044, 15.98066361424651,
+     -6.789040303419874, -6.710236069923372},
+    {11.419903575922262, 2.8879645146136994, 72.92137995996029, 80.12511834622643, -52.072871366152654, -59.78993625266729,
+     -0.15582684282751913, 4.883087185713722},
 };
 
 /* W = 1/(length gamma) - J without infinite entries; false where there are such. */
 static inline int dalembert_rodas5p_fill(dalembert_inside* in, double length) {
     int is_finite = 1;
+    memset(in->W.entries, 0, in->W.n * dalembert_band_height(&in->W) * sizeof(double));
     for (size_t c = 0; c < in->W.n; ++c) {
         for (size_t r = dalembert_band_begin(&in->W, c); r < dalembert_band_end(&in->W, c); ++r) {
             const double entry = *dalembert_band_at(&in->J, r, c);
@@ -58,15 +61,22 @@ static inline int dalembert_rodas5p_fill(dalembert_inside* in, double length) {
     return is_finite;
 }
 
+/* LU factors of W, with row exchanges if need be; false where it is not regular, or `must_be_finite` and entries are infinite. */
+static inline int dalembert_rodas5p_solves(dalembert_inside* in, double length, int must_be_finite) {
+    if (!dalembert_rodas5p_fill(in, length) && must_be_finite) return 0;
+    if (dalembert_band_factor_straight(&in->W)) return 1;
+    (void)dalembert_rodas5p_fill(in, length);
+    return dalembert_band_factor(&in->W);
+}
+
 static inline int dalembert_rodas5p_factor(dalembert_run* run, const dalembert_point* from, double length) {
     dalembert_inside* const in = run->inside;
     dalembert_prepare_jacobian(run, from->x, from->t);
-    if (dalembert_rodas5p_fill(in, length) && dalembert_band_factor(&in->W)) return 1;
+    if (dalembert_rodas5p_solves(in, length, 1)) return 1;
     /* A flow like a root at balance has an infinite slope: one a little further on serves, with short steps, or in very short ones none. */
     for (size_t i = 0; i < in->W.n; ++i) in->stage[i] = from->x[i] + length * from->dxdt[i];
     dalembert_prepare_jacobian(run, in->stage, from->t + length);
-    (void)dalembert_rodas5p_fill(in, length);
-    return dalembert_band_factor(&in->W);
+    return dalembert_rodas5p_solves(in, length, 0);
 }
 
 static inline void dalembert_rodas5p_take(dalembert_run* run, const dalembert_point* from, dalembert_candidate* c) {
@@ -107,8 +117,9 @@ static inline void dalembert_rodas5p_take(dalembert_run* run, const dalembert_po
     c->is_finite = dalembert_all_finite(n, c->dydt);
 }
 
-/* The estimate of the error is that of the Jacobian at the start. Where that is much larger than at the end, as for a flow like a root that leaves balance,
- * every increment is small, and so is the estimate. There the rate at the end does not fit the step, by more than the Jacobian at the end allows for. */
+/* The estimate of the error is that of the Jacobian at the start. Where that is much larger than at the end, as for a flow like a root
+ * that leaves balance, every increment is small, and so is the estimate. There the rate at the end does not fit the step, by more than
+ * the Jacobian at the end allows for. */
 static inline void dalembert_rodas5p_check(dalembert_run* run, const dalembert_point* from, dalembert_candidate* c) {
     dalembert_inside* const in = run->inside;
     dalembert_prepare_jacobian(run, c->y, c->end);
@@ -122,7 +133,8 @@ static inline void dalembert_rodas5p_check(dalembert_run* run, const dalembert_p
     }
 }
 
-static inline void dalembert_rodas5p_between(dalembert_run* run, const dalembert_point* from, const dalembert_candidate* c, double t, double* x) {
+static inline void dalembert_rodas5p_between(dalembert_run* run, const dalembert_point* from, const dalembert_candidate* c, double t,
+                                             double* x) {
     const dalembert_inside* const in = run->inside;
     const size_t n = run->plant->states;
     const double s = (t - from->t) / c->length;

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: BSL-1.0 */
 /* Positions where constraints depend on each other, as a parallelogram with all bars in one line.
  *
- * note [singular positions]: The motion goes through such a position smoothly, but its equations cannot be solved there: at a distance d, forces of constraints
- * lose the share 1/d of their digits, and velocities that are brought back to the constraints 1/d^2. So no step may end there. A run watches how independent
- * the constraints are, sees the position come, and makes one long step of Gauss's collocation over it. Its stages lie some way off, are brought back to the
- * constraints, and are solved for together, so that errors across the constraints do not spread. */
+ * note [singular positions]: The motion goes through such a position smoothly, but its equations cannot be solved there: at a distance
+ * d, forces of constraints lose the share 1/d of their digits, and velocities that are brought back to the constraints 1/d^2. So no step
+ * may end there. A run watches how independent the constraints are, sees the position come, and makes one long step of Gauss's
+ * collocation over it. Its stages lie some way off, are brought back to the constraints, and are solved for together, so that errors
+ * across the constraints do not spread. */
 #ifndef DALEMBERT_SINGULAR_H
 #define DALEMBERT_SINGULAR_H
 
@@ -12,7 +13,8 @@
 #include "dalembert_events.h"
 #include "dalembert_independence.h"
 
-/* What comes of a look ahead: nothing near, or one that a usual step comes nearer to first; the run is behind it; or one that no step leads over. */
+/* What comes of a look ahead: nothing near, or one that a usual step comes nearer to first; the run is behind it; or one that no step
+ * leads over. */
 enum dalembert_ahead { dalembert_ahead_clear, dalembert_ahead_crossed, dalembert_ahead_stuck };
 
 static const double dalembert_close_position = 0.02, dalembert_rounding_noise = 20 * DBL_EPSILON;
@@ -36,8 +38,8 @@ static inline int dalembert_is_close(dalembert_run* run, const double* x, double
     return dalembert_has_measure(run) && dalembert_measure(run, x, t, 0).value <= dalembert_close_position;
 }
 
-/* A step must not end close to a singular position if it comes from further away. Constraints may move a state by about the error of the step, not by more:
- * else they are not solved well there. */
+/* A step must not end close to a singular position if it comes from further away. Constraints may move a state by about the error of the
+ * step, not by more: else they are not solved well there. */
 static inline int dalembert_spoils_constraints(dalembert_run* run, const dalembert_candidate* c) {
     if (!dalembert_has_measure(run)) return 0;
     const double there = dalembert_measure(run, c->y, c->end, 0).value;
@@ -66,7 +68,8 @@ static inline double dalembert_singular_distance(dalembert_run* run) {
     if (k->now.is_chosen_anew) dalembert_rate(run, run->x, run->t, run->inside->dxdt);
     if (k->now.rank != before.rank || !(since > 0) || !(k->now.value < before.value)) return 0;
     const double reach = k->now.value / (before.value - k->now.value) * since;
-    const double near = fmax(3 * dalembert_close_position, 8 * sqrt(DBL_EPSILON / run->options.tolerance)); /* the latter: rounding is as large as the tolerance */
+    const double near = fmax(3 * dalembert_close_position,
+                             8 * sqrt(DBL_EPSILON / run->options.tolerance)); /* the latter: rounding is as large as the tolerance */
     return reach <= 1.5 * k->h || (k->now.value <= near && reach <= 50 * k->h) ? reach : 0;
 }
 
@@ -196,7 +199,8 @@ static inline int dalembert_cross(dalembert_run* run, const dalembert_polynomial
     return 1;
 }
 
-/* Looks ahead of a usual step, not beyond `limit`. Makes the step over a singular position, if one is so near; else shortens the way to `target`, if need be. */
+/* Looks ahead of a usual step, not beyond `limit`. Makes the step over a singular position, if one is so near; else shortens the way to
+ * `target`, if need be. */
 static inline enum dalembert_ahead dalembert_look_ahead(dalembert_run* run, double limit, double* target) {
     if (!dalembert_has_measure(run)) return dalembert_ahead_clear;
     const dalembert_run_memory* const k = run->inside->kept;

@@ -9,13 +9,18 @@
 
 static inline void dalembert_make_step(dalembert_run* run, dalembert_candidate* c) {
     const dalembert_point here = dalembert_here(run);
-    if (run->inside->kept->is_implicit) dalembert_rodas5p_take(run, &here, c);
-    else dalembert_dop853_take(run, &here, c);
+    if (run->inside->kept->is_implicit)
+        dalembert_rodas5p_take(run, &here, c);
+    else
+        dalembert_dop853_take(run, &here, c);
 }
 /* The state at t within the step that was made last. */
-static inline void dalembert_within_from(dalembert_run* run, const dalembert_point* from, const dalembert_candidate* c, double t, double* x) {
-    if (run->inside->kept->is_implicit) dalembert_rodas5p_between(run, from, c, t, x);
-    else dalembert_dop853_between(run, from, c, t, x);
+static inline void dalembert_within_from(dalembert_run* run, const dalembert_point* from, const dalembert_candidate* c, double t,
+                                         double* x) {
+    if (run->inside->kept->is_implicit)
+        dalembert_rodas5p_between(run, from, c, t, x);
+    else
+        dalembert_dop853_between(run, from, c, t, x);
 }
 static inline void dalembert_within(dalembert_run* run, const dalembert_candidate* c, double t, double* x) {
     const dalembert_point here = dalembert_here(run);
@@ -98,97 +103,25 @@ static inline void dalembert_accept(dalembert_run* run, const dalembert_candidat
         return;
     }
     const int is_moved = in->guards > 0 && in->is_cut ? 0 : dalembert_project_run(run, run->t, run->x);
-    if (c->has_derivative && !is_moved) memcpy(in->dxdt, c->dydt, n * sizeof(double));
-    else dalembert_rate(run, run->x, run->t, in->dxdt);
+    if (c->has_derivative && !is_moved)
+        memcpy(in->dxdt, c->dydt, n * sizeof(double));
+    else
+        dalembert_rate(run, run->x, run->t, in->dxdt);
 }
 
 /* Makes the step; with guards, only up to its first event. */
 static inline void dalembert_try_step(dalembert_run* run, dalembert_candidate* c) {
     dalembert_inside* const in = run->inside;
-    if (in->guards == 0) dalembert_make_step(run, c);
-    else dalembert_search(run, c, dalembert_tiny(&in->modes, run->t), dalembert_resolution(run, c->end));
+    if (in->guards == 0)
+        dalembert_make_step(run, c);
+    else
+        dalembert_search(run, c, dalembert_tiny(&in->modes, run->t), dalembert_resolution(run, c->end));
 }
 
-/* On its zero a jump may have a value that holds on neither side: a run that starts there starts just behind it. */
-static inline void dalembert_leave_zero(dalembert_run* run) {
-    dalembert_inside* const in = run->inside;
-    const size_t n = run->plant->states;
-    const double ahead = 16 * DBL_EPSILON * fmax(fabs(run->t), in->kept->span);
-    int is_on_zero = 0;
-    for (size_t i = 0; i < in->guards; ++i) is_on_zero = is_on_zero || in->watches[i].settled == 0;
-    if (!is_on_zero || !(run->t + ahead < in->to)) return;
-    for (size_t i = 0; i < n; ++i) in->other[i] = run->x[i] + ahead * in->dxdt[i];
-    dalembert_rate(run, in->other, run->t + ahead, in->difference);
-    if (!dalembert_all_finite(n, in->other) || !dalembert_all_finite(n, in->difference) || !dalembert_leave_zero_at(run, in->other, run->t + ahead)) return;
-    dalembert_move(run, run->t + ahead, in->other);
-    memcpy(in->dxdt, in->difference, n * sizeof(double));
-}
+#include "dalembert_passing.h"
 
-/* The first point behind the event along dx/dt. What the longer step reached there may have used the right-hand side of the other side; it is taken only where
- * that makes no difference. If neither is there, the event is yet to come. */
-static inline int dalembert_find_other_side(dalembert_run* run, double* t, double* x) {
-    dalembert_inside* const in = run->inside;
-    const dalembert_candidate* const behind = &in->behind;
-    const size_t n = run->plant->states;
-    const double tiny = dalembert_tiny(&in->modes, run->t);
-    const int goes_on = dalembert_all_finite(n, in->dxdt);
-    for (double ahead = behind->end - run->t; goes_on && ahead <= tiny && run->t + ahead <= in->to; ahead *= 2) {
-        *t = run->t + ahead;
-        for (size_t i = 0; i < n; ++i) x[i] = run->x[i] + ahead * in->dxdt[i];
-        if (dalembert_has_changed_at(run, x, *t)) return 1;
-        if (!(ahead > 0)) break;
-    }
-    int is_near = behind->is_finite;
-    for (size_t i = 0; i < n; ++i)
-        is_near = is_near && fabs(behind->y[i] - run->x[i]) <= 64 * DBL_EPSILON * fmax(run->scale[i], fabs(run->x[i]));
-    *t = behind->end;
-    memcpy(x, behind->y, n * sizeof(double));
-    return behind->is_finite && dalembert_any_negative(in->guards, in->found) &&
-           (is_near || behind->length <= tiny || in->kept->cuts >= dalembert_most_cuts);
-}
-
-/* At the end of a step that was cut for an event: ends there, or starts anew behind it. */
-static inline enum dalembert_status dalembert_pass_event(dalembert_run* run, int* is_anew) {
-    dalembert_inside* const in = run->inside;
-    dalembert_run_memory* const k = in->kept;
-    *is_anew = 0;
-    if (dalembert_is_broken(run)) return dalembert_constraint_broken;
-    if (in->guards == 0 || !in->is_cut) return dalembert_good;
-    double t = run->t;
-    if (!dalembert_is_sure_of_end(run) && !dalembert_find_other_side(run, &t, in->next_x)) {
-        k->may_touch = 1;
-        ++k->cuts;
-        return dalembert_good;
-    }
-    const size_t ending = dalembert_ending_guard(in);
-    if (ending != DALEMBERT_NONE) return dalembert_end_at(run, dalembert_range_left, ending);
-    *is_anew = 1;
-    dalembert_move(run, t, in->next_x);
-    size_t first = 0;
-    while (first < in->guards && !(in->found[first] < 0)) ++first;
-    const size_t changed = dalembert_pass_guards(run, t);
-    k->part_events += changed;
-    k->kinks_passed += changed;
-    k->stalled = k->part_events > 1 && !(run->t - k->last_event > dalembert_smallest(k->span, run->t)) ? k->stalled + 1 : 0;
-    k->last_event = run->t;
-    k->last_error = 0;
-    dalembert_rate(run, run->x, run->t, in->dxdt);
-    if (!dalembert_all_finite(run->plant->states, run->x) || !dalembert_all_finite(run->plant->states, in->dxdt)) return dalembert_not_finite;
-    if (run->on_event != NULL && !in->is_trial) run->on_event(run->context, run, run->t, first, in->modes.mode, in->modes.mode);
-    return k->part_events > run->options.most_events || k->stalled > 100 + in->guards ? dalembert_end_at(run, dalembert_event_storm, first) : dalembert_good;
-}
-
-/* From just before a kink that is known to just behind it. */
-static inline void dalembert_pass_stop(dalembert_run* run, double behind) {
-    dalembert_inside* const in = run->inside;
-    for (size_t i = 0; i < run->plant->states; ++i) run->x[i] += (behind - run->t) * in->dxdt[i];
-    run->t = behind;
-    if (in->guards > 0) in->kept->kinks_passed += dalembert_pass_known(run);
-    in->kept->last_error = 0;
-    dalembert_rate(run, run->x, run->t, in->dxdt);
-}
-
-/* Whether the rest of the run takes more than most_steps at the pace of the last 2 million, so that it ends in seconds and not in minutes. */
+/* Whether the rest of the run takes more than most_steps at the pace of the last 2 million, so that it ends in seconds and not in
+ * minutes. */
 static inline int dalembert_is_hopeless(dalembert_run* run) {
     dalembert_run_memory* const k = run->inside->kept;
     const size_t tries = run->steps + run->rejected;
@@ -219,7 +152,8 @@ static inline enum dalembert_status dalembert_acceptable_step(dalembert_run* run
         int clipped = k->h >= limit;
         c->length = clipped ? limit : k->h;
         c->end = clipped ? target : run->t + c->length;
-        if (!(c->length > dalembert_smallest(k->span, run->t)) && !clipped) return not_finite ? dalembert_not_finite : dalembert_step_too_small;
+        if (!(c->length > dalembert_smallest(k->span, run->t)) && !clipped)
+            return not_finite ? dalembert_not_finite : dalembert_step_too_small;
         dalembert_choose_method(run);
         dalembert_try_step(run, c);
         clipped = clipped || in->is_cut;
@@ -269,24 +203,6 @@ static inline enum dalembert_status dalembert_begin_anew(dalembert_run* run) {
     k->h = dalembert_first_step(run);
     k->goes_on = 1;
     return dalembert_good;
-}
-
-/* The next time of `stops`, with room before and behind it; `to` where there is none. */
-static inline void dalembert_next_stop(const dalembert_run* run, double* before, double* behind) {
-    size_t low = 0, high = run->options.stop_count; /* the first one behind t */
-    while (low < high) {
-        const size_t middle = (low + high) / 2;
-        if (run->options.stops[middle] > run->t) high = middle;
-        else low = middle + 1;
-    }
-    *before = *behind = run->inside->to;
-    for (; low < run->options.stop_count; ++low) {
-        const double stop = run->options.stops[low], room = dalembert_smallest(run->inside->kept->span, stop);
-        if (!(stop - room > run->t) || !(stop - room < run->inside->to)) continue;
-        *before = stop - room;
-        *behind = stop + room;
-        return;
-    }
 }
 
 /* In the present mode up to `to`, or to an event: dalembert_range_left, with its number in inside->event. */

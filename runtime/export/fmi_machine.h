@@ -163,7 +163,7 @@ static fmi_machine* fmi_new(int is_co_simulation, const char* name) {
     const size_t sizes[] = {n, inputs, parameters, n, n, outputs, indicators, indicators,
                             fmi_entries(&plant->pattern_x, n, n), fmi_entries(&plant->pattern_u, n, inputs), fmi_entries(&plant->pattern_p, n, parameters),
                             n, outputs * n, outputs * inputs,
-                            2 * n + 2 * outputs + 2 * plant->constraints + plant->degrees + parameters};
+                            n + dalembert_projection_room(plant) + 2 * outputs + parameters};
     const size_t count = sizeof sizes / sizeof sizes[0];
     size_t all = 1; /* an array of nothing has a place, too */
     for (size_t i = 0; i < count; ++i) all += sizes[i];

@@ -14,8 +14,8 @@ typedef struct wished_run {
     void* self;
     const double* start;
     double until, tolerance, longest_step;
-    int method; /* as in dalembert_method */
-    int parts;  /* calls of dalembert_run_to() */
+    int method;  /* as in dalembert_method */
+    int parts;   /* calls of dalembert_run_to() */
     int reloads; /* 1: after each part the state goes to another run of another instance, which continues */
     const double* parameters;
     const double* stops;
@@ -45,6 +45,12 @@ void make_run(const wished_run* wish, made_run* made, double* x);
 int make_two_runs(const wished_run* wish, const double* x);
 /* The largest difference of states within steps, by the dense output, from those of a run that ends there; beside their scales. */
 double difference_within(const wished_run* wish);
+/* The same run by an importer that knows dalembert_modes.h alone: classical Runge-Kutta steps, of which `steps` make the run, and
+ * bisection. */
+void make_exchange(const wished_run* wish, int steps, made_run* made, double* x);
+/* A coefficient of the tables of methods, by its number; not a number behind the last one. */
+double dop853_coefficient(size_t i);
+double rodas5p_coefficient(size_t i);
 
 #ifdef __cplusplus
 }
