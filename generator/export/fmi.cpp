@@ -66,12 +66,10 @@ BinaryPlace place_of(const std::string& machine, FmiVersion version) {
 /// The C files of the FMU, below sources/.
 FileContents sources(const ExportSubject& subject, FmiVersion version) {
     FileContents files = subject.c_files;
-    const std::string own = version == FmiVersion::two ? "fmi2" : "fmi3", other = version == FmiVersion::two ? "fmi3" : "fmi2";
-    for (const EmbeddedFile& file : embedded_files()) {
-        const bool is_run = file.name.starts_with("dalembert_") && file.name.ends_with(".h");
-        const bool is_adapter = file.name.starts_with("fmi") && !file.name.starts_with(other);
-        if (is_run || is_adapter) files.emplace_back(file.name, file.text);
-    }
+    for (auto& text : texts_of_runs()) files.push_back(std::move(text));
+    const char* const other = version == FmiVersion::two ? "fmi3" : "fmi2";
+    for (const EmbeddedFile& file : embedded_files())
+        if (file.name.starts_with("fmi") && !file.name.starts_with(other)) files.emplace_back(file.name, file.text);
     return files;
 }
 
