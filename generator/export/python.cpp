@@ -117,10 +117,7 @@ FileContents c_texts(const ExportSubject& subject) {
     for (auto& text : texts_of_runs()) texts.push_back(std::move(text));
     for (const char* name : {"many_points.h", "recorded_run.h"}) texts.emplace_back(name, embedded_file(name));
     texts.emplace_back("python.c", embedded_file("python/python.c"));
-    texts.emplace_back("plant.c", fmt::format("/* SPDX-License-Identifier: BSL-1.0 */\n/* The plant and what Python calls, in one text for the compiler. "
-                                              "*/\n#include \"{0}_plant.h\"\n\n#include \"python.c\"\n\nconst dalembert_plant* "
-                                              "dalembert_plant_table(void) {{ return {0}_plant_table(); }}\n",
-                                              subject.name));
+    texts.emplace_back("plant.c", fill_template(embedded_file("python/plant.c.in"), {{"NAME", subject.name}}));
     return texts;
 }
 

@@ -298,14 +298,17 @@ class Plant:
             raise ValueError(f"modes of {self.name} are whole numbers from 0 to {max(1, len(self.modes)) - 1}")
         return modes.astype(np.uintc)
 
-    def _many(self, value: int, x: Values, u: Values | None, t: Any, mode: Any) -> np.ndarray:
+    def _many(self, value: int, x: Values, u: Values | None, t: Any, mode: Any, out: np.ndarray | None = None) -> np.ndarray:
         """One call into C for all points."""
         x = self._numbers(x, self.states, "state", self.x0 if isinstance(x, Mapping) else np.zeros(0))
         u = self._numbers(u, self.inputs, "input", np.zeros(len(self.inputs)))
         t = np.asarray(t, dtype=float)
         modes = self._modes(mode)
         shape = np.broadcast_shapes(x.shape[:-1], u.shape[:-1], t.shape, modes.shape)
-        result = np.empty(shape + (self._library.dalembert_python_size(value),))
+        full = shape + (self._library.dalembert_python_size(value),)
+        result = np.empty(full) if out is None else out
+        if result.shape != full or result.dtype != np.float64 or not result.flags.c_contiguous or not result.flags.writeable:
+            raise ValueError(f"`out` must be a writeable array of shape {full}, of float64 in the order of C, but has shape {result.shape}, {result.dtype}")
         keep = []  # until the call is done
 
         def data(array: np.ndarray, leading: tuple[int, ...], length: int) -> tuple[int, int]:
@@ -326,9 +329,9 @@ class Plant:
 
     # --- values ---
 
-    def rhs(self, x: Values, u: Values | None = None, t: Any = 0.0, mode: Any = 0) -> np.ndarray:
-        """dx/dt."""
-        return self._many(_RHS, x, u, t, mode)
+    def rhs(self, x: Values, u: Values | None = None, t: Any = 0.0, mode: Any = 0, out: np.ndarray | None = None) -> np.ndarray:
+        """dx/dt. `out`: an array for the result, which saves the system from giving new memory to each of many large results."""
+        return self._many(_RHS, x, u, t, mode, out)
 
     def rhs_and_jacobian(self, x: Values, u: Values | None = None, t: Any = 0.0, mode: Any = 0, sparse: bool = False) -> tuple[np.ndarray, Any]:
         """dx/dt and df/dx: together they cost less."""

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSL-1.0 */
-/* What Python calls by ctypes, in one library with a plant. The text of the plant is included before this one: so the compiler sees both. */
+/* What Python calls by ctypes, in one library with a plant. The text of the plant is included before this one, and DALEMBERT_PLANT is its constant table: so the compiler
+ * knows which functions are called, and can put them into loops. */
 #include "many_points.h"
 #include "recorded_run.h"
 
@@ -17,12 +18,12 @@
 #endif
 DALEMBERT_SHOWN unsigned dalembert_python_texts(void) { return (unsigned)DALEMBERT_TEXTS; }
 
-DALEMBERT_SHOWN size_t dalembert_python_size(int value) { return dalembert_value_size(dalembert_plant_table(), (enum dalembert_value)value); }
+DALEMBERT_SHOWN size_t dalembert_python_size(int value) { return dalembert_value_size(DALEMBERT_PLANT, (enum dalembert_value)value); }
 
-DALEMBERT_SHOWN int dalembert_python_has(int value) { return dalembert_has_value(dalembert_plant_table(), (enum dalembert_value)value); }
+DALEMBERT_SHOWN int dalembert_python_has(int value) { return dalembert_has_value(DALEMBERT_PLANT, (enum dalembert_value)value); }
 
 DALEMBERT_SHOWN void dalembert_python_many(const void* self, int value, const dalembert_points* at, double* result) {
-    dalembert_many(dalembert_plant_table(), self, (enum dalembert_value)value, at, result);
+    dalembert_many(DALEMBERT_PLANT, self, (enum dalembert_value)value, at, result);
 }
 
 /* What a run is asked for, and how it ended. Zeros: as dalembert_run_new() sets them. */
@@ -74,7 +75,7 @@ static void dalembert_python_tell(const dalembert_run* run, enum dalembert_statu
 
 /* Returns a dalembert_status. The run gets an instance of the plant for itself: the one of Python stays as it is. */
 DALEMBERT_SHOWN int dalembert_python_run(dalembert_python_call* call, dalembert_record* record) {
-    const dalembert_plant* const plant = dalembert_plant_table();
+    const dalembert_plant* const plant = DALEMBERT_PLANT;
     void* const self = plant->create();
     dalembert_run* const run = self != NULL ? dalembert_run_new(plant, self) : NULL;
     enum dalembert_status status = dalembert_no_memory;
