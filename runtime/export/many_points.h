@@ -3,6 +3,8 @@
 #ifndef MANY_POINTS_H
 #define MANY_POINTS_H
 
+#include <math.h>
+
 #include "dalembert_plant.h"
 
 /* Points in arrays. The distance from one point to the next in an array is its `step`: 0 if all points share the first one. */
@@ -105,7 +107,8 @@ static inline int dalembert_has_value(const dalembert_plant* plant, enum dalembe
         call;                                              \
     }
 
-/* Writes the value at every point, one after the other. Values that the plant does not have are zero; `holds` is 1 then. */
+/* Writes the value at every point, one after the other. Values that the plant does not have are zero; `holds` is 1 then. Guards, their rates and kinks
+ * that are not watched in a mode are no number. */
 static inline void dalembert_many(const dalembert_plant* plant, const void* self, enum dalembert_value value, const dalembert_points* at,
                                   double* result) {
     const size_t size = dalembert_value_size(plant, value);
@@ -115,6 +118,8 @@ static inline void dalembert_many(const dalembert_plant* plant, const void* self
         for (i = 0; i < at->count * size; ++i) result[i] = 0;
         return;
     }
+    if (value == dalembert_value_guards || value == dalembert_value_guard_rates || value == dalembert_value_kinks)
+        for (i = 0; i < at->count * size; ++i) result[i] = (double)NAN;
     switch (value) {
         case dalembert_value_rhs: DALEMBERT_EACH(plant->rhs(self, mode, x, u, t, y)) break;
         case dalembert_value_jacobian_x: DALEMBERT_EACH(plant->rhs_and_jacobian(self, mode, x, u, t, y, y + n)) break;

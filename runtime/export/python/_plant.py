@@ -389,7 +389,8 @@ class Plant:
         return Powers(*np.moveaxis(self._many(_POWERS, x, u, t, mode), -1, 0))
 
     def guards(self, x: Values, u: Values | None = None, t: Any = 0.0, mode: Any = 0) -> np.ndarray:
-        """Values of the guards; of a plant with modes those of its events, which happen where one falls through zero."""
+        """Values of the guards; of a plant with modes those of its events, which happen where one falls through zero, or NaN in modes
+        in which they cannot."""
         return self._many(_GUARDS, x, u, t, mode)
 
     def guard_rates(self, x: Values, u: Values | None = None, t: Any = 0.0, mode: Any = 0) -> np.ndarray:
