@@ -10,6 +10,7 @@
 #include "elements/methods.hpp"
 #include "export/target.hpp"
 #include "graph/passes.hpp"
+#include "run/result_files.hpp"
 #include "text/budgets.hpp"
 #include "text/nearest.hpp"
 
@@ -87,6 +88,11 @@ void VerbOptions::integration() {
 }
 
 void VerbOptions::cache() { verb_.add_flag("--no-cache", options.no_cache, "compile the plant again, and do not keep it"); }
+
+void VerbOptions::result_files() {
+    const auto [names, docs] = names_and_docs(result_formats(), "result files besides CSV, comma separated:");
+    one_of(verb_.add_option("--write", options.write, docs)->delimiter(','), names);
+}
 
 void VerbOptions::plots() {
     verb_.add_flag("--no-plot", options.no_plot, "write the CSV only");

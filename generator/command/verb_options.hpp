@@ -53,6 +53,7 @@ public:
     void integration();
     /// Of runs that are drawn.
     void plots();
+    void result_files();
     /// Of what runs plants.
     void cache();
     void explain(const char* doc);

@@ -112,6 +112,7 @@ void take_simulate(VerbOptions& o) {
     o.format();
     o.integration();
     o.plots();
+    o.result_files();
     o.until();
     o.cache();
     o.explain("print time and result of each stage, and the origin of the plant");

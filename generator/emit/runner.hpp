@@ -21,6 +21,7 @@ struct SimulationSettings {
     bool draw = true;
     bool declared_csv = false;      ///< in declared units, not in SI
     bool declared_plots = true;
+    std::vector<std::string> formats;  ///< of result files besides CSV
 };
 
 /// Whether nothing depends on the time, no guard is watched and no singular position looked for, so that nothing comes and goes within a

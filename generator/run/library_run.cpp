@@ -118,6 +118,7 @@ SimulationReport report_of(const Options& options, const dalembert_plant& plant,
     settings.tolerance = run.tolerance;
     settings.step = run.step;
     settings.draw = !options.no_plot;
+    settings.formats = options.write;
     for (const RecordedState& state : run.states) settings.plots.push_back({state.name, "", {state.name}, {}});
     SimulationReport report = report_of_run(result, plant, settings);
     if (result.outcome.guard < plant.guards) report.guard = plant.guard_table[result.outcome.guard].doc;

@@ -178,6 +178,7 @@ SimulationSettings RunPreparation::make_settings(const Values& values, const Sys
     settings.draw = !options_.no_plot;
     settings.declared_csv = options_.units == "declared";
     settings.declared_plots = options_.units != "si";
+    settings.formats = options_.write;
     if (run_ != nullptr) {
         settings.until = seconds(run_->until);
         settings.tolerance = cln::double_approx(run_->tolerance);

@@ -10,6 +10,7 @@
 
 #include "elements/fluids.hpp"
 #include "elements/runs.hpp"
+#include "run/result_files.hpp"
 #include "run/run_header.hpp"
 #include "run/run_preparation.hpp"
 #include "run/settings.hpp"
@@ -173,6 +174,17 @@ std::string events_csv(const PlantRunResult& run, const dalembert_plant& plant) 
     return text;
 }
 
+/// The same in the formats that were asked for.
+void add_formats(SimulationReport& report, const PlantRunResult& run, const dalembert_plant& plant, const Recording& recording,
+                 const std::vector<std::string>& wanted, const std::filesystem::path& folder, const std::string& name) {
+    ResultTable table{recording, {}, {plant.mode_names, plant.mode_names + plant.modes}};
+    for (const EventOfRun& e : run.events)
+        table.events.push_back({e.t, plant.event_names[e.event], plant.mode_names[e.from], e.to ? plant.mode_names[*e.to] : ""});
+    for (const ResultFormat& format : result_formats())
+        if (std::find(wanted.begin(), wanted.end(), format.name) != wanted.end())
+            report.files.emplace_back(folder / (name + format.suffix), format.write(table));
+}
+
 std::vector<Panel> panels_of(const std::vector<Plot>& plots) {
     std::vector<Panel> panels;
     for (const Plot& plot : plots) panels.push_back({plot.title, plot.x, plot.y});
@@ -229,8 +241,10 @@ void add_results(SimulationReport& report, const PlantRunResult& run, const dale
         const Recording drawn = settings.declared_plots ? for_plots(run.recording, units) : run.recording;
         report.drawn = draw(drawn, panels_of(settings.plots), title, base);
     }
-    report.files.emplace_back(folder / (name + ".csv"), csv_text(settings.declared_csv ? in_units(run.recording, units) : run.recording));
+    const Recording recording = settings.declared_csv ? in_units(run.recording, units) : run.recording;
+    report.files.emplace_back(folder / (name + ".csv"), csv_text(recording));
     if (report.lost) report.files.emplace_back(folder / (name + "_events.csv"), events_csv(run, plant));
+    add_formats(report, run, plant, recording, settings.formats, folder, name);
     if (report.drawn)
         for (const char* ending : {".svg", ".png"}) report.files.emplace_back(folder / (name + ending), read_file(base + ending));
 }
