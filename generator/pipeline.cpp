@@ -9,6 +9,7 @@
 #include "elements/bodies.hpp"
 #include "elements/model.hpp"
 #include "graph/notation.hpp"
+#include "form/hessian.hpp"
 #include "form/fluid_validity.hpp"
 #include "form/heat_validity.hpp"
 #include "form/mode_systems.hpp"
@@ -170,8 +171,38 @@ bool all_derivations_proven(const Machine& machine) {
     return machine.audit.all_proven() && std::all_of(machine.other_modes.begin(), machine.other_modes.end(), all_derivations_proven);
 }
 
+[[noreturn]] void refuse_wish(const Machine& machine, Function function, const std::string& why) {
+    throw Failure(Diagnostic{Id::bad_option, machine.loaded->model.name_span,
+                             fmt::format("--{}: '{}' {}", name_of(function), machine.loaded->model.name, why)});
+}
+
+/// Throws Failure (bad-option) for a function that was asked for and cannot be made.
+void check_wishes(const Machine& machine) {
+    for (const Function function : machine.wished) {
+        if (machine.fields)
+            refuse_wish(machine, function, "has rods with cells in loops, and each function has a loop of its own; a smaller size has code for each cell");
+        if (!machine.code->wished.contains(function))
+            refuse_wish(machine, function,
+                        "has many bodies, whose motion is solved for in loops; second derivatives are made only where the solve is written out");
+    }
+}
+
+std::unique_ptr<Code> code_of(const Machine& machine, const CodeWish& wish) {
+    const std::size_t parts = wish.functions.contains(Function::hessian) ? parts_of_motion(*machine.system) : 0;
+    if (parts > budget::hessian_parts)
+        refuse_wish(machine, Function::hessian,
+                    fmt::format("has equations of motion of {} parts; second derivatives are made of up to {}", parts, budget::hessian_parts));
+    try {
+        return make_code(*machine.system, wish);
+    } catch (const NoDerivative& missing) {
+        if (!wish.functions.contains(Function::hessian)) throw;
+        refuse_wish(machine, Function::hessian,
+                    fmt::format("needs the derivative of the function '{}', which this program does not have", missing.what()));
+    }
+}
+
 CodeWish wish_of(const Machine& machine, bool with_series) {
-    return {.passes = machine.passes, .series = with_series, .together = machine.together, .trig = machine.trig};
+    return {.passes = machine.passes, .series = with_series, .functions = machine.wished, .trig = machine.trig};
 }
 
 /// Rewritten code has to be proven as well as code in the form of the derivation is; else it is not taken.
@@ -193,7 +224,7 @@ void make_and_prove_code(Machine& machine, Stopwatch& watch, bool with_series) {
     const Scene& scene = machine.system->scene;
     const std::string name = scene.name + (scene.mode ? "', mode '" + scene.modes[*scene.mode].name : "");
     enter_stage(fmt::format("the code of scene '{}'", name));
-    machine.code = make_code(*machine.system, wish_of(machine, with_series));
+    machine.code = code_of(machine, wish_of(machine, with_series));
     const OperationCount count = machine.code->count(Function::rhs);
     watch.lap("graph", fmt::format("{} operations in rhs, {} cached values", count.total(), machine.code->cache.values().size()));
     enter_stage(fmt::format("the proof of the code of scene '{}'", name));
@@ -319,17 +350,13 @@ Header generate(Machine& machine, SeriesWish wish) {
         for (Machine& other : machine.other_modes) {
             other.passes = machine.passes;
             other.trig = machine.trig;
-            other.together = machine.together;
+            other.wished = machine.wished;
             make_and_prove_code(other, watch, wish != SeriesWish::none);
             all.push_back(other.code.get());
         }
         modes.assign(all.begin(), all.end());
         if (wish != SeriesWish::none) keep_series(machine, all, wish);
-        if (machine.together && machine.fields)
-            throw Failure(Diagnostic{Id::bad_option, machine.loaded->model.name_span,
-                                     fmt::format("--together: '{}' has rods with cells in loops, and each function has a loop of its own; "
-                                                 "a smaller size has code for each cell",
-                                                 machine.loaded->model.name)});
+        check_wishes(machine);
         const Proofs proofs = proofs_of(machine);
         watch.lap("prove code", proofs.all_proven() ? "everything proven" : "some parts only numerically equal");
         const auto effects_out =
@@ -355,7 +382,7 @@ std::string normalised_command(const Machine& machine) {
     if (machine.trig == Trig::combined) command += " --trig combined";
     for (const auto& [name, value] : scene.sizes) command += fmt::format(" --size {}={}", name, value);
     if (machine.code && has_series(machine)) command += " --taylor";
-    if (machine.together) command += " --together";
+    for (const Function function : machine.wished) command += fmt::format(" --{}", name_of(function));
     return command;
 }
 

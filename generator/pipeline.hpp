@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <set>
 
 #include "elements/model.hpp"
 #include "emit/header.hpp"
@@ -48,7 +49,7 @@ struct Machine {
     Passes passes;                       ///< that generate makes
     Trig trig = Trig::library;
     const Language* language = &languages().front();
-    bool together = false;               ///< rates, Jacobian, outputs and energies in one function, too
+    std::set<Function> wished = {};      ///< of the functions that headers have where they are asked for
 };
 
 /// text -> model. Warnings go to diagnostics.

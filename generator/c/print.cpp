@@ -29,7 +29,8 @@ std::size_t size_of(const Plant& plant, const std::string& vector) {
         {"JacobianX", plant.by_state.size()},                  {"JacobianU", plant.by_input.size()},
         {"JacobianP", plant.by_parameter.size()},              {"JacobianT", states},
         {"OutputJacobianX", outputs * states},                 {"OutputJacobianU", outputs * inputs},
-        {"Constraints", constraints},                          {"ConstraintJacobian", constraints * n}};
+        {"Constraints", constraints},                          {"ConstraintJacobian", constraints * n},
+        {"Hessian", (states + inputs) * (states + inputs)}};
     const auto found = sizes.find(vector);
     if (found == sizes.end()) throw std::logic_error("a vector that plants do not have: " + vector);
     return found->second;

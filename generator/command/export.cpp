@@ -31,11 +31,24 @@ std::vector<double> start_values(const System& system) {
 ExportSubject subject_of_export(const Machine& machine, const Header& header) {
     const System& system = *machine.system;
     ExportSubject subject{machine, header.plant, header.name_space, start_values(system),
-                          parameter_numbers(system, Values(system.scene, system.translate)), {}};
+                          parameter_numbers(system, Values(system.scene, system.translate)), {}, {}};
     subject.c_files = {{header.file_name, header.text},
                        {"dalembert_plant.h", std::string(embedded_file("plant.h"))},
                        {subject.name + "_plant.h", plant_in_c(subject.plant, subject.name, subject.start_values, subject.parameter_defaults)}};
     return subject;
+}
+
+/// With second derivatives, or without them and with the reason.
+Header generate_with_hessian(Machine& machine, std::string& why_not) {
+    machine.wished.insert(Function::hessian);
+    try {
+        return generate(machine);
+    } catch (const Failure& failure) {
+        if (failure.diagnostics().front().id != Id::bad_option && failure.diagnostics().front().id != Id::too_large) throw;
+        why_not = failure.diagnostics().front().message;
+    }
+    machine.wished.erase(Function::hessian);
+    return generate(machine);
 }
 
 }  // namespace
@@ -50,8 +63,11 @@ ExitCode export_command(const Options& options, Streams streams) {
     refuse_rest(*machine.system, "export");
     ask_of_code(machine, options);
     machine.language = &language_named("c");
-    const Header header = generate(machine);
-    Exported exported = target.make(subject_of_export(machine, header), {options.sources_only, options.mode});
+    std::string no_hessian;
+    const Header header = target.takes_hessian ? generate_with_hessian(machine, no_hessian) : generate(machine);
+    ExportSubject subject = subject_of_export(machine, header);
+    subject.no_hessian = no_hessian;
+    Exported exported = target.make(subject, {options.sources_only, options.mode});
     ExportResult result{subject_of(machine.system->scene), target.name, proofs_of(machine).all_proven(), {}, std::move(exported.notes)};
     for (auto& [path, content] : exported.files) {
         path = options.output / path;

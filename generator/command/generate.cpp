@@ -26,7 +26,7 @@ GeneratedHeader generated_header(const Machine& machine, const Header& header, c
                            rewritten_places(machine)};
     for (std::size_t i = 0; i < function_count; ++i) {
         const auto function = static_cast<Function>(i);
-        if (function != Function::together || machine.together)
+        if (header_function(function).in != HeaderFunction::In::wished || machine.wished.contains(function))
             result.operations.emplace_back(name_of(function), operations(machine, function));
     }
     for (std::size_t i = 0; machine.fields && i < machine.fields->fields.size(); ++i) {

@@ -61,6 +61,7 @@ void take_generate(VerbOptions& o) {
           "parameters that become numbers in the code: `parameters` for all, or names, each with =VALUE if it differs from the default");
     o.flag("--taylor", o.options.taylor, "add Taylor series of the motion, for the method taylor");
     o.flag("--together", o.options.together, "add the function `together`, which computes rates, Jacobian, outputs and energies at once");
+    o.flag("--hessian", o.options.hessian, "add the function `hessian`: second derivatives of the rates by states and inputs, contracted");
     o.format();
     o.explain("print time and result of each stage, and the expressions rewritten for accuracy");
     o.dump();

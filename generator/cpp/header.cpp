@@ -39,6 +39,10 @@ std::string functions(const Plant& plant) {
     std::string text;
     for (const PlantFunction& f : plant.functions) {
         if (f.name == "together") text += "\n    struct Energies {\n        Scalar kinetic, potential, internal;  ///< J\n    };\n";
+        if (f.name == "hessian") {
+            const std::size_t size = plant.states.size() + plant.inputs.size();
+            text += fmt::format("\n    using Hessian = std::array<Scalar, {}>;  ///< {} x {}\n", size * size, size, size);
+        }
         text += "\n" + function_text(f);
         if (f.name == "rhs" && plant.series)
             text += "\n" + fill_template(embedded_file("series.hpp.in"), {{"SERIES_ROWS", std::to_string(plant.series->rows)},

@@ -56,6 +56,7 @@ private:
             case Kind::resets: return resets(row);
             case Kind::update:
             case Kind::together:    // the same as others
+            case Kind::hessian:     // only where it is asked for
             case Kind::conditions:  // no number
                 return;
         }

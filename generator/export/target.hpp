@@ -18,6 +18,8 @@ struct ExportSubject {
     std::vector<double> parameter_defaults;
     /// NAME_SCENE.h, dalembert_plant.h and NAME_SCENE_plant.h: the functions of the model and their table, see plant_in_c.hpp.
     FileContents c_files;
+    /// Of a target that takes second derivatives: why NAME_SCENE.h has no function `hessian`, as a sentence; empty where it has.
+    std::string no_hessian;
 };
 
 /// What the command line asks for besides.
@@ -36,6 +38,7 @@ struct Target {
     const char* doc;
     /// Throws Failure for what the tool cannot take.
     Exported (*make)(const ExportSubject& subject, const ExportWish& wish);
+    bool takes_hessian = false;  ///< the C header gets the function `hessian`, where there can be one
 };
 
 std::span<const Target> targets();

@@ -23,7 +23,7 @@ constexpr Target table[]{
     {"casadi", "functions for CasADi's `external`: C files and a shared library", casadi_files},
     {"fmi2", "a functional mock-up unit (FMI 2.0) for model exchange and co-simulation", fmi2_files},
     {"fmi3", "a functional mock-up unit (FMI 3.0) for model exchange and co-simulation", fmi3_files},
-    {"acados", "the functions of the dynamics for acados, what `casadi` writes, and a Python file that makes an AcadosModel", acados_files},
+    {"acados", "the functions of the dynamics for acados, what `casadi` writes, and a Python file that makes an AcadosModel", acados_files, true},
     {"python", "a package for Python with numpy: functions for many points at once, runs, and solve_ivp", python_files},
 };
 

@@ -46,7 +46,8 @@ RandomPoints::RandomPoints(const System& system) {
     const GiNaC::exmap at_start = defaults.substitution();
     for (const SymbolKind kind :
          {SymbolKind::parameter, SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state,
-          SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier, SymbolKind::multiplier_rate, SymbolKind::residual}) {
+          SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier, SymbolKind::multiplier_rate, SymbolKind::residual,
+          SymbolKind::costate, SymbolKind::adjoint}) {
         for (const Variable& variable : system.symbols.all(kind)) {
             // Without a declared range: around the default of a parameter, around zero for what moves or has none. Coordinates and letters
             // go beyond pi, so that asin(sin(phi)) is not taken for phi.

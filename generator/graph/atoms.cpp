@@ -14,7 +14,8 @@ namespace {
 constexpr std::array symbol_order{
     SymbolKind::parameter, SymbolKind::definition, SymbolKind::time,         SymbolKind::input,           SymbolKind::coordinate,
     SymbolKind::velocity,  SymbolKind::state,      SymbolKind::acceleration, SymbolKind::state_rate,      SymbolKind::grid,
-    SymbolKind::letter,    SymbolKind::jerk,       SymbolKind::multiplier,   SymbolKind::multiplier_rate, SymbolKind::residual};
+    SymbolKind::letter,    SymbolKind::jerk,       SymbolKind::multiplier,   SymbolKind::multiplier_rate, SymbolKind::residual,
+    SymbolKind::costate,   SymbolKind::adjoint};
 
 bool is_parameter(SymbolKind kind) { return kind == SymbolKind::parameter || kind == SymbolKind::definition || kind == SymbolKind::grid; }
 

@@ -20,7 +20,8 @@ public:
     CodeMaker(const System& system, const CodeWish& wish)
         : code_(std::make_unique<Code>(system)),
           system_(system),
-          lowered_(lower_system(system, code_->atoms, wish.passes.rewriting, wish.passes.chain ? wish.chain : ChainUse::never)),
+          lowered_(lower_system(system, code_->atoms, wish.passes.rewriting, wish.passes.chain ? wish.chain : ChainUse::never,
+                                wish.functions.contains(Function::hessian))),
           n_(system.motion.unknowns()),
           degrees_(system.symbols.degrees()),
           multipliers_(system.motion.multipliers.size()),
@@ -35,7 +36,8 @@ public:
         code_->has_long_chain = lowered_.has_long_chain;
         for (const HeaderFunction* row : in_order_of_making()) make(*row);
         if (wish.series) series();
-        if (wish.together) together();
+        if (wish.functions.contains(Function::together)) together();
+        if (wish.functions.contains(Function::hessian) && code_->solve.unrolled) hessian();
         update();
         code_->rewritten = std::move(lowered_.rewritten);
         return std::move(code_);
@@ -77,7 +79,8 @@ private:
             case Kind::number:
             case Kind::matrix:
             case Kind::event_values: return values(row);
-            case Kind::together:  // where it is asked for
+            case Kind::together:
+            case Kind::hessian:  // where they are asked for
             case Kind::update: return;  // last
         }
     }
@@ -146,7 +149,7 @@ private:
 
     /// What a recorder or an observer asks for at one point.
     void together() {
-        code_->has_together = true;
+        code_->wished.insert(Function::together);
         std::vector<Polynomial> more = lowered_[Function::output];
         for (const HeaderFunction& row : header_functions())
             if (row.energy != nullptr) more.push_back(lowered_[row.function].front());
@@ -297,6 +300,36 @@ private:
             }
     }
 
+    /// Second derivatives, see note [Hessian].
+    void hessian() {
+        code_->wished.insert(Function::hessian);
+        FunctionCode& f = (*code_)[Function::hessian];
+        LoweredSystem::Columns columns = lowered_.partial(By::state);
+        const auto append_columns = [](auto& to, const auto& more) { to.insert(to.end(), more.begin(), more.end()); };
+        const LoweredSystem::Columns& by_input = lowered_.partial(By::input);
+        append_columns(columns.residual, by_input.residual);
+        append_columns(columns.held, by_input.held);
+        append_columns(columns.state_rate, by_input.state_rate);
+        ProgramBuilder builder(code_->atoms, code_->cache, header_function(Function::hessian).parts, f.program, code_->passes);
+        Roots roots;
+        const MotionRoots motion = motion_.add_motion(roots);
+        const ColumnRoots parts = motion_.add_columns(roots, columns);
+        const std::size_t adjoint = roots.add(lowered_.second.adjoint), direct = roots.add(lowered_.second.direct),
+                          mixed = roots.add(lowered_.second.mixed);
+        builder.prepare(roots.polynomials());
+        f.solved_for = motion_.solve_motion(f, builder, motion);
+        FunctionCode::SecondOrder& second = f.second.emplace();
+        for (std::size_t i = 0; i < n_; ++i) second.right.push_back(builder.root(adjoint + i));
+        second.solved = solve(f.program, n_, f.factors, second.right);
+        for (std::size_t i = 0; i < n_; ++i) builder.define(motion_.letter(SymbolKind::adjoint, i), second.solved[i]);
+        motion_.take_columns(f, builder, columns, parts);
+        f.below = {};
+        for (std::size_t i = 0; i < lowered_.second.direct.size(); ++i) second.direct.push_back(builder.root(direct + i));
+        second.mixed = {n_, columns.residual.size(), {}};
+        for (std::size_t i = 0; i < n_ * columns.residual.size(); ++i) second.mixed.entries.push_back(builder.root(mixed + i));
+        f.results = hessian_of(f.program, f, system_.unknown_places());
+    }
+
     /// What brings runs back to constraints.
     void correction(const HeaderFunction& row) {
         const LoweredSystem::Projection& p = lowered_.projection;
@@ -365,6 +398,21 @@ std::vector<NodeId> chosen_of_held(Program& program, const Code& code, const std
                                                     : of_multipliers[static_cast<std::size_t>(place - multipliers.begin())]);
     }
     return result;
+}
+
+std::vector<NodeId> hessian_of(Program& program, const FunctionCode& f, const std::vector<std::size_t>& unknowns) {
+    const FunctionCode::SecondOrder& second = *f.second;
+    std::vector<NodeId> results;
+    for (std::size_t c = 0; c < second.mixed.columns; ++c)
+        for (std::size_t d = 0; d <= c; ++d) {
+            std::vector<std::pair<bool, NodeId>> terms{{false, second.direct[lower_index(c, d)]}};
+            for (std::size_t i = 0; i < unknowns.size(); ++i) {
+                terms.emplace_back(false, program.product({second.mixed.at(i, c), f.solved.at(unknowns[i], d)}));
+                terms.emplace_back(false, program.product({second.mixed.at(i, d), f.solved.at(unknowns[i], c)}));
+            }
+            results.push_back(program.sum(std::move(terms)));
+        }
+    return results;
 }
 
 std::unique_ptr<Code> make_code(const System& system, const CodeWish& wish) { return CodeMaker(system, wish).run(wish); }

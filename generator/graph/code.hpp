@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 
 #include "form/jacobian.hpp"
 #include "graph/articulated.hpp"
@@ -39,6 +40,12 @@ struct FunctionCode {
     CodeMatrix by_output = {};              ///< d(y)/d(column) at fixed accelerations
     CodeMatrix by_acceleration = {};        ///< d(y)/d(qdd), and by the multipliers behind them
     CodeMatrix whole_output = {};           ///< d(y)/d(column), where outputs contain multipliers
+    struct SecondOrder {
+        std::vector<NodeId> right, solved;  ///< w of note [Hessian]: what M is solved for with, and the solution
+        std::vector<NodeId> direct;         ///< lower triangle of L_yy
+        CodeMatrix mixed;                   ///< [unknown][column]: L_ya
+    };
+    std::optional<SecondOrder> second = {};
     std::vector<NodeId> rates_solved_for =
         {};  ///< rates of accelerations and multipliers, where results contain those of multipliers; of the one column in `right`
     std::optional<ChainNodes> chain = {};   ///< where the motion is followed from body to body: what it is solved with, or would be
@@ -69,7 +76,7 @@ enum class Trig { library, combined };
 struct CodeWish {
     Passes passes = {};
     bool series = false;   ///< of the motion
-    bool together = false; ///< rates, Jacobian, outputs and energies in one function, too
+    std::set<Function> functions = {};  ///< of those that headers have where they are asked for
     ChainUse chain = ChainUse::where_shorter;
     Trig trig = Trig::library;
 };
@@ -85,7 +92,7 @@ struct Code {
     Passes passes;
     Trig trig = Trig::library;
     bool has_long_chain = false;                  ///< the motion is solved for from body to body, and nothing with M
-    bool has_together = false;                    ///< Function::together is there
+    std::set<Function> wished;                    ///< functions that were asked for and are there
     std::vector<std::size_t> definition_order;    ///< definitions, each behind those it needs
     std::array<FunctionCode, function_count> functions;
     /// Where series are asked for, what they are made of: the motion, and behind the rates of plain states the power that changes its
@@ -105,6 +112,9 @@ struct Code {
 /// left out. None where nothing is chosen.
 std::vector<NodeId> chosen(Program& program, const Solve& solve);
 std::vector<NodeId> chosen_of_held(Program& program, const Code& code, const std::vector<std::size_t>& held);
+
+/// The lower triangle of H of note [Hessian], made of its parts. `unknowns`: their places among accelerations and multipliers.
+std::vector<NodeId> hessian_of(Program& program, const FunctionCode& f, const std::vector<std::size_t>& unknowns);
 
 /// All functions of a system as code.
 std::unique_ptr<Code> make_code(const System& system, const CodeWish& wish = {});

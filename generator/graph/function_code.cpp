@@ -16,6 +16,7 @@ std::vector<NodeId> FunctionCode::roots() const {
         take(solved.entries);
     }
     take(results);
+    if (second) return results;
     if (loop) take(loop->results);
     take(whole_output.entries);
     if (!whole_output.entries.empty()) return all;

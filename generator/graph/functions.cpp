@@ -76,6 +76,9 @@ std::span<const HeaderFunction> header_functions() {
         HeaderFunction{.function = Function::together, .name = "together", .kind = Kind::together, .in = In::wished, .parts = cached,
                        .doc = "rhs_and_jacobian, output and the energies in one call; common subexpressions are computed once.",
                        .by = By::state},
+        HeaderFunction{.function = Function::hessian, .name = "hessian", .kind = Kind::hessian, .in = In::wished, .parts = cached,
+                       .doc = "H = d^2(lambda'f)/dy^2 of y = (x, u), for any factors lambda of the rates f: symmetric, all entries, column "
+                              "by column.", .type = "Hessian", .array = "H"},
         HeaderFunction{.function = Function::jacobian_u, .name = "jacobian_u", .kind = Kind::jacobian, .in = In::all, .parts = cached,
                        .doc = "J = df/du.", .type = "JacobianU", .array = "J", .by = By::input},
         HeaderFunction{.function = Function::jacobian_p, .name = "jacobian_p", .kind = Kind::jacobian, .in = In::all, .parts = if_cached,

@@ -43,8 +43,9 @@ enum class Function {
     constraint_jacobian,
     correction,
     together,
+    hessian,
 };
-inline constexpr std::size_t function_count = static_cast<std::size_t>(Function::together) + 1;
+inline constexpr std::size_t function_count = static_cast<std::size_t>(Function::hessian) + 1;
 
 struct HeaderFunction {
     enum class Kind {
@@ -62,6 +63,7 @@ struct HeaderFunction {
         conditions,       ///< whether values are near entries of x, or zero
         resets,           ///< new values of x, by event
         correction,       ///< a step that takes residuals of constraints away
+        hessian,          ///< second derivatives of dx/dt, contracted
     };
     /// Which headers have it.
     enum class In { none, all, switching, constrained, wished };

@@ -6,6 +6,7 @@
 #include "graph/derived_values.hpp"
 #include "graph/factorisation.hpp"
 #include "graph/lower.hpp"
+#include "form/hessian.hpp"
 
 namespace dalembert {
 
@@ -17,7 +18,7 @@ class Lowerer {
 public:
     Lowerer(const System& system, Atoms& atoms, ChainUse chain) : system_(system), atoms_(atoms), chain_(chain) {}
 
-    LoweredSystem run(bool rewrites) {
+    LoweredSystem run(bool rewrites, bool second_order) {
         LoweredSystem l;
         for (const HeaderFunction& row : header_functions())
             if (row.values != nullptr) l[row.function] = all(row.values(system_));
@@ -40,6 +41,12 @@ public:
             for (const auto& column : p.held) columns.held.push_back(all(column));
         }
         for (const auto& column : output_by_acceleration(system_)) l.output_by_acceleration.push_back(all(column));
+        if (second_order && !l.has_long_chain) {
+            const SecondPartials s = second_partials(system_);
+            l.second.adjoint = all(s.adjoint);
+            l.second.direct = all(s.direct);
+            for (const auto& column : s.mixed) l.second.mixed.push_back(all(column));
+        }
         if (system_.chain && chain_ != ChainUse::never)
             l.chain =
                 lower_chain(system_, atoms_,
@@ -182,6 +189,9 @@ private:
             for (auto* part : {&columns.residual, &columns.state_rate, &columns.output, &columns.held})
                 std::for_each(part->begin(), part->end(), list);
         std::for_each(l.output_by_acceleration.begin(), l.output_by_acceleration.end(), list);
+        list(l.second.adjoint);
+        list(l.second.direct);
+        std::for_each(l.second.mixed.begin(), l.second.mixed.end(), list);
     }
 
     const System& system_;
@@ -191,8 +201,8 @@ private:
 
 }  // namespace
 
-LoweredSystem lower_system(const System& system, Atoms& atoms, bool rewrites, ChainUse chain) {
-    return Lowerer(system, atoms, chain).run(rewrites);
+LoweredSystem lower_system(const System& system, Atoms& atoms, bool rewrites, ChainUse chain, bool second_order) {
+    return Lowerer(system, atoms, chain).run(rewrites, second_order);
 }
 
 }  // namespace dalembert

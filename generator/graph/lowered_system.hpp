@@ -40,6 +40,11 @@ struct LoweredSystem {
     std::array<Columns, 4> by;
     std::vector<std::vector<Polynomial>> output_by_acceleration;
     std::vector<Polynomial> held_by_free;       ///< d(held)/d(free acceleration), row by row
+    struct Second {
+        std::vector<Polynomial> adjoint, direct;
+        std::vector<std::vector<Polynomial>> mixed;
+    };
+    Second second;                    ///< of note [Hessian], where it is asked for
     std::optional<LoweredChain> chain;
     bool has_long_chain = false;      ///< nothing is solved for by M, and slopes of the residual are left out
     std::vector<Rewriting> rewritten; ///< what has another form than it was derived in
@@ -48,6 +53,6 @@ struct LoweredSystem {
 };
 
 /// Lowers everything, rewrites what loses digits if that is wanted, and brings the atoms into the order of declaration.
-LoweredSystem lower_system(const System& system, Atoms& atoms, bool rewrites, ChainUse chain);
+LoweredSystem lower_system(const System& system, Atoms& atoms, bool rewrites, ChainUse chain, bool second_order = false);
 
 }  // namespace dalembert

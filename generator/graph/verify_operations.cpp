@@ -67,6 +67,7 @@ private:
         if (!solved_for(f).empty() &&
             solve(program, solve_.n, f.factors, f.force) != of_unknowns([&](std::size_t j) { return solved_for(f)[j]; }))
             return false;
+        if (f.second && solve(program, solve_.n, f.factors, f.second->right) != f.second->solved) return false;
         return f.rates_solved_for.empty() || solve(program, solve_.n, f.factors, f.right.entries) == f.rates_solved_for;
     }
 

@@ -148,6 +148,7 @@ FunctionBody FunctionBodies::body(const HeaderFunction& row) {
         case Kind::event_values: return event_values(row);
         case Kind::conditions: return conditions();
         case Kind::correction: return correction(row);
+        case Kind::hessian: return hessian(row);
         case Kind::update:
         case Kind::start:
         case Kind::resets: break;

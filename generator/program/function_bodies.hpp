@@ -51,6 +51,7 @@ private:
     FunctionBody rhs();
     FunctionBody rhs_and_jacobian();
     FunctionBody together();
+    FunctionBody hessian(const HeaderFunction& row);
     FunctionBody jacobian(const HeaderFunction& row);
     FunctionBody symmetric(const HeaderFunction& row);
     FunctionBody values(const HeaderFunction& row);

@@ -49,7 +49,6 @@ public:
         parameters();
         if (switches_) plant_.modes = mode_tables(modes_);
         if (shared_.has_projection()) plant_.constraints = constraint_tables(code_, shared_);
-        plant_.has_together = code_.has_together;
         for (const HeaderFunction& row : header_functions())
             if (shared_.has(row)) add(row);
         for (auto* functions : {&plant_.functions, &plant_.constraint_functions})

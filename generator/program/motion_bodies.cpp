@@ -143,6 +143,29 @@ FunctionBody FunctionBodies::together() {
                   {.state = n_ > 0});
 }
 
+FunctionBody FunctionBodies::hessian(const HeaderFunction& row) {
+    const FunctionCode& f = code_[row.function];
+    std::set<std::string> arguments = arguments_;
+    arguments.insert({"lambda", row.array});
+    StatementMaker maker(code_, f, cached_values_, arguments);
+    name_multipliers(maker, f.solved_for);
+    Statements statements = maker.compute(f.results);
+    const std::size_t size = f.second->mixed.columns;
+    const auto entry = [&](std::size_t r, std::size_t c) { return Value::element(Value::name(row.array), c * size + r); };
+    for (std::size_t c = 0; c < size; ++c)
+        for (std::size_t r = 0; r < size; ++r)
+            if (r >= c) append(statements, assigned(maker, entry(r, c), f.results[lower_index(r, c)]));
+            else statements.push_back(Assignment{entry(r, c), entry(c, r)});
+    const std::vector<NodeId> needed = f.program.in_order(f.results);
+    const bool uses_factors = std::any_of(needed.begin(), needed.end(), [&](NodeId id) {
+        const Node& node = f.program[id];
+        const Variable* variable = node.kind == Node::Kind::symbol ? code_.atoms[node.index].variable : nullptr;
+        return variable != nullptr && variable->kind == SymbolKind::costate;
+    });
+    return finish(maker, std::move(statements),
+                  {{"State", "lambda", Argument::Passing::read, uses_factors}, result_of(row.type, row.array, size > 0)}, {});
+}
+
 /// d(qdd)/d(column), all columns by the same statements: side by side where the machine can do that. What does not depend on the column
 /// comes before.
 Statements FunctionBodies::column_loop(StatementMaker& maker, const FunctionCode& f, const JacobianLayout& layout) {

@@ -137,7 +137,6 @@ struct Plant {
     std::vector<PlantFunction> functions;
     std::vector<PlantFunction> constraint_functions;
     std::optional<PlantSeries> series;
-    bool has_together = false;                ///< a function for all at once, with a structure of energies
     std::set<std::string> helpers;            ///< functions of the runtime that are called
 };
 

@@ -50,7 +50,7 @@ bool SharedMembers::has(const HeaderFunction& function) const {
         case In::all: return true;
         case In::switching: return has_modes();
         case In::constrained: return has_projection();
-        case In::wished: return modes_.front()->has_together;
+        case In::wished: return modes_.front()->wished.contains(function.function);
     }
     throw std::logic_error("a function that no header has");
 }

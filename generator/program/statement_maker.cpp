@@ -195,6 +195,7 @@ Value StatementMaker::symbol(NodeId id, Statements& statements) {
         case SymbolKind::acceleration: return Value::element(accelerations_, first_acceleration_ + variable.position);
         case SymbolKind::jerk: return Value::name(identifier(variable));  // computed before
         case SymbolKind::residual: return Value::element(Value::name("residual"), variable.position);
+        case SymbolKind::costate: return Value::element(Value::name("lambda"), variable.position);
         case SymbolKind::grid:
         case SymbolKind::letter: return Value::name(identifier(variable));
         default: throw std::logic_error("a symbol that has no place in the header: " + variable.name);

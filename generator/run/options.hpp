@@ -51,6 +51,7 @@ struct Options {
     std::vector<std::string> moving;      ///< coordinates
     std::vector<std::string> free;
     bool taylor = false;                  ///< the header gets series
+    bool hessian = false;                 ///< a function for second derivatives
     bool together = false;                ///< and a function for rates, Jacobian, outputs and energies at once
     bool explain = false;
     std::string dump;

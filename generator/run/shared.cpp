@@ -38,7 +38,8 @@ void ask_of_code(Machine& machine, const Options& options) {
     for (const Pass& pass : all_passes)
         machine.passes.*pass.is_on = std::find(options.without.begin(), options.without.end(), pass.name) == options.without.end();
     machine.trig = options.trig == "combined" ? Trig::combined : Trig::library;
-    machine.together = options.together;
+    if (options.together) machine.wished.insert(Function::together);
+    if (options.hessian) machine.wished.insert(Function::hessian);
     machine.language = &language_named(options.language);
 }
 

@@ -15,11 +15,10 @@ using GiNaC::pow;
 
 namespace {
 
-/// Throws std::logic_error where the table has no derivative.
 const ScalarFunction& function_with_slope(const ex& f) {
     const ScalarFunction* function = scalar_function_of(f);
     if (function == nullptr || (f.nops() == 1 ? function->slope == nullptr : function->slopes == nullptr))
-        throw std::logic_error("no derivative of " + ex_to<GiNaC::function>(f).get_name());
+        throw NoDerivative(ex_to<GiNaC::function>(f).get_name());
     return *function;
 }
 

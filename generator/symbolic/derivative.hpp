@@ -6,12 +6,19 @@
 #include <ginac/ginac.h>
 
 #include <functional>
+#include <stdexcept>
 
 namespace dalembert {
+
+/// A function of the table has no derivative there; `what()` is its name.
+struct NoDerivative : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
 
 /// How fast each symbol changes; 0 for one that does not.
 using Direction = std::function<GiNaC::ex(const GiNaC::ex& symbol)>;
 
+/// Throws NoDerivative.
 GiNaC::ex directional_derivative(const GiNaC::ex& e, const Direction& direction);
 
 /// Partial derivative by a symbol.

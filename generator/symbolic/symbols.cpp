@@ -112,6 +112,10 @@ Symbols::Symbols(const Scene& scene, const Names& names) {
         add(SymbolKind::residual, fmt::format("residual[{}]", member.name()), false,
             {"residual_" + member.item->name, member.index, is_member});
     }
+    for (std::size_t i = 0; i < state_count(); ++i)
+        add(SymbolKind::costate, fmt::format("costate[{}]", i), false, {"costate", static_cast<int>(i), true});
+    for (std::size_t i = 0; i < degrees() + scene.constraints.size(); ++i)
+        add(SymbolKind::adjoint, fmt::format("adjoint[{}]", i), false, {"adjoint", static_cast<int>(i), true});
 }
 
 void Symbols::find_attitudes(const Scene& scene) {

@@ -32,7 +32,9 @@ enum class SymbolKind {
     jerk,
     multiplier,
     multiplier_rate,
-    residual
+    residual,
+    costate,  ///< one a state: lambda of note [Hessian]
+    adjoint,  ///< one an unknown of the motion: w of it
 };
 
 /// One scalar of the scene. For a member of a family, base and index say which.
@@ -165,7 +167,7 @@ private:
     double size_of(const GiNaC::ex& e, const std::vector<double>& sizes) const;
     std::optional<std::size_t> step_of(const GiNaC::ex& symbol) const;
 
-    static constexpr std::size_t kinds = static_cast<std::size_t>(SymbolKind::residual) + 1;
+    static constexpr std::size_t kinds = static_cast<std::size_t>(SymbolKind::adjoint) + 1;
     std::array<std::vector<Variable>, kinds> variables_;
     std::unordered_map<std::string, std::pair<SymbolKind, std::size_t>> by_name_;  ///< names are unique in a scene
     std::vector<AttitudeSymbols> attitudes_;

@@ -32,6 +32,7 @@ constexpr std::array table{
     StageBudget{"proofs", "products of terms in one multiplication", budget::polynomial_products, "not proven, but compared at points"},
     StageBudget{"proofs", "products of terms in one proof, by 64 bits", budget::proof_work, "not proven, but compared at points"},
     StageBudget{"code", "products of terms in one expression", budget::code_work, "error too-large"},
+    StageBudget{"code", "parts of the equations of motion, with second derivatives", budget::hessian_parts, "error bad-option"},
     StageBudget{"printed equations", "parts of an equation with suggestions", budget::suggestion_parts, "no suggestion"},
     StageBudget{"printed equations", "seconds of processor time of an entry, or --stage-seconds if less", budget::entry_seconds,
                 "not checked, exit code 1"},

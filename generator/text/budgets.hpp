@@ -35,6 +35,7 @@ inline constexpr std::size_t polynomial_terms = 200'000;
 inline constexpr double polynomial_products = 2e7;  ///< of one multiplication
 inline constexpr double proof_work = 1e9;           ///< of a proof: products of terms, weighed by the length of their numbers
 inline constexpr double code_work = 3e7;            ///< of an expression that becomes code: products of terms
+inline constexpr std::size_t hessian_parts = 20'000;  ///< of equations of motion that are differentiated twice
 inline constexpr std::size_t suggestion_parts = 600;
 // modes
 inline constexpr std::size_t mode_combinations = 4'096;

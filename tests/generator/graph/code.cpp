@@ -56,7 +56,7 @@ TEST_CASE("rates, Jacobian, outputs and energies together share what they have i
                             {"heat/fin", ""}}) {
         CAPTURE(one.system);
         const Machine machine = machine_of(one.system, one.scene, one.sizes);
-        const auto code = make_code(*machine.system, {.together = true});
+        const auto code = make_code(*machine.system, {.functions = {Function::together}});
         const auto angles = [&](Function f) { return code->count(f).trigonometric; };
         CHECK(angles(Function::together) <= std::max(angles(Function::rhs_and_jacobian), angles(Function::output)));
         const auto verdict = [&] {
@@ -75,7 +75,7 @@ TEST_CASE("rates, Jacobian, outputs and energies together share what they have i
             results[i] = right;
         }
     }
-    CHECK_FALSE(make_code(*machine_of("cart_pendulum").system)->has_together);
+    CHECK_FALSE(make_code(*machine_of("cart_pendulum").system)->wished.contains(Function::together));
 }
 
 TEST_CASE("a solve with a defect is not proven") {
@@ -182,22 +182,25 @@ TEST_CASE("common sums and products are found across functions") {
 
 namespace {
 
-/// Every place from which something is emitted is made wrong, one after the other; each must be noticed.
-void check_every_defect(const System& system) {
-    const auto good = make_code(system);
+/// Every place from which something is emitted is made wrong, one after the other; each must be noticed. `wished`: of these functions alone.
+void check_every_defect(const System& system, const std::set<Function>& wished = {}) {
+    const auto good = make_code(system, {.functions = wished});
+    CHECK(good->wished == wished);
     for (const AuditEntry& entry : verify(*good)) CHECK(entry.result.verdict == Verdict::proven);
     for (std::size_t i = 0; i < function_count; ++i) {
         const auto function = static_cast<Function>(i);
+        if (!wished.empty() && !wished.contains(function)) continue;
         const auto lists = [&](FunctionCode& f) {
             std::vector<std::vector<NodeId>*> all{&f.results, &f.below.entries, &f.by_output.entries, &f.by_acceleration.entries};
             if (f.by_loops) all.insert(all.end(), {&f.mass, &f.force, &f.right.entries});
             else all.insert(all.end(), {&f.accelerations, &f.solved.entries});
+            if (f.second) all.insert(all.end(), {&f.right.entries, &f.second->right, &f.second->solved, &f.second->direct, &f.second->mixed.entries});
             return all;
         };
         for (std::size_t list = 0; list < lists((*good)[function]).size(); ++list) {
             const std::size_t count = lists((*good)[function])[list]->size();
             for (std::size_t k = 0; k < count; ++k) {
-                const auto code = make_code(system);
+                const auto code = make_code(system, {.functions = wished});
                 FunctionCode& f = (*code)[function];
                 NodeId& node = (*lists(f)[list])[k];
                 node = f.program.sum({{false, node}, {false, f.program.constant(1)}});
@@ -216,6 +219,13 @@ TEST_CASE("a defect anywhere in the code is found") {
     check_every_defect(*machine_of("cart_pendulum", "lab").system);
     check_every_defect(*machine_of("coupled_springs", "full").system);  // M is constant, its factors are cached
     check_every_defect(*machine_of("drive_train", "damped").system);
+}
+
+TEST_CASE("a defect anywhere in the code of second derivatives is found") {
+    for (const char* name : {"cart_pendulum", "coupled_springs", "spherical_pendulum_xyz"}) {
+        CAPTURE(name);
+        check_every_defect(*machine_of(name).system, {Function::hessian});
+    }
 }
 
 TEST_CASE("large chains solve by loops, diagonal ones never") {
