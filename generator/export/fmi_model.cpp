@@ -257,11 +257,17 @@ private:
         for (const std::string& name : names) model_.units.push_back(unit_of(name));
     }
 
-    /// The end of the run that `simulate` makes.
+    /// The end of the run that `simulate` makes of this scene, or else of the first run of it.
     std::optional<double> end_of_reference() const {
         const System& system = *subject_.machine.system;
-        const Run* run = find_run(subject_.machine.loaded->model, "");
-        if (run == nullptr || !run->until || (!run->scene.empty() && run->scene != plant_.scene)) return {};
+        const Model& model = subject_.machine.loaded->model;
+        const auto is_here = [&](const Run& run) { return run.scene.empty() || run.scene == plant_.scene; };
+        const Run* run = find_run(model, "");
+        if (run == nullptr || !is_here(*run)) {
+            const auto first = std::find_if(model.runs.begin(), model.runs.end(), is_here);
+            run = first == model.runs.end() ? nullptr : &*first;
+        }
+        if (run == nullptr || !run->until) return {};
         const Values values(system.scene, system.translate);
         const auto end = value_at(system.translate(*run->until, {}), values.substitution(), 20);
         return end ? std::optional(cln::double_approx(*end)) : std::nullopt;

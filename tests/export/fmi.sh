@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Exports to FMI 2.0 and 3.0 in an importer of our own: XML valid under the schemas of the standards; model exchange, co-simulation, events, derivatives,
 # saved states, wrong calls against runs of the plant that did not come through FMI.
-# Needs the program (PROGRAM), the sources (SOURCE) and the importer (IMPORTER). Arguments: names of models of systems/; all of them if there are none.
+# Needs the program (PROGRAM), the sources (SOURCE) and the importer (IMPORTER); VERSIONS: 2, 3 or both; KEEP: a folder that keeps the FMUs.
+# Arguments: names of models of systems/; all of them if there are none.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}" "${IMPORTER:?the importer}"
 here=$(mktemp -d)
@@ -25,15 +26,16 @@ for model in "${models[@]}"; do
       continue
     fi
     plant=$(ls "$here"/plant/*.so)
-    for version in 2 3; do
+    for version in ${VERSIONS:-2 3}; do
       "$PROGRAM" export "$model" --to fmi$version --scene "$scene" "${size[@]}" -o "$here/fmi$version" >"$here/said" 2>&1 || { complain "$what: $(head -1 "$here/said")"; continue 2; }
       fmu=$(ls "$here"/fmi$version/*.fmu)
+      [ -z "${KEEP:-}" ] || { mkdir -p "$KEEP/fmi$version"; cp "$fmu" "$KEEP/fmi$version/"; }
       if has_schema; then
         unzip -q -o "$fmu" modelDescription.xml -d "$here/xml$version"
         xmllint --noout --schema "$schemas/schema$version/fmi${version}ModelDescription.xsd" "$here/xml$version/modelDescription.xml" 2>"$here/said" || complain "$what: $(head -1 "$here/said")"
       fi
     done
-    if has_schema; then
+    if has_schema && [ "$version" = 3 ]; then
       unzip -q -o "$fmu" sources/buildDescription.xml -d "$here/xml3"
       xmllint --noout --schema "$schemas/schema3/fmi3BuildDescription.xsd" "$here/xml3/sources/buildDescription.xml" 2>"$here/said" || complain "$what: $(head -1 "$here/said")"
     fi
@@ -47,7 +49,7 @@ for model in "${models[@]}"; do
       [ -z "$csv" ] || mv "$csv" "$here/$tolerance.csv"
       ! ls "$here/$tolerance"/*_events.csv >/dev/null 2>&1 || mv "$here/$tolerance"/*_events.csv "$here/${tolerance}_events.csv"
     done
-    for version in 2 3; do
+    for version in ${VERSIONS:-2 3}; do
       if "$IMPORTER" "$here"/fmi$version/*.fmu "$here" "$plant"; then good=$((good + 1)); else bad=$((bad + 1)); fi
     done
   done
