@@ -100,14 +100,14 @@ public:
 private:
     double order() const { return wish_.is_stiff ? 7 : 5; }
 
-    Trajectory fail(const std::string& why) {
+    /// Notes where the run stops. Always false.
+    bool stop(const std::string& why) {
         result_.failure = why;
-        return end();
-    }
-    Trajectory end() {
         output();
-        return std::move(result_);
+        return false;
     }
+    Trajectory fail(const std::string& why) { return stop(why), std::move(result_); }
+    Trajectory end() { return fail(""); }
     void output() {
         result_.t.push_back(t_);
         result_.x.push_back(x_);
@@ -231,22 +231,22 @@ private:
     bool pass_event(bool enters) {
         const auto mode = d_.mode();
         const long before = mode ? fmu_.mode(*mode) : -1;
-        if (enters && fmu_.enter_events() != ok) return fail("event mode is not entered"), false;
+        if (enters && fmu_.enter_events() != ok) return stop("event mode is not entered");
         News news;
         for (int i = 0; i == 0 || (news.again && i < 100); ++i)
-            if (fmu_.update(news) != ok) return fail("the event fails: " + (messages().empty() ? "" : messages().back())), false;
-        if (n_ > 0 && fmu_.states(x_) != ok) return fail("there are no states"), false;
+            if (fmu_.update(news) != ok) return stop("the event fails: " + (messages().empty() ? "" : messages().back()));
+        if (n_ > 0 && fmu_.states(x_) != ok) return stop("there are no states");
         if (enters) ++result_.events;
         const long after = mode ? fmu_.mode(*mode) : -1;
         if (after != before) result_.changes.push_back({t_, before, after});
         if (news.over) {
             result_.is_over = true;
-            return end(), false;
+            return stop("");
         }
-        if (fmu_.enter_continuous() != ok) return fail("continuous time is not entered"), false;
+        if (fmu_.enter_continuous() != ok) return stop("continuous time is not entered");
         z_.resize(d_.indicators);
-        if (!set(t_, x_)) return fail("the state is not taken"), false;
-        if (fmu_.indicators(z_) != ok || fmu_.rates(dxdt_) != ok) return fail("no rates at the start"), false;
+        if (!set(t_, x_)) return stop("the state is not taken");
+        if (fmu_.indicators(z_) != ok || fmu_.rates(dxdt_) != ok) return stop("no rates at the start");
         return true;
     }
 

@@ -60,8 +60,10 @@ Table read_table(const std::string& path) {
     return table;
 }
 
-/// Inputs are held somewhere within their range, so that they do something.
-double held(const Variable& input) { return input.low && input.high ? *input.low + 0.3 * (*input.high - *input.low) : *input.start; }
+/// Inputs are held a little away from where they start, so that they do something.
+double held(const Variable& input) {
+    return input.low && input.high ? std::clamp(*input.start + 0.03 * (*input.high - *input.low), *input.low, *input.high) : *input.start;
+}
 
 double end_of(const Description& d) { return d.stop ? std::min(*d.stop, 20.0) : 1.0; }
 
@@ -397,6 +399,7 @@ int whole(const std::string& path, const std::string& runs, const std::string& l
         if (v.causality == "input") s.values.push_back(held(v));
     const Table fine = read_table(runs + "/fine.csv"), rough = read_table(runs + "/rough.csv"), events = read_table(runs + "/fine_events.csv");
     for (std::size_t r = 0; r < events.rows; ++r) s.event_times.push_back(events.number("t", r));
+    if (fine.rows > 0 && fine.number("t", fine.rows - 1) < s.until * (1 - 1e-12)) s.event_times.push_back(fine.number("t", fine.rows - 1));
     const dalembert_plant* plant = nullptr;
     if (void* const loaded = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL))
         plant = reinterpret_cast<dalembert_plant_function>(dlsym(loaded, DALEMBERT_PLANT_FUNCTION))();
