@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
 #include "export/c_library.hpp"
 #include "export/fmi_model.hpp"
 #include "text/archive.hpp"
+#include "text/diagnostic.hpp"
 #include "text/template.hpp"
 
 namespace dalembert {
@@ -93,8 +95,13 @@ Exported files_of(const ExportSubject& subject, const ExportWish& wish, FmiVersi
     FileContents files{{"modelDescription.xml", fmi_description(model, version, token, compiled)}};
     if (!wish.sources_only)
         for (const std::vector<std::string>& compiler : c_compilers()) {
-            const BinaryPlace place = place_of(machine_of(compiler), version);
-            files.emplace_back(fmt::format("binaries/{}/{}{}", place.folder, subject.name, place.suffix), c_library(c_files, compiled.front(), compiler));
+            const std::string machine = machine_of(compiler);
+            const BinaryPlace place = place_of(machine, version);
+            const std::filesystem::path binary = fmt::format("binaries/{}/{}{}", place.folder, subject.name, place.suffix);
+            if (std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.first == binary; }))
+                throw Failure(Diagnostic{Id::tool_failed, {}, fmt::format("CC names two compilers for the machine '{}'; an FMU has one library for each", machine)},
+                              ExitCode::tool_missing);
+            files.emplace_back(binary, c_library(c_files, compiled.front(), compiler));
         }
     if (version == FmiVersion::three) files.emplace_back("sources/buildDescription.xml", fmi_build_description(model, compiled));
     for (const auto& [path, content] : c_files) files.emplace_back("sources" / path, content);

@@ -408,7 +408,7 @@ int whole(const std::string& path, const std::string& runs, const std::string& l
 
     const auto exchange = unit.instantiate(false);
     if (!exchange) throw std::runtime_error("there is no instance");
-    const RunWish wish{s.until};
+    const RunWish wish{s.until, 50, 2e-11};
     const Trajectory run = run_exchange(*exchange, d, wish, [&](Instance& fmu) { s.prepare(fmu, 1e-10); });
     double by_exchange = 0, by_steps = 0, in_time = 0, jacobians = 0;
     if (!run.failure.empty()) fail("model exchange at t = " + std::to_string(run.t.back()) + ": " + run.failure);
