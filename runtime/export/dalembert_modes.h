@@ -105,6 +105,7 @@ struct dalembert_modes {
     void* context;
     void (*on_change)(void* context, double t, const double* x, size_t event, unsigned before, unsigned after, int is_end);
     size_t most_events; /* 100000 */
+    int is_exact;       /* the integrator never goes beyond a zero: dalembert_modes_event() moves no state back */
 
     /* The caller reads these. */
     const dalembert_plant* plant;
@@ -137,14 +138,14 @@ static inline size_t dalembert_event_values(const dalembert_plant* plant) {
 }
 static inline void dalembert_modes_values(dalembert_modes* m, double t, const double* x, double* z);
 
-/* Resets that happen at the start, and the first mode that accepts it. `span`: about how long the run will be, in s. */
+/* Resets that happen at the start, and the first mode that accepts it. `span`: about how long the run will be, in s; 0: not known. */
 static inline enum dalembert_status dalembert_modes_begin(dalembert_modes* m, double t, double span, double* x);
 
 /* At t, where a value has changed its sign, or inputs have jumped: all events that happen there, one after the other, until a mode
- * accepts the state. An integrator may have gone a little beyond the zero: the state is first moved back in front of it. Bounces that
- * become infinitely many end at once: where the sum of their intervals is known to rounding, the plant settles. t may grow by some
- * roundings: an integrator that cannot change its time ignores that. dalembert_good also where nothing happened; x, m->mode and
- * m->changes tell. */
+ * accepts the state. An integrator may have gone a little beyond the zero: the state is first moved back in front of it, by at most a
+ * thousandth of `span`. Bounces that become infinitely many end at once: where the sum of their intervals is known to rounding, the
+ * plant settles. t may grow by some roundings: an integrator that cannot change its time ignores that. dalembert_good also where nothing
+ * happened; x, m->mode and m->changes tell. */
 static inline enum dalembert_status dalembert_modes_event(dalembert_modes* m, double* t, double* x);
 
 /* The state of the modes in a flat block, to go on from there later, in the same or another dalembert_modes of the same plant. */

@@ -99,7 +99,7 @@ static inline enum dalembert_status dalembert_check_range(dalembert_modes* m, do
 static inline enum dalembert_status dalembert_modes_begin(dalembert_modes* m, double t, double span, double* x) {
     const dalembert_plant* const p = m->plant;
     memset(m->kept, 0, m->kept_size);
-    m->kept->span = span;
+    m->kept->span = span > 0 ? span : 1;
     m->kept->last = m->kept->before_last = m->last_event = DALEMBERT_NONE;
     m->changes = 0;
     m->mode = 0;
@@ -155,7 +155,8 @@ static inline enum dalembert_status dalembert_modes_event(dalembert_modes* m, do
             if (of_this > since) event = e, since = of_this;
         }
         if (event == DALEMBERT_NONE) return dalembert_good;
-        dalembert_move_back(m, event, since, *t, x);
+        /* What an input that jumps takes below zero has not fallen along the motion: most of that would be longer than any step beyond. */
+        if (!m->is_exact && since <= m->kept->span / 1000) dalembert_move_back(m, event, since, *t, x);
         const enum dalembert_status status = dalembert_pass_all(m, t, x, event);
         if (status != dalembert_good) return status;
     }

@@ -69,7 +69,8 @@ static inline dalembert_run* dalembert_run_new(const dalembert_plant* plant, voi
 static inline void dalembert_run_free(dalembert_run* run);
 
 /* Begins at t with x (null: the start state of the plant): brings x to the constraints, makes resets that happen at the start, finds the
- * mode. `until`: the expected end, from which scales of times follow; the run may go beyond. */
+ * mode. `until`: the expected end, from which scales of times and the longest step follow; the run may go beyond. Not behind t: the end
+ * is not known, and one second counts for scales. */
 static inline enum dalembert_status dalembert_run_start(dalembert_run* run, double t, double until, const double* x);
 
 /* Integrates to t_end exactly, through all events. After another status than dalembert_good or dalembert_stopped, x is the last good
@@ -149,6 +150,7 @@ typedef struct dalembert_polynomial {
 /* What a run remembers from one step to the next, besides arrays. */
 typedef struct dalembert_run_memory {
     double t, from, span, h, last_error; /* of step control: the logarithm of the error before */
+    int has_end;                         /* `span` is that of the run, and not a guess */
     int is_started, goes_on;             /* the next step follows the last one; else integration starts anew there */
     size_t steps, rejected, rhs_calls, jacobians, kinks_passed, implicit_steps;
     double mark; /* time of the last look at the pace */

@@ -119,7 +119,9 @@ static inline enum dalembert_status dalembert_run_start(dalembert_run* run, doub
     if (run->options.finds_scales && dalembert_all_finite(n, run->x)) dalembert_find_scales(run, t, span);
     for (size_t i = 0; i < n; ++i)
         if (!(run->scale[i] > 0)) return dalembert_bad_options;
-    return dalembert_end_call(run, dalembert_begin_run(run, t, span));
+    const enum dalembert_status status = dalembert_begin_run(run, t, span);
+    run->inside->kept->has_end = until > t;
+    return dalembert_end_call(run, status);
 }
 
 static inline void dalembert_run_message(const dalembert_run* run, enum dalembert_status status, char* text, size_t size) {

@@ -145,6 +145,7 @@ static inline dalembert_run* dalembert_run_new(const dalembert_plant* plant, voi
     in->modes.context = made;
     in->modes.on_change = dalembert_on_change;
     in->modes.coast = dalembert_coast;
+    in->modes.is_exact = 1;
     in->guards = dalembert_event_values(plant);
     in->spares_stages = plant->modes > 0;
     for (size_t i = 0; i < in->guards; ++i) {

@@ -134,9 +134,10 @@ static inline int dalembert_is_hopeless(dalembert_run* run) {
 
 /* The longest step where the caller does not say. */
 static inline double dalembert_longest_step(const dalembert_run* run) {
+    const dalembert_plant* const p = run->plant;
     if (run->options.longest_step > 0) return run->options.longest_step;
-    const int may_miss = run->inside->guards > 0 || run->plant->constraints > 0 || run->inputs.function != NULL;
-    return may_miss ? run->inside->kept->span / 500 : HUGE_VAL;
+    const int may_miss = run->inside->guards > 0 || p->constraints > 0 || p->jacobian_t != NULL || run->inputs.function != NULL;
+    return may_miss && run->inside->kept->has_end ? run->inside->kept->span / 500 : HUGE_VAL;
 }
 
 /* One step that can be accepted, of at most h and not beyond `target`; leaves the size of the next one in h. */

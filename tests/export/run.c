@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A run of a plant by the C99 integrators alone: loads a shared library of `dalembert compile`, runs it to a time with each method, in parts and with its state
- * saved between, and by its modes. For sanitizers and valgrind; what it prints must be the same with every compiler, but for roundings. */
+/* A run of a plant by the C99 integrators alone: loads a shared library of `dalembert compile`, runs it to a time with each method, in
+ * parts and with its state saved between, and by its modes. For sanitizers and valgrind; what it prints must be the same with every
+ * compiler, but for roundings. */
 #include <dlfcn.h>
 #include <stdio.h>
 
