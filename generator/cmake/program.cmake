@@ -90,7 +90,7 @@ set(embedded
     runtime/c/series_functions.h.in
     runtime/c/ldlt.h.in)
 # And what exports carry: runs and modes over a plant, the adapters of FMI, and packages.
-file(GLOB exported RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS runtime/export/*.h runtime/export/fmi*.c runtime/export/python/*)
+file(GLOB exported RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS runtime/export/*.h runtime/export/fmi*.c runtime/export/python/* runtime/export/octave/*)
 list(APPEND embedded ${exported})
 # And the projects that `dalembert new` writes.
 file(GLOB projects RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS templates/new/*/*.in)

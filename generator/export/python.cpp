@@ -9,9 +9,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "emit/equations.hpp"
 #include "export/c_library.hpp"
 #include "export/example_run.hpp"
+#include "export/plant_texts.hpp"
 #include "language/unit_reference.hpp"
 #include "run/plant_run.hpp"
 #include "text/template.hpp"
@@ -50,12 +50,6 @@ std::string attribute(const PlantParameter& parameter) {
     return parameter.identifier + (is_taken ? "_" : "");
 }
 
-std::string table_of(const char* title, const std::vector<PlantQuantity>& quantities) {
-    std::string text = quantities.empty() ? "" : fmt::format("\n{}\n", title);
-    for (const PlantQuantity& q : quantities) text += fmt::format("  {} [{}]  {}\n", q.name, q.unit, q.doc);
-    return text;
-}
-
 std::string table_of_parameters(const Plant& plant) {
     std::string text = plant.parameter_members.empty() ? "" : "\nParameters, as attributes\n";
     for (const PlantParameter& p : plant.parameter_members) {
@@ -63,13 +57,6 @@ std::string table_of_parameters(const Plant& plant) {
         text += fmt::format("  {} [{}]  {}{}{}\n", attribute(p), p.unit, p.doc, p.is_array && !p.doc.empty() ? "; " : "", number);
     }
     return text;
-}
-
-std::string equations(const Machine& machine) {
-    constexpr std::size_t most = 200000;  // characters; beyond, nobody reads them
-    std::string text = equations_as_text(*machine.system);
-    for (const Machine& other : machine.other_modes) text += "\n" + equations_as_text(*other.system);
-    return text.size() < most ? text : "The equations are too long to be printed here; `dalembert derive` shows them.\n";
 }
 
 std::string units() {
@@ -128,9 +115,9 @@ std::string package_text(const ExportSubject& subject) {
                          {{"NAME", subject.name},
                           {"TITLE", title},
                           {"SCENE", plant.scene},
-                          {"TABLES", in_docstring(table_of("States x", plant.states) + table_of("Inputs u", plant.inputs) +
-                                                  table_of("Outputs y", plant.outputs) + table_of_parameters(plant))},
-                          {"EQUATIONS", in_docstring(equations(subject.machine))}});
+                          {"TABLES", in_docstring(table_text("States x", plant.states) + table_text("Inputs u", plant.inputs) +
+                                                  table_text("Outputs y", plant.outputs) + table_of_parameters(plant))},
+                          {"EQUATIONS", in_docstring(equations_text(subject.machine))}});
 }
 
 std::string example_text(const ExportSubject& subject) {

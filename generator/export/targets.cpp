@@ -2,6 +2,7 @@
 #include "export/acados.hpp"
 #include "export/casadi.hpp"
 #include "export/fmi.hpp"
+#include "export/octave.hpp"
 #include "export/python.hpp"
 #include "export/target.hpp"
 
@@ -25,6 +26,7 @@ constexpr Target table[]{
     {"fmi3", "a functional mock-up unit (FMI 3.0) for model exchange and co-simulation", fmi3_files},
     {"acados", "the functions of the dynamics for acados, what `casadi` writes, and a Python file that makes an AcadosModel", acados_files, true},
     {"python", "a package for Python with numpy: functions for many points at once, runs, and solve_ivp", python_files},
+    {"octave", "a MEX function for Octave and MATLAB: functions for many points at once, runs, and handles for ode45 and ode15s", octave_files},
 };
 
 }  // namespace
