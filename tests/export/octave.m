@@ -1,0 +1,106 @@
+% SPDX-License-Identifier: GPL-3.0-or-later
+% Checks an exported folder: octave octave.m FOLDER POINTS RUN. POINTS and RUN are written by octave.sh: values by the table, and a run by the program.
+arguments = argv();
+[~, name] = fileparts(arguments{1});
+addpath(arguments{1});
+warning('error', 'Octave:undefined-function');
+plant = feval(name);
+problems = 0;
+
+function count = check(is_good, what)
+  count = 0;
+  if ~is_good
+    printf('%s\n', what);
+    count = 1;
+  end
+end
+
+function count = refused(call, words)
+  count = 0;
+  try
+    call();
+    printf('nothing is said of ''%s''\n', words);
+    count = 1;
+  catch e
+    if isempty(strfind(e.message, words))
+      printf('''%s'' does not say ''%s''\n', e.message, words);
+      count = 1;
+    end
+  end
+end
+
+n = numel(plant.states); m = numel(plant.inputs); k = numel(plant.outputs); q = numel(plant.parameters);
+expected = load(arguments{2});  % struct: x, u, t, mode, and values by the names of the functions
+points = numel(expected.t);
+vectors = {'rhs', 'jacobian_t', 'output', 'energies', 'powers', 'guard_values', 'holds'};
+matrices = {'jacobian_x', 'jacobian_u', 'jacobian_p', 'output_jacobian_x', 'output_jacobian_u', 'mass_matrix'};
+for f = [vectors, matrices]
+  f = f{1};
+  if ~isfield(expected, f), continue; end
+  is_vector = any(strcmp(f, vectors));
+  many = plant.(f)(expected.t, expected.x, expected.u, [], expected.mode);
+  for i = 1:points
+    one = plant.(f)(expected.t(i), expected.x(:, i), expected.u(:, i), [], expected.mode(i));
+    if is_vector
+      own = many(:, i); value = expected.(f)(:, i);
+    else
+      own = many(:, :, i); value = reshape(expected.(f)(:, :, i), size(own));
+    end
+    problems += check(isequaln(full(one), own), [f ' at many points is not that at one']);
+    problems += check(isequaln(full(one), value), [f ' is not that of the table']);
+  end
+end
+
+% Parameters, by struct and vector; names and errors.
+x0 = plant.start();
+p = plant.p;
+problems += check(numel(fieldnames(p)) == q, 'parameters');
+vector = cell2mat(struct2cell(p));
+problems += check(isequaln(plant.rhs(0, x0, [], p), plant.rhs(0, x0)) && isequaln(plant.rhs(0, x0, [], vector), plant.rhs(0, x0)), 'default parameters');
+if q > 0
+  fields = fieldnames(p);
+  p.(fields{1}) = 1.01 * p.(fields{1});
+  vector(1) *= 1.01;
+  problems += check(isequaln(plant.rhs(0, x0, [], p), plant.rhs(0, x0, [], vector)), 'a parameter that is set');
+  p.no_such = 1;
+  problems += refused(@() plant.rhs(0, x0, [], p), 'there is no parameter ''no_such''');
+  problems += refused(@() plant.rhs(0, x0, [], ones(q + 1, 1)), 'real numbers');
+  problems += refused(@() plant.rhs(0, x0, [], {1}), 'real numbers');
+end
+problems += refused(@() plant.rhs(0, ones(n + 1, 1)), 'rows');
+problems += refused(@() plant.rhs(0), 'x is missing');
+problems += refused(@() plant.rhs(0, x0, [], [], 1000), 'a mode is a name or a number');
+problems += refused(@() plant.rhs(0, x0, [], [], 'no such'), 'there is no mode');
+problems += refused(@() plant.rhs(0, single(x0)), 'real numbers');
+problems += refused(@() plant.simulate(0), 'ends after it begins');
+problems += refused(@() plant.simulate(1, 'magic', 1), 'there is no option');
+problems += refused(@() plant.simulate(1, 'method', 'magic'), 'there is no method');
+problems += refused(@() plant.simulate(1, 'tolerance', 0), 'tolerance');
+if m > 0
+  problems += refused(@() plant.simulate(1, 'u', @(t, x) error('mine')), 'mine');
+  problems += refused(@() plant.simulate(1, 'u', @(t, x) ones(m + 1, 1)), 'one real number for each');
+end
+
+% The run of the program, and handles.
+run = load(arguments{3});
+warning('off', 'dalembert:stopped');
+own = plant.simulate(run.until, 'u', run.u, 'p', run.p, 'x0', run.x0, 'tolerance', 1e-10);
+rows = min(rows(own.x), rows(run.x)) - ~own.success;
+apart = max(abs(own.x(1:rows, :) - run.x(1:rows, :)), [], 1) ./ max(1e-5, max(abs(run.x), [], 1));
+problems += check(rows > 1 && max(apart) <= 1e-8, sprintf('the run is %g off that of the program', max(apart)));
+if m > 0
+  by_function = plant.simulate(run.until / 50, 'u', @(t, x) run.u, 'p', run.p, 'x0', run.x0);
+  held = plant.simulate(run.until / 50, 'u', run.u, 'p', run.p, 'x0', run.x0);
+  problems += check(isequaln(by_function.x, held.x) && isequaln(by_function.u, held.u), 'inputs by a function');
+end
+[f, J] = plant.ode(run.u, run.p);
+problems += check(isequaln(f(0, run.x0), plant.rhs(0, run.x0, run.u, run.p)) && isequaln(J(0, run.x0), plant.jacobian_x(0, run.x0, run.u, run.p)), 'handles');
+if isempty(plant.modes) && isempty(plant.guards) && run.peers
+  t_end = run.until / 20;
+  scale = 1e-6 * max(abs(own.x), [], 1)' + 1e-12;
+  [~, x] = ode15s(f, [0, t_end / 2, t_end], run.x0, odeset('RelTol', 1e-6, 'AbsTol', scale, 'Jacobian', J));
+  near = plant.simulate(t_end, 'u', run.u, 'p', run.p, 'x0', run.x0);
+  apart = abs(x(end, :)' - near.x_end) ./ max(1e-6, max(abs(near.x), [], 1)');
+  problems += check(max(apart) < 1e-3, sprintf('ode15s is %g off', max(apart)));
+end
+exit(problems > 0);
