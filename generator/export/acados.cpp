@@ -43,6 +43,18 @@ std::string identity(std::size_t n) {
     return number_lines(pattern);
 }
 
+/// Rows, columns, column starts and rows of second derivatives by [x; xdot; u]: nothing by xdot, all else.
+std::string hessian_pattern(std::size_t states, std::size_t inputs) {
+    const std::size_t size = 2 * states + inputs;
+    std::vector<std::size_t> rows, pattern{size, size, 0};
+    const auto is_there = [&](std::size_t i) { return i < states || i >= 2 * states; };
+    for (std::size_t i = 0; i < size; ++i)
+        if (is_there(i)) rows.push_back(i);
+    for (std::size_t i = 0; i < size; ++i) pattern.push_back(pattern.back() + (is_there(i) ? rows.size() : 0));
+    for (std::size_t i = 0; i < rows.size(); ++i) pattern.insert(pattern.end(), rows.begin(), rows.end());
+    return number_lines(pattern);
+}
+
 }  // namespace
 
 Exported acados_files(const ExportSubject& subject, const ExportWish& wish) {
@@ -50,11 +62,14 @@ Exported acados_files(const ExportSubject& subject, const ExportWish& wish) {
     Exported result = casadi_files(subject, wish);
     const std::size_t states = subject.plant.states.size();
     std::vector<std::string> functions = implicit_functions;
+    if (derivatives.has_hessian) functions.push_back("impl_dae_hess");
     std::string explicit_text;
     std::map<std::string, std::string> values = derivatives.numbers;
+    values["HAS_HESSIAN"] = derivatives.has_hessian ? "1" : "0";
     values.erase("HAS_TIME"), values.erase("OUTPUTS"), values.erase("IS_SMALL");
     if (!derivatives.has_time) {
         functions.insert(functions.begin(), explicit_functions.begin(), explicit_functions.end());
+        if (derivatives.has_hessian) functions.push_back("expl_ode_hess");
         std::map<std::string, std::string> sizes = values;
         sizes.erase("TITLE");
         sizes["STATES_AND_INPUTS"] = std::to_string(states + subject.plant.inputs.size());
@@ -64,6 +79,7 @@ Exported acados_files(const ExportSubject& subject, const ExportWish& wish) {
     values["FUNCTIONS"] = fmt::format("{}_expl_* and {}_impl_dae_*", subject.name, subject.name);
     if (derivatives.has_time) values["FUNCTIONS"] = subject.name + "_impl_dae_*";
     values["IDENTITY"] = identity(states);
+    values["HESSIAN_PATTERN"] = derivatives.has_hessian ? hessian_pattern(states, subject.plant.inputs.size()) : "0";
     result.files.emplace_back(subject.name + "_acados.c", fill_template(embedded_file("acados.c.in"), values));
     const char* call = derivatives.has_time ? "f(result.x, result.u, result.p, result.t)" : "f(result.x, result.u, result.p)";
     std::string expressions =

@@ -20,6 +20,7 @@ Exported casadi_files(const ExportSubject& subject, const ExportWish& wish) {
     if (!wish.sources_only) result.files.emplace_back(subject.name + ".so", c_library(result.files, main_file));
     if (!wish.mode.empty()) result.notes.push_back(fmt::format("the machine stays in the mode '{}', whatever its events are", wish.mode));
     if (derivatives.has_time) result.notes.push_back("the model depends on time: t is the last argument of f and y");
+    if (!subject.no_hessian.empty()) result.notes.push_back("second derivatives are not there: " + subject.no_hessian);
     if (!subject.plant.outputs.empty())
         result.notes.push_back("derivatives of outputs by parameters are not there: CasADi gets NaN where it asks for them");
     return result;

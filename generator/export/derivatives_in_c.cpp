@@ -135,6 +135,7 @@ DerivativesInC derivatives_in_c(const ExportSubject& subject, const ExportWish& 
     const Plant& plant = subject.plant;
     DerivativesInC result;
     result.has_time = has_time(subject);
+    result.has_hessian = subject.machine.wished.contains(Function::hessian);
     const std::string mode = mode_argument(subject, wish, tool);
     const std::size_t n = plant.states.size(), m = plant.inputs.size(), l = plant.outputs.size(), p = plant.parameters.size();
     std::size_t entries = 0;
@@ -157,6 +158,7 @@ DerivativesInC derivatives_in_c(const ExportSubject& subject, const ExportWish& 
                                   {"TITLE", result.numbers["TITLE"]},
                                   {"GUARD", guard},
                                   {"MODE", mode},
+                                  {"HAS_HESSIAN", result.has_hessian ? "1" : "0"},
                                   {"PARAMETERS", std::to_string(p)},
                                   {"ROOM_X", room({n})},
                                   {"ROOM_U", room({m})},

@@ -21,7 +21,7 @@ Exported plant_files(const ExportSubject& subject, const ExportWish&) {
 
 constexpr Target table[]{
     {"c", "the model as a table of C functions, in C99: for programs of your own", plant_files},
-    {"casadi", "functions for CasADi's `external`: C files and a shared library", casadi_files},
+    {"casadi", "functions for CasADi's `external`: C files and a shared library", casadi_files, true},
     {"fmi2", "a functional mock-up unit (FMI 2.0) for model exchange and co-simulation", fmi2_files},
     {"fmi3", "a functional mock-up unit (FMI 3.0) for model exchange and co-simulation", fmi3_files},
     {"acados", "the functions of the dynamics for acados, what `casadi` writes, and a Python file that makes an AcadosModel", acados_files, true},

@@ -56,7 +56,8 @@ std::vector<std::string> with(const std::string& before, std::vector<std::string
 
 class Casadi {
 public:
-    Casadi(void* library, const dalembert_plant& table) : f(library, "f"), jac(library, "jac_f"), fwd(library, "fwd1_f"), adj(library, "adj1_f") {
+    Casadi(void* library, const dalembert_plant& table)
+        : f(library, "f"), jac(library, "jac_f"), fwd(library, "fwd1_f"), adj(library, "adj1_f") {
         has_time = f.in.size() == 4;
         std::vector<std::string> ins{"x", "u", "p"};
         if (has_time) ins.push_back("t");
@@ -103,7 +104,7 @@ public:
             const std::vector<Vector> some = jacobian(arguments(q, {Vector()}), wanted);
             for (std::size_t i = 0; i < J.size(); ++i)
                 if (wanted[i]) same("part of jac_" + name, jacobian.out[i].spread(some[i]), J[i]);
-                else require(std::all_of(some[i].begin(), some[i].end(), [](double v) { return v == -12345.0; }), "a result that nobody wants");
+                else require(std::all_of(some[i].begin(), some[i].end(), [](double v) { return v == -12345.0; }), "an unwanted result");
         }
         // Forward: all seeds that J knows, and each alone.
         std::vector<Vector> seeds, none(J.size() + 1);
@@ -160,7 +161,8 @@ void check_acados(void* library, const std::string& name, ExpectedValues& plant,
         }
         return result;
     };
-    const Vector Sx = random.vector(n * n), Su = random.vector(n * m), Sp = random.vector(n * p), lambda = random.vector(n), xdot = random.vector(n);
+    const Vector Sx = random.vector(n * n), Su = random.vector(n * m), Sp = random.vector(n * p), lambda = random.vector(n),
+                 xdot = random.vector(n);
     const double size = std::max({size_of(plant.by_x, {1}), size_of(plant.by_u, {1}), size_of(plant.by_p, {1})}) * static_cast<double>(n);
     if (has_time) {
         require(dlsym(library, (name + "_expl_ode_fun").c_str()) == nullptr, "explicit functions of a model that depends on time");
@@ -174,7 +176,8 @@ void check_acados(void* library, const std::string& name, ExpectedValues& plant,
         const Vector by_u = transposed_product(plant.by_u, lambda, m);
         adjoint.insert(adjoint.end(), by_u.begin(), by_u.end());
         same("expl_vde_adj", function("expl_vde_adj")({q.x, lambda, q.u, q.p})[0], adjoint, 1e-13, size);
-        same("expl_vde_forw_p", function("expl_vde_forw_p")({q.x, Sp, q.u, q.p})[0], sum(plant.by_p, columns(plant.by_x, Sp, p)), 1e-13, size);
+        same("expl_vde_forw_p", function("expl_vde_forw_p")({q.x, Sp, q.u, q.p})[0], sum(plant.by_p, columns(plant.by_x, Sp, p)), 1e-13,
+             size);
     }
     const std::vector<Vector> arguments{q.x, xdot, q.u, {}, {q.t}, q.p};
     const Vector residual = sum(xdot, negative(plant.rates));
@@ -192,6 +195,61 @@ void check_acados(void* library, const std::string& name, ExpectedValues& plant,
     results("impl_dae_fun_jac_x_xdot_u", {residual, by_x, identity, by_u});
     results("impl_dae_jac_x_xdot_u_z", {by_x, identity, by_u, {}});
     results("impl_dae_jac_p", {negative(plant.by_p)});
+}
+
+/// J'*lambda by states and inputs.
+Vector gradient(ExpectedValues& plant, const Point& q, const Vector& lambda) {
+    plant.at(q);
+    Vector result = transposed_product(plant.by_x, lambda, plant.states());
+    const Vector by_u = transposed_product(plant.by_u, lambda, plant.inputs());
+    result.insert(result.end(), by_u.begin(), by_u.end());
+    return result;
+}
+
+/// Second derivatives, where they are there, beside differences of first ones, and along sensitivities. Returns whether they are there.
+bool check_hessian(void* library, const std::string& name, ExpectedValues& plant, const Point& q, bool has_time, Random& random) {
+    if (dlsym(library, (name + "_impl_dae_hess").c_str()) == nullptr) return false;
+    const std::size_t n = plant.states(), m = plant.inputs(), w = n + m;
+    const Vector lambda = random.vector(n);
+    const AcadosFunction implicit(library, name + "_impl_dae_hess");
+    const Vector whole = implicit.whole({q.x, random.vector(n), q.u, {}, lambda, {q.t}, q.p})[0];
+    require(whole.size() == (w + n) * (w + n), "size of impl_dae_hess");
+    const auto place = [&](std::size_t i) { return i < n ? i : n + i; };
+    Vector H(w * w);
+    for (std::size_t c = 0; c < w; ++c)
+        for (std::size_t r = 0; r < w; ++r) H[c * w + r] = -whole[place(c) * (w + n) + place(r)];
+    const Vector middle = gradient(plant, q, lambda);
+    for (std::size_t c = 0; c < w; ++c) {
+        const double at = c < n ? q.x[c] : q.u[c - n], h = 1e-5 * std::max(1e-3, std::abs(at));
+        Point a = q, b = q;
+        (c < n ? a.x[c] : a.u[c - n]) = at - h, (c < n ? b.x[c] : b.u[c - n]) = at + h;
+        const Vector low = gradient(plant, a, lambda), high = gradient(plant, b, lambda);
+        for (std::size_t r = 0; r < w; ++r) {
+            const double slope = (high[r] - low[r]) / (2 * h), found = H[c * w + r];
+            // Differences lose digits of what is large, and see kinks from both sides.
+            const double error = 1e-4 * (std::abs(slope) + std::abs(found)) + (1e-13 / h + 1e-9) * std::abs(middle[r]) + 1e-9;
+            char text[200];
+            std::snprintf(text, sizeof text, "second derivative [%zu, %zu]: %.12g, by differences %.12g", r, c, found, slope);
+            require(!std::isfinite(slope) || std::abs(slope - found) <= error, text);
+            require(!std::isfinite(found) || found == H[r * w + c], "second derivatives are not symmetric");
+        }
+    }
+    compared() += w * w;
+    if (has_time) return true;
+    const Vector Sx = random.vector(n * n), Su = random.vector(n * m);
+    const std::vector<Vector> found = AcadosFunction(library, name + "_expl_ode_hess")({q.x, Sx, Su, lambda, q.u, q.p});
+    plant.at(q);
+    same("expl_ode_hess, adjoint", found[0], middle, 1e-13, size_of(plant.by_x, lambda) + size_of(plant.by_u, lambda));
+    Vector S(w * w, 0.0), expected;
+    for (std::size_t c = 0; c < w; ++c)
+        for (std::size_t r = 0; r < w; ++r) S[c * w + r] = r >= n ? (r == c ? 1 : 0) : c < n ? Sx[c * n + r] : Su[(c - n) * n + r];
+    for (std::size_t c = 0; c < w; ++c) {
+        const Vector along(S.begin() + static_cast<long>(c * w), S.begin() + static_cast<long>((c + 1) * w));
+        const Vector column = transposed_product(S, product(H, along, w), w);
+        expected.insert(expected.end(), column.begin() + static_cast<long>(c), column.end());
+    }
+    same("expl_ode_hess", found[1], expected, 1e-12, size_of(H, {1}) * static_cast<double>(w));
+    return true;
 }
 
 /// Each thread has its own parameters, and changes them from call to call.
@@ -237,13 +295,14 @@ int main(int argc, char** argv) {
     const Casadi casadi(library, table);
     ExpectedValues plant(table, mode);
     Random random;
-    int finite = 0;
+    int finite = 0, hessians = 0;
     for (int i = 0; i < 10; ++i) {
         const Point q = random.point(plant, i == 0);
         same("start", CasadiFunction(library, "start")({q.p})[0], plant.start(q.p));
         casadi.check(plant, q, random);
         check_acados(acados, argv[1], plant, q, casadi.has_time, random);
         finite += plant.is_finite();
+        hessians += check_hessian(acados, argv[1], plant, q, casadi.has_time, random);
     }
     require(finite >= 5, "most points are outside of the model");
     // What is left out is zero.
@@ -252,6 +311,6 @@ int main(int argc, char** argv) {
     plant.at(zero);
     same("f of nothing", casadi.f(nothing)[0], plant.rates);
     check_threads(casadi, table, mode);
-    std::printf("%zu values\n", compared());
+    std::printf("%zu values%s\n", compared(), hessians > 0 ? ", with second derivatives" : "");
     return 0;
 }

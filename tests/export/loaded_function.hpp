@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A function of a shared library with the calling convention of CasADi: its signature, checked, and its values. It knows that convention alone.
+// A function of a shared library with the calling convention of CasADi: its signature, checked, and its values. It knows that convention
+// alone.
 #pragma once
 
 #include <dlfcn.h>
