@@ -130,7 +130,7 @@ static inline void dalembert_move_back(dalembert_modes* m, size_t event, double 
     const dalembert_plant* const p = m->plant;
     for (int tries = 0; tries < 3 && since > 0; ++tries) {
         const double g = m->g[event];
-        dalembert_go_on(m, m->mode, x, t, since + dalembert_tiny(m, t), 0, m->after);
+        dalembert_go_on(m, m->mode, x, t, since + dalembert_smallest(m->kept->span, t), 0, m->after);
         p->guard_values(m->self, m->mode, m->after, m->u, t, m->g);
         if (!dalembert_all_finite(p->states, m->after) || !(m->g[event] > g / 2)) return;
         memcpy(x, m->after, p->states * sizeof(double));
