@@ -12,6 +12,7 @@ namespace dalembert {
 Exported casadi_files(const ExportSubject& subject, const ExportWish& wish) {
     DerivativesInC derivatives = derivatives_in_c(subject, wish, "CasADi");
     std::map<std::string, std::string> values = derivatives.numbers;
+    values["HAS_HESSIAN"] = derivatives.has_hessian ? "1" : "0";
     values["T"] = derivatives.has_time ? ", t" : "";
     const std::string main_file = subject.name + "_casadi.c";
     Exported result{{subject.c_files.front()}, {}};  // the header; nothing here asks for the table

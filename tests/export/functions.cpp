@@ -206,8 +206,45 @@ Vector gradient(ExpectedValues& plant, const Point& q, const Vector& lambda) {
     return result;
 }
 
+/// The products of CasADi along a further direction s, with H = d^2(lambda' f)/d[x; u]^2: (J'*lambda)' along s, and with v of J*v.
+void check_second_products(void* library, const Casadi& casadi, ExpectedValues& plant, const Point& q, const Vector& H, const Vector& lambda,
+                           Random& random) {
+    plant.at(q);
+    const std::size_t n = plant.states(), m = plant.inputs(), w = n + m;
+    const auto joined = [](Vector a, const Vector& b) { return a.insert(a.end(), b.begin(), b.end()), a; };
+    const Vector sx = random.vector(n), su = random.vector(m), s_lambda = random.vector(n), vx = random.vector(n), vu = random.vector(m),
+                 s_vx = random.vector(n), s_vu = random.vector(m), sp = random.vector(plant.parameters());
+    const double size = (size_of(H, {1}) + size_of(plant.by_x, {1}) + size_of(plant.by_u, {1})) * static_cast<double>(w);
+    const std::vector<Vector> time(casadi.has_time ? 1 : 0);
+    const auto list = [&](std::vector<Vector> before, const std::vector<Vector>& after) {
+        before.insert(before.end(), time.begin(), time.end());
+        before.insert(before.end(), after.begin(), after.end());
+        return before;
+    };
+    // x, u, p, (t), xdot, lambda; the adjoint; seeds of all of these
+    const auto of_adjoint = [&](const Vector& along_p) {
+        return casadi.arguments(q, list({{}, lambda, {}, {}, {}}, list({sx, su, along_p}, {{}, s_lambda})));
+    };
+    const CasadiFunction adjoint(library, "fwd1_adj1_f"), forward(library, "fwd1_fwd1_f");
+    const std::vector<Vector> found = adjoint(of_adjoint({}));
+    Vector expected = sum(product(H, joined(sx, su), w),
+                          joined(transposed_product(plant.by_x, s_lambda, n), transposed_product(plant.by_u, s_lambda, m)));
+    same("fwd1_adj1_f", joined(found[0], found[1]), expected, 1e-12, size);
+    for (const double value : found[2]) require(std::isnan(value), "second derivatives by parameters are not there");
+    const Vector along_p = adjoint(of_adjoint(sp))[0];
+    for (const double value : along_p) require(sp.empty() || std::isnan(value), "second derivatives by parameters are not there");
+    // x, u, p, (t), xdot, v; J*v; seeds
+    const Vector twice = forward(casadi.arguments(q, list({{}, vx, vu, {}}, list({{}, sx, su, {}}, list({{}, s_vx, s_vu, {}}, {})))))[0];
+    const Vector Hs = product(H, joined(sx, su), w), v = joined(vx, vu), Jv = sum(product(plant.by_x, s_vx, n), product(plant.by_u, s_vu, n));
+    double weighted = 0, other = 0;
+    for (std::size_t i = 0; i < n; ++i) weighted += lambda[i] * twice[i], other += lambda[i] * Jv[i];
+    for (std::size_t i = 0; i < w; ++i) other += v[i] * Hs[i];
+    same("fwd1_fwd1_f", {weighted}, {other}, 1e-11, size * static_cast<double>(w));
+}
+
 /// Second derivatives, where they are there, beside differences of first ones, and along sensitivities. Returns whether they are there.
-bool check_hessian(void* library, const std::string& name, ExpectedValues& plant, const Point& q, bool has_time, Random& random) {
+bool check_hessian(void* library, const std::string& name, void* of_casadi, const Casadi& casadi, ExpectedValues& plant, const Point& q,
+                   Random& random) {
     if (dlsym(library, (name + "_impl_dae_hess").c_str()) == nullptr) return false;
     const std::size_t n = plant.states(), m = plant.inputs(), w = n + m;
     const Vector lambda = random.vector(n);
@@ -235,7 +272,8 @@ bool check_hessian(void* library, const std::string& name, ExpectedValues& plant
         }
     }
     compared() += w * w;
-    if (has_time) return true;
+    check_second_products(of_casadi, casadi, plant, q, H, lambda, random);
+    if (casadi.has_time) return true;
     const Vector Sx = random.vector(n * n), Su = random.vector(n * m);
     const std::vector<Vector> found = AcadosFunction(library, name + "_expl_ode_hess")({q.x, Sx, Su, lambda, q.u, q.p});
     plant.at(q);
@@ -302,7 +340,7 @@ int main(int argc, char** argv) {
         casadi.check(plant, q, random);
         check_acados(acados, argv[1], plant, q, casadi.has_time, random);
         finite += plant.is_finite();
-        hessians += check_hessian(acados, argv[1], plant, q, casadi.has_time, random);
+        hessians += check_hessian(acados, argv[1], library, casadi, plant, q, random);
     }
     require(finite >= 5, "most points are outside of the model");
     // What is left out is zero.
