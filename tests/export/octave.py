@@ -68,5 +68,5 @@ numbers = np.array(rows[1:], dtype=float)
 if given:
     plant.set(given)
 finite = np.isfinite(plant.rhs(start, inputs)).all() and not plant.constraints
-written(results / "run.mat", {"until": until, "u": inputs if inputs.size else np.zeros((0, 0)), "p": np.array(list(plant.values().values())), "x0": start,
+written(results / "run.mat", {"t_end": until, "u": inputs if inputs.size else np.zeros((0, 0)), "p": np.array(list(plant.values().values())), "x0": start,
                               "x": numbers[:, [titles.index(q.name) for q in plant.states]], "peers": float(finite)})

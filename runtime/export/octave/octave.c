@@ -15,8 +15,8 @@ static const char* const mex_commands[dalembert_values] = {
     "mass_matrix", "energies",         "powers",            "guard_values",      "guard_rates", "kink_values",      "holds",                "constraint_positions",
     "constraint_rates", "constraint_jacobian"};
 
-/* Rows, columns and stored entries of a matrix; vectors have one column. */
-static void mex_shape(const dalembert_plant* plant, enum dalembert_value value, size_t* rows, size_t* columns, dalembert_pattern* pattern) {
+/* Rows, columns and stored entries; vectors have one column. Whether it is a matrix. */
+static int mex_shape(const dalembert_plant* plant, enum dalembert_value value, size_t* rows, size_t* columns, dalembert_pattern* pattern) {
     *rows = dalembert_value_size(plant, value);
     *columns = 1;
     memset(pattern, 0, sizeof *pattern);
@@ -28,12 +28,13 @@ static void mex_shape(const dalembert_plant* plant, enum dalembert_value value, 
         case dalembert_value_output_jacobian_u: *columns = plant->inputs; break;
         case dalembert_value_mass_matrix: *columns = plant->degrees; break;
         case dalembert_value_constraint_jacobian: *columns = plant->degrees; break;
-        default: return;
+        default: return 0;
     }
     if (value == dalembert_value_jacobian_x || value == dalembert_value_jacobian_u || value == dalembert_value_jacobian_p) *rows = plant->states;
     else if (value == dalembert_value_mass_matrix) *rows = plant->degrees;
     else if (value == dalembert_value_constraint_jacobian) *rows = plant->constraints;
     else *rows = plant->outputs;
+    return 1;
 }
 
 static mxArray* mex_sparse(const dalembert_pattern* pattern, size_t rows, size_t columns, const double* values) {
@@ -53,9 +54,9 @@ static mxArray* mex_value_as_array(const dalembert_plant* plant, const void* sel
     dalembert_pattern pattern;
     size_t rows, columns, i, j, k;
     mwSize axes[3];
+    const int is_matrix = mex_shape(plant, value, &rows, &columns, &pattern);
     mxArray* made;
     dalembert_many(plant, self, value, at, values);
-    mex_shape(plant, value, &rows, &columns, &pattern);
     if (at->count == 1 && pattern.column_starts != NULL) {
         made = mex_sparse(&pattern, rows, columns, values + before);
         mxFree(values);
@@ -64,7 +65,7 @@ static mxArray* mex_value_as_array(const dalembert_plant* plant, const void* sel
     axes[0] = (mwSize)rows;
     axes[1] = (mwSize)columns;
     axes[2] = (mwSize)at->count;
-    if (columns == 1 && rows == size) { /* vectors */
+    if (!is_matrix) {
         made = mxCreateDoubleMatrix((mwSize)rows, (mwSize)at->count, mxREAL);
     } else {
         made = mxCreateNumericArray(at->count == 1 ? 2 : 3, axes, mxDOUBLE_CLASS, mxREAL);

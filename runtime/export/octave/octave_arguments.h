@@ -55,7 +55,7 @@ static const double* mex_columns(const mxArray* given, size_t rows, size_t* coun
     }
     if (!mex_is_real(given)) mex_refuse("number", "%s must be real numbers, with %s rows", what, number);
     columns = mxGetN(given);
-    if (mxGetM(given) != rows && rows == 1 && mxGetN(given) == 1) columns = mxGetM(given); /* a column of scalars */
+    if (what[0] == 't' && mxGetN(given) == 1) columns = mxGetM(given); /* a column of times */
     else if (mxGetM(given) != rows || mxGetNumberOfElements(given) != rows * columns) {
         if (mxGetNumberOfElements(given) != rows) mex_refuse("size", "%s must have %s rows, and a column for each point", what, number);
         columns = 1; /* a row for a column */
@@ -106,7 +106,7 @@ static dalembert_points mex_points_of(const dalembert_plant* plant, const mxArra
         at.count = mxGetNumberOfElements(mode);
         modes = (unsigned*)mxMalloc(at.count * sizeof(unsigned));
         for (i = 0; i < at.count; ++i) {
-            if (!(numbers[i] >= 1 && numbers[i] <= (double)plant->modes)) mex_refuse("mode", "a mode is a name or a number that begins with 1%s%s", "", "");
+            if (!(numbers[i] >= 1 && numbers[i] <= (double)(plant->modes > 0 ? plant->modes : 1))) mex_refuse("mode", "a mode is a name or a number that begins with 1%s%s", "", "");
             modes[i] = (unsigned)numbers[i] - 1;
         }
         at.mode_step = 1;

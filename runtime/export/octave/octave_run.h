@@ -6,7 +6,7 @@
 #include "octave_arguments.h"
 #include "recorded_run.h"
 
-/* Inputs as a function of (t, x), and the error that it made. */
+/* Inputs as a function of (t, x), and the error that it made: it returns a text instead of numbers. (A trap of mexCallMATLAB tells no words in Octave.) */
 typedef struct mex_called_inputs {
     const dalembert_plant* plant;
     mxArray* function;
@@ -25,10 +25,10 @@ static void mex_call_inputs(void* context, double t, const double* x, double* u)
     arguments[1] = mxCreateDoubleScalar(t);
     arguments[2] = mxCreateDoubleMatrix((mwSize)n, 1, mxREAL);
     memcpy(mxGetPr(arguments[2]), x, n * sizeof(double));
-    call->error = mexCallMATLABWithTrap(1, &result, 3, arguments, "feval");
-    call->has_failed = call->error != NULL || result == NULL || !mex_is_real(result) || mxGetNumberOfElements(result) != m;
+    call->has_failed = mexCallMATLABWithTrap(1, &result, 3, arguments, "feval") != NULL || result == NULL || !mex_is_real(result) || mxGetNumberOfElements(result) != m;
     if (!call->has_failed) memcpy(u, mxGetPr(result), m * sizeof(double));
-    if (result != NULL) mxDestroyArray(result);
+    if (result != NULL && mxIsChar(result)) call->error = result;
+    else if (result != NULL) mxDestroyArray(result);
     mxDestroyArray(arguments[1]);
     mxDestroyArray(arguments[2]);
 }
@@ -203,11 +203,8 @@ static mxArray* mex_simulate(const dalembert_plant* plant, const mxArray* option
     dalembert_record_free(&record);
     dalembert_run_free(run);
     plant->destroy(self);
-    if (call.has_failed && call.error != NULL) {
-        mxArray* const message = mxGetProperty(call.error, 0, "message");
-        char* const text = message != NULL && mxIsChar(message) ? mxArrayToString(message) : NULL;
-        mex_refuse("input", "the function of the inputs ended with an error: %s%s", text != NULL ? text : "", "");
-    }
+    if (call.has_failed && call.error != NULL)
+        mex_refuse("input", "the function of the inputs ended with an error: %s%s", mxArrayToString(call.error), "");
     if (call.has_failed) mex_refuse("input", "the function of the inputs must return one real number for each of them%s%s", "", "");
     return result;
 }
