@@ -6,6 +6,7 @@
 #   <!-- run -->              a console: what follows '$ ' is run, and the other lines are its output. '...' stands for any lines.
 #   <!-- run: status 1 -->    the same, and the last command ends with this exit code
 #   <!-- run with: HEADER --> a console that needs a C++ header which not every machine has: it is run where the compiler finds it
+#   <!-- run with python: MODULE -->, <!-- run with octave -->  the same where a python3 has the module, or where Octave is there
 #   <!-- lines of: FILE -->   an excerpt: each of its lines stands in FILE, in this order; '...' stands for any lines
 #   <!-- tested by: PATH -->  another test uses it
 #   <!-- not run: REASON -->
@@ -87,6 +88,18 @@ while IFS= read -r line; do
       'run with: '*)
         if echo "#include <${mark#run with: }>" | ${CXX:-c++} -E -x c++ - >/dev/null 2>&1; then console "$begun" 0
         else echo "$page, line $begun: not run without ${mark#run with: }"; fi
+        ;;
+      'run with python: '*)
+        for python in python3 /usr/bin/python3; do
+          "$python" -c "import ${mark#run with python: }" 2>/dev/null || continue
+          ln -sf "$(command -v "$python")" "$here/bin/python3"
+          break
+        done
+        if [ -L "$here/bin/python3" ]; then console "$begun" 0; else echo "$page, line $begun: not run without Python's ${mark#run with python: }"; fi
+        ;;
+      'run with octave')
+        if command -v octave-cli >/dev/null && command -v mkoctfile >/dev/null; then console "$begun" 0
+        else echo "$page, line $begun: not run without Octave"; fi
         ;;
       'lines of: '*)
         [ -f "${mark#lines of: }" ] || fail "$page" "$begun" "there is no ${mark#lines of: }"
