@@ -45,6 +45,12 @@ done
 [ "$count" -gt 0 ] || failed "nothing was exported"
 [ "$bad" -eq 0 ] || failed "$bad of $count functions"
 
+for compiler in gcc clang; do
+  command -v "$compiler" >/dev/null || continue
+  "$compiler" -std=c99 -O2 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror -fPIC -shared \
+    -isystem "$(mkoctfile -p OCTINCLUDEDIR)" "$folder/c/plant.c" -o "$here/warned.so" -lm || failed "$compiler warns"
+done
+
 # Without its MEX file the function is compiled at the first call; the example runs; the help is there.
 rm "$folder/${name}_mex.mex"
 cd "$here"

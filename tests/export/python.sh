@@ -35,6 +35,20 @@ done
 [ "$count" -gt 0 ] || failed "nothing was exported"
 [ "$bad" -eq 0 ] || failed "$bad of $count packages"
 
+# The C files, with all warnings; and with sanitizers, where gcc has them.
+for compiler in gcc clang; do
+  command -v "$compiler" >/dev/null || continue
+  "$compiler" -std=c99 -O2 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror -fPIC -shared "$package/c/plant.c" -o "$here/warned.so" -lm ||
+    failed "$compiler warns"
+done
+asan=$(gcc -print-file-name=libasan.so 2>/dev/null || true)
+if [ -e "$asan" ]; then
+  cp -r "$here/out" "$here/checked"
+  rm "$here/checked"/*/c/*.so
+  CC="gcc -g -fsanitize=address,undefined -fno-sanitize-recover=all" LD_PRELOAD=$asan ASAN_OPTIONS=detect_leaks=0 PYTHONMALLOC=malloc \
+    "$python" -W ignore "$here"/checked/*/example.py >"$here/said" 2>&1 || failed "the example with sanitizers: $(tail -20 "$here/said")"
+fi
+
 # The package alone: without its library it is compiled again, also where its folder cannot be written, and a library of other texts is not taken.
 cd "$here/out"
 name=$(basename "$package")
