@@ -99,8 +99,11 @@ Exported files_of(const ExportSubject& subject, const ExportWish& wish, FmiVersi
             const BinaryPlace place = place_of(machine, version);
             const std::filesystem::path binary = fmt::format("binaries/{}/{}{}", place.folder, subject.name, place.suffix);
             if (std::any_of(files.begin(), files.end(), [&](const auto& file) { return file.first == binary; }))
-                throw Failure(Diagnostic{Id::tool_failed, {}, fmt::format("CC names two compilers for the machine '{}'; an FMU has one library for each", machine)},
-                              ExitCode::tool_missing);
+                throw Failure(
+                    Diagnostic{Id::tool_failed,
+                               {},
+                               fmt::format("CC names two compilers for the machine '{}'; an FMU has one library for each", machine)},
+                    ExitCode::tool_missing);
             files.emplace_back(binary, c_library(c_files, compiled.front(), compiler));
         }
     if (version == FmiVersion::three) files.emplace_back("sources/buildDescription.xml", fmi_build_description(model, compiled));

@@ -144,7 +144,9 @@ private:
         attribute(number, "max", v.high);
         attribute(number, "nominal", v.nominal);
         attribute(number, "start", v.start);
-        if (v.derivative_of) attribute(number, "derivative", is_two_ ? written(*v.derivative_of + 1) : written(model_.variables[*v.derivative_of].reference));
+        if (v.derivative_of)
+            attribute(number, "derivative",
+                      is_two_ ? written(*v.derivative_of + 1) : written(model_.variables[*v.derivative_of].reference));
         if (v.can_jump) attribute(number, "reinit", "true");
     }
 

@@ -57,9 +57,12 @@ FmiUnit unit_of(const std::string& text) {
 class ModelMaker {
 public:
     ModelMaker(const ExportSubject& subject, FmiVersion version)
-        : subject_(subject), plant_(subject.plant), version_(version), indicators_(indicator_docs(plant_)),
-          layout_(fmi_layout_of(plant_.states.size(), plant_.inputs.size(), plant_.outputs.size(), plant_.parameters.size(), indicators_.size(),
-                                plant_.modes ? plant_.modes->modes.size() : 0)) {}
+        : subject_(subject),
+          plant_(subject.plant),
+          version_(version),
+          indicators_(indicator_docs(plant_)),
+          layout_(fmi_layout_of(plant_.states.size(), plant_.inputs.size(), plant_.outputs.size(), plant_.parameters.size(),
+                                indicators_.size(), plant_.modes ? plant_.modes->modes.size() : 0)) {}
 
     FmiModel run() {
         const std::string scene = plant_.scene == "full" ? "" : ", scene " + plant_.scene;
@@ -87,8 +90,10 @@ private:
     static std::vector<std::pair<std::string, std::string>> indicator_docs(const Plant& plant) {
         std::vector<std::pair<std::string, std::string>> result;
         if (plant.modes)
-            for (const PlantEvent& event : plant.modes->events) result.emplace_back(fmt::format("event({})", event.name), "falls through zero where the event happens");
-        for (const PlantGuard& guard : plant.guards) result.emplace_back(fmt::format("{}({})", guard.ends ? "range" : "kink", guard.name), guard.doc);
+            for (const PlantEvent& event : plant.modes->events)
+                result.emplace_back(fmt::format("event({})", event.name), "falls through zero where the event happens");
+        for (const PlantGuard& guard : plant.guards)
+            result.emplace_back(fmt::format("{}({})", guard.ends ? "range" : "kink", guard.name), guard.doc);
         return result;
     }
 
@@ -96,7 +101,8 @@ private:
     std::string unique(const std::string& wanted, bool is_of_model) {
         std::string name = wanted;
         while (!names_.insert(name).second) name += "_";
-        if (name != wanted && is_of_model) model_.notes.push_back(fmt::format("'{}' occurs twice: the second one is called '{}'.", wanted, name));
+        if (name != wanted && is_of_model)
+            model_.notes.push_back(fmt::format("'{}' occurs twice: the second one is called '{}'.", wanted, name));
         return name;
     }
 
@@ -113,7 +119,8 @@ private:
         return model_.variables.back();
     }
 
-    FmiVariable& add(enum fmi_kind kind, std::size_t index, const PlantQuantity& q, const std::string& causality, const std::string& variability) {
+    FmiVariable& add(enum fmi_kind kind, std::size_t index, const PlantQuantity& q, const std::string& causality,
+                     const std::string& variability) {
         FmiVariable& variable = add(kind, index, q.name, q.doc, causality, variability);
         variable.unit = q.unit;
         variable.low = q.low;
@@ -130,7 +137,8 @@ private:
 
     void add_time() {
         // Names of the model come first: `t` is its only reserved letter.
-        const bool is_taken = std::any_of(plant_.parameters.begin(), plant_.parameters.end(), [](const PlantQuantity& q) { return q.name == "time"; });
+        const bool is_taken =
+            std::any_of(plant_.parameters.begin(), plant_.parameters.end(), [](const PlantQuantity& q) { return q.name == "time"; });
         add(fmi_time, 0, is_taken ? "t" : "time", "time", "independent", "continuous").unit = "s";
     }
 
@@ -158,7 +166,8 @@ private:
                                                                                [](const PlantEvent& e) { return e.at_start; }));
         std::vector<bool> result(plant_.states.size(), all);
         const std::size_t moving = plant_.states.size() - plant_.plain_states;
-        if (plant_.constraints) std::fill(result.begin(), plant_.constraints->list.empty() ? result.end() : result.begin() + long(moving), true);
+        if (plant_.constraints)
+            std::fill(result.begin(), plant_.constraints->list.empty() ? result.end() : result.begin() + long(moving), true);
         if (!all) mark_computed(plant_.start_state.statements, "x", result);
         return result;
     }
@@ -177,7 +186,8 @@ private:
     }
 
     void add_indicators() {
-        for (std::size_t i = 0; i < indicators_.size(); ++i) add(fmi_indicator, i, indicators_[i].first, indicators_[i].second, "local", "continuous", false);
+        for (std::size_t i = 0; i < indicators_.size(); ++i)
+            add(fmi_indicator, i, indicators_[i].first, indicators_[i].second, "local", "continuous", false);
     }
 
     void add_energies() {
@@ -188,7 +198,8 @@ private:
                                                                {"dissipated_power", "W", "power that friction and dampers take"},
                                                                {"prescribed_power", "W", "power of what moves as prescribed"},
                                                                {"exchanged_power", "W", "power that flows and heat bring"}};
-        for (std::size_t i = 0; i < fmi_energies; ++i) add(fmi_energy, i, names[i][0], names[i][2], "local", "continuous", false).unit = names[i][1];
+        for (std::size_t i = 0; i < fmi_energies; ++i)
+            add(fmi_energy, i, names[i][0], names[i][2], "local", "continuous", false).unit = names[i][1];
     }
 
     void add_mode() {
@@ -205,11 +216,13 @@ private:
 
     void depend(std::vector<std::vector<std::size_t>>& rows, const PlantPattern& pattern, enum fmi_kind kind) const {
         for (std::size_t j = 0; j < pattern.columns; ++j)
-            for (std::size_t k = pattern.column_starts[j]; k < pattern.column_starts[j + 1]; ++k) rows[pattern.row_indices[k]].push_back(place(kind, j));
+            for (std::size_t k = pattern.column_starts[j]; k < pattern.column_starts[j + 1]; ++k)
+                rows[pattern.row_indices[k]].push_back(place(kind, j));
     }
 
     /// Outputs by columns of C or D. False if that cannot be told.
-    bool depend(std::vector<std::vector<std::size_t>>& rows, const char* function, const char* matrix, std::size_t columns, enum fmi_kind kind) const {
+    bool depend(std::vector<std::vector<std::size_t>>& rows, const char* function, const char* matrix, std::size_t columns,
+                enum fmi_kind kind) const {
         const std::size_t count = plant_.outputs.size();
         const auto is_it = [&](const PlantFunction& f) { return f.name == function; };
         const auto found = std::find_if(plant_.functions.begin(), plant_.functions.end(), is_it);
@@ -232,7 +245,8 @@ private:
         const bool knows_starts = std::none_of(model_.variables.begin(), model_.variables.end(), is_approx);
         starts = rates;
         depend(starts, plant_.by_parameter, fmi_parameter);
-        const bool knows_outputs = depend(outputs, "output_jacobian_x", "C", n, fmi_state) && depend(outputs, "output_jacobian_u", "D", plant_.inputs.size(), fmi_input);
+        const bool knows_outputs = depend(outputs, "output_jacobian_x", "C", n, fmi_state) &&
+                                   depend(outputs, "output_jacobian_u", "D", plant_.inputs.size(), fmi_input);
         for (std::size_t i = 0; i < outputs.size(); ++i) {
             model_.outputs.push_back({place(fmi_output, i), {}});
             if (knows_outputs) model_.outputs.back().dependencies = std::move(outputs[i]);

@@ -23,7 +23,8 @@ bool is_number(const Value& value) {
 
 /// The entry that a target names; nothing for another array, or where the place is not a number.
 std::optional<std::size_t> entry_of(const Value& target, const std::string& array) {
-    if (target.kind() != Value::Kind::element || target.parts()[0].kind() != Value::Kind::name || target.parts()[0].text() != array) return {};
+    if (target.kind() != Value::Kind::element || target.parts()[0].kind() != Value::Kind::name || target.parts()[0].text() != array)
+        return {};
     const Value& index = target.parts()[1];
     return index.kind() == Value::Kind::whole ? std::optional<std::size_t>(index.number()) : std::nullopt;
 }

@@ -35,8 +35,9 @@ FMI2(fmi2Status, SetDebugLogging)(fmi2Component c, fmi2Boolean is_on, size_t cou
     ANSWER(fmi_set_logging(m, is_on, count, categories, __func__));
 }
 
-FMI2(fmi2Component, Instantiate)(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources, const fmi2CallbackFunctions* functions,
-                                 fmi2Boolean visible, fmi2Boolean logging) {
+FMI2(fmi2Component, Instantiate)
+(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources, const fmi2CallbackFunctions* functions, fmi2Boolean visible,
+ fmi2Boolean logging) {
     (void)resources, (void)visible;
     const fmi2CallbackLogger logger = functions ? functions->logger : NULL;
     const fmi2ComponentEnvironment environment = functions ? functions->componentEnvironment : NULL;
@@ -46,7 +47,9 @@ FMI2(fmi2Component, Instantiate)(fmi2String name, fmi2Type type, fmi2String guid
                                                                                     : NULL;
     fmi_machine* m = wrong ? NULL : fmi_new(type == fmi2CoSimulation, name);
     if (!m) {
-        if (logger) logger(environment, name ? name : "", fmi2Error, "logStatusError", "fmi2Instantiate: %s.", wrong ? wrong : "there is no memory");
+        if (logger)
+            logger(environment, name ? name : "", fmi2Error, "logStatusError", "fmi2Instantiate: %s.",
+                   wrong ? wrong : "there is no memory");
         return NULL;
     }
     m->environment = environment;
@@ -58,7 +61,8 @@ FMI2(fmi2Component, Instantiate)(fmi2String name, fmi2Type type, fmi2String guid
 
 FMI2(void, FreeInstance)(fmi2Component c) { fmi_free((fmi_machine*)c); }
 
-FMI2(fmi2Status, SetupExperiment)(fmi2Component c, fmi2Boolean has_tolerance, fmi2Real tolerance, fmi2Real start, fmi2Boolean has_stop, fmi2Real stop) {
+FMI2(fmi2Status, SetupExperiment)
+(fmi2Component c, fmi2Boolean has_tolerance, fmi2Real tolerance, fmi2Real start, fmi2Boolean has_stop, fmi2Real stop) {
     ENTER(fmi_instantiated);
     ANSWER(fmi_set_experiment(m, has_tolerance, tolerance, start, has_stop, stop, __func__));
 }
@@ -95,7 +99,8 @@ FMI2(fmi2Status, GetReal)(fmi2Component c, const fmi2ValueReference references[]
 
 FMI2(fmi2Status, GetInteger)(fmi2Component c, const fmi2ValueReference references[], size_t count, fmi2Integer values[]) {
     ENTER(readable);
-    const fmi_status status = count > 0 && !values ? fmi_say_of(m, fmi_error, __func__, "an array is missing") : fmi_get_mode(m, references, count, __func__);
+    const fmi_status status =
+        count > 0 && !values ? fmi_say_of(m, fmi_error, __func__, "an array is missing") : fmi_get_mode(m, references, count, __func__);
     if (status == fmi_ok)
         for (size_t i = 0; i < count; ++i) values[i] = (fmi2Integer)m->mode;
     ANSWER(status);
@@ -171,8 +176,9 @@ FMI2(fmi2Status, DeSerializeFMUstate)(fmi2Component c, const fmi2Byte bytes[], s
     ANSWER(fmi_deserialise(m, bytes, size, state, __func__));
 }
 
-FMI2(fmi2Status, GetDirectionalDerivative)(fmi2Component c, const fmi2ValueReference unknowns[], size_t unknown_count, const fmi2ValueReference knowns[],
-                                           size_t known_count, const fmi2Real seed[], fmi2Real sensitivity[]) {
+FMI2(fmi2Status, GetDirectionalDerivative)
+(fmi2Component c, const fmi2ValueReference unknowns[], size_t unknown_count, const fmi2ValueReference knowns[], size_t known_count,
+ const fmi2Real seed[], fmi2Real sensitivity[]) {
     ENTER(evaluable | fmi_stepping);
     ANSWER(fmi_differentiate(m, 0, unknowns, unknown_count, knowns, known_count, seed, sensitivity, __func__));
 }
@@ -255,13 +261,15 @@ FMI2(fmi2Status, GetNominalsOfContinuousStates)(fmi2Component c, fmi2Real values
     if (!m->run) ANSWER(fmi_say_of(m, fmi_error, __func__, "the instance is one of model exchange"))
 
 /* canInterpolateInputs and maxOutputDerivativeOrder say that there are no such derivatives. */
-FMI2(fmi2Status, SetRealInputDerivatives)(fmi2Component c, const fmi2ValueReference references[], size_t count, const fmi2Integer orders[], const fmi2Real values[]) {
+FMI2(fmi2Status, SetRealInputDerivatives)
+(fmi2Component c, const fmi2ValueReference references[], size_t count, const fmi2Integer orders[], const fmi2Real values[]) {
     ENTER_STEPS(fmi_instantiated | fmi_initialising | fmi_stepping);
     (void)references, (void)count, (void)orders, (void)values;
     ANSWER(fmi_say_of(m, fmi_error, __func__, "derivatives of inputs are not supported"));
 }
 
-FMI2(fmi2Status, GetRealOutputDerivatives)(fmi2Component c, const fmi2ValueReference references[], size_t count, const fmi2Integer orders[], fmi2Real values[]) {
+FMI2(fmi2Status, GetRealOutputDerivatives)
+(fmi2Component c, const fmi2ValueReference references[], size_t count, const fmi2Integer orders[], fmi2Real values[]) {
     ENTER_STEPS(fmi_stepping | fmi_terminated | fmi_failed);
     (void)references, (void)count, (void)orders, (void)values;
     ANSWER(fmi_say_of(m, fmi_error, __func__, "derivatives of outputs are not supported"));

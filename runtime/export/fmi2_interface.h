@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSL-1.0 */
-/* Types and functions of the Functional Mock-up Interface 2.0, as far as an FMU needs them. The names and values are those of the standard. */
+/* Types and functions of the Functional Mock-up Interface 2.0, as far as an FMU needs them, with the names and values of the standard. */
 #ifndef DALEMBERT_FMI2_INTERFACE_H
 #define DALEMBERT_FMI2_INTERFACE_H
 
@@ -59,9 +59,11 @@ typedef struct {
 FMI2(const char*, GetTypesPlatform)(void);
 FMI2(const char*, GetVersion)(void);
 FMI2(fmi2Status, SetDebugLogging)(fmi2Component, fmi2Boolean is_on, size_t, const fmi2String categories[]);
-FMI2(fmi2Component, Instantiate)(fmi2String name, fmi2Type, fmi2String guid, fmi2String resources, const fmi2CallbackFunctions*, fmi2Boolean visible, fmi2Boolean logging);
+FMI2(fmi2Component, Instantiate)
+(fmi2String name, fmi2Type, fmi2String guid, fmi2String resources, const fmi2CallbackFunctions*, fmi2Boolean visible, fmi2Boolean logging);
 FMI2(void, FreeInstance)(fmi2Component);
-FMI2(fmi2Status, SetupExperiment)(fmi2Component, fmi2Boolean has_tolerance, fmi2Real tolerance, fmi2Real start, fmi2Boolean has_stop, fmi2Real stop);
+FMI2(fmi2Status, SetupExperiment)
+(fmi2Component, fmi2Boolean has_tolerance, fmi2Real tolerance, fmi2Real start, fmi2Boolean has_stop, fmi2Real stop);
 FMI2(fmi2Status, EnterInitializationMode)(fmi2Component);
 FMI2(fmi2Status, ExitInitializationMode)(fmi2Component);
 FMI2(fmi2Status, Terminate)(fmi2Component);
@@ -80,7 +82,8 @@ FMI2(fmi2Status, FreeFMUstate)(fmi2Component, fmi2FMUstate*);
 FMI2(fmi2Status, SerializedFMUstateSize)(fmi2Component, fmi2FMUstate, size_t*);
 FMI2(fmi2Status, SerializeFMUstate)(fmi2Component, fmi2FMUstate, fmi2Byte[], size_t);
 FMI2(fmi2Status, DeSerializeFMUstate)(fmi2Component, const fmi2Byte[], size_t, fmi2FMUstate*);
-FMI2(fmi2Status, GetDirectionalDerivative)(fmi2Component, const fmi2ValueReference unknowns[], size_t, const fmi2ValueReference knowns[], size_t, const fmi2Real[], fmi2Real[]);
+FMI2(fmi2Status, GetDirectionalDerivative)
+(fmi2Component, const fmi2ValueReference unknowns[], size_t, const fmi2ValueReference knowns[], size_t, const fmi2Real[], fmi2Real[]);
 /* Model exchange. */
 FMI2(fmi2Status, EnterEventMode)(fmi2Component);
 FMI2(fmi2Status, NewDiscreteStates)(fmi2Component, fmi2EventInfo*);

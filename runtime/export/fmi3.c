@@ -20,8 +20,8 @@ static void tell(const fmi_machine* m, fmi_status status, const char* category, 
     ((fmi3LogMessageCallback)m->logger)(m->environment, (fmi3Status)status, category, message);
 }
 
-static fmi_machine* instantiate(int is_co_simulation, fmi3String name, fmi3String token, fmi3Boolean logging, fmi3InstanceEnvironment environment,
-                                fmi3LogMessageCallback logger, const char* wrong) {
+static fmi_machine* instantiate(int is_co_simulation, fmi3String name, fmi3String token, fmi3Boolean logging,
+                                fmi3InstanceEnvironment environment, fmi3LogMessageCallback logger, const char* wrong) {
     if (!name || !*name) wrong = "The instance has no name.";
     else if (!token || strcmp(token, FMI_TOKEN) != 0) wrong = "The instantiation token is not that of this FMU.";
     fmi_machine* m = wrong ? NULL : fmi_new(is_co_simulation, name);
@@ -43,15 +43,17 @@ FMI3(fmi3Status, SetDebugLogging)(fmi3Instance c, fmi3Boolean is_on, size_t coun
     ANSWER(fmi_set_logging(m, is_on, count, categories, __func__));
 }
 
-FMI3(fmi3Instance, InstantiateModelExchange)(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible, fmi3Boolean logging,
-                                             fmi3InstanceEnvironment environment, fmi3LogMessageCallback logger) {
+FMI3(fmi3Instance, InstantiateModelExchange)
+(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible, fmi3Boolean logging, fmi3InstanceEnvironment environment,
+ fmi3LogMessageCallback logger) {
     (void)resources, (void)visible;
     return instantiate(0, name, token, logging, environment, logger, NULL);
 }
 
-FMI3(fmi3Instance, InstantiateCoSimulation)(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible, fmi3Boolean logging,
-                                            fmi3Boolean uses_event_mode, fmi3Boolean early_return, const fmi3ValueReference intermediate[], size_t count,
-                                            fmi3InstanceEnvironment environment, fmi3LogMessageCallback logger, fmi3IntermediateUpdateCallback update) {
+FMI3(fmi3Instance, InstantiateCoSimulation)
+(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible, fmi3Boolean logging, fmi3Boolean uses_event_mode,
+ fmi3Boolean early_return, const fmi3ValueReference intermediate[], size_t count, fmi3InstanceEnvironment environment,
+ fmi3LogMessageCallback logger, fmi3IntermediateUpdateCallback update) {
     (void)resources, (void)visible, (void)early_return, (void)intermediate, (void)update;
     const char* wrong = uses_event_mode ? "Co-simulation with event mode is not supported: hasEventMode is false."
                         : count > 0     ? "Intermediate variables are not supported: providesIntermediateUpdate is false."
@@ -59,16 +61,17 @@ FMI3(fmi3Instance, InstantiateCoSimulation)(fmi3String name, fmi3String token, f
     return instantiate(1, name, token, logging, environment, logger, wrong);
 }
 
-FMI3(fmi3Instance, InstantiateScheduledExecution)(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible, fmi3Boolean logging,
-                                                  fmi3InstanceEnvironment environment, fmi3LogMessageCallback logger, fmi3ClockUpdateCallback clock,
-                                                  fmi3LockPreemptionCallback lock, fmi3UnlockPreemptionCallback unlock) {
+FMI3(fmi3Instance, InstantiateScheduledExecution)
+(fmi3String name, fmi3String token, fmi3String resources, fmi3Boolean visible, fmi3Boolean logging, fmi3InstanceEnvironment environment,
+ fmi3LogMessageCallback logger, fmi3ClockUpdateCallback clock, fmi3LockPreemptionCallback lock, fmi3UnlockPreemptionCallback unlock) {
     (void)resources, (void)visible, (void)clock, (void)lock, (void)unlock;
     return instantiate(0, name, token, logging, environment, logger, "Scheduled execution is not supported.");
 }
 
 FMI3(void, FreeInstance)(fmi3Instance c) { fmi_free((fmi_machine*)c); }
 
-FMI3(fmi3Status, EnterInitializationMode)(fmi3Instance c, fmi3Boolean has_tolerance, fmi3Float64 tolerance, fmi3Float64 start, fmi3Boolean has_stop, fmi3Float64 stop) {
+FMI3(fmi3Status, EnterInitializationMode)
+(fmi3Instance c, fmi3Boolean has_tolerance, fmi3Float64 tolerance, fmi3Float64 start, fmi3Boolean has_stop, fmi3Float64 stop) {
     ENTER(fmi_instantiated);
     const fmi_status status = fmi_set_experiment(m, has_tolerance, tolerance, start, has_stop, stop, __func__);
     if (status == fmi_ok) m->phase = fmi_initialising;
@@ -96,12 +99,14 @@ FMI3(fmi3Status, Reset)(fmi3Instance c) {
 
 static const char different[] = "the numbers of value references and of values differ";
 
-FMI3(fmi3Status, GetFloat64)(fmi3Instance c, const fmi3ValueReference references[], size_t count, fmi3Float64 values[], size_t value_count) {
+FMI3(fmi3Status, GetFloat64)
+(fmi3Instance c, const fmi3ValueReference references[], size_t count, fmi3Float64 values[], size_t value_count) {
     ENTER(readable);
     ANSWER(value_count != count ? fmi_say_of(m, fmi_error, __func__, different) : fmi_get(m, references, count, values, __func__));
 }
 
-FMI3(fmi3Status, SetFloat64)(fmi3Instance c, const fmi3ValueReference references[], size_t count, const fmi3Float64 values[], size_t value_count) {
+FMI3(fmi3Status, SetFloat64)
+(fmi3Instance c, const fmi3ValueReference references[], size_t count, const fmi3Float64 values[], size_t value_count) {
     ENTER(settable);
     ANSWER(value_count != count ? fmi_say_of(m, fmi_error, __func__, different) : fmi_set(m, references, count, values, __func__));
 }
@@ -117,17 +122,19 @@ FMI3(fmi3Status, GetInt64)(fmi3Instance c, const fmi3ValueReference references[]
 }
 
 /* Types of which there are no variables. */
-#define NO_GETTER(type) \
-    FMI3(fmi3Status, Get##type)(fmi3Instance c, const fmi3ValueReference references[], size_t count, fmi3##type values[], size_t value_count) { \
-        ENTER(readable); \
-        (void)references, (void)values, (void)value_count; \
-        ANSWER(fmi_no_variables(m, count, __func__)); \
+#define NO_GETTER(type)                                                                                              \
+    FMI3(fmi3Status, Get##type)                                                                                      \
+    (fmi3Instance c, const fmi3ValueReference references[], size_t count, fmi3##type values[], size_t value_count) { \
+        ENTER(readable);                                                                                             \
+        (void)references, (void)values, (void)value_count;                                                           \
+        ANSWER(fmi_no_variables(m, count, __func__));                                                                \
     }
-#define NO_SETTER(type) \
-    FMI3(fmi3Status, Set##type)(fmi3Instance c, const fmi3ValueReference references[], size_t count, const fmi3##type values[], size_t value_count) { \
-        ENTER(settable); \
-        (void)references, (void)values, (void)value_count; \
-        ANSWER(fmi_no_variables(m, count, __func__)); \
+#define NO_SETTER(type)                                                                                                    \
+    FMI3(fmi3Status, Set##type)                                                                                            \
+    (fmi3Instance c, const fmi3ValueReference references[], size_t count, const fmi3##type values[], size_t value_count) { \
+        ENTER(settable);                                                                                                   \
+        (void)references, (void)values, (void)value_count;                                                                 \
+        ANSWER(fmi_no_variables(m, count, __func__));                                                                      \
     }
 #define NO_VARIABLES(type) NO_GETTER(type) NO_SETTER(type)
 NO_VARIABLES(Float32)
@@ -142,13 +149,15 @@ NO_VARIABLES(Boolean)
 NO_VARIABLES(String)
 NO_SETTER(Int64)
 
-FMI3(fmi3Status, GetBinary)(fmi3Instance c, const fmi3ValueReference references[], size_t count, size_t sizes[], fmi3Binary values[], size_t value_count) {
+FMI3(fmi3Status, GetBinary)
+(fmi3Instance c, const fmi3ValueReference references[], size_t count, size_t sizes[], fmi3Binary values[], size_t value_count) {
     ENTER(readable);
     (void)references, (void)sizes, (void)values, (void)value_count;
     ANSWER(fmi_no_variables(m, count, __func__));
 }
 
-FMI3(fmi3Status, SetBinary)(fmi3Instance c, const fmi3ValueReference references[], size_t count, const size_t sizes[], const fmi3Binary values[], size_t value_count) {
+FMI3(fmi3Status, SetBinary)
+(fmi3Instance c, const fmi3ValueReference references[], size_t count, const size_t sizes[], const fmi3Binary values[], size_t value_count) {
     ENTER(settable);
     (void)references, (void)sizes, (void)values, (void)value_count;
     ANSWER(fmi_no_variables(m, count, __func__));
@@ -173,8 +182,9 @@ FMI3(fmi3Status, GetNumberOfVariableDependencies)(fmi3Instance c, fmi3ValueRefer
     ANSWER(fmi_say_of(m, fmi_error, __func__, "dependencies stand in modelDescription.xml only"));
 }
 
-FMI3(fmi3Status, GetVariableDependencies)(fmi3Instance c, fmi3ValueReference reference, size_t elements[], fmi3ValueReference independents[],
-                                          size_t of_independents[], fmi3DependencyKind kinds[], size_t count) {
+FMI3(fmi3Status, GetVariableDependencies)
+(fmi3Instance c, fmi3ValueReference reference, size_t elements[], fmi3ValueReference independents[], size_t of_independents[],
+ fmi3DependencyKind kinds[], size_t count) {
     ENTER(fmi_any_phase);
     (void)reference, (void)elements, (void)independents, (void)of_independents, (void)kinds, (void)count;
     ANSWER(fmi_say_of(m, fmi_error, __func__, "dependencies stand in modelDescription.xml only"));
@@ -217,15 +227,17 @@ FMI3(fmi3Status, DeserializeFMUState)(fmi3Instance c, const fmi3Byte bytes[], si
 
 static const char wrong_lengths[] = "the lengths of the seed or the sensitivity do not belong to the variables";
 
-FMI3(fmi3Status, GetDirectionalDerivative)(fmi3Instance c, const fmi3ValueReference unknowns[], size_t unknown_count, const fmi3ValueReference knowns[],
-                                           size_t known_count, const fmi3Float64 seed[], size_t seed_count, fmi3Float64 sensitivity[], size_t sensitivity_count) {
+FMI3(fmi3Status, GetDirectionalDerivative)
+(fmi3Instance c, const fmi3ValueReference unknowns[], size_t unknown_count, const fmi3ValueReference knowns[], size_t known_count,
+ const fmi3Float64 seed[], size_t seed_count, fmi3Float64 sensitivity[], size_t sensitivity_count) {
     ENTER(evaluable | fmi_stepping);
     if (seed_count != known_count || sensitivity_count != unknown_count) ANSWER(fmi_say_of(m, fmi_error, __func__, wrong_lengths));
     ANSWER(fmi_differentiate(m, 0, unknowns, unknown_count, knowns, known_count, seed, sensitivity, __func__));
 }
 
-FMI3(fmi3Status, GetAdjointDerivative)(fmi3Instance c, const fmi3ValueReference unknowns[], size_t unknown_count, const fmi3ValueReference knowns[],
-                                       size_t known_count, const fmi3Float64 seed[], size_t seed_count, fmi3Float64 sensitivity[], size_t sensitivity_count) {
+FMI3(fmi3Status, GetAdjointDerivative)
+(fmi3Instance c, const fmi3ValueReference unknowns[], size_t unknown_count, const fmi3ValueReference knowns[], size_t known_count,
+ const fmi3Float64 seed[], size_t seed_count, fmi3Float64 sensitivity[], size_t sensitivity_count) {
     ENTER(evaluable | fmi_stepping);
     if (seed_count != unknown_count || sensitivity_count != known_count) ANSWER(fmi_say_of(m, fmi_error, __func__, wrong_lengths));
     ANSWER(fmi_differentiate(m, 1, unknowns, unknown_count, knowns, known_count, seed, sensitivity, __func__));
@@ -243,14 +255,16 @@ FMI3(fmi3Status, ExitConfigurationMode)(fmi3Instance c) {
     return fmi3Error;
 }
 
-FMI3(fmi3Status, GetIntervalDecimal)(fmi3Instance c, const fmi3ValueReference references[], size_t count, fmi3Float64 intervals[], fmi3IntervalQualifier qualifiers[]) {
+FMI3(fmi3Status, GetIntervalDecimal)
+(fmi3Instance c, const fmi3ValueReference references[], size_t count, fmi3Float64 intervals[], fmi3IntervalQualifier qualifiers[]) {
     ENTER(fmi_any_phase);
     (void)references, (void)intervals, (void)qualifiers;
     ANSWER(fmi_no_variables(m, count, __func__));
 }
 
-FMI3(fmi3Status, GetIntervalFraction)(fmi3Instance c, const fmi3ValueReference references[], size_t count, fmi3UInt64 counters[], fmi3UInt64 resolutions[],
-                                      fmi3IntervalQualifier qualifiers[]) {
+FMI3(fmi3Status, GetIntervalFraction)
+(fmi3Instance c, const fmi3ValueReference references[], size_t count, fmi3UInt64 counters[], fmi3UInt64 resolutions[],
+ fmi3IntervalQualifier qualifiers[]) {
     ENTER(fmi_any_phase);
     (void)references, (void)counters, (void)resolutions, (void)qualifiers;
     ANSWER(fmi_no_variables(m, count, __func__));
@@ -262,7 +276,8 @@ FMI3(fmi3Status, GetShiftDecimal)(fmi3Instance c, const fmi3ValueReference refer
     ANSWER(fmi_no_variables(m, count, __func__));
 }
 
-FMI3(fmi3Status, GetShiftFraction)(fmi3Instance c, const fmi3ValueReference references[], size_t count, fmi3UInt64 counters[], fmi3UInt64 resolutions[]) {
+FMI3(fmi3Status, GetShiftFraction)
+(fmi3Instance c, const fmi3ValueReference references[], size_t count, fmi3UInt64 counters[], fmi3UInt64 resolutions[]) {
     ENTER(fmi_any_phase);
     (void)references, (void)counters, (void)resolutions;
     ANSWER(fmi_no_variables(m, count, __func__));
@@ -274,7 +289,8 @@ FMI3(fmi3Status, SetIntervalDecimal)(fmi3Instance c, const fmi3ValueReference re
     ANSWER(fmi_no_variables(m, count, __func__));
 }
 
-FMI3(fmi3Status, SetIntervalFraction)(fmi3Instance c, const fmi3ValueReference references[], size_t count, const fmi3UInt64 counters[], const fmi3UInt64 resolutions[]) {
+FMI3(fmi3Status, SetIntervalFraction)
+(fmi3Instance c, const fmi3ValueReference references[], size_t count, const fmi3UInt64 counters[], const fmi3UInt64 resolutions[]) {
     ENTER(fmi_any_phase);
     (void)references, (void)counters, (void)resolutions;
     ANSWER(fmi_no_variables(m, count, __func__));
@@ -286,7 +302,8 @@ FMI3(fmi3Status, SetShiftDecimal)(fmi3Instance c, const fmi3ValueReference refer
     ANSWER(fmi_no_variables(m, count, __func__));
 }
 
-FMI3(fmi3Status, SetShiftFraction)(fmi3Instance c, const fmi3ValueReference references[], size_t count, const fmi3UInt64 counters[], const fmi3UInt64 resolutions[]) {
+FMI3(fmi3Status, SetShiftFraction)
+(fmi3Instance c, const fmi3ValueReference references[], size_t count, const fmi3UInt64 counters[], const fmi3UInt64 resolutions[]) {
     ENTER(fmi_any_phase);
     (void)references, (void)counters, (void)resolutions;
     ANSWER(fmi_no_variables(m, count, __func__));
@@ -409,21 +426,26 @@ FMI3(fmi3Status, EnterStepMode)(fmi3Instance c) {
 }
 
 /* maxOutputDerivativeOrder says that there are none. */
-FMI3(fmi3Status, GetOutputDerivatives)(fmi3Instance c, const fmi3ValueReference references[], size_t count, const fmi3Int32 orders[], fmi3Float64 values[],
-                                       size_t value_count) {
+FMI3(fmi3Status, GetOutputDerivatives)
+(fmi3Instance c, const fmi3ValueReference references[], size_t count, const fmi3Int32 orders[], fmi3Float64 values[], size_t value_count) {
     ENTER_STEPS(fmi_stepping | fmi_terminated);
     (void)references, (void)orders, (void)values, (void)count, (void)value_count;
     ANSWER(fmi_say_of(m, fmi_error, __func__, "derivatives of outputs are not supported"));
 }
 
-FMI3(fmi3Status, DoStep)(fmi3Instance c, fmi3Float64 from, fmi3Float64 length, fmi3Boolean no_return, fmi3Boolean* event_handling, fmi3Boolean* terminate,
-                         fmi3Boolean* early_return, fmi3Float64* last_time) {
+FMI3(fmi3Status, DoStep)
+(fmi3Instance c, fmi3Float64 from, fmi3Float64 length, fmi3Boolean no_return, fmi3Boolean* event_handling, fmi3Boolean* terminate,
+ fmi3Boolean* early_return, fmi3Float64* last_time) {
     ENTER_STEPS(fmi_stepping);
     (void)no_return;
-    if (!event_handling || !terminate || !early_return || !last_time) ANSWER(fmi_say_of(m, fmi_error, __func__, "no place for the result is given"));
+    if (!event_handling || !terminate || !early_return || !last_time)
+        ANSWER(fmi_say_of(m, fmi_error, __func__, "no place for the result is given"));
+    const int was_over = m->is_over;
     int is_over = 0;
     const fmi_status status = fmi_step(m, from, length, last_time, &is_over, __func__);
     *event_handling = *early_return = false;
     *terminate = is_over != 0;
+    /* Where the model ends within the step, that is no failure: the flag and the last time say it. */
+    if (status == fmi_discard && is_over && !was_over) return fmi3OK;
     ANSWER(status);
 }

@@ -22,8 +22,8 @@ static int fmi_are_finite(const double* values, size_t count) {
 
 /* --- the start ---------------------------------------------------------------------------------------------------------------------- */
 
-/* The state at the start, from parameters and from what the importer has set: on the constraints, behind the resets of the start, in the first mode
- * that accepts it. A state that the importer has not set follows the parameters, as it does in the model. */
+/* The state at the start, from parameters and from what the importer has set: on the constraints, behind the resets of the start, in the
+ * first mode that accepts it. A state that the importer has not set follows the parameters, as it does in the model. */
 static fmi_status fmi_start(fmi_machine* m, const char* function) {
     if (m->is_consistent || !(m->phase & (fmi_instantiated | fmi_initialising))) return fmi_ok;
     const dalembert_plant* plant = m->plant;
@@ -62,8 +62,9 @@ static const double* fmi_outputs(fmi_machine* m) {
     return m->outputs;
 }
 
-/* In co-simulation there are none. An event that has just happened may leave its indicator at zero, or a rounding below. Importers look for changes
- * of sign alone, so it counts from there on, as something positive: else they would miss the next event, or see one where it rises. */
+/* In co-simulation there are none. An event that has just happened may leave its indicator at zero, or a rounding below. Importers look for
+ * changes of sign alone, so it counts from there on, as something positive: else they would miss the next event, or see one where it rises.
+ */
 static const double* fmi_indicators(fmi_machine* m) {
     if (m->modes) dalembert_modes_values(m->modes, m->t, m->x, m->indicators);
     for (size_t i = 0; i < m->plant->events; ++i)
@@ -77,9 +78,10 @@ static void fmi_note_indicators(fmi_machine* m) {
 
 static double fmi_energy_of(const fmi_machine* m, size_t index) {
     const dalembert_plant* plant = m->plant;
-    double (*const energies[])(const void*, unsigned, const double*, double) = {plant->kinetic_energy, plant->potential_energy, plant->internal_energy};
-    double (*const powers[])(const void*, unsigned, const double*, const double*, double) = {plant->supplied_power, plant->dissipated_power,
-                                                                                            plant->prescribed_power, plant->exchanged_power};
+    double (*const energies[])(const void*, unsigned, const double*, double) = {plant->kinetic_energy, plant->potential_energy,
+                                                                                plant->internal_energy};
+    double (*const powers[])(const void*, unsigned, const double*, const double*, double) = {
+        plant->supplied_power, plant->dissipated_power, plant->prescribed_power, plant->exchanged_power};
     if (index < fmi_supplied_power) return energies[index] ? energies[index](m->self, m->mode, m->x, m->t) : 0.0;
     const size_t power = index - fmi_supplied_power;
     return powers[power] ? powers[power](m->self, m->mode, m->x, m->u, m->t) : 0.0;
@@ -163,7 +165,8 @@ static fmi_status fmi_set(fmi_machine* m, const unsigned* references, size_t cou
 }
 
 static fmi_status fmi_set_state(fmi_machine* m, const double* x, size_t count, const char* function) {
-    if (count != m->plant->states || (count > 0 && !x)) return fmi_say_of(m, fmi_error, function, "the number of states is not that of the FMU");
+    if (count != m->plant->states || (count > 0 && !x))
+        return fmi_say_of(m, fmi_error, function, "the number of states is not that of the FMU");
     if (!fmi_are_finite(x, count)) return fmi_say_of(m, fmi_discard, function, "a state is infinite or not a number");
     memcpy(m->x, x, count * sizeof(double));
     m->known = 0;
@@ -186,7 +189,8 @@ static fmi_status fmi_give(const fmi_machine* m, const double* values, size_t ow
 }
 
 static fmi_status fmi_give_nominals(const fmi_machine* m, double* result, size_t count, const char* function) {
-    if (count != m->plant->states || (count > 0 && !result)) return fmi_say_of(m, fmi_error, function, "the number of states is not that of the FMU");
+    if (count != m->plant->states || (count > 0 && !result))
+        return fmi_say_of(m, fmi_error, function, "the number of states is not that of the FMU");
     for (size_t i = 0; i < count; ++i)
         result[i] = fmi_nominal(m->plant->start_values[i], m->plant->state_table[i].low, m->plant->state_table[i].high);
     return fmi_ok;

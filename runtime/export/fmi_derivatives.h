@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSL-1.0 */
-/* Partial derivatives of rates and outputs, forward and adjoint, from the exact Jacobians of the plant. They are evaluated once for a point. */
+/* Partial derivatives of rates and outputs, forward and adjoint, from the exact Jacobians of the plant. They are evaluated once for a
+ * point. */
 #ifndef DALEMBERT_FMI_DERIVATIVES_H
 #define DALEMBERT_FMI_DERIVATIVES_H
 
@@ -38,7 +39,8 @@ static void fmi_write_column(const double* values, const dalembert_pattern* patt
     if (!values) return;
     if (!pattern || !pattern->column_starts) memcpy(result, values + column * rows, rows * sizeof(double));
     else
-        for (size_t k = pattern->column_starts[column]; k < pattern->column_starts[column + 1]; ++k) result[pattern->row_indices[k]] = values[k];
+        for (size_t k = pattern->column_starts[column]; k < pattern->column_starts[column + 1]; ++k)
+            result[pattern->row_indices[k]] = values[k];
 }
 
 /* Outputs by a parameter or the time, which the table does not hold: differences of fourth order, good to about 1e-11 of the outputs. */

@@ -33,7 +33,14 @@ enum fmi_category { fmi_log_events, fmi_log_discard, fmi_log_error, fmi_categori
 static const char* const fmi_category_names[fmi_categories] = {"logEvents", "logStatusDiscard", "logStatusError"};
 
 /* Values that are known for the present time, state, inputs, parameters and mode. */
-enum fmi_known { fmi_has_rates = 1, fmi_has_outputs = 2, fmi_has_by_state = 4, fmi_has_by_input = 8, fmi_has_by_parameter = 16, fmi_has_by_time = 32 };
+enum fmi_known {
+    fmi_has_rates = 1,
+    fmi_has_outputs = 2,
+    fmi_has_by_state = 4,
+    fmi_has_by_input = 8,
+    fmi_has_by_parameter = 16,
+    fmi_has_by_time = 32
+};
 
 typedef struct fmi_machine {
     const dalembert_plant* plant;
@@ -110,7 +117,8 @@ static fmi_status fmi_set_logging(fmi_machine* m, int is_on, size_t count, const
     for (size_t i = 0; i < count; ++i) {
         unsigned category = 0;
         while (category < fmi_categories && (!names[i] || strcmp(names[i], fmi_category_names[category]) != 0)) ++category;
-        if (category == fmi_categories) return fmi_say_of(m, fmi_error, function, "a category is not one of logEvents, logStatusDiscard, logStatusError");
+        if (category == fmi_categories)
+            return fmi_say_of(m, fmi_error, function, "a category is not one of logEvents, logStatusDiscard, logStatusError");
         chosen |= 1u << category;
     }
     if (count == 0) m->logged = is_on ? chosen : 0u;
@@ -157,12 +165,24 @@ static fmi_machine* fmi_new(int is_co_simulation, const char* name) {
     const size_t indicators = dalembert_event_values(plant);
     m->plant = plant;
     m->layout = fmi_layout_of(n, inputs, outputs, parameters, indicators, plant->modes);
-    double** const vectors[] = {&m->x,        &m->u,        &m->p,            &m->given,   &m->rates,            &m->outputs,          &m->indicators,       &m->behind,
-                                &m->by_state, &m->by_input, &m->by_parameter, &m->by_time, &m->outputs_by_state, &m->outputs_by_input,
-                                &m->work};
-    const size_t sizes[] = {n, inputs, parameters, n, n, outputs, indicators, indicators,
-                            fmi_entries(&plant->pattern_x, n, n), fmi_entries(&plant->pattern_u, n, inputs), fmi_entries(&plant->pattern_p, n, parameters),
-                            n, outputs * n, outputs * inputs,
+    double** const vectors[] = {
+        &m->x,      &m->u,        &m->p,        &m->given,        &m->rates,   &m->outputs,          &m->indicators,
+        &m->behind, &m->by_state, &m->by_input, &m->by_parameter, &m->by_time, &m->outputs_by_state, &m->outputs_by_input,
+        &m->work};
+    const size_t sizes[] = {n,
+                            inputs,
+                            parameters,
+                            n,
+                            n,
+                            outputs,
+                            indicators,
+                            indicators,
+                            fmi_entries(&plant->pattern_x, n, n),
+                            fmi_entries(&plant->pattern_u, n, inputs),
+                            fmi_entries(&plant->pattern_p, n, parameters),
+                            n,
+                            outputs * n,
+                            outputs * inputs,
                             n + dalembert_projection_room(plant) + 2 * outputs + parameters};
     const size_t count = sizeof sizes / sizeof sizes[0];
     size_t all = 1; /* an array of nothing has a place, too */

@@ -133,7 +133,8 @@ static fmi_status fmi_set_snapshot(fmi_machine* m, const void* block, const char
 }
 
 static fmi_status fmi_serialise(const fmi_machine* m, const void* block, void* bytes, size_t count, const char* function) {
-    if (!block || !fmi_has_kind(m, block) || !bytes || count < fmi_snapshot_size(m)) return fmi_say_of(m, fmi_error, function, "the state or enough room for it is missing");
+    if (!block || !fmi_has_kind(m, block) || !bytes || count < fmi_snapshot_size(m))
+        return fmi_say_of(m, fmi_error, function, "the state or enough room for it is missing");
     memcpy(bytes, block, fmi_snapshot_size(m));
     return fmi_ok;
 }

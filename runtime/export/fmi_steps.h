@@ -10,9 +10,12 @@ typedef struct fmi_news {
     int states_changed, is_over;
 } fmi_news;
 
-static fmi_status fmi_set_experiment(fmi_machine* m, int has_tolerance, double tolerance, double start, int has_stop, double stop, const char* function) {
-    if (!isfinite(start) || (has_stop && !(stop >= start))) return fmi_say_of(m, fmi_error, function, "the time of the start or of the end is wrong");
-    if (has_tolerance && !(tolerance > 0.0 && tolerance < 1.0)) return fmi_say_of(m, fmi_error, function, "the tolerance is not between 0 and 1");
+static fmi_status fmi_set_experiment(fmi_machine* m, int has_tolerance, double tolerance, double start, int has_stop, double stop,
+                                     const char* function) {
+    if (!isfinite(start) || (has_stop && !(stop >= start)))
+        return fmi_say_of(m, fmi_error, function, "the time of the start or of the end is wrong");
+    if (has_tolerance && !(tolerance > 0.0 && tolerance < 1.0))
+        return fmi_say_of(m, fmi_error, function, "the tolerance is not between 0 and 1");
     m->start = m->t = start;
     m->stop = has_stop && isfinite(stop) ? stop : start;
     m->tolerance = has_tolerance ? tolerance : 0.0;
@@ -29,7 +32,8 @@ static fmi_status fmi_leave_initialisation(fmi_machine* m, const char* function)
     return fmi_ok;
 }
 
-/* How far a state is away from its constraints, relative to the size of its entries. The rest of a step that is as exact as asked for is less. */
+/* How far a state is away from its constraints, relative to the size of its entries. The rest of a step that is as exact as asked for is
+ * less. */
 static int fmi_has_drifted(fmi_machine* m) {
     if (!m->plant->is_projected) return 0;
     const size_t n = m->plant->states;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSL-1.0 */
-/* Value references of an FMU, and the nominal values of its states: what the adapters and the writer of modelDescription.xml must agree on. C99 and C++. */
+/* Value references of an FMU, and the nominal values of its states: what the adapters and the writer of modelDescription.xml must agree on.
+ * C99 and C++. */
 #ifndef DALEMBERT_FMI_VALUES_H
 #define DALEMBERT_FMI_VALUES_H
 

@@ -43,7 +43,8 @@ private:
 
 class Exchange {
 public:
-    Exchange(Instance& fmu, const Description& d, const RunWish& wish) : fmu_(fmu), d_(d), wish_(wish), n_(d.derivatives.size()), x_(n_), dxdt_(n_), largest_(n_, 0) {
+    Exchange(Instance& fmu, const Description& d, const RunWish& wish)
+        : fmu_(fmu), d_(d), wish_(wish), n_(d.derivatives.size()), x_(n_), dxdt_(n_), largest_(n_, 0) {
         result_.is_stiff = wish.is_stiff;
     }
 
@@ -88,7 +89,8 @@ public:
                 z_ = z_new_;
                 fmu_.rates(dxdt_);
             }
-            if (!has_event) h = std::min(longest, std::max(h, used) * std::clamp(0.8 * std::pow(std::max(error, 1e-10), -1.0 / order()), 0.2, 4.0));
+            if (!has_event)
+                h = std::min(longest, std::max(h, used) * std::clamp(0.8 * std::pow(std::max(error, 1e-10), -1.0 / order()), 0.2, 4.0));
             if (t_ >= goal) {
                 output();
                 ++next;
@@ -138,7 +140,9 @@ private:
         return result;
     }
 
-    bool make_step(double h, Vector& y, double& error, bool wants_error) { return wish_.is_stiff ? implicit(h, y, error, wants_error) : dormand_prince(h, y, error); }
+    bool make_step(double h, Vector& y, double& error, bool wants_error) {
+        return wish_.is_stiff ? implicit(h, y, error, wants_error) : dormand_prince(h, y, error);
+    }
 
     bool dormand_prince(double h, Vector& y, double& error) {
         static constexpr double a[7][6] = {{},
@@ -262,7 +266,9 @@ private:
 
 }  // namespace
 
-Trajectory run_exchange(Instance& fmu, const Description& description, const RunWish& wish) { return Exchange(fmu, description, wish).run(); }
+Trajectory run_exchange(Instance& fmu, const Description& description, const RunWish& wish) {
+    return Exchange(fmu, description, wish).run();
+}
 
 Trajectory run_steps(Instance& fmu, const Description& description, const RunWish& wish) {
     Trajectory result;
@@ -281,7 +287,7 @@ Trajectory run_steps(Instance& fmu, const Description& description, const RunWis
         double reached = to;
         const Status status = fmu.step(from, to - from, result.is_over, reached);
         if (status != ok && !result.is_over) result.failure = "the step fails: " + (messages().empty() ? "" : messages().back());
-        output(status == ok ? to : reached);
+        output(status == ok && !result.is_over ? to : reached);
         const long now = mode ? fmu.mode(*mode) : -1;
         if (now != before) result.changes.push_back({reached, before, now});
         before = now;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Calls the functions of an FMU in any order with any arguments: NaN, wrong value references, missing arrays, wrong lengths, states of other instances,
- * damaged bytes. Nothing may crash, and every status must be one of the standard. Compiled with the sources of an FMU, under sanitizers:
- *     cc -DFMI_VERSION=3 -fsanitize=address,undefined -I sources -I . fmi_fuzz.c sources/fmi3.c -lm
- * Arguments: number of calls, seed. */
+/* Calls the functions of an FMU in any order with any arguments: NaN, wrong value references, missing arrays, wrong lengths, states of
+ * other instances, damaged bytes. Nothing may crash, and every status must be one of the standard. Compiled with the sources of an FMU,
+ * under sanitizers: cc -DFMI_VERSION=3 -fsanitize=address,undefined -I sources -I . fmi_fuzz.c sources/fmi3.c -lm Arguments: number of
+ * calls, seed. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -67,7 +67,8 @@ static void choose_arguments(void) {
     const size_t kind = below(fmi_kinds); /* often all of one kind, so that the whole call succeeds */
     const size_t size = layout.first[kind + 1] - layout.first[kind];
     const int is_mixed = below(3) == 0 || size == 0;
-    for (size_t i = 0; i < n; ++i) references[i] = (unsigned)(is_mixed ? below(layout.first[fmi_kinds] + 2) : layout.first[kind] + below(size));
+    for (size_t i = 0; i < n; ++i)
+        references[i] = (unsigned)(is_mixed ? below(layout.first[fmi_kinds] + 2) : layout.first[kind] + below(size));
     for (size_t i = 0; i < m; ++i) others[i] = (unsigned)(rarely() ? next_random() : below(layout.first[fmi_input + 1]));
     const int is_good = below(2) == 0; /* near what the plant starts with, so that runs get somewhere */
     for (size_t i = 0; i < (n > m ? n : m); ++i)
@@ -112,7 +113,7 @@ int main(int argc, char** argv) {
     for (size_t i = 0; i < instance_count; ++i) release(instances[i]);
     for (size_t i = 0; i < state_count; ++i) free(states[i]);
     free(references), free(others), free(values), free(results), free(bytes);
-    printf("FMI %d, %s: %zu calls; %zu good, %zu warnings, %zu discarded, %zu errors, %zu fatal\n", FMI_VERSION, plant->name, calls, statuses[0], statuses[1],
-           statuses[2], statuses[3], statuses[4]);
+    printf("FMI %d, %s: %zu calls; %zu good, %zu warnings, %zu discarded, %zu errors, %zu fatal\n", FMI_VERSION, plant->name, calls,
+           statuses[0], statuses[1], statuses[2], statuses[3], statuses[4]);
     return statuses[0] > wanted / 20 && statuses[3] > wanted / 20 && statuses[4] == 0 ? 0 : 1;
 }

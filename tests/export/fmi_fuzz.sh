@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # So many calls of an FMU in any order, under sanitizers, in both versions of FMI; and the importer under valgrind, where that is installed.
-# Needs the program (PROGRAM), the sources (SOURCE) and the importer (IMPORTER). Arguments: the number of calls, names of models of systems/.
+# Needs the program (PROGRAM), the sources (SOURCE) and the importer (IMPORTER). Arguments: number of calls, names of models of systems/.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}" "${IMPORTER:?the importer}"
 here=$(mktemp -d)
@@ -18,7 +18,8 @@ for name in "$@"; do
     for compiler in ${COMPILERS:-"${CC:-cc}"}; do
       "$compiler" -std=c99 -fsyntax-only "${warnings[@]}" "$folder/sources/fmi$version.c"
     done
-    "${CC:-cc}" -std=c99 -g -O1 "${warnings[@]}" -DFMI_VERSION=$version -fsanitize=address,undefined -fno-sanitize-recover=undefined -I "$folder/sources" \
+    "${CC:-cc}" -std=c99 -g -O1 "${warnings[@]}" -DFMI_VERSION=$version -fsanitize=address,undefined \
+      -fno-sanitize-recover=undefined -I "$folder/sources" \
       -I "$SOURCE/tests/export" "$SOURCE/tests/export/fmi_fuzz.c" "$folder/sources/fmi$version.c" -o "$folder/fuzz" -lm
     "$folder/fuzz" "$calls" 1
   done
@@ -32,7 +33,8 @@ for name in "$@"; do
       mv "$(ls "$here/$run"/*.csv | grep -v _events)" "$here/$run.csv"
       ! ls "$here/$run"/*_events.csv >/dev/null 2>&1 || mv "$here/$run"/*_events.csv "$here/${run}_events.csv"
     done
-    valgrind -q --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite "$IMPORTER" "$folder"/*.fmu "$here" "$plant" || [ $? -ne 9 ]
+    valgrind -q --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite "$IMPORTER" "$folder"/*.fmu "$here" "$plant" ||
+      [ $? -ne 9 ]
     rm -rf "$here/plant" "$here/fine" "$here/rough" "$here"/*.csv
   fi
 done

@@ -11,7 +11,8 @@ static const fmi2CallbackFunctions functions = {logger, calloc, free, NULL, NULL
 static void* instantiate(void) {
     if (rarely()) return fmi2Instantiate(below(2) ? NULL : "", fmi2ModelExchange, FMI_TOKEN, "", &functions, 0, 0);
     if (rarely()) return fmi2Instantiate("x", (fmi2Type)below(3), below(2) ? NULL : "?", "", &functions, 0, 0);
-    return fmi2Instantiate("x", below(2) ? fmi2ModelExchange : fmi2CoSimulation, FMI_TOKEN, NULL, rarely() ? NULL : &functions, 0, (int)below(2));
+    return fmi2Instantiate("x", below(2) ? fmi2ModelExchange : fmi2CoSimulation, FMI_TOKEN, NULL, rarely() ? NULL : &functions, 0,
+                           (int)below(2));
 }
 static void release(void* one) { fmi2FreeInstance(one); }
 

@@ -9,9 +9,11 @@ static void logger(fmi3InstanceEnvironment e, fmi3Status status, fmi3String cate
 
 static void* instantiate(void) {
     if (rarely()) return fmi3InstantiateModelExchange(below(2) ? NULL : "", FMI_TOKEN, NULL, false, false, NULL, logger);
-    if (rarely()) return fmi3InstantiateCoSimulation("x", FMI_TOKEN, NULL, false, false, below(2) != 0, false, NULL, below(2), NULL, logger, NULL);
+    if (rarely())
+        return fmi3InstantiateCoSimulation("x", FMI_TOKEN, NULL, false, false, below(2) != 0, false, NULL, below(2), NULL, logger, NULL);
     if (rarely()) return fmi3InstantiateScheduledExecution("x", FMI_TOKEN, NULL, false, false, NULL, logger, NULL, NULL, NULL);
-    if (below(2)) return fmi3InstantiateModelExchange("x", rarely() ? NULL : FMI_TOKEN, NULL, false, below(2) != 0, NULL, rarely() ? NULL : logger);
+    if (below(2))
+        return fmi3InstantiateModelExchange("x", rarely() ? NULL : FMI_TOKEN, NULL, false, below(2) != 0, NULL, rarely() ? NULL : logger);
     return fmi3InstantiateCoSimulation("x", FMI_TOKEN, NULL, false, below(2) != 0, false, false, NULL, 0, NULL, logger, NULL);
 }
 static void release(void* one) { fmi3FreeInstance(one); }
@@ -27,7 +29,9 @@ static void advance(void) {
     if (fmi3DoStep(c, now, h, true, &a, &b, &d, &next) == fmi3OK) return;
     counted(fmi3UpdateDiscreteStates(c, &a, &b, &d, &e, &f, &next));
     counted(fmi3EnterContinuousTimeMode(c));
-    if (fmi3GetContinuousStates(c, x, plant->states) != fmi3OK || fmi3GetContinuousStateDerivatives(c, x + plant->states, plant->states) != fmi3OK) return;
+    if (fmi3GetContinuousStates(c, x, plant->states) != fmi3OK ||
+        fmi3GetContinuousStateDerivatives(c, x + plant->states, plant->states) != fmi3OK)
+        return;
     for (size_t i = 0; i < plant->states; ++i) x[i] += h * x[plant->states + i];
     counted(fmi3SetTime(c, now + h));
     counted(fmi3SetContinuousStates(c, x, plant->states));

@@ -40,7 +40,8 @@ void unzip(const std::string& path, const fs::path& folder, std::vector<std::str
         fs::create_directories(to.parent_path());
         zip_file_t* const file = zip_fopen_index(archive, zip_uint64_t(i), 0);
         std::string bytes(about.size, '\0');
-        if (file == nullptr || zip_fread(file, bytes.data(), about.size) != zip_int64_t(about.size)) fail("a file of the archive cannot be read");
+        if (file == nullptr || zip_fread(file, bytes.data(), about.size) != zip_int64_t(about.size))
+            fail("a file of the archive cannot be read");
         zip_fclose(file);
         std::ofstream(to, std::ios::binary) << bytes;
     }
@@ -64,7 +65,8 @@ Description read(const fs::path& file) {
     if (!exchange || !steps) fail("model exchange and co-simulation are not both there");
     d.identifier = exchange.attribute("modelIdentifier").value();
     if (d.identifier != steps.attribute("modelIdentifier").value()) fail("the identifiers differ");
-    d.needs_completed_step = is_two ? !exchange.attribute("completedIntegratorStepNotNeeded").as_bool() : exchange.attribute("needsCompletedIntegratorStep").as_bool();
+    d.needs_completed_step = is_two ? !exchange.attribute("completedIntegratorStepNotNeeded").as_bool()
+                                    : exchange.attribute("needsCompletedIntegratorStep").as_bool();
     const pugi::xml_node experiment = root.child("DefaultExperiment");
     d.stop = number(experiment, "stopTime");
     d.tolerance = number(experiment, "tolerance");
@@ -108,7 +110,8 @@ Description read(const fs::path& file) {
         for (const pugi::xml_node node : structure.children("Output")) d.outputs.push_back(unknown(node));
         for (const pugi::xml_node node : structure.children("ContinuousStateDerivative")) d.derivatives.push_back(unknown(node));
         for (const pugi::xml_node node : structure.children("InitialUnknown")) d.initial.push_back(unknown(node));
-        for (const pugi::xml_node node : structure.children("EventIndicator")) d.indicators += unknown(node).variable < d.variables.size() ? 1 : 0;
+        for (const pugi::xml_node node : structure.children("EventIndicator"))
+            d.indicators += unknown(node).variable < d.variables.size() ? 1 : 0;
     }
     return d;
 }
@@ -136,7 +139,8 @@ void log_three(void*, fmi3Status, fmi3String category, fmi3String message) { mes
 
 class InstanceOfTwo : public Instance {
 public:
-    InstanceOfTwo(void* binary, void* c, std::unique_ptr<fmi2CallbackFunctions> functions) : binary_(binary), c_(c), functions_(std::move(functions)) {}
+    InstanceOfTwo(void* binary, void* c, std::unique_ptr<fmi2CallbackFunctions> functions)
+        : binary_(binary), c_(c), functions_(std::move(functions)) {}
     ~InstanceOfTwo() override { CALL2(FreeInstance)(c_); }
     Status setup(double tolerance, double start, double stop) override {
         const Status status = as(CALL2(SetupExperiment)(c_, tolerance > 0, tolerance, start, stop > start, stop));
@@ -147,7 +151,9 @@ public:
         values.resize(references.size());
         return as(CALL2(GetReal)(c_, references.data(), references.size(), values.data()));
     }
-    Status set(const References& references, const Vector& values) override { return as(CALL2(SetReal)(c_, references.data(), references.size(), values.data())); }
+    Status set(const References& references, const Vector& values) override {
+        return as(CALL2(SetReal)(c_, references.data(), references.size(), values.data()));
+    }
     long mode(unsigned reference) override {
         int value = -1;
         return CALL2(GetInteger)(c_, &reference, 1, &value) == fmi2OK ? value : -1;
@@ -173,7 +179,8 @@ public:
     Status states(Vector& values) override { return as(CALL2(GetContinuousStates)(c_, values.data(), values.size())); }
     Status directional(const References& unknowns, const References& knowns, const Vector& seed, Vector& result) override {
         result.resize(unknowns.size());
-        return as(CALL2(GetDirectionalDerivative)(c_, unknowns.data(), unknowns.size(), knowns.data(), knowns.size(), seed.data(), result.data()));
+        return as(CALL2(GetDirectionalDerivative)(c_, unknowns.data(), unknowns.size(), knowns.data(), knowns.size(), seed.data(),
+                                                  result.data()));
     }
     Status adjoint(const References& unknowns, const References& knowns, const Vector& seed, Vector& result) override {
         // Version 2 has none: by columns.
@@ -207,7 +214,9 @@ public:
         bytes.resize(size);
         return as(CALL2(SerializeFMUstate)(c_, state, bytes.data(), size));
     }
-    Status deserialise(const std::string& bytes, void*& state) override { return as(CALL2(DeSerializeFMUstate)(c_, bytes.data(), bytes.size(), &state)); }
+    Status deserialise(const std::string& bytes, void*& state) override {
+        return as(CALL2(DeSerializeFMUstate)(c_, bytes.data(), bytes.size(), &state));
+    }
 
 private:
     static Status as(fmi2Status status) { return static_cast<Status>(status); }
@@ -250,11 +259,13 @@ public:
     Status states(Vector& values) override { return as(CALL3(GetContinuousStates)(c_, values.data(), values.size())); }
     Status directional(const References& unknowns, const References& knowns, const Vector& seed, Vector& result) override {
         result.resize(unknowns.size());
-        return as(CALL3(GetDirectionalDerivative)(c_, unknowns.data(), unknowns.size(), knowns.data(), knowns.size(), seed.data(), seed.size(), result.data(), result.size()));
+        return as(CALL3(GetDirectionalDerivative)(c_, unknowns.data(), unknowns.size(), knowns.data(), knowns.size(), seed.data(),
+                                                  seed.size(), result.data(), result.size()));
     }
     Status adjoint(const References& unknowns, const References& knowns, const Vector& seed, Vector& result) override {
         result.resize(knowns.size());
-        return as(CALL3(GetAdjointDerivative)(c_, unknowns.data(), unknowns.size(), knowns.data(), knowns.size(), seed.data(), seed.size(), result.data(), result.size()));
+        return as(CALL3(GetAdjointDerivative)(c_, unknowns.data(), unknowns.size(), knowns.data(), knowns.size(), seed.data(), seed.size(),
+                                              result.data(), result.size()));
     }
     Status step(double from, double length, bool& over, double& reached) override {
         bool events = false, early = false;
@@ -318,7 +329,8 @@ Unit::Unit(const std::string& path) {
     unzip(path, folder_, names);
     description_ = read(fs::path(folder_) / "modelDescription.xml");
     description_.files = names;
-    const fs::path library = fs::path(folder_) / "binaries" / (description_.version == 2 ? "linux64" : "x86_64-linux") / (description_.identifier + ".so");
+    const fs::path library =
+        fs::path(folder_) / "binaries" / (description_.version == 2 ? "linux64" : "x86_64-linux") / (description_.identifier + ".so");
     binary_ = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (binary_ == nullptr) fail(std::string("the binary is not loaded: ") + dlerror());
 }
@@ -333,11 +345,14 @@ std::unique_ptr<Instance> Unit::instantiate(bool is_co_simulation, const std::st
     const std::string used = token.empty() ? description_.token : token;
     if (description_.version == 2) {
         auto functions = std::make_unique<fmi2CallbackFunctions>(fmi2CallbackFunctions{log_two, calloc, free, nullptr, nullptr});
-        void* const c = CALL2(Instantiate)(name.c_str(), is_co_simulation ? fmi2CoSimulation : fmi2ModelExchange, used.c_str(), "", functions.get(), 0, 0);
+        void* const c = CALL2(Instantiate)(name.c_str(), is_co_simulation ? fmi2CoSimulation : fmi2ModelExchange, used.c_str(), "",
+                                           functions.get(), 0, 0);
         return c == nullptr ? nullptr : std::make_unique<InstanceOfTwo>(binary_, c, std::move(functions));
     }
-    void* const c = is_co_simulation ? CALL3(InstantiateCoSimulation)(name.c_str(), used.c_str(), nullptr, false, false, false, false, nullptr, 0, nullptr, log_three, nullptr)
-                                     : CALL3(InstantiateModelExchange)(name.c_str(), used.c_str(), nullptr, false, false, nullptr, log_three);
+    void* const c = is_co_simulation
+                        ? CALL3(InstantiateCoSimulation)(name.c_str(), used.c_str(), nullptr, false, false, false, false, nullptr, 0,
+                                                         nullptr, log_three, nullptr)
+                        : CALL3(InstantiateModelExchange)(name.c_str(), used.c_str(), nullptr, false, false, nullptr, log_three);
     return c == nullptr ? nullptr : std::make_unique<InstanceOfThree>(binary_, c);
 }
 
