@@ -63,12 +63,13 @@ std::string octave_example(const ExportSubject& subject) {
     const ExampleRun run = example_run(subject);
     std::string inputs;
     for (const auto& [name, value] : run.inputs) inputs += fmt::format("{}{}", inputs.empty() ? "" : "; ", value);
-    return fill_template(embedded_file("octave/example.m.in"),
-                         {{"NAME", subject.name},
-                          {"PARAMETERS", assignments(run.parameters, subject.plant.parameters, "p.(plant.parameters({0}).field) = {1};  % {2}\n")},
-                          {"START", assignments(run.start, subject.plant.states, "x0({0}) = {1};  % {2}\n")},
-                          {"INPUTS", "[" + inputs + "]"},
-                          {"UNTIL", fmt::format("{}", run.until)}});
+    return fill_template(
+        embedded_file("octave/example.m.in"),
+        {{"NAME", subject.name},
+         {"PARAMETERS", assignments(run.parameters, subject.plant.parameters, "p.(plant.parameters({0}).field) = {1};  % {2}\n")},
+         {"START", assignments(run.start, subject.plant.states, "x0({0}) = {1};  % {2}\n")},
+         {"INPUTS", "[" + inputs + "]"},
+         {"UNTIL", fmt::format("{}", run.until)}});
 }
 
 /// The MEX function; a note where there is no mkoctfile, or it fails.
@@ -79,13 +80,14 @@ void compile_mex(Exported& result, const FileContents& texts, const ExportSubjec
     for (const auto& [path, content] : texts) placed.emplace_back(folder / path, content);
     write_files(placed);
     // Without the names of source files that debuggers read: they would tell the folder.
-    const ProcessResult compiled = run_process({"env", fmt::format("CFLAGS={} -ffile-prefix-map={}=.", flags, folder.string()), "mkoctfile", "--mex", "-s",
-                                                "-I" + folder.string(), "-o", made.string(), (folder / "plant.c").string()});
+    const ProcessResult compiled = run_process({"env", fmt::format("CFLAGS={} -ffile-prefix-map={}=.", flags, folder.string()), "mkoctfile",
+                                                "--mex", "-s", "-I" + folder.string(), "-o", made.string(), (folder / "plant.c").string()});
     if (compiled.exit_code == 0 && std::filesystem::exists(made))
         result.files.emplace_back(std::filesystem::path(subject.name) / (subject.name + "_mex.mex"), read_file(made));
     else
-        result.notes.push_back(fmt::format("the MEX function is not compiled, because mkoctfile {}; Octave or MATLAB compile it at the first call of {}",
-                                           compiled.exit_code == 127 ? "is missing (on Debian: apt-get install octave-dev)" : "fails", subject.name));
+        result.notes.push_back(
+            fmt::format("the MEX function is not compiled, because mkoctfile {}; Octave or MATLAB compile it at the first call of {}",
+                        compiled.exit_code == 127 ? "is missing (on Debian: apt-get install octave-dev)" : "fails", subject.name));
 }
 
 }  // namespace

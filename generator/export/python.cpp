@@ -20,19 +20,18 @@ namespace dalembert {
 
 namespace {
 
-/// What cannot be the attribute of a parameter: keywords of Python, and names of the class Plant. tests/export/python.py compares it with both.
+/// What cannot be the attribute of a parameter: keywords of Python, and names of the class Plant. tests/export/python.py compares it with
+/// both.
+// clang-format off
 constexpr std::array taken{
-    "False",     "None",       "True",        "and",       "as",          "assert",     "async",     "await",       "break",
-    "class",     "continue",   "def",         "del",       "elif",        "else",       "except",    "finally",     "for",
-    "from",      "global",     "if",          "import",    "in",          "is",         "lambda",    "nonlocal",    "not",
-    "or",        "pass",       "raise",       "return",    "try",         "while",      "with",      "yield",       "attributes",
-    "constraint_jacobian",     "constraint_positions",     "constraint_rates",          "constraints",              "copy",
-    "degrees",   "energies",   "events",      "guard_rates",              "guard_table",             "guards",      "holds",
-    "input",     "inputs",     "ivp",         "jacobian_p",               "jacobian_t",              "jacobian_u",  "jacobian_x",
-    "kinks",     "linearise",  "mass_matrix", "mode_number",              "modes",      "name",      "output",      "output_jacobian_u",
-    "output_jacobian_x",       "outputs",     "parameters",               "pattern_p",  "pattern_u", "pattern_x",   "powers",
-    "rhs",       "rhs_and_jacobian",          "scene",     "set",         "simulate",   "state",     "states",      "title",
-    "values",    "velocity_place",            "x0"};
+    "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue", "def", "del", "elif", "else",
+    "except", "finally", "for", "from", "global", "if", "import", "in", "is", "lambda", "nonlocal", "not", "or", "pass", "raise",
+    "return", "try", "while", "with", "yield", "attributes", "constraint_jacobian", "constraint_positions", "constraint_rates",
+    "constraints", "copy", "degrees", "energies", "events", "guard_rates", "guard_table", "guards", "holds", "input", "inputs", "ivp",
+    "jacobian_p", "jacobian_t", "jacobian_u", "jacobian_x", "kinks", "linearise", "mass_matrix", "mode_number", "modes", "name", "output",
+    "output_jacobian_u", "output_jacobian_x", "outputs", "parameters", "pattern_p", "pattern_u", "pattern_x", "powers", "rhs",
+    "rhs_and_jacobian", "scene", "set", "simulate", "state", "states", "title", "values", "velocity_place", "x0"};
+// clang-format on
 
 /// Text within """ of Python.
 std::string in_docstring(const std::string& text) {
@@ -66,10 +65,12 @@ std::string units() {
         std::vector<std::string> exponents;
         for (std::size_t i = 0; i < Dimension::count; ++i) {
             const Fraction e = unit.dimension.exponent(i);
-            exponents.push_back(e.denominator == 1 ? fmt::format("\"{}\"", e.numerator) : fmt::format("\"{}/{}\"", e.numerator, e.denominator));
+            exponents.push_back(e.denominator == 1 ? fmt::format("\"{}\"", e.numerator)
+                                                   : fmt::format("\"{}/{}\"", e.numerator, e.denominator));
         }
-        text += fmt::format("    \"{}\": ({}, {}, ({}), {}),\n", row.name, cln::double_approx(unit.factor) * std::pow(std::numbers::pi, unit.pi_power),
-                            cln::double_approx(unit.offset), fmt::join(exponents, ", "), row.takes_prefix ? "True" : "False");
+        text += fmt::format("    \"{}\": ({}, {}, ({}), {}),\n", row.name,
+                            cln::double_approx(unit.factor) * std::pow(std::numbers::pi, unit.pi_power), cln::double_approx(unit.offset),
+                            fmt::join(exponents, ", "), row.takes_prefix ? "True" : "False");
     }
     return text;
 }
@@ -138,8 +139,10 @@ Exported python_files(const ExportSubject& subject, const ExportWish& wish) {
     Exported result;
     const auto put = [&](const char* name, std::string text) { result.files.emplace_back(package / name, std::move(text)); };
     put("__init__.py", package_text(subject));
-    for (const char* name : {"_plant.py", "_ivp.py", "_simulate.py", "py.typed"}) put(name, std::string(embedded_file(fmt::format("python/{}", name))));
-    put("_library.py", fill_template(embedded_file("python/_library.py.in"), {{"OPTIONS", fmt::format("\"{}\"", fmt::join(c_library_options(), "\", \""))}}));
+    for (const char* name : {"_plant.py", "_tables.py", "_ivp.py", "_simulate.py", "py.typed"})
+        put(name, std::string(embedded_file(fmt::format("python/{}", name))));
+    put("_library.py", fill_template(embedded_file("python/_library.py.in"),
+                                     {{"OPTIONS", fmt::format("\"{}\"", fmt::join(c_library_options(), "\", \""))}}));
     put("_units.py", fill_template(embedded_file("python/_units.py.in"), {{"UNITS", units()}, {"PREFIXES", prefixes()}}));
     put("example.py", example_text(subject));
     for (const auto& [path, text] : texts) result.files.emplace_back(package / "c" / path, text);

@@ -18,7 +18,8 @@ namespace dalembert {
 namespace {
 
 [[noreturn]] void fail(const std::string& what) {
-    throw Failure(Diagnostic{Id::tool_failed, {}, fmt::format("the results cannot be written for MATLAB: libmatio refuses {}", what)}, ExitCode::tool_missing);
+    throw Failure(Diagnostic{Id::tool_failed, {}, fmt::format("the results cannot be written for MATLAB: libmatio refuses {}", what)},
+                  ExitCode::tool_missing);
 }
 
 struct FreeMatVariable {
@@ -66,8 +67,10 @@ std::string field_name(const std::string& name, std::set<std::string>& taken) {
     for (; text.starts_with("dot(") && text.ends_with(')'); text = text.substr(4, text.size() - 5)) dots += "_dot";
     std::string result;
     for (const char c : text)
-        if (std::isalnum(static_cast<unsigned char>(c)) != 0) result += c;
-        else if (!result.empty() && result.back() != '_') result += '_';
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0)
+            result += c;
+        else if (!result.empty() && result.back() != '_')
+            result += '_';
     while (!result.empty() && result.back() == '_') result.pop_back();
     if (result.empty() || std::isalpha(static_cast<unsigned char>(result[0])) == 0) result = "x_" + result;
     constexpr std::size_t longest = 60;  // of 63 in MATLAB
@@ -76,7 +79,8 @@ std::string field_name(const std::string& name, std::set<std::string>& taken) {
     return result;
 }
 
-/// HDF5 notes when each object was changed: a message of type 18 and 8 bytes in its header, with version 1. Same results are to be the same bytes.
+/// HDF5 notes when each object was changed: a message of type 18 and 8 bytes in its header, with version 1. Same results are to be the same
+/// bytes.
 void forget_times(std::string& bytes, std::time_t begin, std::time_t end) {
     constexpr std::string_view message("\x12\0\x08\0", 4), version("\0\0\0\x01\0\0\0", 7);  // between them: flags
     for (std::size_t at = bytes.find(message); at != std::string::npos && at + 16 <= bytes.size(); at = bytes.find(message, at + 1)) {

@@ -90,7 +90,8 @@ std::string npz_file(const ResultTable& table) {
     if (!table.modes.empty()) {
         add("modes", npy(table.modes));
         add("event_times", npy(times));
-        for (const auto& [name, texts] : {std::pair{"event_names", &event_names}, std::pair{"event_from", &from}, std::pair{"event_to", &to}})
+        for (const auto& [name, texts] :
+             {std::pair{"event_names", &event_names}, std::pair{"event_from", &from}, std::pair{"event_to", &to}})
             add(name, npy(*texts));
     }
     return zip_archive(files);

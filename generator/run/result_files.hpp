@@ -22,20 +22,21 @@ struct ResultTable {
 };
 
 struct ResultFormat {
-    const char* name;     ///< on the command line
+    const char* name;  ///< on the command line
     const char* doc;
-    const char* suffix;   ///< of the file
+    const char* suffix;  ///< of the file
     /// The bytes of the file. Throws Failure (tool-failed).
     std::string (*write)(const ResultTable& table);
 };
 
 std::span<const ResultFormat> result_formats();
 
-/// A struct `run` with a column for each name, which is made a name of MATLAB; cells `names`, `units` and `fields` of all columns; a struct `events`; and a
-/// cell `modes`. Version 5, or 7.3, which is HDF5.
+/// A struct `run` with a column for each name, which is made a name of MATLAB; cells `names`, `units` and `fields` of all columns; a struct
+/// `events`; and a cell `modes`. Version 5, or 7.3, which is HDF5.
 std::string mat_file(const ResultTable& table, bool is_hdf5);
 
-/// An array for each column under its name; `names` and `units` of all columns; `event_times`, `event_names`, `event_from`, `event_to`; `modes`.
+/// An array for each column under its name; `names` and `units` of all columns; `event_times`, `event_names`, `event_from`, `event_to`;
+/// `modes`.
 std::string npz_file(const ResultTable& table);
 
 }  // namespace dalembert

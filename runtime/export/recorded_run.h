@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSL-1.0 */
-/* A run that is recorded: states at given times, where steps end, and a list of its events. For languages with arrays. Dense output would spare steps,
- * but while stability limits explicit steps, it is less accurate than they are. */
+/* A run that is recorded: states at given times, where steps end, and a list of its events. For languages with arrays. Dense output would
+ * spare steps, but while stability limits explicit steps, it is less accurate than they are. */
 #ifndef RECORDED_RUN_H
 #define RECORDED_RUN_H
 

@@ -135,23 +135,24 @@ def check_values(plant, xs, us, ts, modes):
         table.rhs_and_jacobian(plant._self, int(modes[i]), xs[i].ctypes.data, us[i].ctypes.data, ts[i], f.ctypes.data, entries.ctypes.data)
         check(same(rates[i], f) and same(J[i], plant.pattern_x.dense(entries)), "rhs_and_jacobian is not that of the table")
         x, u, mode = xs[i].ctypes.data, us[i].ctypes.data, int(modes[i])
-        for name in energies._fields:
-            function = getattr(table, name + "_energy")
-            check(same(getattr(energies, name)[i], function(plant._self, mode, x, ts[i]) if function else 0.0), f"{name} energy is not that of the table")
-        for name in powers._fields:
-            function = getattr(table, name + "_power")
-            check(same(getattr(powers, name)[i], function(plant._self, mode, x, u, ts[i]) if function else 0.0), f"{name} power is not that of the table")
+        for values, kind, arguments in ((energies, "energy", (plant._self, mode, x, ts[i])), (powers, "power", (plant._self, mode, x, u, ts[i]))):
+            for name in values._fields:
+                function = getattr(table, f"{name}_{kind}")
+                expected = function(*arguments) if function else 0.0
+                check(same(getattr(values, name)[i], expected), f"{name} {kind} is not that of the table")
         check(holds[i] == bool(not table.holds or table.holds(plant._self, mode, x, u, ts[i])), "holds() is not that of the table")
     # Shapes: one point beside many, two axes, no points, results in a given array, and arrays that are not in the order of C.
-    check(same(plant.rhs(xs, us[0], ts[0], modes[0]), [plant.rhs(x, us[0], ts[0], modes[0]) for x in xs]), "one input beside many states")
-    check(same(plant.rhs(xs[0], us[0], ts, modes[0]), [plant.rhs(xs[0], us[0], t, modes[0]) for t in ts]), "one state at many times")
+    u, t, mode = us[0], ts[0], modes[0]
+    check(same(plant.rhs(xs, u, t, mode), [plant.rhs(x, u, t, mode) for x in xs]), "one input beside many states")
+    check(same(plant.rhs(xs[0], u, ts, mode), [plant.rhs(xs[0], u, t, mode) for t in ts]), "one state at many times")
     grid = plant.rhs(xs[:, None, :], us[None, :2, :], ts[:, None], modes[:, None])
     check(grid.shape == (len(xs), 2, n) and same(grid[3, 1], plant.rhs(xs[3], us[1], ts[3], modes[3])), "two axes are broadcast")
     check(plant.rhs(np.zeros((0, n)), us[0]).shape == (0, n), "no points")
     out = np.empty_like(xs)
     check(plant.rhs(np.asfortranarray(xs), us, ts, modes, out=out) is out and same(out, plant.rhs(xs, us, ts, modes)), "out= and the order of arrays")
     if scipy is not None:
-        check(same(plant.jacobian_x(xs[0], us[0], ts[0], modes[0], sparse=True).toarray(), plant.jacobian_x(xs[0], us[0], ts[0], modes[0])), "sparse df/dx")
+        one = (xs[0], us[0], ts[0], modes[0])
+        check(same(plant.jacobian_x(*one, sparse=True).toarray(), plant.jacobian_x(*one)), "sparse df/dx")
 
 
 def differences(f, x, j, h):

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# simulate --write mat,mat73,npz: the numbers, names and units of the CSV, read by numpy, Octave and libmatio's own reader of HDF5; the same bytes in every
+# simulate --write mat,mat73,npz: the numbers, names and units of the CSV, read by numpy and Octave (which cannot read 7.3: tests/generator/run does); the same bytes in every
 # run. Needs the program (PROGRAM) and the sources (SOURCE). Exit code 77 without numpy or Octave.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}"

@@ -4,16 +4,30 @@
  *     x     = NAME_mex('start', p)
  *     value = NAME_mex(VALUE, t, x, u, p, mode)     VALUE: see mex_commands; columns of x, u, t and mode are points
  *     run   = NAME_mex('simulate', options)
- * Parameters p are a struct or a vector; [] means the defaults, and for u zeros. The text of the plant is included before this one, and DALEMBERT_PLANT is
- * its constant table. */
+ * Parameters p are a struct or a vector; [] means the defaults, and for u zeros. The text of the plant is included before this one, and
+ * DALEMBERT_PLANT is its constant table. */
 #include "octave_arguments.h"
 #include "octave_run.h"
 
 /* In the order of dalembert_value. */
-static const char* const mex_commands[dalembert_values] = {
-    "rhs",        "jacobian_x",        "jacobian_u",        "jacobian_p",  "jacobian_t", "output",      "output_jacobian_x",    "output_jacobian_u",
-    "mass_matrix", "energies",         "powers",            "guard_values",      "guard_rates", "kink_values",      "holds",                "constraint_positions",
-    "constraint_rates", "constraint_jacobian"};
+static const char* const mex_commands[dalembert_values] = {"rhs",
+                                                           "jacobian_x",
+                                                           "jacobian_u",
+                                                           "jacobian_p",
+                                                           "jacobian_t",
+                                                           "output",
+                                                           "output_jacobian_x",
+                                                           "output_jacobian_u",
+                                                           "mass_matrix",
+                                                           "energies",
+                                                           "powers",
+                                                           "guard_values",
+                                                           "guard_rates",
+                                                           "kink_values",
+                                                           "holds",
+                                                           "constraint_positions",
+                                                           "constraint_rates",
+                                                           "constraint_jacobian"};
 
 /* Rows, columns and stored entries; vectors have one column. Whether it is a matrix. */
 static int mex_shape(const dalembert_plant* plant, enum dalembert_value value, size_t* rows, size_t* columns, dalembert_pattern* pattern) {
@@ -21,19 +35,41 @@ static int mex_shape(const dalembert_plant* plant, enum dalembert_value value, s
     *columns = 1;
     memset(pattern, 0, sizeof *pattern);
     switch (value) {
-        case dalembert_value_jacobian_x: *pattern = plant->pattern_x; *columns = plant->states; break;
-        case dalembert_value_jacobian_u: *pattern = plant->pattern_u; *columns = plant->inputs; break;
-        case dalembert_value_jacobian_p: *pattern = plant->pattern_p; *columns = plant->parameters; break;
-        case dalembert_value_output_jacobian_x: *columns = plant->states; break;
-        case dalembert_value_output_jacobian_u: *columns = plant->inputs; break;
-        case dalembert_value_mass_matrix: *columns = plant->degrees; break;
-        case dalembert_value_constraint_jacobian: *columns = plant->degrees; break;
-        default: return 0;
+        case dalembert_value_jacobian_x:
+            *pattern = plant->pattern_x;
+            *columns = plant->states;
+            break;
+        case dalembert_value_jacobian_u:
+            *pattern = plant->pattern_u;
+            *columns = plant->inputs;
+            break;
+        case dalembert_value_jacobian_p:
+            *pattern = plant->pattern_p;
+            *columns = plant->parameters;
+            break;
+        case dalembert_value_output_jacobian_x:
+            *columns = plant->states;
+            break;
+        case dalembert_value_output_jacobian_u:
+            *columns = plant->inputs;
+            break;
+        case dalembert_value_mass_matrix:
+            *columns = plant->degrees;
+            break;
+        case dalembert_value_constraint_jacobian:
+            *columns = plant->degrees;
+            break;
+        default:
+            return 0;
     }
-    if (value == dalembert_value_jacobian_x || value == dalembert_value_jacobian_u || value == dalembert_value_jacobian_p) *rows = plant->states;
-    else if (value == dalembert_value_mass_matrix) *rows = plant->degrees;
-    else if (value == dalembert_value_constraint_jacobian) *rows = plant->constraints;
-    else *rows = plant->outputs;
+    if (value == dalembert_value_jacobian_x || value == dalembert_value_jacobian_u || value == dalembert_value_jacobian_p)
+        *rows = plant->states;
+    else if (value == dalembert_value_mass_matrix)
+        *rows = plant->degrees;
+    else if (value == dalembert_value_constraint_jacobian)
+        *rows = plant->constraints;
+    else
+        *rows = plant->outputs;
     return 1;
 }
 
@@ -73,7 +109,8 @@ static mxArray* mex_value_as_array(const dalembert_plant* plant, const void* sel
     for (i = 0; i < at->count; ++i) {
         const double* const from = values + i * size + before;
         double* const to = mxGetPr(made) + i * rows * columns;
-        if (pattern.column_starts == NULL) memcpy(to, from, rows * columns * sizeof(double));
+        if (pattern.column_starts == NULL)
+            memcpy(to, from, rows * columns * sizeof(double));
         else
             for (j = 0; j < columns; ++j)
                 for (k = pattern.column_starts[j]; k < pattern.column_starts[j + 1]; ++k) to[j * rows + pattern.row_indices[k]] = from[k];
@@ -83,7 +120,8 @@ static mxArray* mex_value_as_array(const dalembert_plant* plant, const void* sel
 }
 
 static mxArray* mex_value_command(const dalembert_plant* plant, int value, int nrhs, const mxArray* prhs[]) {
-    const dalembert_points at = mex_points_of(plant, nrhs > 1 ? prhs[1] : NULL, nrhs > 2 ? prhs[2] : NULL, nrhs > 3 ? prhs[3] : NULL, nrhs > 5 ? prhs[5] : NULL);
+    const dalembert_points at =
+        mex_points_of(plant, nrhs > 1 ? prhs[1] : NULL, nrhs > 2 ? prhs[2] : NULL, nrhs > 3 ? prhs[3] : NULL, nrhs > 5 ? prhs[5] : NULL);
     void* const self = mex_instance(plant, nrhs > 4 ? prhs[4] : NULL);
     mxArray* const made = mex_value_as_array(plant, self, (enum dalembert_value)value, &at);
     plant->destroy(self);
@@ -112,8 +150,12 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
             plhs[0] = mex_value_command(plant, value, nrhs, prhs);
             return;
         }
-    if (strcmp(command, "about") == 0) plhs[0] = mex_about(plant);
-    else if (strcmp(command, "start") == 0) plhs[0] = mex_start_command(plant, nrhs > 1 ? prhs[1] : NULL);
-    else if (strcmp(command, "simulate") == 0 && nrhs > 1 && mxIsStruct(prhs[1])) plhs[0] = mex_simulate(plant, prhs[1]);
-    else mex_refuse("command", "there is no command '%s'%s", command, "");
+    if (strcmp(command, "about") == 0)
+        plhs[0] = mex_about(plant);
+    else if (strcmp(command, "start") == 0)
+        plhs[0] = mex_start_command(plant, nrhs > 1 ? prhs[1] : NULL);
+    else if (strcmp(command, "simulate") == 0 && nrhs > 1 && mxIsStruct(prhs[1]))
+        plhs[0] = mex_simulate(plant, prhs[1]);
+    else
+        mex_refuse("command", "there is no command '%s'%s", command, "");
 }

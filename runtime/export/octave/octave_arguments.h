@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSL-1.0 */
-/* Arguments from Octave and MATLAB: points, parameters, modes. What is wrong ends the call with an error that says what would be right. Memory is that of
- * mxMalloc(), which an error gives back. */
+/* Arguments from Octave and MATLAB: points, parameters, modes. What is wrong ends the call with an error that says what would be right.
+ * Memory is that of mxMalloc(), which an error gives back. */
 #ifndef OCTAVE_ARGUMENTS_H
 #define OCTAVE_ARGUMENTS_H
 
@@ -30,7 +30,8 @@ static const double* mex_numbers(const mxArray* given, const dalembert_quantity*
         for (i = 0; i < count; ++i) {
             const mxArray* const value = mxGetField(given, 0, mxGetFieldNameByNumber(names, (int)i));
             if (value == NULL) mex_refuse("name", "the %s '%s' is missing", what, table[i].name);
-            if (!mex_is_real(value) || mxGetNumberOfElements(value) != 1) mex_refuse("number", "the %s '%s' must be one real number", what, table[i].name);
+            if (!mex_is_real(value) || mxGetNumberOfElements(value) != 1)
+                mex_refuse("number", "the %s '%s' must be one real number", what, table[i].name);
             values[i] = mxGetScalar(value);
         }
         mxDestroyArray(names);
@@ -55,7 +56,8 @@ static const double* mex_columns(const mxArray* given, size_t rows, size_t* coun
     }
     if (!mex_is_real(given)) mex_refuse("number", "%s must be real numbers, with %s rows", what, number);
     columns = mxGetN(given);
-    if (what[0] == 't' && mxGetN(given) == 1) columns = mxGetM(given); /* a column of times */
+    if (what[0] == 't' && mxGetN(given) == 1)
+        columns = mxGetM(given); /* a column of times */
     else if (mxGetM(given) != rows || mxGetNumberOfElements(given) != rows * columns) {
         if (mxGetNumberOfElements(given) != rows) mex_refuse("size", "%s must have %s rows, and a column for each point", what, number);
         columns = 1; /* a row for a column */
@@ -84,18 +86,21 @@ static unsigned mex_mode_of(const dalembert_plant* plant, const mxArray* given) 
         mex_refuse("mode", "there is no mode '%s'%s", name, "");
     }
     if (mex_is_real(given) && mxGetNumberOfElements(given) == 1) number = mxGetScalar(given);
-    if (!(number >= 1 && number <= (double)modes) || number != floor(number)) mex_refuse("mode", "a mode is a name or a number that begins with 1%s%s", "", "");
+    if (!(number >= 1 && number <= (double)modes) || number != floor(number))
+        mex_refuse("mode", "a mode is a name or a number that begins with 1%s%s", "", "");
     return (unsigned)number - 1;
 }
 
 /* t, x, u and the mode of each point. */
-static dalembert_points mex_points_of(const dalembert_plant* plant, const mxArray* t, const mxArray* x, const mxArray* u, const mxArray* mode) {
+static dalembert_points mex_points_of(const dalembert_plant* plant, const mxArray* t, const mxArray* x, const mxArray* u,
+                                      const mxArray* mode) {
     dalembert_points at;
     size_t ignored = 1, i;
     unsigned* modes;
     memset(&at, 0, sizeof at);
     at.count = 1;
-    if (x == NULL || (mxIsEmpty(x) && plant->states > 0)) mex_refuse("size", "x is missing: the state, a column for each point%s%s", "", "");
+    if (x == NULL || (mxIsEmpty(x) && plant->states > 0))
+        mex_refuse("size", "x is missing: the state, a column for each point%s%s", "", "");
     at.x = mex_columns(x, plant->states, &at.count, &at.x_step, "x");
     at.u = plant->inputs > 0 ? mex_columns(u, plant->inputs, &at.count, &at.u_step, "u") : mex_columns(NULL, 0, &ignored, &at.u_step, "u");
     at.t = mex_columns(t, 1, &at.count, &at.t_step, "t");
@@ -106,7 +111,8 @@ static dalembert_points mex_points_of(const dalembert_plant* plant, const mxArra
         at.count = mxGetNumberOfElements(mode);
         modes = (unsigned*)mxMalloc(at.count * sizeof(unsigned));
         for (i = 0; i < at.count; ++i) {
-            if (!(numbers[i] >= 1 && numbers[i] <= (double)(plant->modes > 0 ? plant->modes : 1))) mex_refuse("mode", "a mode is a name or a number that begins with 1%s%s", "", "");
+            if (!(numbers[i] >= 1 && numbers[i] <= (double)(plant->modes > 0 ? plant->modes : 1)))
+                mex_refuse("mode", "a mode is a name or a number that begins with 1%s%s", "", "");
             modes[i] = (unsigned)numbers[i] - 1;
         }
         at.mode_step = 1;

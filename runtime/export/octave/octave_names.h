@@ -14,8 +14,9 @@ enum { mex_longest_name = 64 }; /* of a field, with the final zero */
 
 /* A name that fields can have: "dot(phi)" becomes phi_dot, "l[1]" l_1. Names of the language get a '_' behind. */
 static void mex_field_name(const char* name, char* field) {
-    static const char* const taken[] = {"break",  "case",      "catch",  "classdef",   "continue", "do",     "else", "elseif", "end",   "for",  "function",
-                                        "global", "if",        "otherwise", "parfor",  "persistent", "return", "spmd", "switch", "try",   "until", "while"};
+    static const char* const taken[] = {"break",  "case", "catch",    "classdef", "continue", "do",        "else",   "elseif",
+                                        "end",    "for",  "function", "global",   "if",       "otherwise", "parfor", "persistent",
+                                        "return", "spmd", "switch",   "try",      "until",    "while"};
     size_t length = 0, dots = 0, i, end = strlen(name);
     while (strncmp(name, "dot(", 4) == 0 && end > 5 && name[end - 1] == ')' && dots < 4) {
         name += 4;
@@ -24,8 +25,10 @@ static void mex_field_name(const char* name, char* field) {
     }
     if (end > 0 && !isalpha((unsigned char)name[0])) field[length++] = 'x';
     for (i = 0; i < end && length < mex_longest_name - 18; ++i) {
-        if (isalnum((unsigned char)name[i]) || name[i] == '_') field[length++] = name[i];
-        else if (length > 0 && field[length - 1] != '_') field[length++] = '_';
+        if (isalnum((unsigned char)name[i]) || name[i] == '_')
+            field[length++] = name[i];
+        else if (length > 0 && field[length - 1] != '_')
+            field[length++] = '_';
     }
     while (length > 0 && field[length - 1] == '_' && name[end - 1] != '_') --length;
     for (i = 0; i < dots; ++i, length += 4) memcpy(field + length, "_dot", 4);
@@ -93,7 +96,8 @@ static mxArray* mex_guards_as_struct(const dalembert_plant* plant) {
 
 /* All that the table tells. `p` holds the default parameters. */
 static mxArray* mex_about(const dalembert_plant* plant) {
-    static const char* fields[] = {"name", "scene", "title", "states", "inputs", "outputs", "parameters", "guards", "modes", "events", "degrees", "p"};
+    static const char* fields[] = {"name",       "scene",  "title", "states", "inputs",  "outputs",
+                                   "parameters", "guards", "modes", "events", "degrees", "p"};
     mxArray* const made = mxCreateStructMatrix(1, 1, 12, fields);
     mxSetFieldByNumber(made, 0, 0, mxCreateString(plant->name));
     mxSetFieldByNumber(made, 0, 1, mxCreateString(plant->scene));

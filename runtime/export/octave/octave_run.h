@@ -6,7 +6,8 @@
 #include "octave_arguments.h"
 #include "recorded_run.h"
 
-/* Inputs as a function of (t, x), and the error that it made: it returns a text instead of numbers. (A trap of mexCallMATLAB tells no words in Octave.) */
+/* Inputs as a function of (t, x), and the error that it made: it returns a text instead of numbers. (A trap of mexCallMATLAB tells no words
+ * in Octave.) */
 typedef struct mex_called_inputs {
     const dalembert_plant* plant;
     mxArray* function;
@@ -25,10 +26,13 @@ static void mex_call_inputs(void* context, double t, const double* x, double* u)
     arguments[1] = mxCreateDoubleScalar(t);
     arguments[2] = mxCreateDoubleMatrix((mwSize)n, 1, mxREAL);
     memcpy(mxGetPr(arguments[2]), x, n * sizeof(double));
-    call->has_failed = mexCallMATLABWithTrap(1, &result, 3, arguments, "feval") != NULL || result == NULL || !mex_is_real(result) || mxGetNumberOfElements(result) != m;
+    call->has_failed = mexCallMATLABWithTrap(1, &result, 3, arguments, "feval") != NULL || result == NULL || !mex_is_real(result) ||
+                       mxGetNumberOfElements(result) != m;
     if (!call->has_failed) memcpy(u, mxGetPr(result), m * sizeof(double));
-    if (result != NULL && mxIsChar(result)) call->error = result;
-    else if (result != NULL) mxDestroyArray(result);
+    if (result != NULL && mxIsChar(result))
+        call->error = result;
+    else if (result != NULL)
+        mxDestroyArray(result);
     mxDestroyArray(arguments[1]);
     mxDestroyArray(arguments[2]);
 }
@@ -43,7 +47,8 @@ static const mxArray* mex_option(const mxArray* options, const char* name) {
 static double mex_number_option(const mxArray* options, const char* name, double otherwise) {
     const mxArray* const value = mex_option(options, name);
     if (value == NULL) return otherwise;
-    if (!mex_is_real(value) || mxGetNumberOfElements(value) != 1) mex_refuse("option", "the option '%s' must be one real number%s", name, "");
+    if (!mex_is_real(value) || mxGetNumberOfElements(value) != 1)
+        mex_refuse("option", "the option '%s' must be one real number%s", name, "");
     return mxGetScalar(value);
 }
 
@@ -53,8 +58,10 @@ static enum dalembert_method mex_method_option(const mxArray* options) {
     enum dalembert_method method = dalembert_automatic;
     if (value == NULL) return method;
     name = mxIsChar(value) ? mxArrayToString(value) : NULL;
-    if (name != NULL && strcmp(name, "explicit") == 0) method = dalembert_explicit;
-    else if (name != NULL && strcmp(name, "rosenbrock") == 0) method = dalembert_rosenbrock;
+    if (name != NULL && strcmp(name, "explicit") == 0)
+        method = dalembert_explicit;
+    else if (name != NULL && strcmp(name, "rosenbrock") == 0)
+        method = dalembert_rosenbrock;
     else if (name == NULL || strcmp(name, "automatic") != 0)
         mex_refuse("option", "there is no method '%s'; there are automatic, explicit and rosenbrock%s", name != NULL ? name : "", "");
     mxFree(name);
@@ -73,7 +80,8 @@ static const double* mex_times_option(const mxArray* options, size_t* count) {
     *count = mxGetNumberOfElements(value);
     times = mxGetPr(value);
     for (i = 0; i < *count; ++i)
-        if (!(fabs(times[i]) < HUGE_VAL) || (i > 0 && !(times[i] > times[i - 1]))) mex_refuse("option", "the times of a run must rise%s%s", "", "");
+        if (!(fabs(times[i]) < HUGE_VAL) || (i > 0 && !(times[i] > times[i - 1])))
+            mex_refuse("option", "the times of a run must rise%s%s", "", "");
     if (*count < 2) mex_refuse("option", "a run ends after it begins%s%s", "", "");
     return times;
 }
@@ -88,7 +96,9 @@ static mxArray* mex_events_as_struct(const dalembert_plant* plant, const dalembe
         snprintf(kink, sizeof kink, "kink %lu", (unsigned long)(e->event - plant->events + 1));
         mxSetFieldByNumber(made, (mwIndex)i, 0, mxCreateDoubleScalar(e->t));
         mxSetFieldByNumber(made, (mwIndex)i, 1,
-                           mxCreateString(plant->modes == 0 ? plant->guard_table[e->event].name : e->event < plant->events ? plant->event_names[e->event] : kink));
+                           mxCreateString(plant->modes == 0          ? plant->guard_table[e->event].name
+                                          : e->event < plant->events ? plant->event_names[e->event]
+                                                                     : kink));
         mxSetFieldByNumber(made, (mwIndex)i, 2, mxCreateString(plant->modes > 0 ? plant->mode_names[e->before] : ""));
         mxSetFieldByNumber(made, (mwIndex)i, 3, mxCreateString(plant->modes > 0 ? plant->mode_names[e->after] : ""));
     }
@@ -105,9 +115,10 @@ static mxArray* mex_rows(const double* columns, size_t rows, size_t count) {
     return made;
 }
 
-static mxArray* mex_run_as_struct(const dalembert_run* run, const dalembert_record* record, enum dalembert_status status, const double* u, const double* y) {
-    static const char* fields[] = {"t",       "x",     "u",        "y",         "mode",           "events", "success", "message",
-                                   "t_end",   "x_end", "steps",    "rejected",  "rhs_calls",      "implicit_steps"};
+static mxArray* mex_run_as_struct(const dalembert_run* run, const dalembert_record* record, enum dalembert_status status, const double* u,
+                                  const double* y) {
+    static const char* fields[] = {"t",       "x",     "u",     "y",     "mode",     "events",    "success",
+                                   "message", "t_end", "x_end", "steps", "rejected", "rhs_calls", "implicit_steps"};
     const dalembert_plant* const plant = run->plant;
     mxArray* const made = mxCreateStructMatrix(1, 1, 14, fields);
     const size_t count = record->filled;
@@ -136,7 +147,8 @@ static mxArray* mex_run_as_struct(const dalembert_run* run, const dalembert_reco
 /* Options that are wrong end the call before anything is made that must be freed. */
 static mxArray* mex_simulate(const dalembert_plant* plant, const mxArray* options) {
     const size_t n = plant->states;
-    const mxArray *const given = mex_option(options, "u"), *const start = mex_option(options, "x0"), *const stops = mex_option(options, "stops");
+    const mxArray *const given = mex_option(options, "u"), *const start = mex_option(options, "x0"),
+                         *const stops = mex_option(options, "stops");
     mex_called_inputs call;
     dalembert_record record;
     dalembert_points at;
@@ -160,8 +172,10 @@ static mxArray* mex_simulate(const dalembert_plant* plant, const mxArray* option
     record.ask_context = &call;
     if (!(tolerance > 0 && tolerance < 1)) mex_refuse("option", "the tolerance is a number between 0 and 1%s%s", "", "");
     if (stops != NULL && !mex_is_real(stops)) mex_refuse("option", "stops are rising times%s%s", "", "");
-    if (given != NULL && mxIsClass(given, "function_handle")) call.function = mxDuplicateArray(given);
-    else if (given != NULL) memcpy(held, mex_numbers(given, plant->input_table, plant->inputs, "input"), plant->inputs * sizeof(double));
+    if (given != NULL && mxIsClass(given, "function_handle"))
+        call.function = mxDuplicateArray(given);
+    else if (given != NULL)
+        memcpy(held, mex_numbers(given, plant->input_table, plant->inputs, "input"), plant->inputs * sizeof(double));
     self = mex_instance(plant, mxGetField(options, 0, "p"));
     run = dalembert_run_new(plant, self);
     if (run == NULL) {
@@ -183,8 +197,10 @@ static mxArray* mex_simulate(const dalembert_plant* plant, const mxArray* option
     u = (double*)mxCalloc(record.count * plant->inputs + 1, sizeof(double));
     y = (double*)mxCalloc(record.count * plant->outputs + 1, sizeof(double));
     for (i = 0; i < record.filled && !call.has_failed; ++i) {
-        if (call.function != NULL) mex_call_inputs(&call, record.times[i], record.x + i * n, u + i * plant->inputs);
-        else memcpy(u + i * plant->inputs, held, plant->inputs * sizeof(double));
+        if (call.function != NULL)
+            mex_call_inputs(&call, record.times[i], record.x + i * n, u + i * plant->inputs);
+        else
+            memcpy(u + i * plant->inputs, held, plant->inputs * sizeof(double));
     }
     memset(&at, 0, sizeof at);
     at.count = record.filled;

@@ -31,7 +31,8 @@ class Ivp:
         self._x, self._u, self._t, self._mode = np.zeros(n), np.array(held, dtype=float), np.zeros(1), np.array([mode], dtype=np.uintc)
         self._held = self._u.copy()
         self._rates, self._both = np.zeros(n), np.zeros(plant._library.dalembert_python_size(1))
-        self._points = _library.CPoints(1, self._mode.ctypes.data, 0, self._x.ctypes.data, 0, self._u.ctypes.data, 0, self._t.ctypes.data, 0)
+        self._points = _library.CPoints(1, self._mode.ctypes.data, 0, self._x.ctypes.data, 0, self._u.ctypes.data, 0,
+                                        self._t.ctypes.data, 0)
         self._call: Callable[..., None] = plant._library.dalembert_python_many
         self._at, self._to_rates, self._to_both = C.addressof(self._points), self._rates.ctypes.data, self._both.ctypes.data
 

@@ -4,17 +4,17 @@
 from __future__ import annotations
 
 import ctypes as C
-import difflib
 import keyword
 import re
 from pathlib import Path
-from typing import Any, Iterable, Mapping, NamedTuple, Sequence, Union
+from typing import Any, Mapping, Sequence, Union
 
 import numpy as np
 
 from . import _library
 from ._ivp import Ivp
 from ._simulate import Inputs, Result, simulate
+from ._tables import Constraint, Energies, Guard, Powers, Quantity, near, pattern_of, quantities, text_of
 from ._units import in_si
 
 #: A number in SI, or a text with a unit such as "5 bar".
@@ -25,99 +25,6 @@ Values = Union[np.ndarray, Sequence[float], Mapping[str, Number]]
 # As in enum dalembert_value of many_points.h.
 (_RHS, _JACOBIAN_X, _JACOBIAN_U, _JACOBIAN_P, _JACOBIAN_T, _OUTPUT, _OUTPUT_X, _OUTPUT_U, _MASS, _ENERGIES, _POWERS, _GUARDS, _GUARD_RATES,
  _KINKS, _HOLDS, _CONSTRAINT_POSITIONS, _CONSTRAINT_RATES, _CONSTRAINT_JACOBIAN) = range(18)
-
-
-class Quantity(NamedTuple):
-    """A state, input, output or parameter: its name in the model, SI unit, description and declared range."""
-
-    name: str
-    unit: str
-    description: str
-    low: float
-    high: float
-
-
-class Guard(NamedTuple):
-    """A function whose sign an integrator must watch. If `ends`, the model holds only where it is not negative."""
-
-    name: str
-    description: str
-    ends: bool
-
-
-class Constraint(NamedTuple):
-    """A rate that is held at zero, with the position whose rate it is, if there is one."""
-
-    name: str
-    unit: str
-    description: str
-    has_position: bool
-
-
-class Energies(NamedTuple):
-    """In J."""
-
-    kinetic: np.ndarray
-    potential: np.ndarray
-    internal: np.ndarray
-
-
-class Powers(NamedTuple):
-    """In W. d(sum of energies)/dt = supplied - dissipated + prescribed + exchanged."""
-
-    supplied: np.ndarray
-    dissipated: np.ndarray
-    prescribed: np.ndarray
-    exchanged: np.ndarray
-
-
-class Pattern(NamedTuple):
-    """Stored entries of a matrix, column by column, as scipy.sparse.csc_matrix has them; and the column of each entry."""
-
-    shape: tuple[int, int]
-    column_starts: np.ndarray
-    row_indices: np.ndarray
-    columns: np.ndarray
-
-    def dense(self, values: np.ndarray) -> np.ndarray:
-        """Whole matrices from stored entries."""
-        matrix = np.zeros(values.shape[:-1] + self.shape)
-        matrix[..., self.row_indices, self.columns] = values
-        return matrix
-
-    def csc(self, values: np.ndarray) -> Any:
-        """A scipy.sparse.csc_matrix of stored entries."""
-        from scipy.sparse import csc_matrix
-
-        if values.ndim != 1:
-            raise ValueError(f"sparse=True makes one matrix, but there are points of shape {values.shape[:-1]}")
-        return csc_matrix((values, self.row_indices, self.column_starts), shape=self.shape)
-
-
-def _text(characters: bytes | None) -> str:
-    return (characters or b"").decode("utf-8")
-
-
-def _quantities(table: Any, count: int) -> tuple[Quantity, ...]:
-    return tuple(Quantity(_text(q.name), _text(q.unit), _text(q.description), q.low, q.high) for q in (table[i] for i in range(count)))
-
-
-def _pattern(pattern: _library.CPattern, rows: int, columns: int) -> Pattern:
-    if pattern.column_starts:
-        starts = np.array(pattern.column_starts[: columns + 1], dtype=np.intp)
-        indices = np.array(pattern.row_indices[: int(starts[-1])], dtype=np.intp)
-    else:
-        starts = np.arange(columns + 1, dtype=np.intp) * rows
-        indices = np.tile(np.arange(rows, dtype=np.intp), columns)
-    return Pattern((rows, columns), starts, indices, np.repeat(np.arange(columns), np.diff(starts)))
-
-
-def _near(name: str, names: Iterable[str]) -> str:
-    names = list(names)
-    near = difflib.get_close_matches(name, names, 1)
-    if near:
-        return f"; do you mean '{near[0]}'?"
-    return f"; there are {', '.join(names)}" if names else "; there are none"
 
 
 class Plant:
@@ -134,24 +41,24 @@ class Plant:
         self._self = None
         self._library = _library.load(self._texts)
         table = self._table = self._library.dalembert_plant_table().contents
-        self.name, self.scene, self.title = _text(table.name), _text(table.scene), _text(table.title)
+        self.name, self.scene, self.title = text_of(table.name), text_of(table.scene), text_of(table.title)
         #: Tables of what the numbers mean, in their order.
-        self.states = _quantities(table.state_table, table.states)
-        self.inputs = _quantities(table.input_table, table.inputs)
-        self.outputs = _quantities(table.output_table, table.outputs)
-        self.parameters = _quantities(table.parameter_table, table.parameters)
+        self.states = quantities(table.state_table, table.states)
+        self.inputs = quantities(table.input_table, table.inputs)
+        self.outputs = quantities(table.output_table, table.outputs)
+        self.parameters = quantities(table.parameter_table, table.parameters)
         self.guard_table = tuple(
-            Guard(_text(g.name), _text(g.doc), bool(g.ends)) for g in (table.guard_table[i] for i in range(table.guards)))
+            Guard(text_of(g.name), text_of(g.doc), bool(g.ends)) for g in (table.guard_table[i] for i in range(table.guards)))
         self.constraints = tuple(
-            Constraint(_text(c.name), _text(c.unit), _text(c.description), bool(c.has_position))
+            Constraint(text_of(c.name), text_of(c.unit), text_of(c.description), bool(c.has_position))
             for c in (table.constraint_table[i] for i in range(table.constraints)))
-        self.modes = tuple(_text(table.mode_names[i]) for i in range(table.modes))
-        self.events = tuple(_text(table.event_names[i]) for i in range(table.events))
+        self.modes = tuple(text_of(table.mode_names[i]) for i in range(table.modes))
+        self.events = tuple(text_of(table.event_names[i]) for i in range(table.events))
         self.degrees, self.velocity_place = int(table.degrees), int(table.velocity_place)
         #: Stored entries of df/dx, df/du and df/dp.
-        self.pattern_x = _pattern(table.pattern_x, table.states, table.states)
-        self.pattern_u = _pattern(table.pattern_u, table.states, table.inputs)
-        self.pattern_p = _pattern(table.pattern_p, table.states, table.parameters)
+        self.pattern_x = pattern_of(table.pattern_x, table.states, table.states)
+        self.pattern_u = pattern_of(table.pattern_u, table.states, table.inputs)
+        self.pattern_p = pattern_of(table.pattern_p, table.states, table.parameters)
         self._values = np.array(table.parameter_defaults[: table.parameters], dtype=float)
         #: Attribute of each parameter, or of a family of them: a name that Python or this class has already gets a '_' behind.
         self.attributes: dict[str, str] = {}
@@ -189,7 +96,8 @@ class Plant:
     def __getattr__(self, name: str) -> Any:
         families = self.__dict__.get("_families", {})
         if name not in families:
-            raise AttributeError(f"'{name}' is neither a parameter nor a function of {self.__dict__.get('name', 'a plant')}{_near(name, families)}")
+            owner = self.__dict__.get("name", "a plant")
+            raise AttributeError(f"'{name}' is neither a parameter nor a function of {owner}{near(name, families)}")
         places = families[name]
         if self.parameters[places[0]].name.endswith("]"):
             values = self._values[places]
@@ -203,7 +111,7 @@ class Plant:
         elif name not in self._families:
             if name in self.__dict__ or hasattr(type(self), name):
                 raise AttributeError(f"'{name}' of {self.name} cannot be set: it is not a parameter")
-            raise AttributeError(f"{self.name} has no parameter '{name}'{_near(name, self._families)}")
+            raise AttributeError(f"{self.name} has no parameter '{name}'{near(name, self._families)}")
         else:
             places = self._families[name]
             is_family = self.parameters[places[0]].name.endswith("]")
@@ -244,7 +152,7 @@ class Plant:
         for i, q in enumerate(table):
             if q.name == name:
                 return i
-        raise KeyError(f"{self.name} has no {kind} '{name}'{_near(name, [q.name for q in table])}")
+        raise KeyError(f"{self.name} has no {kind} '{name}'{near(name, [q.name for q in table])}")
 
     def _numbers(self, given: Values | None, table: Sequence[Quantity], kind: str, otherwise: np.ndarray) -> np.ndarray:
         if given is None:
@@ -260,7 +168,8 @@ class Plant:
             array = array.reshape(1)
         if array.ndim == 0 or array.shape[-1] != len(table):
             names = ", ".join(q.name for q in table) or "none"
-            raise ValueError(f"{self.name} has {len(table)} {kind}s ({names}), but an array of shape {array.shape} is given; the last axis is theirs")
+            raise ValueError(f"{self.name} has {len(table)} {kind}s ({names}), but an array of shape {array.shape} is given; "
+                             "the last axis is theirs")
         return array
 
     def state(self, values: Values | None = None, /, **more: Number) -> np.ndarray:
@@ -284,7 +193,7 @@ class Plant:
         """The number of a mode, also given by its name."""
         if isinstance(mode, str):
             if mode not in self.modes:
-                raise KeyError(f"{self.name} has no mode '{mode}'{_near(mode, self.modes)}")
+                raise KeyError(f"{self.name} has no mode '{mode}'{near(mode, self.modes)}")
             return self.modes.index(mode)
         if not 0 <= mode < max(1, len(self.modes)):
             raise ValueError(f"{self.name} has no mode {mode}; the first of {max(1, len(self.modes))} has the number 0")
@@ -308,7 +217,8 @@ class Plant:
         full = shape + (self._library.dalembert_python_size(value),)
         result = np.empty(full) if out is None else out
         if result.shape != full or result.dtype != np.float64 or not result.flags.c_contiguous or not result.flags.writeable:
-            raise ValueError(f"`out` must be a writeable array of shape {full}, of float64 in the order of C, but has shape {result.shape}, {result.dtype}")
+            raise ValueError(f"`out` must be a writeable array of shape {full}, of float64 in the order of C, "
+                             f"but is one of shape {result.shape}, of {result.dtype}")
         keep = []  # until the call is done
 
         def data(array: np.ndarray, leading: tuple[int, ...], length: int) -> tuple[int, int]:
@@ -322,8 +232,8 @@ class Plant:
             keep.append(array)
             return array.ctypes.data, length
 
-        points = _library.CPoints(int(np.prod(shape, dtype=np.intp)), *data(modes, modes.shape, 1), *data(x, x.shape[:-1], len(self.states)),
-                                  *data(u, u.shape[:-1], len(self.inputs)), *data(t, t.shape, 1))
+        points = _library.CPoints(int(np.prod(shape, dtype=np.intp)), *data(modes, modes.shape, 1),
+                                  *data(x, x.shape[:-1], len(self.states)), *data(u, u.shape[:-1], len(self.inputs)), *data(t, t.shape, 1))
         self._library.dalembert_python_many(self._self, value, C.addressof(points), result.ctypes.data)
         return result
 
@@ -333,7 +243,8 @@ class Plant:
         """dx/dt. `out`: an array for the result, which saves the system from giving new memory to each of many large results."""
         return self._many(_RHS, x, u, t, mode, out)
 
-    def rhs_and_jacobian(self, x: Values, u: Values | None = None, t: Any = 0.0, mode: Any = 0, sparse: bool = False) -> tuple[np.ndarray, Any]:
+    def rhs_and_jacobian(self, x: Values, u: Values | None = None, t: Any = 0.0, mode: Any = 0,
+                         sparse: bool = False) -> tuple[np.ndarray, Any]:
         """dx/dt and df/dx: together they cost less."""
         both, n = self._many(_JACOBIAN_X, x, u, t, mode), len(self.states)
         return both[..., :n], (self.pattern_x.csc if sparse else self.pattern_x.dense)(both[..., n:])
@@ -369,7 +280,8 @@ class Plant:
         """D = dy/du, of shape (..., outputs, inputs)."""
         return self._columns(self._many(_OUTPUT_U, x, u, t, mode), len(self.outputs), len(self.inputs))
 
-    def linearise(self, x: Values, u: Values | None = None, t: float = 0.0, mode: Any = 0) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    def linearise(self, x: Values, u: Values | None = None, t: float = 0.0,
+                  mode: Any = 0) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """A, B, C, D at a point."""
         return (self.jacobian_x(x, u, t, mode), self.jacobian_u(x, u, t, mode), self.output_jacobian_x(x, u, t, mode),
                 self.output_jacobian_u(x, u, t, mode))
@@ -426,8 +338,8 @@ class Plant:
         return Ivp(self, u, self.mode_number(mode), sparse)
 
     def simulate(self, until: Number, x0: Values | None = None, u: Inputs = None, *, start: Number = 0.0,
-                 samples: int | Sequence[float] | np.ndarray = 500, tolerance: float = 1e-9, method: str = "automatic", longest_step: float = 0.0,
-                 first_step: float = 0.0, scale: Values | None = None, most_steps: int = 0, stops: Sequence[float] = ()) -> Result:
+                 samples: int | Sequence[float] | np.ndarray = 500, tolerance: float = 1e-9, method: str = "automatic",
+                 longest_step: float = 0.0, first_step: float = 0.0, scale: Values | None = None, most_steps: int = 0, stops: Sequence[float] = ()) -> Result:
         """A run with the integrators, events, modes and constraints of dalembert, to `until` in s.
 
         x0: the start; values of some names are enough, the others are those of plant.x0.

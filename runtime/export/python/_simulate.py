@@ -116,7 +116,8 @@ def input_function(plant: Plant, u: Inputs) -> tuple[InputFunction | None, np.nd
         return values, held
     held = plant.input(u)
     if held.ndim != 1:
-        raise ValueError(f"{plant.name} takes one value an input during a run, or a function of (t, x), but an array of shape {held.shape} is given")
+        raise ValueError(f"{plant.name} takes one value an input during a run, or a function of (t, x), "
+                         f"but an array of shape {held.shape} is given")
     return None, held
 
 
@@ -135,7 +136,8 @@ def _times(until: float, start: float, samples: Any) -> np.ndarray:
     if times.ndim != 1 or len(times) == 0 or np.any(np.diff(times) <= 0):
         raise ValueError("the times in `samples` are one axis of rising numbers")
     if times[0] < start or times[-1] > until:
-        raise ValueError(f"the times in `samples` lie between {start} s and {until} s, where the run is, but go from {times[0]} s to {times[-1]} s")
+        raise ValueError(f"the times in `samples` lie between {start} s and {until} s, where the run is, "
+                         f"but go from {times[0]} s to {times[-1]} s")
     return times
 
 
@@ -192,7 +194,10 @@ def simulate(plant: Plant, until: Any, x0: Any, u: Inputs, start: Any, samples: 
     done = np.isin(times, shown)
     done[record.filled:] = False
     t, x, modes = times[done], x[done], modes[done]
-    values = np.tile(held, (len(t), 1)) if function is None else np.array([function(*point) for point in zip(t, x)]).reshape(len(t), len(held))
+    values = np.tile(held, (len(t), 1))
+    if function is not None:
+        for i in range(len(t)):
+            values[i] = function(t[i], x[i])
     message = call.message.decode()
     if status != "success":
         warnings.warn(f"the run of {plant.name} ended at {call.t:g} s: {message}", RuntimeWarning, stacklevel=3)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSL-1.0 */
-/* What Python calls by ctypes, in one library with a plant. The text of the plant is included before this one, and DALEMBERT_PLANT is its constant table: so the compiler
- * knows which functions are called, and can put them into loops. */
+/* What Python calls by ctypes, in one library with a plant. The text of the plant is included before this one, and DALEMBERT_PLANT is its
+ * constant table: so the compiler knows which functions are called, and can put them into loops. */
 #include "many_points.h"
 #include "recorded_run.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Result files for MATLAB are read again by libmatio; of archives the texts are looked at. tests/export/results.sh reads them with numpy and Octave.
+// Result files for MATLAB are read again by libmatio; of archives the texts are looked at. tests/export/results.sh reads them with numpy
+// and Octave.
 #include "run/result_files.hpp"
 
 #include <doctest/doctest.h>
@@ -16,7 +17,8 @@ using namespace dalembert;
 
 namespace {
 
-const Recording recording{{{"t", "s"}, {"dot(phi)", "rad/s"}, {"T[1]", "K"}, {"T_1", "K"}, {"mode", ""}}, {{0, 1.5, 300, 301, 0}, {0.1, -2, 310, 311, 1}}};
+const Recording recording{{{"t", "s"}, {"dot(phi)", "rad/s"}, {"T[1]", "K"}, {"T_1", "K"}, {"mode", ""}},
+                          {{0, 1.5, 300, 301, 0}, {0.1, -2, 310, 311, 1}}};
 
 struct File {
     ScratchFolder folder;
@@ -63,8 +65,8 @@ TEST_CASE("files for MATLAB hold the table, with names that MATLAB can have") {
         CHECK(field(run.get(), "phi_dot") == std::vector{1.5, -2.0});
         CHECK(field(run.get(), "T_1") == std::vector{300.0, 310.0});
         CHECK(field(run.get(), "T_1_") == std::vector{301.0, 311.0});
-        const std::unique_ptr<matvar_t, void (*)(matvar_t*)> names(Mat_VarRead(file.mat.get(), "names"), Mat_VarFree), units(
-            Mat_VarRead(file.mat.get(), "units"), Mat_VarFree), events(Mat_VarRead(file.mat.get(), "events"), Mat_VarFree);
+        const std::unique_ptr<matvar_t, void (*)(matvar_t*)> names(Mat_VarRead(file.mat.get(), "names"), Mat_VarFree),
+            units(Mat_VarRead(file.mat.get(), "units"), Mat_VarFree), events(Mat_VarRead(file.mat.get(), "events"), Mat_VarFree);
         REQUIRE(names != nullptr);
         REQUIRE(units != nullptr);
         REQUIRE(events != nullptr);
