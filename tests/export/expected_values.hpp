@@ -36,6 +36,7 @@ public:
         if (parameters() > 0) table.jacobian_p(self_, mode_, q.x.data(), q.u.data(), q.t, P.data());
         by_p = spread(table.pattern_p, P, parameters());
         if (table.jacobian_t != nullptr) table.jacobian_t(self_, mode_, q.x.data(), q.u.data(), q.t, by_time.data());
+        rates_with_jacobian = rates;
         table.rhs(self_, mode_, q.x.data(), q.u.data(), q.t, rates.data());
         if (l == 0) return;
         table.output(self_, mode_, q.x.data(), q.u.data(), q.t, y.data());
@@ -52,6 +53,7 @@ public:
     bool is_finite() const { return std::all_of(rates.begin(), rates.end(), [](double v) { return std::isfinite(v); }); }
 
     const dalembert_plant& table;
+    Vector rates_with_jacobian;  ///< as rhs_and_jacobian() computes them, in another order of operations
     Vector rates, by_x, by_u, by_p, by_time, y, C, D;  ///< matrices with all entries, column by column
 
 private:
