@@ -37,13 +37,15 @@ struct Description {
     std::size_t indicators = 0;
     std::optional<double> stop, tolerance;
     bool needs_completed_step = false;
-    std::vector<std::string> files;  ///< of the archive
 
     References references(const std::string& causality) const;
     References states() const;
     References rates() const;
     std::optional<unsigned> mode() const;
 };
+
+/// Unpacks an FMU into a folder and reads its modelDescription.xml. Throws std::runtime_error.
+Description unpack(const std::string& path, const std::string& folder);
 
 struct News {
     bool again = false, over = false, states_changed = false;
