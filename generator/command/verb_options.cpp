@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "command/project_kinds.hpp"
-#include "elements/methods.hpp"
+#include "plant/methods.hpp"
 #include "export/target.hpp"
 #include "graph/passes.hpp"
 #include "run/result_files.hpp"

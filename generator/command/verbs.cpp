@@ -7,7 +7,7 @@
 #include <cctype>
 
 #include "command/installed_texts.hpp"
-#include "elements/methods.hpp"
+#include "plant/methods.hpp"
 
 namespace dalembert {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "elements/key.hpp"
-#include "elements/methods.hpp"
+#include "plant/methods.hpp"
 #include "elements/verdict.hpp"
 
 namespace dalembert {

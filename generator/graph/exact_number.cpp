@@ -109,19 +109,9 @@ MaybeExact ExactArithmetic::reciprocal(const MaybeExact& x) {
 }
 
 std::optional<cln::cl_R> ExactArithmetic::value(Op op, const Values& a) const {
-    switch (op) {
-        case Op::sin: return cln::sin(a[0]);
-        case Op::cos: return cln::cos(a[0]);
-        case Op::exp: return cln::exp(a[0]);
-        case Op::sqrt: return cln::minusp(a[0]) ? std::nullopt : std::optional<cln::cl_R>(cln::sqrt(a[0]));
-        case Op::independent_inverse: {
-            // What the emitted code takes for rounding is far more than what is left here.
-            const cln::cl_R least = cln::abs(a[1]) * cln::expt(cln::cl_RA(10), -digits_ / 2);
-            return cln::abs(a[0]) <= least ? cln::cl_R(0) : cln::cl_R(1 / a[0]);
-        }
-        default: break;
-    }
-    return number_of(applied(scalar_function(op), numbers_of(a)));
+    const ScalarFunction& row = scalar_function(op);
+    if (row.exact != nullptr) return row.exact(a, cln::expt(cln::cl_RA(10), -digits_ / 2));
+    return number_of(applied(row, numbers_of(a)));
 }
 
 MaybeExact ExactArithmetic::by_differences(const At& at, const std::vector<const MaybeExact*>& arguments, bool is_smooth) const {
@@ -163,6 +153,31 @@ MaybeExact ExactArithmetic::by_differences(const At& at, const std::vector<const
     return result;
 }
 
+/// The smaller or the larger of two; both, where they are equal.
+ExactNumber ExactArithmetic::extreme(bool is_smaller, const ExactNumber& x, const ExactNumber& y) {
+    const int order = cln::compare(x.value, y.value);
+    ExactNumber result = (order < 0) == is_smaller || order == 0 ? x : y;
+    if (order == 0) result.add_slopes(y, 1);
+    return result;
+}
+
+/// By the slopes in double that the table of functions has; nothing where it has none, or there is no value.
+MaybeExact ExactArithmetic::by_exact_slopes(Op op, const std::vector<const MaybeExact*>& arguments) const {
+    const ScalarFunction& row = scalar_function(op);
+    if (row.exact_slopes == nullptr) return std::nullopt;
+    Values values;
+    for (const MaybeExact* argument : arguments) values.push_back((*argument)->value);
+    const auto here = value(op, values);
+    if (!here) return std::nullopt;
+    ExactNumber result{*here, {}};
+    if (std::all_of(arguments.begin(), arguments.end(), [](const MaybeExact* argument) { return (*argument)->slopes.empty(); }))
+        return result;
+    const std::vector<double> slopes = row.exact_slopes(values, *here);
+    if (slopes.empty()) return std::nullopt;
+    for (std::size_t i = 0; i < slopes.size(); ++i) result.add_slopes(**arguments[i], slopes[i]);
+    return result;
+}
+
 /// By the slopes that the table of functions knows; nothing where it knows none, or they have no value.
 MaybeExact ExactArithmetic::by_known_slopes(Op op, const std::vector<const MaybeExact*>& arguments) const {
     const ScalarFunction& row = scalar_function(op);
@@ -197,51 +212,12 @@ MaybeExact ExactArithmetic::by_known_slopes(Op op, const std::vector<const Maybe
 MaybeExact ExactArithmetic::function(Op op, const std::vector<const MaybeExact*>& arguments) const {
     if (!all_there(arguments)) return std::nullopt;
     GiNaC::Digits = digits_ + guard_digits;
-    const ExactNumber& x = **arguments[0];
     try {
-        const auto with_slope = [&](const std::optional<cln::cl_R>& result, const auto& slope) -> MaybeExact {
-            if (!result) return std::nullopt;
-            ExactNumber number{*result, {}};
-            if (!x.slopes.empty()) number.add_slopes(x, slope(*result));
-            return number;
-        };
-        switch (op) {
-            case Op::sin: return with_slope(value(op, {x.value}), [&](const cln::cl_R&) { return approximate(cln::cos(x.value)); });
-            case Op::cos: return with_slope(value(op, {x.value}), [&](const cln::cl_R&) { return -approximate(cln::sin(x.value)); });
-            case Op::exp: return with_slope(value(op, {x.value}), [&](const cln::cl_R& y) { return approximate(y); });
-            case Op::sqrt:
-                return with_slope(value(op, {x.value}), [&](const cln::cl_R& y) { return cln::zerop(y) ? 0 : approximate(1 / (2 * y)); });
-            case Op::sign:
-            case Op::floor:
-            case Op::step: return with_slope(value(op, {x.value}), [](const cln::cl_R&) { return 0.0; });
-            case Op::if_else: return **arguments[cln::minusp(x.value) ? 2 : 1];
-            case Op::min:
-            case Op::max: {
-                const ExactNumber& y = **arguments[1];
-                const int order = cln::compare(x.value, y.value);
-                ExactNumber result = (order < 0) == (op == Op::min) || order == 0 ? x : y;
-                if (order == 0) result.add_slopes(y, 1);
-                return result;
-            }
-            case Op::independent_inverse: {
-                const auto result = value(op, {x.value, (*arguments[1])->value});
-                return with_slope(result, [](const cln::cl_R& y) { return -approximate(cln::square(y)); });
-            }
-            case Op::power: {
-                // Differences would take the power, which is slow, twice more for each argument.
-                const ExactNumber& exponent = **arguments[1];
-                if (!cln::plusp(x.value)) return by_differences([&](const Values& values) { return value(op, values); }, arguments);
-                const auto result = value(op, {x.value, exponent.value});
-                if (!result) return std::nullopt;
-                ExactNumber number{*result, {}};
-                if (!x.slopes.empty()) number.add_slopes(x, approximate(exponent.value * *result / x.value));
-                if (!exponent.slopes.empty()) number.add_slopes(exponent, approximate(cln::realpart(cln::log(x.value)) * *result));
-                return number;
-            }
-            default:
-                if (const MaybeExact result = by_known_slopes(op, arguments)) return result;
-                return by_differences([&](const Values& values) { return value(op, values); }, arguments);
-        }
+        if (op == Op::if_else) return **arguments[cln::minusp((*arguments[0])->value) ? 2 : 1];
+        if (op == Op::min || op == Op::max) return extreme(op == Op::min, **arguments[0], **arguments[1]);
+        if (const MaybeExact result = by_exact_slopes(op, arguments)) return result;
+        if (const MaybeExact result = by_known_slopes(op, arguments)) return result;
+        return by_differences([&](const Values& values) { return value(op, values); }, arguments);
     } catch (const std::exception&) {  // a pole
         return std::nullopt;
     }

@@ -49,6 +49,8 @@ private:
     using At = std::function<std::optional<cln::cl_R>(const Values&)>;
     std::optional<cln::cl_R> value(Op op, const Values& arguments) const;
     MaybeExact by_differences(const At& at, const std::vector<const MaybeExact*>& arguments, bool is_smooth = false) const;
+    static ExactNumber extreme(bool is_smaller, const ExactNumber& x, const ExactNumber& y);
+    MaybeExact by_exact_slopes(Op op, const std::vector<const MaybeExact*>& arguments) const;
     MaybeExact by_known_slopes(Op op, const std::vector<const MaybeExact*>& arguments) const;
 
     int digits_;

@@ -8,6 +8,7 @@
 
 #include "graph/angle_sums.hpp"
 #include "symbolic/heat_formulas.hpp"
+#include "language/vocabulary.hpp"
 
 namespace dalembert {
 
@@ -119,8 +120,10 @@ std::string Notation::atom(const Atom& a, const Atoms& atoms) const {
     if (style_ == Style::text) return fmt::format("{}({})", name_of(a.op), fmt::join(arguments, ", "));
     const ScalarFunction& function = scalar_function(a.op);
     const std::string inside = fmt::format("{}", fmt::join(arguments, ", "));
-    return function.latex != nullptr ? fmt::format(fmt::runtime(function.latex), inside)
-                                     : fmt::format("\\operatorname{{{}}}\\left({}\\right)", function.name, inside);
+    if (function.latex != nullptr) return fmt::format(fmt::runtime(function.latex), inside);
+    const FunctionSpec* word = find_function(function.name);
+    const bool has_command = word != nullptr && word->latex != nullptr;
+    return fmt::format("{}\\left({}\\right)", has_command ? word->latex : fmt::format("\\operatorname{{{}}}", function.name), inside);
 }
 
 namespace {

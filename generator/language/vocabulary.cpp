@@ -11,23 +11,23 @@ namespace {
 using U = UnitRule;
 
 constexpr std::array function_table{
-    FunctionSpec{"sin", "x", U::dimensionless, "sine"},
-    FunctionSpec{"cos", "x", U::dimensionless, "cosine"},
-    FunctionSpec{"tan", "x", U::dimensionless, "tangent"},
-    FunctionSpec{"asin", "x", U::dimensionless, "arc sine"},
-    FunctionSpec{"acos", "x", U::dimensionless, "arc cosine"},
-    FunctionSpec{"atan", "x", U::dimensionless, "arc tangent"},
+    FunctionSpec{"sin", "x", U::dimensionless, "sine", "\\sin"},
+    FunctionSpec{"cos", "x", U::dimensionless, "cosine", "\\cos"},
+    FunctionSpec{"tan", "x", U::dimensionless, "tangent", "\\tan"},
+    FunctionSpec{"asin", "x", U::dimensionless, "arc sine", "\\arcsin"},
+    FunctionSpec{"acos", "x", U::dimensionless, "arc cosine", "\\arccos"},
+    FunctionSpec{"atan", "x", U::dimensionless, "arc tangent", "\\arctan"},
     FunctionSpec{"atan2", "y, x", U::ratio, "angle of the point (x, y)"},
-    FunctionSpec{"sinh", "x", U::dimensionless, "hyperbolic sine"},
-    FunctionSpec{"cosh", "x", U::dimensionless, "hyperbolic cosine"},
-    FunctionSpec{"tanh", "x", U::dimensionless, "hyperbolic tangent"},
-    FunctionSpec{"exp", "x", U::dimensionless, "exponential function"},
-    FunctionSpec{"log", "x", U::dimensionless, "natural logarithm"},
+    FunctionSpec{"sinh", "x", U::dimensionless, "hyperbolic sine", "\\sinh"},
+    FunctionSpec{"cosh", "x", U::dimensionless, "hyperbolic cosine", "\\cosh"},
+    FunctionSpec{"tanh", "x", U::dimensionless, "hyperbolic tangent", "\\tanh"},
+    FunctionSpec{"exp", "x", U::dimensionless, "exponential function", "\\exp"},
+    FunctionSpec{"log", "x", U::dimensionless, "natural logarithm", "\\ln"},
     FunctionSpec{"sqrt", "x", U::square_root, "square root"},
     FunctionSpec{"abs", "x", U::same, "absolute value"},
     FunctionSpec{"sign", "x", U::sign, "-1, 0 or 1: the sign of x"},
-    FunctionSpec{"min", "x, y", U::same, "the smaller argument"},
-    FunctionSpec{"max", "x, y", U::same, "the larger argument"},
+    FunctionSpec{"min", "x, y", U::same, "the smaller argument", "\\min"},
+    FunctionSpec{"max", "x, y", U::same, "the larger argument", "\\max"},
     FunctionSpec{"step", "x", U::sign, "1 for x >= 0, else 0"},
     FunctionSpec{"ramp", "x", U::same, "max(x, 0)"},
     FunctionSpec{"pulse", "x, width", U::ratio, "1 for 0 <= x < width, else 0"},
@@ -424,6 +424,12 @@ auto find_in(const Table& table, std::string_view name) -> decltype(table.data()
 
 std::span<const FunctionSpec> functions() { return function_table; }
 const FunctionSpec* find_function(std::string_view name) { return find_in(function_table, name); }
+const FunctionSpec* find_function_of_latex(std::string_view command) {
+    const auto found = std::find_if(function_table.begin(), function_table.end(), [&](const FunctionSpec& one) {
+        return one.latex != nullptr && (one.latex + 1 == command || one.name == command);
+    });
+    return found == function_table.end() ? nullptr : &*found;
+}
 const SubscriptSpec& subscript(Subscript which) {
     for (const SubscriptSpec& spec : subscript_table)
         if (spec.subscript == which) return spec;

@@ -28,6 +28,7 @@ struct FunctionSpec {
     std::string_view arguments;  ///< their names, separated by ", "
     UnitRule units;
     const char* doc;
+    const char* latex = nullptr;  ///< the command of LaTeX; null: it has none
 
     std::size_t count() const { return static_cast<std::size_t>(std::count(arguments.begin(), arguments.end(), ',')) + 1; }
 };
@@ -36,6 +37,8 @@ std::span<const FunctionSpec> functions();
 /// Of the result and of the arguments: "all the same"
 const char* describe(UnitRule rule);
 const FunctionSpec* find_function(std::string_view name);
+/// By its command, without the backslash, or by its name, of those that have a command.
+const FunctionSpec* find_function_of_latex(std::string_view command);
 
 /// What stands in the brackets behind a derived quantity.
 enum class Subscript {

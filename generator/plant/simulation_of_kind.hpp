@@ -12,6 +12,7 @@
 #include <dalembert/plant_system.hpp>
 #include <dalembert/run_program.hpp>
 
+#include "plant/methods.hpp"
 #include "plant/simulation.hpp"
 
 namespace dalembert {
@@ -41,7 +42,7 @@ public:
         for (std::size_t i = 0; i < run_.start.size(); ++i) x[run_.places[i]] = run_.start[i];
         result_.recording = empty_recording();
         typename Running::Options options;
-        options.method = method_named(run_.method);
+        options.method = method_named(run_.method).method;
         dalembert::detail::set_run(options, system_, inputs_, x, run_.tolerance, run_.step, run_.intervals, run_.until, energy(x));
         if (run_.steps_freely) options.max_step = 0;
         options.kinks = run_.kinks;
@@ -69,21 +70,6 @@ private:
         typename System::Input u;
         std::copy(run.held_inputs.begin(), run.held_inputs.end(), u.begin());
         return u;
-    }
-
-    static Method method_named(const std::string& name) {
-        static const std::map<std::string, Method> methods{{"automatic", Method::automatic},
-                                                           {"euler", Method::euler},
-                                                           {"rk4", Method::rk4},
-                                                           {"dopri5", Method::dopri5},
-                                                           {"dopri5_controlled", Method::dopri5_controlled},
-                                                           {"dop853", Method::dop853},
-                                                           {"fehlberg78", Method::fehlberg78},
-                                                           {"bulirsch_stoer", Method::bulirsch_stoer},
-                                                           {"symplectic", Method::symplectic},
-                                                           {"rodas5p", Method::rodas5p},
-                                                           {"taylor", Method::taylor}};
-        return methods.at(name);
     }
 
     double energy(const State& x) const {

@@ -2,25 +2,30 @@
 // Functions with a name: \sin^2 x, \ln(...), \operatorname{sign}(v), \min\{a, b\}, \nabla.
 #include <fmt/format.h>
 
+#include "language/vocabulary.hpp"
 #include "printed/latex_parser.hpp"
 
 namespace dalembert {
 
 namespace {
 
-/// What each is in the model language; "1/tan" is one over it.
-const std::map<std::string, std::string, std::less<>> function_names{
-    {"sin", "sin"},        {"cos", "cos"},        {"tan", "tan"},        {"arcsin", "asin"},      {"arccos", "acos"},
-    {"arctan", "atan"},    {"asin", "asin"},      {"acos", "acos"},      {"atan", "atan"},        {"sinh", "sinh"},
-    {"cosh", "cosh"},      {"tanh", "tanh"},      {"sinc", "sinc"},      {"exp", "exp"},          {"ln", "log"},
-    {"log", "log"},        {"lg", "lg"},          {"cot", "1/tan"},      {"coth", "1/tanh"},      {"sec", "1/cos"},
-    {"csc", "1/sin"},      {"sign", "sign"},      {"sgn", "sign"},       {"signum", "sign"},      {"det", "determinant"},
-    {"tr", "trace"},       {"trace", "trace"},    {"diag", "diag"},      {"grad", "gradient"},    {"div", "divergence"},
-    {"rot", "curl"},       {"curl", "curl"},      {"min", "min"},        {"max", "max"},          {"abs", "abs"},
-    {"sqrt", "sqrt"},      {"atan2", "atan2"},    {"arctan2", "atan2"},  {"artanh", "artanh"},    {"arsinh", "arsinh"},
-    {"arcosh", "arcosh"},  {"atanh", "artanh"},   {"asinh", "arsinh"},   {"acosh", "arcosh"},     {"argmin", "argmin"},
-    {"argmax", "argmax"},  {"arg min", "argmin"}, {"arg max", "argmax"}, {"arg\\,min", "argmin"}, {"arg\\,max", "argmax"},
-    {"arctanh", "artanh"}, {"arcsinh", "arsinh"}, {"arccosh", "arcosh"}};
+/// Besides those of the vocabulary; "1/tan" is one over it.
+const std::map<std::string, std::string, std::less<>> other_names{
+    {"sinc", "sinc"},       {"lg", "lg"},            {"cot", "1/tan"},       {"coth", "1/tanh"},
+    {"sec", "1/cos"},       {"csc", "1/sin"},        {"sign", "sign"},        {"sgn", "sign"},        {"signum", "sign"},
+    {"det", "determinant"}, {"tr", "trace"},         {"trace", "trace"},      {"diag", "diag"},       {"grad", "gradient"},
+    {"div", "divergence"},  {"rot", "curl"},         {"curl", "curl"},        {"abs", "abs"},         {"sqrt", "sqrt"},
+    {"atan2", "atan2"},     {"arctan2", "atan2"},    {"artanh", "artanh"},    {"arsinh", "arsinh"},   {"arcosh", "arcosh"},
+    {"atanh", "artanh"},    {"asinh", "arsinh"},     {"acosh", "arcosh"},     {"argmin", "argmin"},   {"argmax", "argmax"},
+    {"arg min", "argmin"},  {"arg max", "argmax"},   {"arg\\,min", "argmin"}, {"arg\\,max", "argmax"}, {"arctanh", "artanh"},
+    {"arcsinh", "arsinh"},  {"arccosh", "arcosh"}};
+
+/// What a printed name is in the model language; empty: no function.
+std::string function_name(std::string_view printed) {
+    if (const auto other = other_names.find(printed); other != other_names.end()) return other->second;
+    const FunctionSpec* function = find_function_of_latex(printed);
+    return function != nullptr ? function->name : "";
+}
 
 /// What \sin^{-1} may mean.
 const std::map<std::string, std::string, std::less<>> inverse_names{{"sin", "\\arcsin"},
@@ -58,8 +63,8 @@ std::string bare(const LatexToken& t) { return t.kind == LatexToken::Kind::comma
 }  // namespace
 
 bool LatexParser::is_function(const LatexToken& t) const {
-    return (t.kind == LatexToken::Kind::command && t.text.size() > 1 && function_names.contains(std::string_view(t.text).substr(1))) ||
-           (t.kind == LatexToken::Kind::upright && function_names.contains(t.text));
+    return (t.kind == LatexToken::Kind::command && t.text.size() > 1 && !function_name(std::string_view(t.text).substr(1)).empty()) ||
+           (t.kind == LatexToken::Kind::upright && !function_name(t.text).empty());
 }
 
 /// Brackets hold the whole argument; without them note [how a product is read].
@@ -133,7 +138,7 @@ ExpressionPtr LatexParser::function() {
     const std::size_t first = at_;
     const std::string arg = take("\\arg") ? "arg" : "";
     const std::string printed = arg + bare(next());
-    std::string name = function_names.find(printed)->second;
+    std::string name = function_name(printed);
     if (name.starts_with("arg") || ((name == "min" || name == "max" || name == "inf" || name == "sup") && is("_")))
         return extremum_over(name, first);
     if (name == "min" || name == "max") return extremum(name, first);

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "language/expression_text.hpp"
+#include "language/vocabulary.hpp"
 #include "printed/latex_letter.hpp"
 
 namespace dalembert {
@@ -31,10 +32,11 @@ Binding binding(const Expression& e) {
     }
 }
 
-const std::map<std::string, std::string, std::less<>> function_commands{
-    {"sin", "\\sin"},     {"cos", "\\cos"},   {"tan", "\\tan"},   {"asin", "\\arcsin"}, {"acos", "\\arccos"},
-    {"atan", "\\arctan"}, {"sinh", "\\sinh"}, {"cosh", "\\cosh"}, {"tanh", "\\tanh"},   {"exp", "\\exp"},
-    {"log", "\\ln"},      {"min", "\\min"},   {"max", "\\max"}};
+/// Of LaTeX, for a function of the model language; empty where it has none.
+std::string command_of(std::string_view function) {
+    const FunctionSpec* known = find_function(function);
+    return known != nullptr && known->latex != nullptr ? known->latex : "";
+}
 
 /// Line breaks, comments, repeated blanks, and the alignment of lines say nothing; '&' and '\\\\' of a matrix or of cases do.
 std::string on_one_line(std::string_view text) {
@@ -258,11 +260,11 @@ std::string LatexText::made(const Expression& e) const {
         case Kind::call: {
             if (e.name == "dot" || e.name == "ddot") return "\\" + e.name + "{" + part(0, as_primary) + "}";
             if (e.name == "sqrt") return "\\sqrt{" + part(0, as_sum) + "}";
-            const auto command = function_commands.find(e.name);
-            if (command == function_commands.end() || e.children.size() != 1) throw NotSpelled();
+            const std::string command = command_of(e.name);
+            if (command.empty() || e.children.size() != 1) throw NotSpelled();
             const Expression& x = *e.children[0];
             const bool is_short = x.kind == Kind::name || x.kind == Kind::number;
-            return is_short ? command->second + " " + part(0, as_primary) : command->second + text_of(x, as_primary + 1);
+            return is_short ? command + " " + part(0, as_primary) : command + text_of(x, as_primary + 1);
         }
         case Kind::sum: break;
     }
@@ -323,9 +325,9 @@ std::optional<std::string> LatexText::mended(std::size_t which, const Slip& slip
         for (const auto& [old_dots, new_dots] : {std::pair("\\dot", "\\ddot"), std::pair("\\ddot", "\\dot")})
             if (from.name == old_dots + 1 && to.name == new_dots + 1 && own.text().starts_with(old_dots))
                 if (auto result = with({own.source, own.begin, own.begin + std::string_view(old_dots).size()}, new_dots)) return result;
-        const auto old_name = function_commands.find(from.name), new_name = function_commands.find(to.name);
-        if (old_name != function_commands.end() && new_name != function_commands.end() && own.text().starts_with(old_name->second))
-            if (auto result = with({own.source, own.begin, own.begin + old_name->second.size()}, new_name->second)) return result;
+        const std::string old_name = command_of(from.name), new_name = command_of(to.name);
+        if (!old_name.empty() && !new_name.empty() && own.text().starts_with(old_name))
+            if (auto result = with({own.source, own.begin, own.begin + old_name.size()}, new_name)) return result;
     }
     // The minus stands before all that the first factor begins: before "\frac" for that above it.
     if (from.kind == Kind::negate && from.children[0] == slip.mended && own.text().starts_with('-'))

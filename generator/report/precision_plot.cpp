@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "elements/methods.hpp"
+#include "plant/methods.hpp"
 #include "text/gnuplot.hpp"
 
 namespace dalembert {

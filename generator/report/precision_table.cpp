@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "graph/separable.hpp"
-#include "elements/methods.hpp"
+#include "plant/methods.hpp"
 
 namespace dalembert {
 

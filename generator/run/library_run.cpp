@@ -16,7 +16,7 @@
 #include <optional>
 #include <string_view>
 
-#include "elements/methods.hpp"
+#include "plant/methods.hpp"
 #include "plant/library.hpp"
 #include "text/diagnostic.hpp"
 #include "text/guardian.hpp"

@@ -11,7 +11,7 @@
 #include "form/input_kinks.hpp"
 #include "graph/separable.hpp"
 #include "scene/choose_effects.hpp"
-#include "elements/methods.hpp"
+#include "plant/methods.hpp"
 #include "language/parser.hpp"
 #include "check/written_values.hpp"
 #include "text/budgets.hpp"

@@ -10,7 +10,7 @@
 
 #include "run/closed_forms.hpp"
 #include "run/run_header.hpp"
-#include "elements/methods.hpp"
+#include "plant/methods.hpp"
 
 namespace dalembert {
 

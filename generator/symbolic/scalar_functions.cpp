@@ -29,6 +29,12 @@ using Cost = Row::Cost;
 using Both = std::pair<ex, ex>;
 using Rule = std::optional<SeriesRule>;
 constexpr auto no_slope = [](const ex&, const ex&) -> ex { return 0; };
+using Real = cln::cl_R;
+using Reals = std::vector<Real>;
+using MaybeReal = std::optional<Real>;
+using Doubles = std::vector<double>;
+double as_double(const Real& x) { return cln::double_approx(x); }
+constexpr auto zero_slope = [](const Reals&, const Real&) { return Doubles{0}; };
 constexpr auto list_of_all = [](const GiNaC::exvector& a) -> ex { return GiNaC::exprseq(a.begin(), a.end()); };
 
 /// In the order of the enumeration. In rules of series, p is the program, z the function itself and `of` its arguments.
@@ -39,23 +45,25 @@ constexpr std::array scalar_functions{
     // Elementary functions.
     Row{.op = Op::sin,
         .name = "sin",
+        .exact = [](const Reals& of, const Real&) -> MaybeReal { return cln::sin(of[0]); },
+        .exact_slopes = [](const Reals& of, const Real&) { return Doubles{as_double(cln::cos(of[0]))}; },
         .serial = serial_of<GiNaC::sin_SERIAL>,
         .slope = [](const ex&, const ex& u) -> ex { return GiNaC::cos(u); },
         .symmetry = Symmetry::odd,
         .cost = Cost::trigonometric,
         .in_library = true,
-        .latex = "\\sin\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.rule({{p.one(), p.function(Op::cos, of), of[0]}});
         }},
     Row{.op = Op::cos,
         .name = "cos",
+        .exact = [](const Reals& of, const Real&) -> MaybeReal { return cln::cos(of[0]); },
+        .exact_slopes = [](const Reals& of, const Real&) { return Doubles{-as_double(cln::sin(of[0]))}; },
         .serial = serial_of<GiNaC::cos_SERIAL>,
         .slope = [](const ex&, const ex& u) -> ex { return -GiNaC::sin(u); },
         .symmetry = Symmetry::even,
         .cost = Cost::trigonometric,
         .in_library = true,
-        .latex = "\\cos\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.rule({{p.minus(), p.function(Op::sin, of), of[0]}});
         }},
@@ -66,7 +74,6 @@ constexpr std::array scalar_functions{
         .symmetry = Symmetry::odd,
         .cost = Cost::trigonometric,
         .in_library = true,
-        .latex = "\\tan\\left({}\\right)",
         .series = [](auto& p, auto z, auto& of) -> Rule {
             return p.rule({{p.one(), p.one_plus(p.square(z)), of[0]}});
         }},
@@ -76,7 +83,6 @@ constexpr std::array scalar_functions{
         .slope = [](const ex&, const ex& u) -> ex { return pow(1 - pow(u, 2), numeric(-1, 2)); },
         .symmetry = Symmetry::odd,
         .in_library = true,
-        .latex = "\\arcsin\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.divided({{p.one(), {}, of[0]}}, p.function(Op::sqrt, {p.one_minus(p.square(of[0]))}));
         }},
@@ -85,7 +91,6 @@ constexpr std::array scalar_functions{
         .serial = serial_of<GiNaC::acos_SERIAL>,
         .slope = [](const ex&, const ex& u) -> ex { return -pow(1 - pow(u, 2), numeric(-1, 2)); },
         .in_library = true,
-        .latex = "\\arccos\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.divided({{p.minus(), {}, of[0]}}, p.function(Op::sqrt, {p.one_minus(p.square(of[0]))}));
         }},
@@ -95,7 +100,6 @@ constexpr std::array scalar_functions{
         .slope = [](const ex&, const ex& u) -> ex { return pow(1 + pow(u, 2), -1); },
         .symmetry = Symmetry::odd,
         .in_library = true,
-        .latex = "\\arctan\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.divided({{p.one(), {}, of[0]}}, p.one_plus(p.square(of[0])));
         }},
@@ -117,7 +121,6 @@ constexpr std::array scalar_functions{
         .slope = [](const ex&, const ex& u) -> ex { return GiNaC::cosh(u); },
         .symmetry = Symmetry::odd,
         .in_library = true,
-        .latex = "\\sinh\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.rule({{p.one(), p.function(Op::cosh, of), of[0]}});
         }},
@@ -127,7 +130,6 @@ constexpr std::array scalar_functions{
         .slope = [](const ex&, const ex& u) -> ex { return GiNaC::sinh(u); },
         .symmetry = Symmetry::even,
         .in_library = true,
-        .latex = "\\cosh\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.rule({{p.one(), p.function(Op::sinh, of), of[0]}});
         }},
@@ -137,16 +139,16 @@ constexpr std::array scalar_functions{
         .slope = [](const ex& f, const ex&) -> ex { return 1 - pow(f, 2); },
         .symmetry = Symmetry::odd,
         .in_library = true,
-        .latex = "\\tanh\\left({}\\right)",
         .series = [](auto& p, auto z, auto& of) -> Rule {
             return p.rule({{p.one(), p.one_minus(p.square(z)), of[0]}});
         }},
     Row{.op = Op::exp,
         .name = "exp",
+        .exact = [](const Reals& of, const Real&) -> MaybeReal { return cln::exp(of[0]); },
+        .exact_slopes = [](const Reals&, const Real& f) { return Doubles{as_double(f)}; },
         .serial = serial_of<GiNaC::exp_SERIAL>,
         .slope = [](const ex& f, const ex&) { return f; },
         .in_library = true,
-        .latex = "\\exp\\left({}\\right)",
         .series = [](auto& p, auto z, auto& of) -> Rule {
             return p.rule({{p.one(), z, of[0]}});
         }},
@@ -155,12 +157,13 @@ constexpr std::array scalar_functions{
         .serial = serial_of<GiNaC::log_SERIAL>,
         .slope = [](const ex&, const ex& u) -> ex { return pow(u, -1); },
         .in_library = true,
-        .latex = "\\ln\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.divided({{p.one(), {}, of[0]}}, of[0]);
         }},
     Row{.op = Op::sqrt,
         .name = "sqrt",
+        .exact = [](const Reals& of, const Real&) { return cln::minusp(of[0]) ? std::nullopt : MaybeReal(cln::sqrt(of[0])); },
+        .exact_slopes = [](const Reals&, const Real& f) { return Doubles{cln::zerop(f) ? 0 : as_double(1 / (2 * f))}; },
         .serial = serial_of<norm_SERIAL>,
         .applied = [](const GiNaC::exvector& a) -> ex { return GiNaC::sqrt(a[0]); },
         .slope = [](const ex&, const ex& u) -> ex { return inverse_norm(u) / 2; },
@@ -188,8 +191,14 @@ constexpr std::array scalar_functions{
         .series = [](auto& p, auto, auto& of) -> Rule {
             return p.rule({{p.fixed_function(Op::sign, of), {}, of[0]}});
         }},
-    Row{.op = Op::sign, .name = "sign", .serial = serial_of<sign_of_SERIAL>, .slope = no_slope, .symmetry = Symmetry::odd, .jumps = true},
-    Row{.op = Op::step, .name = "step", .serial = serial_of<unit_step_SERIAL>, .slope = no_slope, .jumps = true},
+    Row{.op = Op::sign,
+        .name = "sign",
+        .exact_slopes = zero_slope,
+        .serial = serial_of<sign_of_SERIAL>,
+        .slope = no_slope,
+        .symmetry = Symmetry::odd,
+        .jumps = true},
+    Row{.op = Op::step, .name = "step", .exact_slopes = zero_slope, .serial = serial_of<unit_step_SERIAL>, .slope = no_slope, .jumps = true},
     Row{.op = Op::min,
         .name = "min",
         .serial = serial_of<minimum_SERIAL>,
@@ -198,7 +207,6 @@ constexpr std::array scalar_functions{
                 return Both{unit_step(b - a), unit_step(a - b)};
             },
         .symmetry = Symmetry::symmetric,
-        .latex = "\\min\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule { return p.smaller(of[0], of[1], of[0], of[1]); }},
     Row{.op = Op::max,
         .name = "max",
@@ -208,7 +216,6 @@ constexpr std::array scalar_functions{
                 return Both{unit_step(a - b), unit_step(b - a)};
             },
         .symmetry = Symmetry::symmetric,
-        .latex = "\\max\\left({}\\right)",
         .series = [](auto& p, auto, auto& of) -> Rule { return p.smaller(of[0], of[1], of[1], of[0]); }},
     // Exponentials and logarithms that keep digits.
     Row{.op = Op::expm1,
@@ -350,11 +357,22 @@ constexpr std::array scalar_functions{
     Row{.op = Op::element, .name = "element", .cost = Cost::nothing},
     Row{.op = Op::independent_inverse,
         .name = "independent_inverse",
+        // What the emitted code takes for rounding is far more than what is left here.
+        .exact = [](const Reals& of, const Real& tiny) -> MaybeReal {
+            return cln::abs(of[0]) <= cln::abs(of[1]) * tiny ? Real(0) : Real(1 / of[0]);
+        },
+        .exact_slopes = [](const Reals&, const Real& f) { return Doubles{-as_double(cln::square(f)), 0}; },
         .applied = [](const GiNaC::exvector& a) -> ex { return 1 / a[0]; },
         .cost = Cost::division},  // of constraints that are independent
     Row{.op = Op::in_column, .name = "in_column", .cost = Cost::nothing},
     Row{.op = Op::power,
         .name = "power",
+        // Differences would take the power, which is slow, twice more for each argument.
+        .exact_slopes =
+            [](const Reals& of, const Real& f) {
+                if (!cln::plusp(of[0])) return Doubles{};
+                return Doubles{as_double(of[1] * f / of[0]), as_double(cln::realpart(cln::log(of[0])) * f)};
+            },
         .applied = [](const GiNaC::exvector& a) -> ex { return pow(a[0], a[1]); },
         .in_library = true,
         .series = [](auto& p, auto z, auto& of) -> Rule {
@@ -451,6 +469,7 @@ constexpr std::array scalar_functions{
         }},
     Row{.op = Op::floor,
         .name = "floor",
+        .exact_slopes = zero_slope,
         .serial = serial_of<floor_of_SERIAL>,
         .slope = no_slope,
         .jumps = true,

@@ -4,11 +4,14 @@
 // runtimes where languages have none and, where models may call it, a row of language/vocabulary.cpp under the same name.
 #pragma once
 
+#include <cln/real.h>
 #include <ginac/ginac.h>
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "symbolic/series_rules.hpp"
 
@@ -39,6 +42,10 @@ struct ScalarFunction {
 
     Op op;
     const char* name;                        ///< in code, in text and, of what models may call, in the model language
+    /// Its value by CLN, where GiNaC has none or is slow; `tiny`: what is next to nothing beside 1. Nothing: it has no value there.
+    std::optional<cln::cl_R> (*exact)(const std::vector<cln::cl_R>& of, const cln::cl_R& tiny) = nullptr;
+    /// Its derivatives by the arguments, f being its value, where those below are none or slow. Empty: they have no value there.
+    std::vector<double> (*exact_slopes)(const std::vector<cln::cl_R>& of, const cln::cl_R& f) = nullptr;
     unsigned (*serial)() = nullptr;          ///< of GiNaC's function that becomes it; none: it is made by rules of the graph
     GiNaC::ex (*applied)(const GiNaC::exvector& arguments) = nullptr;  ///< where it is not that function of its arguments
     /// Derivatives: f is the whole function. Of more than two arguments there are rules in derivative.cpp.
@@ -51,7 +58,7 @@ struct ScalarFunction {
     bool is_array = false;                   ///< what is computed is an array, of which an atom is one element
     Cost cost = Cost::other;
     bool in_library = false;                 ///< languages bring it along; of others headers bring the text of the runtime
-    const char* latex = nullptr;             ///< with {} for the arguments; none: \operatorname{name}
+    const char* latex = nullptr;             ///< with {} for the arguments; none: as the vocabulary writes it, else \operatorname{name}
     RuleOfSeries series = nullptr;           ///< its Taylor series; none: none is known
 };
 

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The one table of methods of integration, as runs and the command line name them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dalembert/integration_options.hpp"
+
+namespace dalembert {
+
+struct MethodSpec {
+    const char* name;
+    Method method;    ///< of the runtime
+    bool needs_step;  ///< a fixed one
+    const char* what;
+};
+
+inline constexpr std::array methods_of_integration{
+    MethodSpec{"automatic", Method::automatic, false, "the default: dopri5 or dop853, and rodas5p while the problem is stiff"},
+    MethodSpec{"dopri5", Method::dopri5, false, ""},
+    MethodSpec{"dop853", Method::dop853, false, "for tight tolerances"},
+    MethodSpec{"rodas5p", Method::rodas5p, false, "for stiff problems"},
+    MethodSpec{"taylor", Method::taylor, false, "series of the motion, for smooth motion at tight tolerances"},
+    MethodSpec{"fehlberg78", Method::fehlberg78, false, ""},
+    MethodSpec{"bulirsch_stoer", Method::bulirsch_stoer, false, "for smooth motion"},
+    MethodSpec{"euler", Method::euler, true, ""},
+    MethodSpec{"rk4", Method::rk4, true, ""},
+    MethodSpec{"symplectic", Method::symplectic, true, "for accelerations that depend on coordinates alone"},
+};
+
+/// Throws std::logic_error where there is none of that name.
+inline const MethodSpec& method_named(std::string_view name) {
+    const auto found = std::find_if(methods_of_integration.begin(), methods_of_integration.end(),
+                                    [&](const MethodSpec& method) { return method.name == name; });
+    if (found == methods_of_integration.end()) throw std::logic_error("no method of that name: " + std::string(name));
+    return *found;
+}
+
+inline std::vector<std::string> method_names() {
+    std::vector<std::string> names;
+    for (const MethodSpec& method : methods_of_integration) names.emplace_back(method.name);
+    return names;
+}
+
+inline bool needs_step(std::string_view name) { return method_named(name).needs_step; }
+
+/// " (for tight tolerances)", " (fixed step)", or nothing.
+inline std::string described(const MethodSpec& method) {
+    const std::string what = method.what + std::string(method.needs_step ? (*method.what != '\0' ? "; fixed step" : "fixed step") : "");
+    return what.empty() ? "" : " (" + what + ")";
+}
+
+/// "dopri5, dop853 (for tight tolerances), ..., rk4 (fixed step)"
+inline std::string methods_text() {
+    std::string text;
+    for (const MethodSpec& method : methods_of_integration)
+        text += (text.empty() ? "" : ", ") + std::string(method.name) + described(method);
+    return text;
+}
+
+}  // namespace dalembert
