@@ -46,8 +46,7 @@ RandomPoints::RandomPoints(const System& system) {
     const GiNaC::exmap at_start = defaults.substitution();
     for (const SymbolKind kind :
          {SymbolKind::parameter, SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state,
-          SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier, SymbolKind::multiplier_rate, SymbolKind::residual,
-          SymbolKind::costate, SymbolKind::adjoint}) {
+          SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier, SymbolKind::multiplier_rate, SymbolKind::residual}) {
         for (const Variable& variable : system.symbols.all(kind)) {
             // Without a declared range: around the default of a parameter, around zero for what moves or has none. Coordinates and letters
             // go beyond pi, so that asin(sin(phi)) is not taken for phi.
@@ -100,17 +99,25 @@ RandomPoints::RandomPoints(const System& system) {
             }
     }
     for (const CellSum& sum : system.cell_sums) intervals_.push_back({sum.letter, Rational(250), Rational(600)});
+    for (const SymbolKind kind : {SymbolKind::costate, SymbolKind::adjoint})
+        for (const Variable& variable : system.symbols.all(kind)) factors_.push_back(variable.symbol);
 }
 
-Rational RandomPoints::fraction() {
+Rational RandomPoints::fraction(std::uint64_t& state) {
     // Strictly inside: at the ends of a range an expression may have no value.
-    return Rational(cln::cl_I(static_cast<unsigned long>(next_word(state_) >> 40U)) + 1) / ((1UL << 24U) + 1);
+    return Rational(cln::cl_I(static_cast<unsigned long>(next_word(state) >> 40U)) + 1) / ((1UL << 24U) + 1);
+}
+
+/// From numbers of their own: what else is drawn does not depend on how many there are.
+void RandomPoints::add_factors(Point& point) {
+    for (const ex& factor : factors_) point.emplace_back(factor, 2 * fraction(state_of_factors_) - 1);
 }
 
 Point RandomPoints::next() {
     Point point;
     for (const Interval& interval : intervals_)
-        point.emplace_back(interval.letter, interval.low + (interval.high - interval.low) * fraction());
+        point.emplace_back(interval.letter, interval.low + (interval.high - interval.low) * fraction(state_));
+    add_factors(point);
     return point;
 }
 
@@ -119,13 +126,14 @@ Point RandomPoints::next_wide() {
     Point point;
     for (const Interval& interval : intervals_) {
         if (!interval.is_free) {
-            point.emplace_back(interval.letter, interval.low + (interval.high - interval.low) * fraction());
+            point.emplace_back(interval.letter, interval.low + (interval.high - interval.low) * fraction(state_));
             continue;
         }
         const std::uint64_t word = next_word(state_);
-        const Rational size = sizes[(word >> 40U) % sizes.size()] * fraction();
+        const Rational size = sizes[(word >> 40U) % sizes.size()] * fraction(state_);
         point.emplace_back(interval.letter, cln::minusp(interval.low) && (word >> 63U) != 0 ? Rational(-size) : size);
     }
+    add_factors(point);
     return point;
 }
 

@@ -37,10 +37,12 @@ public:
     const std::vector<Interval>& intervals() const { return intervals_; }
 
 private:
-    Rational fraction();
+    static Rational fraction(std::uint64_t& state);
+    void add_factors(Point& point);
 
     std::vector<Interval> intervals_;
-    std::uint64_t state_ = 0x9E3779B97F4A7C15ULL;
+    std::vector<GiNaC::ex> factors_;  ///< of second derivatives
+    std::uint64_t state_ = 0x9E3779B97F4A7C15ULL, state_of_factors_ = 0xD1B54A32D192ED03ULL;
 };
 
 /// The value computed with so many digits; nothing where it does not exist or is not real.

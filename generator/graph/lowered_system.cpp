@@ -55,7 +55,10 @@ public:
         canonicalise(l);
         if (!rewrites) return l;
         // Behind it, because what is computed in double depends on the order of terms, and GiNaC's is another one on every run.
+        LoweredSystem::Second second = std::move(l.second);  // in letters that points for rewriting have no values of
+        l.second = {};
         rewrite(l);
+        l.second = std::move(second);
         canonicalise(l);
         return l;
     }

@@ -42,8 +42,7 @@ std::vector<const Variable*> scalars(const Symbols& symbols) {
     std::vector<const Variable*> variables;
     for (const SymbolKind kind :
          {SymbolKind::parameter, SymbolKind::time, SymbolKind::input, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state,
-          SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier, SymbolKind::multiplier_rate, SymbolKind::residual,
-          SymbolKind::costate, SymbolKind::adjoint})
+          SymbolKind::acceleration, SymbolKind::state_rate, SymbolKind::multiplier, SymbolKind::multiplier_rate, SymbolKind::residual})
         for (const Variable& variable : symbols.all(kind)) variables.push_back(&variable);
     return variables;
 }

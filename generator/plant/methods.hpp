@@ -2,14 +2,14 @@
 // The one table of methods of integration, as runs and the command line name them.
 #pragma once
 
+#include <dalembert/integration_options.hpp>
+
 #include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "dalembert/integration_options.hpp"
 
 namespace dalembert {
 
