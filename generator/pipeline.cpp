@@ -180,10 +180,12 @@ bool all_derivations_proven(const Machine& machine) {
 void check_wishes(const Machine& machine) {
     for (const Function function : machine.wished) {
         if (machine.fields)
-            refuse_wish(machine, function, "has rods with cells in loops, and each function has a loop of its own; a smaller size has code for each cell");
+            refuse_wish(machine, function,
+                        "has rods with cells in loops, and each function has a loop of its own; a smaller size has code for each cell");
         if (!machine.code->wished.contains(function))
             refuse_wish(machine, function,
-                        "has many bodies, whose motion is solved for in loops; second derivatives are made only where the solve is written out");
+                        "has many bodies, whose motion is solved for in loops; second derivatives are made only where the solve is "
+                        "written out");
     }
 }
 
@@ -191,7 +193,8 @@ std::unique_ptr<Code> code_of(const Machine& machine, const CodeWish& wish) {
     const std::size_t parts = wish.functions.contains(Function::hessian) ? parts_of_motion(*machine.system) : 0;
     if (parts > budget::hessian_parts)
         refuse_wish(machine, Function::hessian,
-                    fmt::format("has equations of motion of {} parts; second derivatives are made of up to {}", parts, budget::hessian_parts));
+                    fmt::format("has equations of motion of {} parts; second derivatives are made of up to {}", parts,
+                                budget::hessian_parts));
     try {
         return make_code(*machine.system, wish);
     } catch (const NoDerivative& missing) {

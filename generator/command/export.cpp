@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/export.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "command/write_result.hpp"
 #include "export/plant_in_c.hpp"
 #include "export/target.hpp"
-#include "prove/constraint_validity.hpp"
 #include "form/state_places.hpp"
+#include "prove/constraint_validity.hpp"
 #include "run/plant_run.hpp"
 #include "run/settings.hpp"
 #include "run/shared.hpp"
@@ -24,6 +26,16 @@ std::vector<double> start_values(const System& system) {
     const StatePlaces places = place_states(system);
     const std::vector<double> state = numbers_of(values.state());
     std::vector<double> x(places.count, 0);
+    const GiNaC::exmap known = values.substitution();
+    for (std::size_t r = 0; r < system.heat.fields.size(); ++r) {
+        const RodField& rod = system.heat.fields[r];
+        const GiNaC::ex start = system.symbols.without_definitions(rod.start).subs(known, GiNaC::subs_options::no_pattern);
+        std::vector<GiNaC::ex> cells;
+        for (std::size_t k = 0; k < rod.geometry.cells(); ++k)
+            cells.push_back(start.subs(rod.number == rod.first_index + static_cast<int>(k), GiNaC::subs_options::no_pattern));
+        const std::vector<double> numbers = numbers_of(cells);
+        std::copy(numbers.begin(), numbers.end(), x.begin() + static_cast<std::ptrdiff_t>(places.firsts[r]));
+    }
     for (std::size_t i = 0; i < state.size(); ++i) x[places.positions[i]] = state[i];
     return x;
 }
@@ -51,6 +63,14 @@ Header generate_with_hessian(Machine& machine, std::string& why_not) {
     return generate(machine);
 }
 
+/// Throws Failure for a mode that there is not, or a target that takes all.
+void check_mode(const Machine& machine, const Target& target, const Options& options) {
+    in_chosen_mode(machine, options);
+    if (!target.takes_mode)
+        throw Failure(Diagnostic{Id::bad_option, machine.loaded->model.name_span,
+                                 fmt::format("--mode: '{}' takes a machine in all its modes; leave the option out", target.name)});
+}
+
 }  // namespace
 
 ExitCode export_command(const Options& options, Streams streams) {
@@ -61,6 +81,7 @@ ExitCode export_command(const Options& options, Streams streams) {
     show_warnings(machine, streams);
     show_doubts(machine, streams);
     refuse_rest(*machine.system, "export");
+    if (!options.mode.empty()) check_mode(machine, target, options);
     ask_of_code(machine, options);
     machine.language = &language_named("c");
     std::string no_hessian;
@@ -68,7 +89,9 @@ ExitCode export_command(const Options& options, Streams streams) {
     ExportSubject subject = subject_of_export(machine, header);
     subject.no_hessian = no_hessian;
     Exported exported = target.make(subject, {options.sources_only, options.mode});
-    ExportResult result{subject_of(machine.system->scene), target.name, proofs_of(machine).all_proven(), {}, std::move(exported.notes)};
+    Subject whole = subject_of(machine.system->scene);
+    whole.mode = options.mode;  // of a machine that switches all modes are exported, unless one is chosen
+    ExportResult result{std::move(whole), target.name, proofs_of(machine).all_proven(), {}, std::move(exported.notes)};
     for (auto& [path, content] : exported.files) {
         path = options.output / path;
         result.files.push_back({path, content.size()});

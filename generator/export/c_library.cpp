@@ -25,7 +25,8 @@ std::string called(const std::vector<std::string>& command, const std::string& r
         fail(fmt::format("the compiler '{}' cannot be started; set CC to a C compiler (on Debian: apt-get install gcc), or write the sources "
                          "alone with `--sources-only`",
                          command.front()));
-    if (result.exit_code != 0) fail(fmt::format("the compiler '{}' refuses {}: {}", command.front(), refused, complaint(result.errors)));
+    if (result.exit_code != 0)
+        fail(fmt::format("the compiler '{}' refuses {}: {}", command.front(), refused, complaint(result.errors)));
     return result.output;
 }
 
@@ -68,8 +69,9 @@ std::string c_library(const FileContents& files, const std::string& main_file, s
     for (const auto& [path, content] : files) sources.emplace_back(folder / path, content);
     write_files(sources);
     // Nothing in the library tells where it was made.
-    for (const std::vector<std::string>& options : {c_library_options(), {fmt::format("-ffile-prefix-map={}=.", folder.string()), "-o", library.string(),
-                                                                          (folder / main_file).string(), "-lm"}})
+    const std::vector<std::string> places{fmt::format("-ffile-prefix-map={}=.", folder.string()), "-o", library.string(),
+                                          (folder / main_file).string(), "-lm"};
+    for (const std::vector<std::string>& options : {c_library_options(), places})
         compiler.insert(compiler.end(), options.begin(), options.end());
     called(compiler, fmt::format("the exported file '{}'", main_file));
     return read_file(library);

@@ -43,21 +43,13 @@ bool has_time(const ExportSubject& subject) {
 
 /// "NAME_m_MODE, ", an argument; empty where the machine does not switch.
 std::string mode_argument(const ExportSubject& subject, const ExportWish& wish, const char* tool) {
-    const auto fail = [](std::string message) { throw Failure(Diagnostic{Id::bad_option, {}, std::move(message)}); };
-    if (!subject.plant.modes) {
-        if (!wish.mode.empty())
-            fail(fmt::format("the scene '{}' of '{}' has no modes, so `--mode {}` chooses none of them", subject.plant.scene,
-                             subject.plant.model, wish.mode));
-        return {};
-    }
-    const std::vector<std::string>& modes = subject.plant.modes->modes;
+    if (!subject.plant.modes) return {};
     if (wish.mode.empty())
-        fail(fmt::format("the scene '{}' of '{}' switches between modes, and {} takes functions without events; choose one with `--mode` "
-                         "({}), export to `fmi2` or `fmi3`, or take a scene without switching",
-                         subject.plant.scene, subject.plant.model, tool, fmt::join(modes, ", ")));
-    if (std::find(modes.begin(), modes.end(), wish.mode) == modes.end())
-        fail(fmt::format("the scene '{}' of '{}' has no mode '{}', only {}", subject.plant.scene, subject.plant.model, wish.mode,
-                         fmt::join(modes, ", ")));
+        throw Failure(Diagnostic{
+            Id::bad_option, {},
+            fmt::format("the scene '{}' of '{}' switches between modes, and {} takes functions without events; choose one with `--mode` "
+                        "({}), export to `fmi2` or `fmi3`, or take a scene without switching",
+                        subject.plant.scene, subject.plant.model, tool, fmt::join(subject.plant.modes->modes, ", "))});
     return fmt::format("{}_m_{}, ", subject.name, wish.mode);
 }
 
@@ -101,8 +93,7 @@ private:
 };
 
 std::string matrix(PlantPattern pattern, const std::string& name, const char* by) {
-    // Without columns the starts may be left out.
-    if (pattern.column_starts.empty()) pattern.column_starts.assign(pattern.columns + 1, 0);
+    if (pattern.columns == 0) pattern.column_starts = {0};
     std::vector<std::size_t> numbers{pattern.rows, pattern.columns};
     numbers.insert(numbers.end(), pattern.column_starts.begin(), pattern.column_starts.end());
     numbers.insert(numbers.end(), pattern.row_indices.begin(), pattern.row_indices.end());

@@ -153,11 +153,12 @@ private:
 
     void add(const Row& row) {
         const bool is_number = row.result == nullptr;
-        functions_ += fmt::format(
-            "static {} {}_plant_{}(const void* self, unsigned mode, const double* x, {}double t{}) {{\n{}    {}{}_{}({}, {}x, {}t{});\n}}\n\n",
-            is_number ? "double" : "void", name_, row.member, row.takes_input ? "const double* u, " : "",
-            is_number ? "" : fmt::format(", double* {}", row.result), unused_mode(), is_number ? "return " : "", name_, row.function, self(),
-            mode(), row.takes_input ? "u, " : "", is_number ? "" : fmt::format(", {}", row.result));
+        functions_ += fmt::format("static {} {}_plant_{}(const void* self, unsigned mode, const double* x, {}double t{}) {{\n",
+                                  is_number ? "double" : "void", name_, row.member, row.takes_input ? "const double* u, " : "",
+                                  is_number ? "" : fmt::format(", double* {}", row.result)) +
+                      unused_mode() +
+                      fmt::format("    {}{}_{}({}, {}x, {}t{});\n}}\n\n", is_number ? "return " : "", name_, row.function, self(), mode(),
+                                  row.takes_input ? "u, " : "", is_number ? "" : fmt::format(", {}", row.result));
         member(row.member, fmt::format("{}_plant_{}", name_, row.member));
     }
 
@@ -166,13 +167,14 @@ private:
         const bool is_masked = !p.is_sparse && !p.column_starts.empty() && p.row_indices.size() < p.rows * p.columns;
         if (p.is_sparse || is_masked) {
             const std::string starts = array("size_t", std::string(pattern) + "_starts", texts(p.column_starts), ", ");
-            const std::string indices =
-                array("size_t", std::string(pattern) + "_rows", p.row_indices.empty() ? std::vector<std::string>{"0"} : texts(p.row_indices), ", ");
+            const std::vector<std::string> rows = p.row_indices.empty() ? std::vector<std::string>{"0"} : texts(p.row_indices);
+            const std::string indices = array("size_t", std::string(pattern) + "_rows", rows, ", ");
             member(pattern, fmt::format("{{{}, {}}}", starts, indices));
         }
-        const std::string head =
-            fmt::format("static void {}_plant_{}(const void* self, unsigned mode, const double* x, const double* u, double t, {}double* J) {{\n",
-                        name_, member_name, before.empty() ? "" : "double* dxdt, ");
+        const std::string head = fmt::format(
+            "static void {}_plant_{}(const void* self, unsigned mode, const double* x, const double* u, double t, {}double* J) "
+            "{{\n",
+            name_, member_name, before.empty() ? "" : "double* dxdt, ");
         const auto call = [&](const char* to) {
             return fmt::format("    {}_{}({}, {}x, u, t, {}{});\n", name_, function, self(), mode(), before, to);
         };

@@ -9,7 +9,7 @@
 
 namespace dalembert {
 
-/// The file NAME_plant.h. It defines `static const dalembert_plant* NAME_plant_table(void)`. `start_values` and `parameter_defaults` as numbers.
+/// The file NAME_plant.h. It defines `static const dalembert_plant* NAME_plant_table(void)`.
 std::string plant_in_c(const Plant& plant, const std::string& name, const std::vector<double>& start_values,
                        const std::vector<double>& parameter_defaults);
 

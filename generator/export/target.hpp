@@ -25,7 +25,7 @@ struct ExportSubject {
 /// What the command line asks for besides.
 struct ExportWish {
     bool sources_only = false;
-    std::string mode;  ///< of a machine that switches; empty: all of them
+    std::string mode;  ///< of a machine that switches, which has it; empty: all of them
 };
 
 struct Exported {
@@ -38,6 +38,7 @@ struct Target {
     const char* doc;
     /// Throws Failure for what the tool cannot take.
     Exported (*make)(const ExportSubject& subject, const ExportWish& wish);
+    bool takes_mode = false;     ///< a machine that switches is exported in one mode, which --mode chooses
     bool takes_hessian = false;  ///< the C header gets the function `hessian`, where there can be one
 };
 

@@ -22,7 +22,9 @@ std::size_t parts_of_motion(const System& system) {
 
 SecondPartials second_partials(const System& system) {
     const Symbols& symbols = system.symbols;
-    const auto costate = [&](SymbolKind kind, std::size_t position) { return symbols.get(SymbolKind::costate, symbols.place(kind, position)); };
+    const auto costate = [&](SymbolKind kind, std::size_t position) {
+        return symbols.get(SymbolKind::costate, symbols.place(kind, position));
+    };
     const std::vector<ex> unknowns = system.unknowns();
     SecondPartials result;
     ex rates = 0;  // lambda'f without the accelerations that are solved for

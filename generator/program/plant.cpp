@@ -40,6 +40,15 @@ PlantPattern pattern_of(const PlantPattern& core, const PlantFields& fields) {
     return result;
 }
 
+PlantPattern full_pattern(std::size_t rows, std::size_t columns) {
+    PlantPattern pattern{false, rows, columns, {0}, {}};
+    for (std::size_t c = 0; c < columns; ++c) {
+        for (std::size_t r = 0; r < rows; ++r) pattern.row_indices.push_back(r);
+        pattern.column_starts.push_back(pattern.row_indices.size());
+    }
+    return pattern;
+}
+
 }  // namespace
 
 Plant whole_plant(const Plant& core, const PlantFields& fields) {
@@ -56,8 +65,8 @@ Plant whole_plant(const Plant& core, const PlantFields& fields) {
             cell.name += "[" + std::to_string(rod.first_number + static_cast<int>(k)) + "]";
         }
     whole.by_state = pattern_of(core.by_state, fields);
-    whole.by_input = {false, fields.states, core.inputs.size(), {}, {}};
-    whole.by_parameter = {false, fields.states, core.parameters.size(), {}, {}};
+    whole.by_input = full_pattern(fields.states, core.inputs.size());
+    whole.by_parameter = full_pattern(fields.states, core.parameters.size());
     return whole;
 }
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What is exported for CasADi and acados is the plant that `dalembert compile` makes: every function, in every mode. Its files compile without
 # a warning, for other types of CasADi, too; with FLAGS (sanitizers) if there are any.
-# Needs the program (PROGRAM) and the sources (SOURCE). Arguments: names of models of systems/; all of them if there are none.
+# Needs the program (PROGRAM) and the sources (SOURCE). Arguments: names of models of systems/, or model files; all of systems/ if there are none.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}"
 here=$(mktemp -d)
@@ -13,7 +13,9 @@ warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Wer
 "${CXX:-c++}" -std=c++17 -O1 "${flags[@]}" -Wall -Wextra -Wconversion -Wshadow -I "$SOURCE/runtime" -I "$SOURCE/tests" \
   "$SOURCE/tests/export/functions.cpp" -o "$here/functions" -ldl -pthread
 models=()
-for model in "$@"; do models+=("$SOURCE"/systems/*/"$model".toml); done
+for model in "$@"; do
+  if [ -f "$model" ]; then models+=("$model"); else models+=("$SOURCE"/systems/*/"$model".toml); fi
+done
 [ $# -gt 0 ] || mapfile -t models < <(find "$SOURCE/systems" -name '*.toml' -not -path '*/book/*' -not -path '*/parts/*' | sort)
 count=0 with_second=0
 for model in "${models[@]}"; do

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The table that exports are made of, in C99, is that of `dalembert compile`, in C++: every text and number, and every function bit by bit.
-# Needs the program (PROGRAM) and the sources (SOURCE). Arguments: names of models of systems/; all of them if there are none.
+# Needs the program (PROGRAM) and the sources (SOURCE). Arguments: names of models of systems/, or model files; all of systems/ if there are none.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}"
 here=$(mktemp -d)
@@ -10,7 +10,9 @@ failed() { echo "FAILED: $*"; exit 1; }
 warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror)
 "${CC:-cc}" -std=gnu99 -O1 "${warnings[@]}" -Wno-pedantic -I "$SOURCE/runtime" "$SOURCE/tests/export/tables.c" -o "$here/tables" -ldl -lm
 models=()
-for model in "$@"; do models+=("$SOURCE"/systems/*/"$model".toml); done
+for model in "$@"; do
+  if [ -f "$model" ]; then models+=("$model"); else models+=("$SOURCE"/systems/*/"$model".toml); fi
+done
 [ $# -gt 0 ] || mapfile -t models < <(find "$SOURCE/systems" -name '*.toml' -not -path '*/book/*' -not -path '*/parts/*' | sort)
 count=0
 for model in "${models[@]}"; do
