@@ -31,8 +31,8 @@ nlohmann::ordered_json as_json(const ExportResult& result) {
     nlohmann::ordered_json json = json_result("export", result.subject);
     json["target"] = result.target;
     json["all_proven"] = result.all_proven;
-    json["files"] = nlohmann::ordered_json::array();
-    for (const ExportResult::File& file : result.files) json["files"].push_back({{"path", file.path.string()}, {"bytes", file.bytes}});
+    json["written"] = nlohmann::ordered_json::array();
+    for (const ExportResult::File& file : result.files) json["written"].push_back({{"path", file.path.string()}, {"bytes", file.bytes}});
     json["notes"] = result.notes;
     return json;
 }

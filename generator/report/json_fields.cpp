@@ -159,8 +159,8 @@ constexpr auto of_export = std::to_array<JsonField>({
     {"sizes.<NAME>", "sizes of families"},
     {"target", "tool that the files are for"},
     {"all_proven", "true if all of the code is proven; false if a part is only numerically equal"},
-    {"files[].path", "file that was written"},
-    {"files[].bytes", "its size"},
+    {"written[].path", "file that was written"},
+    {"written[].bytes", "its size in bytes"},
     {"notes[]", "names that were mapped, and what the tool does not see of the model"},
 });
 
