@@ -46,7 +46,8 @@ ExportSubject subject_of_export(const Machine& machine, const Header& header) {
                           parameter_numbers(system, Values(system.scene, system.translate)), {}, {}};
     subject.c_files = {{header.file_name, header.text},
                        {"dalembert_plant.h", std::string(embedded_file("plant.h"))},
-                       {subject.name + "_plant.h", plant_in_c(subject.plant, subject.name, subject.start_values, subject.parameter_defaults)}};
+                       {subject.name + "_plant.h",
+                        plant_in_c(subject.plant, subject.name, subject.start_values, subject.parameter_defaults)}};
     return subject;
 }
 

@@ -22,8 +22,8 @@ std::string called(const std::vector<std::string>& command, const std::string& r
     };
     const ProcessResult result = run_process(command);
     if (result.exit_code == 127)
-        fail(fmt::format("the compiler '{}' cannot be started; set CC to a C compiler (on Debian: apt-get install gcc), or write the sources "
-                         "alone with `--sources-only`",
+        fail(fmt::format("the compiler '{}' cannot be started; set CC to a C compiler (on Debian: apt-get install gcc), or write the "
+                         "sources alone with `--sources-only`",
                          command.front()));
     if (result.exit_code != 0)
         fail(fmt::format("the compiler '{}' refuses {}: {}", command.front(), refused, complaint(result.errors)));

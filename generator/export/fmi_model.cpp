@@ -196,7 +196,7 @@ private:
                                                                {"internal_energy", "J", "internal energy"},
                                                                {"supplied_power", "W", "power that inputs and forces supply"},
                                                                {"dissipated_power", "W", "power that friction and dampers take"},
-                                                               {"prescribed_power", "W", "power of what moves as prescribed"},
+                                                               {"prescribed_power", "W", "power of prescribed motions"},
                                                                {"exchanged_power", "W", "power that flows and heat bring"}};
         for (std::size_t i = 0; i < fmi_energies; ++i)
             add(fmi_energy, i, names[i][0], names[i][2], "local", "continuous", false).unit = names[i][1];

@@ -56,8 +56,8 @@ double held(const Variable& input) {
 
 double end_of(const Description& d) { return d.stop ? std::min(*d.stop, 20.0) : 1.0; }
 
-/// The largest deviation from the fine run, in parts of what is allowed: `tolerance` of the largest value, or so many times what the two
-/// runs differ, where the motion itself magnifies differences.
+/// The largest deviation from the fine run, divided by its limit. The limit is `tolerance` of the largest value or, where the motion itself
+/// magnifies errors, `times` the difference of the fine and the rough run.
 double compare(const Subject& s, const Trajectory& run, const Table& fine, const Table& rough, double tolerance, double times,
                const char* what) {
     const auto names = s.state_names();
@@ -101,7 +101,7 @@ void compare_ends(const Subject& s, const Trajectory& run, const Table& fine, do
     }
 }
 
-/// The largest deviation of the times of changes of mode, in parts of what is allowed. The end of infinitely many bounces is only as good
+/// The largest deviation of the times of changes of mode, divided by its limit. The end of infinitely many bounces is only as good
 /// as the last of them that an importer sees: an FMU cannot go on in time by itself.
 double compare_changes(const Trajectory& run, const Table& events) {
     struct Expected {

@@ -72,7 +72,7 @@ inline bool check_hessian(void* library, const std::string& name, void* of_casad
         const Vector low = gradient(plant, a, lambda), high = gradient(plant, b, lambda);
         for (std::size_t r = 0; r < w; ++r) {
             const double slope = (high[r] - low[r]) / (2 * h), found = H[c * w + r];
-            // Differences lose digits of what is large, and see kinks from both sides.
+            // Differences lose the digits of large values, and see a kink from both sides.
             const double error = 1e-4 * (std::abs(slope) + std::abs(found)) + (1e-13 / h + 1e-9) * std::abs(middle[r]) + 1e-9;
             char text[200];
             std::snprintf(text, sizeof text, "second derivative [%zu, %zu]: %.12g, by differences %.12g", r, c, found, slope);

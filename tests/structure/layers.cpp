@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lower layers of the generator never include higher ones, only those from `symbolic` on know GiNaC, and its files can be compiled together.
+// Lower layers of the generator never include higher ones, only those from `symbolic` on know GiNaC, and its files can be compiled
+// together.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,9 +16,10 @@ namespace fs = std::filesystem;
 namespace {
 
 /// From below. A layer is a folder of `generator` with all its subfolders, or a file beside them.
-const std::vector<std::string> order{"text",    "plant", "language", "elements", "check", "read",  "scene", "printed",  "symbolic", "mechanics", "balance",
-                                     "form",    "prove",    "graph",    "program",  "cpp", "c", "emit", "pipeline", "book",     "run",
-                                     "export", "report",  "reference", "command",  "main"};
+const std::vector<std::string> order{"text",      "plant",   "language", "elements", "check",    "read",  "scene",
+                                     "printed",   "symbolic", "mechanics", "balance", "form",    "prove", "graph",
+                                     "program",   "cpp",     "c",        "emit",     "pipeline", "book",  "run",
+                                     "export",    "report",  "reference", "command", "main"};
 
 std::size_t rank(const std::string& layer) {
     return std::size_t(std::find(order.begin(), order.end(), layer) - order.begin());

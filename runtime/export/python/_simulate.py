@@ -35,7 +35,7 @@ class Event(NamedTuple):
     after: str
 
 
-@dataclass
+@dataclass(repr=False)
 class Result:
     """A run: rows belong to the times t. result["phi"] is a column by the name of a state, output or input."""
 
@@ -56,6 +56,9 @@ class Result:
     rhs_calls: int
     jacobians: int
     implicit_steps: int
+
+    def __repr__(self) -> str:
+        return f"<Result of {self.plant.name}: {len(self.t)} times, {len(self.events)} events. {self.message}>"
 
     def __getitem__(self, name: str) -> np.ndarray:
         if name == "t":

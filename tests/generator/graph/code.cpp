@@ -182,7 +182,8 @@ TEST_CASE("common sums and products are found across functions") {
 
 namespace {
 
-/// Every place from which something is emitted is made wrong, one after the other; each must be noticed. `wished`: of these functions alone.
+/// Every place from which something is emitted is made wrong, one after the other; each must be noticed. `wished`: of these functions
+/// alone.
 void check_every_defect(const System& system, const std::set<Function>& wished = {}) {
     const auto good = make_code(system, {.functions = wished});
     CHECK(good->wished == wished);
@@ -194,7 +195,9 @@ void check_every_defect(const System& system, const std::set<Function>& wished =
             std::vector<std::vector<NodeId>*> all{&f.results, &f.below.entries, &f.by_output.entries, &f.by_acceleration.entries};
             if (f.by_loops) all.insert(all.end(), {&f.mass, &f.force, &f.right.entries});
             else all.insert(all.end(), {&f.accelerations, &f.solved.entries});
-            if (f.second) all.insert(all.end(), {&f.right.entries, &f.second->right, &f.second->solved, &f.second->direct, &f.second->mixed.entries});
+            if (!f.second) return all;
+            FunctionCode::SecondOrder& second = *f.second;
+            all.insert(all.end(), {&f.right.entries, &second.right, &second.solved, &second.direct, &second.mixed.entries});
             return all;
         };
         for (std::size_t list = 0; list < lists((*good)[function]).size(); ++list) {
