@@ -49,9 +49,9 @@ private:
 
     /// What the pressure of a junction cannot be solved for exactly.
     void check_at_junction(const Flow& flow, const Reference& end, const Reference& other) {
-        const Part* junction = names_.find_part(end.name);
-        if (junction == nullptr || junction->kind != Part::Kind::junction) return;
-        const Note defined{junction->item->span, fmt::format("junction '{}' is defined here", end.name)};
+        const Junction* junction = names_.find_element<Junction>(end.name);
+        if (junction == nullptr) return;
+        const Note defined{junction->span, fmt::format("junction '{}' is defined here", end.name)};
         const auto refuse = [&](const Span& span, const std::string& why) {
             diagnostics_.error(Id::not_allowed_here, span, fmt::format("flow '{}' ends at junction '{}', {}", flow.name, end.name, why),
                                {defined});
@@ -64,8 +64,7 @@ private:
             refuse(flow.span,
                    "and this version solves its pressure only if open and shut are modes of the valve; give the valve switches = true, or "
                    "make the junction a small volume");
-        const Part* volume = names_.find_part(other.name);
-        if (volume != nullptr && volume->kind == Part::Kind::volume && static_cast<const Volume*>(volume->item)->empties)
+        if (const Volume* volume = names_.find_element<Volume>(other.name); volume != nullptr && volume->empties)
             refuse(other.span, fmt::format("and begins or ends at volume '{}', which may run empty; this version does not solve both at "
                                            "once. Leave out empties, or make the junction a small volume",
                                            other.name));
@@ -119,14 +118,10 @@ private:
 
     /// The medium at an end of a flow, if the end is one.
     const Medium* end(const Reference& reference) const {
-        const Part* part = names_.find_part(reference.name);
-        if (part == nullptr) return nullptr;
-        switch (part->kind) {
-            case Part::Kind::volume: return medium_of(static_cast<const Volume*>(part->item)->medium);
-            case Part::Kind::junction: return medium_of(static_cast<const Junction*>(part->item)->medium);
-            case Part::Kind::reservoir: return medium_of(static_cast<const Reservoir*>(part->item)->medium);
-            default: return nullptr;
-        }
+        if (const Volume* volume = names_.find_element<Volume>(reference.name)) return medium_of(volume->medium);
+        if (const Junction* junction = names_.find_element<Junction>(reference.name)) return medium_of(junction->medium);
+        if (const Reservoir* reservoir = names_.find_element<Reservoir>(reference.name)) return medium_of(reservoir->medium);
+        return nullptr;
     }
 
     void check(const Flow& flow) {

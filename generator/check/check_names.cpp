@@ -164,7 +164,7 @@ public:
         visit_once(solid, fmt::format("solid '{}' needs itself", solid.name), [&] {
             visit(solid, [&](const Site& site) { names_in(*site.expression, site.bound); });
             visit_references(solid, [&](const Referred& part) {
-                if (const Solid* other = names_.find_solid(part.to.name)) follow(*other);
+                if (const Solid* other = names_.find_element<Solid>(part.to.name)) follow(*other);
             });
         });
     }
@@ -187,11 +187,11 @@ private:
         const QuantitySpec* quantity = e.kind != Kind::name || e.children.empty() ? nullptr : find_quantity(e.name);
         if (quantity != nullptr && quantity->subscript >= Subscript::solid && quantity->subscript <= Subscript::sticking) {
             const std::string& name = e.children[0]->name;
-            if (const Solid* solid = names_.find_solid(name); solid != nullptr && quantity->subscript <= Subscript::solid_and_axes)
+            if (const Solid* solid = names_.find_element<Solid>(name); solid != nullptr && quantity->subscript <= Subscript::solid_and_axes)
                 follow(*solid);
-            else if (const Load* load = names_.find_load(name); load != nullptr && quantity->subscript <= Subscript::load_and_unknown)
+            else if (const Load* load = names_.find_element<Load>(name); load != nullptr && quantity->subscript <= Subscript::load_and_unknown)
                 follow(*load);
-            else if (const Sticking* sticking = names_.find_sticking(name);
+            else if (const Sticking* sticking = names_.find_element<Sticking>(name);
                      sticking != nullptr && quantity->subscript == Subscript::sticking)
                 follow(*sticking);
             return;

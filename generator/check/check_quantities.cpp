@@ -24,20 +24,13 @@ unsigned ExpressionCheck::quantity(const Expression& e) {
         return 0;
     }
     if (spec.subscript >= Subscript::fluid) return part_quantity(e, spec);
-    if (spec.subscript == Subscript::surface || spec.subscript == Subscript::two_surfaces) return surface_quantity(e, spec);
     if (spec.subscript >= Subscript::solid && spec.subscript <= Subscript::sticking) return statics_quantity(e, spec);
-    const bool bodies = spec.subscript == Subscript::body || spec.subscript == Subscript::optional_body ||
-                        spec.subscript == Subscript::body_and_axis || spec.subscript == Subscript::body_and_two_axes;
-    const bool lines = spec.subscript == Subscript::body_and_line || spec.subscript == Subscript::body_and_three_lines;
-    const bool dampers = spec.subscript == Subscript::optional_damper;
+    const bool axes_follow = spec.subscript == Subscript::body_and_axis || spec.subscript == Subscript::body_and_two_axes ||
+                             spec.subscript == Subscript::surface || spec.subscript == Subscript::two_surfaces;
     for (std::size_t i = 0; i < given; ++i) {
         const Expression& child = *e.children[i];
-        if (dampers) element(child, {"damper", "friction"});
-        else if (spec.subscript == Subscript::constraint) element(child, {"constraint"});
-        else if (spec.subscript == Subscript::cut) element(child, {"cut"});
-        else if (lines) element(child, {i == 0 ? "body" : "coordinate"});
-        else if (bodies && i >= 1) whole_number(child);
-        else if (bodies) element(child, {"body"});
+        if (i == 0) element(child, kinds_of_first(spec, given));
+        else if (axes_follow) whole_number(child);
         else element(child, {"coordinate"});
     }
     return allow(e, dependence(spec),
@@ -54,16 +47,16 @@ unsigned ExpressionCheck::statics_quantity(const Expression& e, const QuantitySp
         return 0U;
     };
     if (spec.subscript == Subscript::sticking) {
-        if (!is_name || names_.find_sticking(named.name) == nullptr)
+        if (!is_name || names_.find_element<Sticking>(named.name) == nullptr)
             return unknown("an entry of [sticking]", names_.names_of({"sticking"}));
         return allow(e, dependence(spec), "a derived quantity");
     }
     if (spec.subscript <= Subscript::solid_and_axes) {
-        if (!is_name || names_.find_solid(named.name) == nullptr) return unknown("a solid", names_.names_of({"solid"}));
+        if (!is_name || names_.find_element<Solid>(named.name) == nullptr) return unknown("a solid", names_.names_of({"solid"}));
         for (std::size_t i = 1; i < e.children.size(); ++i) whole_number(*e.children[i]);
         return allow(e, on_parameters, "made of parameters");
     }
-    const Load* load = is_name ? names_.find_load(named.name) : nullptr;
+    const Load* load = is_name ? names_.find_element<Load>(named.name) : nullptr;
     if (load == nullptr) return unknown("a load", names_.names_of({"load"}));
     if (spec.subscript == Subscript::load_and_axis) {
         whole_number(*e.children[1]);
@@ -84,44 +77,8 @@ unsigned ExpressionCheck::statics_quantity(const Expression& e, const QuantitySp
     return allow(e, dependence(*load, names_), "what follows from forces that depend on more");
 }
 
-unsigned ExpressionCheck::surface_quantity(const Expression& e, const QuantitySpec& spec) {
-    const Expression& named = *e.children[0];
-    const Part* found = named.kind == Kind::name && named.children.empty() ? names_.find_part(named.name) : nullptr;
-    if (found == nullptr || found->kind != Part::Kind::enclosure)
-        error(Id::unknown_name, named.span,
-              fmt::format("'{}' is not an enclosure{}", named.written(),
-                          did_you_mean(named.name, names_.parts(parts_in(spec.subscript)))));
-    for (std::size_t i = 1; i < e.children.size(); ++i) whole_number(*e.children[i]);
-    return allow(e, dependence(spec), "a derived quantity");
-}
-
 unsigned ExpressionCheck::part_quantity(const Expression& e, const QuantitySpec& spec) {
-    if (!e.children.empty()) {
-        const Expression& named = *e.children[0];
-        const Part* found = named.kind == Kind::name ? names_.find_part(named.name) : nullptr;
-        const std::vector<Part::Kind> kinds = e.children.size() == 3 ? std::vector{Part::Kind::medium} : parts_in(spec.subscript);
-        if (found == nullptr || std::find(kinds.begin(), kinds.end(), found->kind) == kinds.end()) {
-            std::string described;
-            for (std::size_t i = 0; i < kinds.size(); ++i) {
-                const std::string_view kind = describe(kinds[i]);
-                described += fmt::format("{}{}",
-                                         i == 0                  ? ""
-                                         : i + 1 == kinds.size() ? " or "
-                                                                 : ", ",
-                                         kind.substr(i == 0 ? 0 : kind.find(' ') + 1));
-            }
-            error(Id::unknown_name, named.span,
-                  fmt::format("'{}' is not {}{}", named.written(), described, did_you_mean(named.name, names_.parts(kinds))));
-        } else if (found->kind == Part::Kind::rod || found->kind == Part::Kind::block) {
-            if (named.children.size() == 1) whole_number(*named.children[0]);
-            else
-                error(Id::index_missing, named.span,
-                      fmt::format("'{}' is a {} and needs the index of a cell, as in '{}[1]'", named.name,
-                                  found->kind == Part::Kind::rod ? "rod" : "block", named.name));
-        } else {
-            index(named, *found->item);
-        }
-    }
+    if (!e.children.empty()) element(*e.children[0], kinds_of_first(spec, e.children.size()));
     unsigned depends =
         allow(e, spec.is_property ? on_properties : on_quantities, spec.is_property ? "a property of a medium" : "a derived quantity");
     for (std::size_t i = 1; i < e.children.size(); ++i) depends |= visit(*e.children[i]);
@@ -130,7 +87,12 @@ unsigned ExpressionCheck::part_quantity(const Expression& e, const QuantitySpec&
 
 void ExpressionCheck::element(const Expression& e, const std::vector<const char*>& kinds) {
     const OfKind found = e.kind == Kind::name ? names_.find_element(e.name, kinds) : OfKind{nullptr, nullptr};
-    if (found.item != nullptr) return index(e, *found.item);
+    if (found.item != nullptr && !found.kind->facts.has_cells) return index(e, *found.item);
+    if (found.item != nullptr && e.children.size() == 1) return whole_number(*e.children[0]);
+    if (found.item != nullptr)
+        return error(
+            Id::index_missing, e.span,
+            fmt::format("'{}' is a {} and needs the index of a cell, as in '{}[1]'", e.name, found.kind->word, e.name));
     const std::string hint = e.kind == Kind::name ? did_you_mean(e.name, names_.names_of(kinds)) : "";
     error(Id::unknown_name, e.span, fmt::format("'{}' is not {}{}", e.written(), with_article(words_of(kinds)), hint));
 }

@@ -58,16 +58,15 @@ private:
         if (found.item == nullptr) {
             const std::string hint = did_you_mean(to.name, names_.names_of(referred.kinds));
             const std::vector<OfKind>& others = names_.elements(to.name);
-            const Part* border = names_.find_part(to.name);  // "bar.first"
-            if (others.empty() && border == nullptr)
+            if (others.empty())
                 return diagnostics_.error(
                     Id::unknown_name, to.span,
                     fmt::format("there is no {} '{}' for '{}' of {}{}", wanted, to.name, referred.key, owner, hint));
-            const std::string is = others.empty() ? describe(border->kind) : with_article(others.front().kind->word);
+            const std::string is = with_article(others.front().kind->word);
             return diagnostics_.error(Id::unknown_name, to.span,
                                       fmt::format("'{}' is {}, but '{}' of {} takes the name of {}{}", to.name, is, referred.key, owner,
                                                   with_article(wanted), hint),
-                                      {{(others.empty() ? border->item : others.front().item)->span, "it is defined here"}});
+                                      {{others.front().item->span, "it is defined here"}});
         }
         const std::string it = fmt::format("{} '{}'", found.kind->word, to.name);
         const std::vector<Note> defined{{found.item->span, "it is defined here"}};
@@ -87,14 +86,14 @@ private:
     }
 
     void has_position(const std::optional<Reference>& reference) {
-        const Body* found = reference ? names_.find_body(reference->name) : nullptr;
+        const Body* found = reference ? names_.find_element<Body>(reference->name) : nullptr;
         if (found != nullptr && !found->position && !found->has_axes())
             diagnostics_.error(Id::not_allowed_here, reference->span, fmt::format("body '{}' has no position", reference->name),
                                {{found->span, "it is defined here"}});
     }
 
     void turns(const std::optional<Reference>& reference) {
-        const Body* found = reference ? names_.find_body(reference->name) : nullptr;
+        const Body* found = reference ? names_.find_element<Body>(reference->name) : nullptr;
         if (found != nullptr && !found->rotation && !found->angular_velocity && !found->has_axes())
             diagnostics_.error(Id::not_allowed_here, reference->span, fmt::format("body '{}' does not turn", reference->name),
                                {{found->span, "it is defined here"}});
@@ -102,7 +101,7 @@ private:
 
     /// A body that turns by its angular velocity alone points nobody knows where.
     void placement(const Body& item) {
-        const Body* base = item.on ? names_.find_body(item.on->name) : nullptr;
+        const Body* base = item.on ? names_.find_element<Body>(item.on->name) : nullptr;
         if (base == nullptr || !base->angular_velocity || base->rotation) return;
         diagnostics_.error(Id::not_allowed_here, item.on->span,
                            fmt::format("body '{}' cannot be placed on '{}', which has only an angular velocity; give it a rotation",
@@ -121,7 +120,7 @@ private:
                                        fmt::format("body '{}' is placed on a body that is placed on it", start.name));
                     break;
                 }
-                at = names_.find_body(at->on->name);
+                at = names_.find_element<Body>(at->on->name);
             }
             if (start.on && start.on->name == start.name && !start.family)
                 diagnostics_.error(Id::cyclic_definition, start.on->span, fmt::format("body '{}' is placed on itself", start.name));

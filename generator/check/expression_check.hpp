@@ -52,7 +52,6 @@ private:
     unsigned quantity(const Expression& e);
     /// A quantity of a solid, of a load, or of a body that may stick.
     unsigned statics_quantity(const Expression& e, const QuantitySpec& spec);
-    unsigned surface_quantity(const Expression& e, const QuantitySpec& spec);
     /// A quantity of a volume, reservoir, medium or flow.
     unsigned part_quantity(const Expression& e, const QuantitySpec& spec);
     /// The name of an element of one of these kinds, with an index where it is a family.

@@ -180,18 +180,18 @@ Measure Units::quantity(const Expression& e, const Bound& bound) {
     const auto coordinate = [&](std::size_t i) { return of_coordinate(e.children[i]->name); };
     const Dimension energy = Dimension::energy();
     if (e.name == "constraint_force") {
-        const Constraint& constraint = *names_.find_constraint(e.children[0]->name);
+        const Constraint& constraint = *names_.find_element<Constraint>(e.children[0]->name);
         if (constraint.rate) return {Dimension::power() / of(*constraint.rate, {}).dimension};
         return {energy / of(*constraint.position, {}).dimension};
     }
-    if (e.name == "cut_force") return {names_.find_cut(e.children[0]->name)->about ? energy : energy / Dimension::length()};
+    if (e.name == "cut_force") return {names_.find_element<Cut>(e.children[0]->name)->about ? energy : energy / Dimension::length()};
     if (e.name == "reaction") {
-        for (const Unknown& unknown : names_.find_load(e.children[0]->name)->unknowns)
+        for (const Unknown& unknown : names_.find_element<Load>(e.children[0]->name)->unknowns)
             if (unknown.name == e.children[1]->name) return {unknown.unit.dimension};
         return anything;
     }
     if (e.name == "sticking_margin") {
-        const Sticking& sticking = *names_.find_sticking(e.children[0]->name);
+        const Sticking& sticking = *names_.find_element<Sticking>(e.children[0]->name);
         return of(sticking.normal ? *sticking.normal : *sticking.tensions[0], {});
     }
     if (e.name == "scale_factor") return {Dimension::length() / coordinate(1)};

@@ -61,7 +61,7 @@ inline constexpr KindSpec kind_of<Rod>{"rod",
     "heat[NAME.last] are the heat flows into the rod through its ends.",
     "[rods.bar]\ntemperature   = \"T\"\nlength        = \"L\"\narea          = \"A\"\nconductivity  = \"lambda\"\ndensity       = "
     "\"rho\"\nheat_capacity = \"c_p\"\nfirst         = { temperature = \"T_0\" }\nlast          = { coefficient = \"alpha\", ambient = "
-    "\"T_inf\" }", "", {.in_all_modes = true, .naming = Naming::parts, .has_cells = true}};
+    "\"T_inf\" }", "", {.in_all_modes = true, .naming = Naming::parts, .has_cells = true, .borders = {"first", "last"}}};
 
 inline const KeyChoices<Rod::Scheme>& rod_schemes() {
     using S = Rod::Scheme;
@@ -180,7 +180,7 @@ inline constexpr KindSpec kind_of<Block>{"block",
     "[blocks.wall]\ntemperature   = \"T\"\ncolumns       = [[\"L\", 8]]\nrows          = [[\"H_1\", 4], [\"H_2\", 4]]\n"
     "depth         = \"B\"\nconductivity  = [[\"lambda_1\", \"lambda_2\"]]\ndensity       = \"rho\"\nheat_capacity = \"c_p\"\n"
     "left          = { node = \"plate\" }\nright         = { coefficient = \"alpha\", ambient = \"T_inf\" }",
-    "", {.in_all_modes = true, .naming = Naming::parts, .has_cells = true}};
+    "", {.in_all_modes = true, .naming = Naming::parts, .has_cells = true, .borders = {"left", "right", "bottom", "top"}}};
 
 template <class Visitor, ElementOf<Block> E>
 void describe(Visitor& v, E& block) {

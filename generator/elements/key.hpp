@@ -117,6 +117,7 @@ struct KindFacts {
     bool in_all_modes = false;  ///< none of them is there in some modes only
     Naming naming = Naming::section;
     bool has_cells = false;     ///< an index behind the name is that of one of its cells
+    std::array<const char*, 4> borders{};  ///< through which heat flows, each with a name of its own: "bar.first"
 };
 
 /// A section of the model language that holds one kind of element.
@@ -127,6 +128,9 @@ struct KindSpec {
     const char* short_form = "";  ///< the key that a bare value stands for
     KindFacts facts = {};
 };
+
+/// An end of a rod or a side of a block; its item is the rod or block.
+inline constexpr KindSpec border_kind{"border of a rod or block", "", ""};
 
 /// A specialisation stands beside the description of each kind.
 template <class Element>

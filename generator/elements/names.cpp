@@ -23,51 +23,10 @@ const char* describe(Named::Kind kind) {
     return "a mode";
 }
 
-const char* describe(Part::Kind kind) {
-    switch (kind) {
-        case Part::Kind::medium: return "a medium";
-        case Part::Kind::volume: return "a volume";
-        case Part::Kind::reservoir: return "a reservoir";
-        case Part::Kind::junction: return "a junction";
-        case Part::Kind::flow: return "a flow";
-        case Part::Kind::node: return "a node";
-        case Part::Kind::link: return "a link";
-        case Part::Kind::rod: return "a cell of a rod";
-        case Part::Kind::block: return "a cell of a block";
-        case Part::Kind::border: return "an end of a rod or side of a block";
-        case Part::Kind::enclosure: break;
-    }
-    return "an enclosure";
-}
-
-std::vector<Part::Kind> parts_in(Subscript subscript) {
-    using K = Part::Kind;
-    switch (subscript) {
-        case Subscript::fluid:
-        case Subscript::fluid_or_medium: return {K::volume, K::reservoir, K::junction};
-        case Subscript::warm: return {K::volume, K::reservoir, K::node, K::rod, K::block};
-        case Subscript::medium: return {K::medium};
-        case Subscript::volume: return {K::volume};
-        case Subscript::optional_store: return {K::volume, K::node};
-        case Subscript::heated: return {K::volume, K::node, K::link, K::border};
-        case Subscript::flow: return {K::flow};
-        case Subscript::surface:
-        case Subscript::two_surfaces: return {K::enclosure};
-        default: return {};
-    }
-}
-
 namespace {
 
 bool is_among(const KindSpec& kind, const std::vector<const char*>& kinds) {
     return std::any_of(kinds.begin(), kinds.end(), [&](std::string_view word) { return word == kind.word; });
-}
-
-template <class Element>
-const Element* find_of(const Names& names, std::string_view name) {
-    for (const OfKind& element : names.elements(name))
-        if (element.kind == &kind_of<Element>) return static_cast<const Element*>(element.item);
-    return nullptr;
 }
 
 }  // namespace
@@ -86,29 +45,14 @@ Names::Names(const Model& model) {
     add(model.states, Named::Kind::state);
     add(model.outputs, Named::Kind::output);
     for (const ModeGroup& group : model.modes) add(group.modes, Named::Kind::mode);
-    const auto add_parts = [&](const auto& items, Part::Kind kind) {
-        for (const auto& item : items) parts_.emplace(item.name, Part{kind, &item});
-    };
-    add_parts(model.media, Part::Kind::medium);
-    add_parts(model.volumes, Part::Kind::volume);
-    add_parts(model.reservoirs, Part::Kind::reservoir);
-    add_parts(model.junctions, Part::Kind::junction);
-    add_parts(model.flows, Part::Kind::flow);
-    add_parts(model.nodes, Part::Kind::node);
-    add_parts(model.links, Part::Kind::link);
-    add_parts(model.rods, Part::Kind::rod);
-    add_parts(model.blocks, Part::Kind::block);
-    const auto add_borders = [&](const auto& items, std::initializer_list<const char*> borders) {
-        for (const auto& item : items)
-            for (const char* border : borders) parts_.emplace(item.name + "." + border, Part{Part::Kind::border, &item});
-    };
-    add_borders(model.rods, {"first", "last"});
-    add_borders(model.blocks, {"left", "right", "bottom", "top"});
-    add_parts(model.enclosures, Part::Kind::enclosure);
     for_each_kind(model, [&]<class Items>(const char*, const Items& items) {
         using Element = typename Items::value_type;
         if constexpr (std::derived_from<Element, Item>)
-            for (const Element& item : items) elements_[item.name].push_back({&kind_of<Element>, &item});
+            for (const Element& item : items) {
+                elements_[item.name].push_back({&kind_of<Element>, &item});
+                for (const char* border : kind_of<Element>.facts.borders)
+                    if (border != nullptr) elements_[item.name + "." + border].push_back({&border_kind, &item});
+            }
     });
 }
 
@@ -134,27 +78,6 @@ std::vector<std::string> Names::names_of(const std::vector<const char*>& kinds) 
     for (const auto& [name, elements] : elements_)
         for (const OfKind& element : elements)
             if (is_among(*element.kind, kinds)) names.push_back(name);
-    return names;
-}
-
-const Body* Names::find_body(std::string_view name) const { return find_of<Body>(*this, name); }
-const Damper* Names::find_damper(std::string_view name) const { return find_of<Damper>(*this, name); }
-const Cut* Names::find_cut(std::string_view name) const { return find_of<Cut>(*this, name); }
-const Constraint* Names::find_constraint(std::string_view name) const { return find_of<Constraint>(*this, name); }
-const Solid* Names::find_solid(std::string_view name) const { return find_of<Solid>(*this, name); }
-const Load* Names::find_load(std::string_view name) const { return find_of<Load>(*this, name); }
-const Sticking* Names::find_sticking(std::string_view name) const { return find_of<Sticking>(*this, name); }
-const Friction* Names::find_friction(std::string_view name) const { return find_of<Friction>(*this, name); }
-
-const Part* Names::find_part(std::string_view name) const {
-    const auto found = parts_.find(name);
-    return found == parts_.end() ? nullptr : &found->second;
-}
-
-std::vector<std::string> Names::parts(const std::vector<Part::Kind>& kinds) const {
-    std::vector<std::string> names;
-    for (const auto& [name, part] : parts_)
-        if (std::find(kinds.begin(), kinds.end(), part.kind) != kinds.end()) names.push_back(name);
     return names;
 }
 
@@ -193,7 +116,7 @@ unsigned dependence(const Expression& e, const Names& names, std::map<const Defi
         if (const QuantitySpec* quantity = find_quantity(e.name)) {
             const bool is_of_load = quantity->subscript == Subscript::load_and_axis || quantity->subscript == Subscript::load_and_unknown;
             if (is_of_load) {
-                const Load* load = e.children.empty() ? nullptr : names.find_load(e.children[0]->name);
+                const Load* load = e.children.empty() ? nullptr : names.find_element<Load>(e.children[0]->name);
                 return load == nullptr ? 0 : dependence(*load, names, known);
             }
             unsigned result = dependence(*quantity);

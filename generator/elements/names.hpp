@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "elements/key.hpp"
 #include "elements/kinds.hpp"
 #include "elements/sites.hpp"
 #include "language/vocabulary.hpp"
@@ -22,20 +23,6 @@ struct Named {
 };
 
 const char* describe(Named::Kind kind);
-
-/// What is not a number: media, what holds and moves them, and what holds and carries heat. A border is an end of a rod, "bar.first", or a
-/// side of a block, "plate.left".
-struct Part {
-    enum class Kind { medium, volume, reservoir, junction, flow, node, link, rod, block, border, enclosure };
-    Kind kind;
-    const Item* item;
-};
-
-const char* describe(Part::Kind kind);
-/// What may stand in the brackets behind a quantity, but for media with a pressure and a temperature.
-std::vector<Part::Kind> parts_in(Subscript subscript);
-
-struct KindSpec;
 
 /// An element of any kind.
 struct OfKind {
@@ -55,24 +42,18 @@ public:
     OfKind find_element(std::string_view name, const std::vector<const char*>& kinds) const;
     /// The names of the elements of these kinds.
     std::vector<std::string> names_of(const std::vector<const char*>& kinds) const;
-    const Body* find_body(std::string_view name) const;
-    const Damper* find_damper(std::string_view name) const;
-    const Constraint* find_constraint(std::string_view name) const;
-    const Cut* find_cut(std::string_view name) const;
-    const Solid* find_solid(std::string_view name) const;
-    const Load* find_load(std::string_view name) const;
-    const Sticking* find_sticking(std::string_view name) const;
-    const Friction* find_friction(std::string_view name) const;
-    const Part* find_part(std::string_view name) const;
-    /// The names of the parts of these kinds.
-    std::vector<std::string> parts(const std::vector<Part::Kind>& kinds) const;
+    template <class Element>
+    const Element* find_element(std::string_view name) const {
+        for (const OfKind& element : elements(name))
+            if (element.kind == &kind_of<Element>) return static_cast<const Element*>(element.item);
+        return nullptr;
+    }
     std::vector<std::string> all() const;
     const std::map<std::string, Named, std::less<>>& table() const { return table_; }
 
 private:
     std::map<std::string, Named, std::less<>> table_;
     std::map<std::string, std::vector<OfKind>, std::less<>> elements_;
-    std::map<std::string, Part, std::less<>> parts_;
 };
 
 /// What the time derivative of something depends on that depends on `depends` (bits of Dependence).

@@ -235,7 +235,7 @@ LoadSolution solve_load(const System& system, const Load& load) {
 
 const LoadSolution& System::load(const std::string& name, const Span& span) const {
     if (const auto known = loads_.find(name); known != loads_.end()) return known->second;
-    const Load* item = names.find_load(name);
+    const Load* item = names.find_element<Load>(name);
     if (!scene.holds(item->when))
         throw Failure(Diagnostic{
             Id::needs_absent, span, fmt::format("scene '{}' has no load '{}'", scene.name, name), {{item->span, "it is defined here"}}});

@@ -17,7 +17,7 @@ namespace {
 const BodyMotion& body(const System& system, const Expression& reference, const Indices& indices) {
     const Reference named{reference.name, reference.children.empty() ? nullptr : reference.children[0], reference.span};
     if (const BodyMotion* motion = find_motion(system.bodies, named, system.scene, indices)) return *motion;
-    const bool left_out = !system.scene.holds(system.names.find_body(reference.name)->when);
+    const bool left_out = !system.scene.holds(system.names.find_element<Body>(reference.name)->when);
     throw Failure(Diagnostic{left_out ? Id::needs_absent : Id::index_out_of_range, reference.span,
                              fmt::format("scene '{}' has no body '{}'", system.scene.name, reference.written())});
 }
@@ -134,7 +134,7 @@ std::optional<ex> fluid_quantity(const System& system, const Expression& e, cons
     if (spec.subscript < Subscript::fluid) return std::nullopt;
     const Expression& named = *e.children[0];
     const auto absent = [&](const Expression& part) {
-        const bool left_out = !system.scene.holds(system.names.find_part(part.name)->item->when);
+        const bool left_out = !system.scene.holds(system.names.find_element(part.name, kinds_of_first(spec, e.children.size())).item->when);
         return Failure(Diagnostic{left_out || part.children.empty() ? Id::needs_absent : Id::index_out_of_range, part.span,
                                   fmt::format("scene '{}' has no '{}'", system.scene.name, part.written())});
     };
@@ -218,7 +218,7 @@ ex quantity(const System& system, const Expression& e, const Indices& indices, c
     if (e.name == "dissipated_power") {
         if (e.children.empty()) return system.dissipated_power;
         const int index = child(0).children.empty() ? 0 : index_value(*child(0).children[0], system.scene, indices);
-        const Friction* friction = system.names.find_friction(child(0).name);
+        const Friction* friction = system.names.find_element<Friction>(child(0).name);
         ex sum = 0;
         bool any = false;
         for (std::size_t i = 0; i < system.scene.dampers.size(); ++i) {
@@ -232,7 +232,7 @@ ex quantity(const System& system, const Expression& e, const Indices& indices, c
         }
         if (any) return sum;
         // In another mode it is there.
-        const std::optional<Condition>& when = friction != nullptr ? friction->when : system.names.find_damper(child(0).name)->when;
+        const std::optional<Condition>& when = friction != nullptr ? friction->when : system.names.find_element<Damper>(child(0).name)->when;
         for (std::size_t mode = 0; mode < system.scene.modes.size(); ++mode)
             if (system.scene.holds(when, mode)) return 0;
         const bool left_out = !system.scene.holds(when);
@@ -240,14 +240,14 @@ ex quantity(const System& system, const Expression& e, const Indices& indices, c
                                  fmt::format("scene '{}' has no damper '{}'", system.scene.name, child(0).written())});
     }
     if (e.name == "constraint_force") {
-        const int index = system.translate.member_index(child(0), *system.names.find_constraint(child(0).name), indices);
+        const int index = system.translate.member_index(child(0), *system.names.find_element<Constraint>(child(0).name), indices);
         for (const ConstraintEquation& constraint : system.constraints)
             if (constraint.item->name == child(0).name && constraint.index == index) return constraint.force;
         throw Failure(Diagnostic{Id::needs_absent, child(0).span,
                                  fmt::format("scene '{}' has no constraint '{}'", system.scene.name, child(0).written())});
     }
     if (e.name == "cut_force") {
-        const Cut& cut = *system.names.find_cut(child(0).name);
+        const Cut& cut = *system.names.find_element<Cut>(child(0).name);
         const int index = system.translate.member_index(child(0), cut, indices);
         if (system.scene.holds(cut.when)) return cut_force(system, cut, index);
         throw Failure(Diagnostic{Id::needs_absent, child(0).span, fmt::format("scene '{}' has no cut '{}'", system.scene.name, cut.name)});

@@ -31,7 +31,7 @@ ex of_load(const System& system, const Expression& e, const Indices& indices) {
 }
 
 ex of_sticking(const System& system, const Expression& e) {
-    const Sticking& sticking = *system.names.find_sticking(e.children[0]->name);
+    const Sticking& sticking = *system.names.find_element<Sticking>(e.children[0]->name);
     if (!system.scene.holds(sticking.when))
         throw Failure(Diagnostic{Id::needs_absent,
                                  e.children[0]->span,

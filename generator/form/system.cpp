@@ -57,7 +57,7 @@ void definitions(System& system) {
     system.symbols.define(values);
     while (!waiting.empty()) {
         const auto is_ready = [&](const std::string& name) {
-            const std::set<std::string> needed = loads_needed(*system.names.find_load(name), system.names);
+            const std::set<std::string> needed = loads_needed(*system.names.find_element<Load>(name), system.names);
             return std::none_of(needed.begin(), needed.end(), [&](const std::string& other) { return waiting.contains(other); });
         };
         const auto next = std::find_if(waiting.begin(), waiting.end(), is_ready);

@@ -78,34 +78,36 @@ using S = Subscript;
 
 constexpr std::array subscript_table{
     SubscriptSpec{S::nothing, 0, "", "nothing"},
-    SubscriptSpec{S::body, 1, "[body]", "a body"},
-    SubscriptSpec{S::optional_body, 1, " or [body]", "nothing or a body"},
-    SubscriptSpec{S::body_and_axis, 2, "[body, 1..3]", "a body and 1, 2 or 3"},
-    SubscriptSpec{S::body_and_two_axes, 3, "[body, 1..3, 1..3]", "a body, the number of one of its axes and 1, 2 or 3"},
-    SubscriptSpec{S::coordinate, 1, "[coordinate]", "a coordinate"},
-    SubscriptSpec{S::two_coordinates, 2, "[coordinate, coordinate]", "two coordinates"},
-    SubscriptSpec{S::optional_damper, 1, " or [damper]", "nothing or a damper"},
-    SubscriptSpec{S::constraint, 1, "[constraint]", "a constraint"},
-    SubscriptSpec{S::cut, 1, "[cut]", "a cut"},
-    SubscriptSpec{S::body_and_line, 2, "[body, coordinate]", "a body and a coordinate"},
-    SubscriptSpec{S::body_and_three_lines, 4, "[body, k, i, j]", "a body and three coordinates"},
-    SubscriptSpec{S::solid, 1, "[solid]", "a solid"},
-    SubscriptSpec{S::solid_and_axis, 2, "[solid, 1..3]", "a solid and 1, 2 or 3"},
-    SubscriptSpec{S::solid_and_axes, 3, "[solid, 1..3, 1..3]", "a solid and two of 1, 2 and 3"},
-    SubscriptSpec{S::load_and_axis, 2, "[load, 1..3]", "a load and 1, 2 or 3"},
-    SubscriptSpec{S::load_and_unknown, 2, "[load, unknown]", "a load and one of its unknowns"},
-    SubscriptSpec{S::sticking, 1, "[sticking]", "what may stick"},
-    SubscriptSpec{S::surface, 2, "[enclosure, i]", "an enclosure and the number of a surface"},
-    SubscriptSpec{S::two_surfaces, 3, "[enclosure, i, j]", "an enclosure and the numbers of two surfaces"},
-    SubscriptSpec{S::fluid, 1, "[X]", "a volume, reservoir or junction"},
+    SubscriptSpec{S::body, 1, "[body]", "a body", {"body"}},
+    SubscriptSpec{S::optional_body, 1, " or [body]", "nothing or a body", {"body"}},
+    SubscriptSpec{S::body_and_axis, 2, "[body, 1..3]", "a body and 1, 2 or 3", {"body"}},
+    SubscriptSpec{S::body_and_two_axes, 3, "[body, 1..3, 1..3]", "a body, the number of one of its axes and 1, 2 or 3", {"body"}},
+    SubscriptSpec{S::coordinate, 1, "[coordinate]", "a coordinate", {"coordinate"}},
+    SubscriptSpec{S::two_coordinates, 2, "[coordinate, coordinate]", "two coordinates", {"coordinate"}},
+    SubscriptSpec{S::optional_damper, 1, " or [damper]", "nothing or a damper", {"damper", "friction"}},
+    SubscriptSpec{S::constraint, 1, "[constraint]", "a constraint", {"constraint"}},
+    SubscriptSpec{S::cut, 1, "[cut]", "a cut", {"cut"}},
+    SubscriptSpec{S::body_and_line, 2, "[body, coordinate]", "a body and a coordinate", {"body"}},
+    SubscriptSpec{S::body_and_three_lines, 4, "[body, k, i, j]", "a body and three coordinates", {"body"}},
+    SubscriptSpec{S::solid, 1, "[solid]", "a solid", {"solid"}},
+    SubscriptSpec{S::solid_and_axis, 2, "[solid, 1..3]", "a solid and 1, 2 or 3", {"solid"}},
+    SubscriptSpec{S::solid_and_axes, 3, "[solid, 1..3, 1..3]", "a solid and two of 1, 2 and 3", {"solid"}},
+    SubscriptSpec{S::load_and_axis, 2, "[load, 1..3]", "a load and 1, 2 or 3", {"load"}},
+    SubscriptSpec{S::load_and_unknown, 2, "[load, unknown]", "a load and one of its unknowns", {"load"}},
+    SubscriptSpec{S::sticking, 1, "[sticking]", "what may stick", {"sticking"}},
+    SubscriptSpec{S::surface, 2, "[enclosure, i]", "an enclosure and the number of a surface", {"enclosure"}},
+    SubscriptSpec{S::two_surfaces, 3, "[enclosure, i, j]", "an enclosure and the numbers of two surfaces", {"enclosure"}},
+    SubscriptSpec{S::fluid, 1, "[X]", "a volume, reservoir or junction", {"volume", "reservoir", "junction"}},
     SubscriptSpec{S::fluid_or_medium, 1, "[X] or [medium, p, T]",
-                  "a volume, reservoir or junction, or a medium, a pressure and a temperature"},
-    SubscriptSpec{S::medium, 3, "[medium, p, T]", "a medium, a pressure and a temperature"},
-    SubscriptSpec{S::volume, 1, "[volume]", "a volume"},
-    SubscriptSpec{S::flow, 1, "[flow]", "a flow"},
-    SubscriptSpec{S::warm, 1, "[X], [node], [rod[k]], [block[k]]", "a volume, reservoir, node or cell of a rod or block"},
-    SubscriptSpec{S::heated, 1, "[volume], [node], [link], [border]", "a volume, node or link, or an end of a rod or side of a block"},
-    SubscriptSpec{S::optional_store, 1, " or [volume], [node]", "nothing, a volume or a node"},
+                  "a volume, reservoir or junction, or a medium, a pressure and a temperature", {"volume", "reservoir", "junction"}},
+    SubscriptSpec{S::medium, 3, "[medium, p, T]", "a medium, a pressure and a temperature", {"medium"}},
+    SubscriptSpec{S::volume, 1, "[volume]", "a volume", {"volume"}},
+    SubscriptSpec{S::flow, 1, "[flow]", "a flow", {"flow"}},
+    SubscriptSpec{S::warm, 1, "[X], [node], [rod[k]], [block[k]]", "a volume, reservoir, node or cell of a rod or block",
+                  {"volume", "reservoir", "node", "rod", "block"}},
+    SubscriptSpec{S::heated, 1, "[volume], [node], [link], [border]", "a volume, node or link, or an end of a rod or side of a block",
+                  {"volume", "node", "link", "border of a rod or block"}},
+    SubscriptSpec{S::optional_store, 1, " or [volume], [node]", "nothing, a volume or a node", {"volume", "node"}},
 };
 
 constexpr std::array quantity_table{
@@ -434,6 +436,13 @@ const SubscriptSpec& subscript(Subscript which) {
     for (const SubscriptSpec& spec : subscript_table)
         if (spec.subscript == which) return spec;
     return subscript_table.front();
+}
+
+std::vector<const char*> kinds_of_first(const QuantitySpec& quantity, std::size_t entries) {
+    std::vector<const char*> kinds;
+    for (const char* kind : subscript(quantity.is_of_medium(entries) ? Subscript::medium : quantity.subscript).kinds)
+        if (kind != nullptr) kinds.push_back(kind);
+    return kinds;
 }
 
 std::span<const QuantitySpec> quantities() { return quantity_table; }

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace dalembert {
 
@@ -77,6 +79,7 @@ struct SubscriptSpec {
     std::size_t count;      ///< of entries in the brackets, where they stand
     const char* reference;  ///< as `dalembert help quantities` shows it
     const char* words;      ///< as in "takes ... in square brackets"
+    std::array<const char*, 5> kinds{};  ///< of elements, of which the first entry names one
 };
 
 const SubscriptSpec& subscript(Subscript which);
@@ -99,6 +102,8 @@ struct QuantitySpec {
 /// kinetic_energy, mass_matrix[q, p], ...: usable in outputs and printed equations, properties also elsewhere.
 std::span<const QuantitySpec> quantities();
 const QuantitySpec* find_quantity(std::string_view name);
+/// The kinds of elements of which the first of so many entries names one; of three a medium, where both may stand.
+std::vector<const char*> kinds_of_first(const QuantitySpec& quantity, std::size_t entries);
 
 /// Where a form may stand.
 enum class FormPlace {

@@ -264,7 +264,7 @@ SolidProperties solid_properties(const Solid& solid, const Translator& translate
 
 const SolidProperties& Solids::of(const std::string& name) const {
     if (const auto found = known_.find(name); found != known_.end()) return found->second;
-    const Solid& solid = *translate_.names().find_solid(name);
+    const Solid& solid = *translate_.names().find_element<Solid>(name);
     SolidProperties properties =
         solid_properties(solid, translate_, [this](const Reference& part) -> const SolidProperties& { return of(part.name); });
     return known_.emplace(name, std::move(properties)).first->second;

@@ -219,7 +219,7 @@ void UsedNames::use(const Site& site) {
 
 void UsedNames::use_solid(const std::string& name) {
     if (!solids_.insert(name).second) return;
-    const Solid& solid = *names_.find_solid(name);
+    const Solid& solid = *names_.find_element<Solid>(name);
     visit(solid, [&](const Site& site) { use(site); });
     visit_references(solid, [&](const Referred& part) { use_solid(part.to.name); });
 }
