@@ -145,7 +145,7 @@ void describe(Visitor& v, E& run) {
     v("scene", run.scene, {.doc = "scene of the run; every scene if left out"});
     v("period", run.period, {.unit = second, .depends = constant_only,
         .doc = "period of the motion in seconds, if there is one; used by the energy test"});
-    v("step", run.step, {.unit = second, .depends = constant_only, .doc = "fixed step of euler and rk4 in seconds"});
+    v("step", run.step, {.unit = second, .depends = constant_only, .doc = "fixed step in seconds, of euler, rk4 and symplectic"});
     v("start", run.start, {.unit = declared, .depends = constant_only,
         .names = on_parameters | on_coordinates | on_velocities | on_states, .words = "start value",
         .doc = "start values that differ from the declared ones: { s = 0.2, \"dot(s)\" = 0 }; without a unit, a number counts "

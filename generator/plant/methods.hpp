@@ -1,37 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one table of methods of integration, as runs and the command line name them.
+// Methods of integration as runs and the command line name them; the table is that of the runtime.
 #pragma once
 
 #include <dalembert/integration_options.hpp>
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace dalembert {
-
-struct MethodSpec {
-    const char* name;
-    Method method;    ///< of the runtime
-    bool needs_step;  ///< a fixed one
-    const char* what;
-};
-
-inline constexpr std::array methods_of_integration{
-    MethodSpec{"automatic", Method::automatic, false, "the default: dopri5 or dop853, and rodas5p while the problem is stiff"},
-    MethodSpec{"dopri5", Method::dopri5, false, ""},
-    MethodSpec{"dop853", Method::dop853, false, "for tight tolerances"},
-    MethodSpec{"rodas5p", Method::rodas5p, false, "for stiff problems"},
-    MethodSpec{"taylor", Method::taylor, false, "series of the motion, for smooth motion at tight tolerances"},
-    MethodSpec{"fehlberg78", Method::fehlberg78, false, ""},
-    MethodSpec{"bulirsch_stoer", Method::bulirsch_stoer, false, "for smooth motion"},
-    MethodSpec{"euler", Method::euler, true, ""},
-    MethodSpec{"rk4", Method::rk4, true, ""},
-    MethodSpec{"symplectic", Method::symplectic, true, "for accelerations that depend on coordinates alone"},
-};
 
 /// Throws std::logic_error where there is none of that name.
 inline const MethodSpec& method_named(std::string_view name) {

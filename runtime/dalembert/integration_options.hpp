@@ -2,6 +2,7 @@
 // Options of an integration: method, accuracy, output points.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -35,6 +36,27 @@ enum class Method {
     taylor,
 };
 
+/// A method as runs and the command line name it.
+struct MethodSpec {
+    const char* name;
+    Method method;
+    bool needs_step;  ///< a fixed one
+    const char* what;  ///< it is for; empty where nothing needs to be said
+};
+
+inline constexpr std::array methods_of_integration{
+    MethodSpec{"automatic", Method::automatic, false, "the default: dopri5 or dop853, and rodas5p while the problem is stiff"},
+    MethodSpec{"dopri5", Method::dopri5, false, ""},
+    MethodSpec{"dop853", Method::dop853, false, "for tight tolerances"},
+    MethodSpec{"rodas5p", Method::rodas5p, false, "for stiff problems"},
+    MethodSpec{"taylor", Method::taylor, false, "series of the motion, for smooth motion at tight tolerances"},
+    MethodSpec{"fehlberg78", Method::fehlberg78, false, ""},
+    MethodSpec{"bulirsch_stoer", Method::bulirsch_stoer, false, "for smooth motion"},
+    MethodSpec{"euler", Method::euler, true, ""},
+    MethodSpec{"rk4", Method::rk4, true, ""},
+    MethodSpec{"symplectic", Method::symplectic, true, "for accelerations that depend on coordinates alone"},
+};
+
 template <class State>
 struct IntegrationOptions {
     using Scalar = typename State::value_type;
@@ -51,7 +73,11 @@ struct IntegrationOptions {
     std::size_t max_steps = 100000000;  ///< also ends a run that would exceed it at the pace of its last 2 million steps
     std::size_t max_events = 100000;  ///< number of sign changes of guards after which the run stops as an event storm
 
-    bool has_fixed_steps() const { return is_fixed || method == Method::rk4 || method == Method::euler || method == Method::symplectic; }
+    bool has_fixed_steps() const {
+        for (const MethodSpec& spec : methods_of_integration)
+            if (spec.method == method && spec.needs_step) return true;
+        return is_fixed;
+    }
 
     static State filled(const Scalar& value) {
         State state{};

@@ -140,22 +140,6 @@ TimedRun timed_run(const RunRequest& request) {
     return result;
 }
 
-/// The names of methods as the command line has them.
-struct NamedMethod {
-    const char* name;
-    Method method;
-};
-inline constexpr std::array named_methods{NamedMethod{"automatic", Method::automatic},
-                                          NamedMethod{"euler", Method::euler},
-                                          NamedMethod{"rk4", Method::rk4},
-                                          NamedMethod{"dopri5", Method::dopri5},
-                                          NamedMethod{"fehlberg78", Method::fehlberg78},
-                                          NamedMethod{"dop853", Method::dop853},
-                                          NamedMethod{"bulirsch_stoer", Method::bulirsch_stoer},
-                                          NamedMethod{"rodas5p", Method::rodas5p},
-                                          NamedMethod{"symplectic", Method::symplectic},
-                                          NamedMethod{"taylor", Method::taylor}};
-
 extern "C" inline void give_up(int) {
     constexpr char text[] = "status=too slow\n";
     const auto written = ::write(STDOUT_FILENO, text, sizeof text - 1);
@@ -203,7 +187,7 @@ int measure_program(int argc, char** argv) {
     if (argc != 10) return 2;
     const auto number = [&](int i) { return std::strtod(argv[i], nullptr); };
     RunRequest request;
-    for (const NamedMethod& named : named_methods)
+    for (const MethodSpec& named : methods_of_integration)
         if (std::string(argv[2]) == named.name) request.method = named.method;
     request.tolerance = number(3);
     request.step = number(4);
