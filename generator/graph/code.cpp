@@ -8,6 +8,7 @@
 #include "form/constrained_motion.hpp"
 #include "graph/chain_code.hpp"
 #include "graph/derived_values.hpp"
+#include "graph/hessian_code.hpp"
 #include "graph/motion_code.hpp"
 #include "graph/reset_code.hpp"
 
@@ -37,7 +38,7 @@ public:
         for (const HeaderFunction* row : in_order_of_making()) make(*row);
         if (wish.series) series();
         if (wish.functions.contains(Function::together)) together();
-        if (wish.functions.contains(Function::hessian) && code_->solve.unrolled) hessian();
+        if (wish.functions.contains(Function::hessian) && code_->solve.unrolled) make_hessian(*code_, lowered_, motion_);
         update();
         code_->rewritten = std::move(lowered_.rewritten);
         return std::move(code_);
@@ -80,7 +81,7 @@ private:
             case Kind::matrix:
             case Kind::event_values: return values(row);
             case Kind::together:
-            case Kind::hessian:  // where they are asked for
+            case Kind::hessian:  // behind the others
             case Kind::update: return;  // last
         }
     }
@@ -300,36 +301,6 @@ private:
             }
     }
 
-    /// Second derivatives, see note [Hessian].
-    void hessian() {
-        code_->wished.insert(Function::hessian);
-        FunctionCode& f = (*code_)[Function::hessian];
-        LoweredSystem::Columns columns = lowered_.partial(By::state);
-        const auto append_columns = [](auto& to, const auto& more) { to.insert(to.end(), more.begin(), more.end()); };
-        const LoweredSystem::Columns& by_input = lowered_.partial(By::input);
-        append_columns(columns.residual, by_input.residual);
-        append_columns(columns.held, by_input.held);
-        append_columns(columns.state_rate, by_input.state_rate);
-        ProgramBuilder builder(code_->atoms, code_->cache, header_function(Function::hessian).parts, f.program, code_->passes);
-        Roots roots;
-        const MotionRoots motion = motion_.add_motion(roots);
-        const ColumnRoots parts = motion_.add_columns(roots, columns);
-        const std::size_t adjoint = roots.add(lowered_.second.adjoint), direct = roots.add(lowered_.second.direct),
-                          mixed = roots.add(lowered_.second.mixed);
-        builder.prepare(roots.polynomials());
-        f.solved_for = motion_.solve_motion(f, builder, motion);
-        FunctionCode::SecondOrder& second = f.second.emplace();
-        for (std::size_t i = 0; i < n_; ++i) second.right.push_back(builder.root(adjoint + i));
-        second.solved = solve(f.program, n_, f.factors, second.right);
-        for (std::size_t i = 0; i < n_; ++i) builder.define(motion_.letter(SymbolKind::adjoint, i), second.solved[i]);
-        motion_.take_columns(f, builder, columns, parts);
-        f.below = {};
-        for (std::size_t i = 0; i < lowered_.second.direct.size(); ++i) second.direct.push_back(builder.root(direct + i));
-        second.mixed = {n_, columns.residual.size(), {}};
-        for (std::size_t i = 0; i < n_ * columns.residual.size(); ++i) second.mixed.entries.push_back(builder.root(mixed + i));
-        f.results = hessian_of(f.program, f, system_.unknown_places());
-    }
-
     /// What brings runs back to constraints.
     void correction(const HeaderFunction& row) {
         const LoweredSystem::Projection& p = lowered_.projection;
@@ -398,21 +369,6 @@ std::vector<NodeId> chosen_of_held(Program& program, const Code& code, const std
                                                     : of_multipliers[static_cast<std::size_t>(place - multipliers.begin())]);
     }
     return result;
-}
-
-std::vector<NodeId> hessian_of(Program& program, const FunctionCode& f, const std::vector<std::size_t>& unknowns) {
-    const FunctionCode::SecondOrder& second = *f.second;
-    std::vector<NodeId> results;
-    for (std::size_t c = 0; c < second.mixed.columns; ++c)
-        for (std::size_t d = 0; d <= c; ++d) {
-            std::vector<std::pair<bool, NodeId>> terms{{false, second.direct[lower_index(c, d)]}};
-            for (std::size_t i = 0; i < unknowns.size(); ++i) {
-                terms.emplace_back(false, program.product({second.mixed.at(i, c), f.solved.at(unknowns[i], d)}));
-                terms.emplace_back(false, program.product({second.mixed.at(i, d), f.solved.at(unknowns[i], c)}));
-            }
-            results.push_back(program.sum(std::move(terms)));
-        }
-    return results;
 }
 
 std::unique_ptr<Code> make_code(const System& system, const CodeWish& wish) { return CodeMaker(system, wish).run(wish); }

@@ -113,9 +113,6 @@ struct Code {
 std::vector<NodeId> chosen(Program& program, const Solve& solve);
 std::vector<NodeId> chosen_of_held(Program& program, const Code& code, const std::vector<std::size_t>& held);
 
-/// The lower triangle of H of note [Hessian], made of its parts. `unknowns`: their places among accelerations and multipliers.
-std::vector<NodeId> hessian_of(Program& program, const FunctionCode& f, const std::vector<std::size_t>& unknowns);
-
 /// All functions of a system as code.
 std::unique_ptr<Code> make_code(const System& system, const CodeWish& wish = {});
 

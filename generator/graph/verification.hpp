@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the functions of a header are compared with what was derived, one method for each kind of function.
+#pragma once
+
+#include "graph/derived_values.hpp"
+#include "graph/raise.hpp"
+#include "graph/verify.hpp"
+#include "graph/verify_solve.hpp"
+
+namespace dalembert {
+
+class Verification {
+public:
+    explicit Verification(const Code& code) : code_(code), system_(code.system), prover_(code.system), cached_(cached_meaning(code)) {}
+
+    std::vector<AuditEntry> run();
+
+private:
+    using Kind = HeaderFunction::Kind;
+    using ex = GiNaC::ex;
+
+    struct MovingRaisers {
+        Raiser with_letters, with_solutions;
+    };
+
+    const ex& acceleration(std::size_t j) const { return system_.symbols.get(SymbolKind::acceleration, j); }
+
+    AuditEntry& entry(const std::string& name);
+    void compare(Function function, const ex& emitted, const ex& derived);
+    GiNaC::exmap solutions(const FunctionCode& f, Raiser& raise) const;
+    void solved_motion(Function function);
+    MovingRaisers moving_raisers(const FunctionCode& f) const;
+    void compare_moving(Function function, MovingRaisers& raise, NodeId node, const ex& derived);
+    /// By the chain rule through the free accelerations, whose slopes are letters here.
+    void held_column(Function function, const FunctionCode& f, std::size_t c, const std::vector<ex>& at_fixed);
+    void solve_is_right(const std::string& name, std::size_t n, std::size_t multipliers, const std::vector<bool>& is_zero);
+    void prove(const HeaderFunction& row);
+    void definitions();
+    /// M and the right sides, the accelerations that follow from what is solved for, and rates of states.
+    void motion(Function function);
+    /// The equations of the links mean M and Q - bias; what solves them was proven to.
+    void chain_motion(Function function, Raiser& raise);
+    /// The loads of each column, in the same equations, are what the residual changes by.
+    void chain_columns(Function function, By by);
+    void chain_is_solved(Function function);
+    /// In the code of the joint function accelerations are solutions; for the comparison they are letters again. Where the same
+    /// operations happen to stand for an acceleration and for something else, the solutions are put into the derivation instead.
+    void columns(Function function, By by);
+    /// Rates and Jacobian, and behind them outputs and energies.
+    void together();
+    /// Its parts as they are derived, in letters of the unknowns and of w, and made of them as note [Hessian] says.
+    void hessian();
+    /// Each w is a letter again, unless its node stands for something else as well: then the letter is what the node is.
+    GiNaC::exmap define_adjoints(const FunctionCode& f, MovingRaisers& raise) const;
+    /// The correction that brings a run back to constraints.
+    void correction();
+    void resets();
+    /// Values may contain what was solved for on the way, and its rates; these are letters in the comparison.
+    void values(Function function, const std::vector<ex>& derived);
+    std::vector<ex> rates_of_unknowns() const;
+    GiNaC::exmap rate_solutions(const FunctionCode& f, Raiser& raise) const;
+    /// What was solved for on the way becomes letters again.
+    void define_solutions(const FunctionCode& f, Raiser& raise) const;
+    void output_columns(Function function, By by);
+    /// The slopes of outputs are made of those that were compared, by the chain rule.
+    void whole_output(Function function, const FunctionCode& f, const Partials& p);
+
+    const Code& code_;
+    const System& system_;
+    Prover prover_;
+    CachedMeaning cached_;
+    std::vector<AuditEntry> entries_;
+};
+
+}  // namespace dalembert
