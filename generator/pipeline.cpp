@@ -171,9 +171,16 @@ bool all_derivations_proven(const Machine& machine) {
     return machine.audit.all_proven() && std::all_of(machine.other_modes.begin(), machine.other_modes.end(), all_derivations_proven);
 }
 
+/// "--output-jacobian-p"
+std::string flag_of(Function function) {
+    std::string flag = std::string("--") + name_of(function);
+    std::replace(flag.begin(), flag.end(), '_', '-');
+    return flag;
+}
+
 [[noreturn]] void refuse_wish(const Machine& machine, Function function, const std::string& why) {
     throw Failure(Diagnostic{Id::bad_option, machine.loaded->model.name_span,
-                             fmt::format("--{}: '{}' {}", name_of(function), machine.loaded->model.name, why)});
+                             fmt::format("{}: '{}' {}", flag_of(function), machine.loaded->model.name, why)});
 }
 
 /// Throws Failure (bad-option) for a function that was asked for and cannot be made.
@@ -385,7 +392,7 @@ std::string normalised_command(const Machine& machine) {
     if (machine.trig == Trig::combined) command += " --trig combined";
     for (const auto& [name, value] : scene.sizes) command += fmt::format(" --size {}={}", name, value);
     if (machine.code && has_series(machine)) command += " --taylor";
-    for (const Function function : machine.wished) command += fmt::format(" --{}", name_of(function));
+    for (const Function function : machine.wished) command += " " + flag_of(function);
     return command;
 }
 

@@ -30,6 +30,7 @@ std::size_t size_of(const Plant& plant, const std::string& vector) {
         {"JacobianP", plant.by_parameter.size()},              {"JacobianT", states},
         {"OutputJacobianX", outputs * states},                 {"OutputJacobianU", outputs * inputs},
         {"Constraints", constraints},                          {"ConstraintJacobian", constraints * n},
+        {"OutputJacobianP", outputs * plant.parameters.size()}, {"OutputJacobianT", outputs},
         {"Hessian", (states + inputs) * (states + inputs)}};
     const auto found = sizes.find(vector);
     if (found == sizes.end()) throw std::logic_error("a vector that plants do not have: " + vector);

@@ -51,16 +51,33 @@ ExportSubject subject_of_export(const Machine& machine, const Header& header) {
     return subject;
 }
 
-/// With second derivatives, or without them and with the reason.
-Header generate_with_hessian(Machine& machine, std::string& why_not) {
-    machine.wished.insert(Function::hessian);
+/// Why there is no header with these functions besides those that every header has; empty where there is one.
+std::string why_not(Machine& machine, std::set<Function> functions, std::optional<Header>& header) {
+    machine.wished = std::move(functions);
     try {
-        return generate(machine);
+        header = generate(machine);
+        return {};
     } catch (const Failure& failure) {
         if (failure.diagnostics().front().id != Id::bad_option && failure.diagnostics().front().id != Id::too_large) throw;
-        why_not = failure.diagnostics().front().message;
+        return failure.diagnostics().front().message;
     }
-    machine.wished.erase(Function::hessian);
+}
+
+/// With all functions that the target takes; where that cannot be, with those of them that are made, and the reasons for the others.
+Header generate_for(const Target& target, Machine& machine, std::map<Function, std::string>& missing) {
+    std::set<Function> there = machine.wished;
+    std::set<Function> all = there;
+    all.insert(target.wishes.begin(), target.wishes.end());
+    std::optional<Header> header;
+    if (why_not(machine, all, header).empty()) return std::move(*header);
+    for (const Function function : target.wishes) {
+        std::set<Function> more = there;
+        more.insert(function);
+        const std::string reason = why_not(machine, more, header);
+        if (reason.empty()) there = std::move(more);
+        else missing.emplace(function, reason);
+    }
+    machine.wished = there;
     return generate(machine);
 }
 
@@ -85,10 +102,10 @@ ExitCode export_command(const Options& options, Streams streams) {
     if (!options.mode.empty()) check_mode(machine, target, options);
     ask_of_code(machine, options);
     machine.language = &language_named("c");
-    std::string no_hessian;
-    const Header header = target.takes_hessian ? generate_with_hessian(machine, no_hessian) : generate(machine);
+    std::map<Function, std::string> missing;
+    const Header header = generate_for(target, machine, missing);
     ExportSubject subject = subject_of_export(machine, header);
-    subject.no_hessian = no_hessian;
+    subject.missing = std::move(missing);
     Exported exported = target.make(subject, {options.sources_only, options.mode});
     Subject whole = subject_of(machine.system->scene);
     whole.mode = options.mode;  // of a machine that switches all modes are exported, unless one is chosen

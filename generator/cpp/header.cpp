@@ -43,6 +43,8 @@ std::string functions(const Plant& plant) {
             const std::size_t size = plant.states.size() + plant.inputs.size();
             text += fmt::format("\n    using Hessian = std::array<Scalar, {}>;  ///< {} x {}\n", size * size, size, size);
         }
+        if (f.name == "output_jacobian_p") text += "\n    using OutputJacobianP = std::array<Scalar, output_count * parameter_count>;\n";
+        if (f.name == "output_jacobian_t") text += "\n    using OutputJacobianT = std::array<Scalar, output_count>;\n";
         text += "\n" + function_text(f);
         if (f.name == "rhs" && plant.series)
             text += "\n" + fill_template(embedded_file("series.hpp.in"), {{"SERIES_ROWS", std::to_string(plant.series->rows)},

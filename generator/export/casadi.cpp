@@ -13,6 +13,8 @@ Exported casadi_files(const ExportSubject& subject, const ExportWish& wish) {
     DerivativesInC derivatives = derivatives_in_c(subject, wish, "CasADi");
     std::map<std::string, std::string> values = derivatives.numbers;
     values["HAS_HESSIAN"] = derivatives.has_hessian ? "1" : "0";
+    values["HAS_BY_P"] = derivatives.has_outputs_by_parameter ? "1" : "0";
+    values["HAS_BY_T"] = derivatives.has_outputs_by_time ? "1" : "0";
     values["T"] = derivatives.has_time ? ", t" : "";
     const std::string main_file = subject.name + "_casadi.c";
     Exported result{{subject.c_files.front()}, {}};  // the header; nothing here asks for the table
@@ -21,9 +23,14 @@ Exported casadi_files(const ExportSubject& subject, const ExportWish& wish) {
     if (!wish.sources_only) result.files.emplace_back(subject.name + ".so", c_library(result.files, main_file));
     if (!wish.mode.empty()) result.notes.push_back(fmt::format("the machine stays in the mode '{}', whatever its events are", wish.mode));
     if (derivatives.has_time) result.notes.push_back("the model depends on time: t is the last argument of f and y");
-    if (!subject.no_hessian.empty()) result.notes.push_back("second derivatives are not there: " + subject.no_hessian);
-    if (!subject.plant.outputs.empty())
-        result.notes.push_back("derivatives of outputs by parameters are not there: CasADi gets NaN where it asks for them");
+    const auto tell = [&](Function function, const char* what, const char* instead) {
+        if (const auto found = subject.missing.find(function); found != subject.missing.end())
+            result.notes.push_back(fmt::format("{} are not there{}: {}", what, instead, found->second));
+    };
+    tell(Function::hessian, "second derivatives", "");
+    if (!subject.plant.outputs.empty()) tell(Function::output_jacobian_p, "derivatives of outputs by parameters", ", and are NaN");
+    if (!subject.plant.outputs.empty() && derivatives.has_time)
+        tell(Function::output_jacobian_t, "derivatives of outputs by time", ", and are NaN");
     return result;
 }
 

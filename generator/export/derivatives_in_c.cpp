@@ -126,7 +126,10 @@ DerivativesInC derivatives_in_c(const ExportSubject& subject, const ExportWish& 
     const Plant& plant = subject.plant;
     DerivativesInC result;
     result.has_time = has_time(subject);
-    result.has_hessian = subject.machine.wished.contains(Function::hessian);
+    const auto has = [&](Function function) { return subject.machine.wished.contains(function); };
+    result.has_hessian = has(Function::hessian);
+    result.has_outputs_by_parameter = has(Function::output_jacobian_p);
+    result.has_outputs_by_time = has(Function::output_jacobian_t);
     const std::string mode = mode_argument(subject, wish, tool);
     const std::size_t n = plant.states.size(), m = plant.inputs.size(), l = plant.outputs.size(), p = plant.parameters.size();
     std::size_t entries = 0;
@@ -150,6 +153,8 @@ DerivativesInC derivatives_in_c(const ExportSubject& subject, const ExportWish& 
                                   {"GUARD", guard},
                                   {"MODE", mode},
                                   {"HAS_HESSIAN", result.has_hessian ? "1" : "0"},
+                                  {"HAS_BY_P", result.has_outputs_by_parameter ? "1" : "0"},
+                                  {"HAS_BY_T", result.has_outputs_by_time ? "1" : "0"},
                                   {"PARAMETERS", std::to_string(p)},
                                   {"ROOM_X", room({n})},
                                   {"ROOM_U", room({m})},
@@ -159,7 +164,7 @@ DerivativesInC derivatives_in_c(const ExportSubject& subject, const ExportWish& 
                                   {"NONZEROS_U", std::to_string(plant.by_input.row_indices.size())},
                                   {"NONZEROS_P", std::to_string(plant.by_parameter.row_indices.size())},
                                   {"ROOM_J", room({plant.by_state.size(), plant.by_input.size(), plant.by_parameter.size()})},
-                                  {"ROOM_C", room({l * n, l * m})},
+                                  {"ROOM_C", room({l, l * n, l * m, l * p})},
                                   {"ROOM_ZEROS", room({n, m, p, l})},
                                   {"MATRICES", matrix(plant.by_state, subject.name, "x") + matrix(plant.by_input, subject.name, "u") +
                                                    matrix(plant.by_parameter, subject.name, "p")}})};

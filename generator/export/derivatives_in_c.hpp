@@ -13,6 +13,7 @@ namespace dalembert {
 /// What such exports have in common.
 struct DerivativesInC {
     bool has_hessian = false;                    ///< the header has second derivatives
+    bool has_outputs_by_parameter = false, has_outputs_by_time = false;  ///< and the derivatives of outputs by these
     bool has_time = false;                       ///< rates or outputs depend on t itself
     std::map<std::string, std::string> numbers;  ///< NAME, TITLE and sizes, for the templates of tools
     std::pair<std::filesystem::path, std::string> file;  ///< NAME_derivatives.h

@@ -21,6 +21,7 @@ struct Row {
     const char* function;  ///< of the header
     bool takes_input;
     const char* result;    ///< its array; null: it returns a number
+    bool is_optional = false;  ///< headers have it where it was asked for
 };
 constexpr Row rows[]{
     {"rhs", "rhs", true, "dxdt"},
@@ -28,6 +29,8 @@ constexpr Row rows[]{
     {"output", "output", true, "y"},
     {"output_jacobian_x", "output_jacobian_x", true, "C"},
     {"output_jacobian_u", "output_jacobian_u", true, "D"},
+    {"output_jacobian_p", "output_jacobian_p", true, "C_p", true},
+    {"output_jacobian_t", "output_jacobian_t", true, "C_t", true},
     {"mass_matrix", "mass_matrix", false, "M"},
     {"kinetic_energy", "kinetic_energy", false, nullptr},
     {"potential_energy", "potential_energy", false, nullptr},
@@ -152,6 +155,8 @@ private:
     std::string unused_mode() const { return plant_.modes ? "" : "    (void)mode;\n"; }
 
     void add(const Row& row) {
+        const auto is_it = [&](const PlantFunction& f) { return std::string_view(row.function) == f.name; };
+        if (row.is_optional && std::none_of(plant_.functions.begin(), plant_.functions.end(), is_it)) return;
         const bool is_number = row.result == nullptr;
         functions_ += fmt::format("static {} {}_plant_{}(const void* self, unsigned mode, const double* x, {}double t{}) {{\n",
                                   is_number ? "double" : "void", name_, row.member, row.takes_input ? "const double* u, " : "",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "export/python.hpp"
 
+#include <dalembert/plant.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -29,7 +30,8 @@ constexpr std::array taken{
     "return", "try", "while", "with", "yield", "attributes", "constraint_jacobian", "constraint_positions", "constraint_rates",
     "constraints", "copy", "degrees", "energies", "events", "guard_rates", "guard_table", "guards", "holds", "input", "inputs", "ivp",
     "jacobian_p", "jacobian_t", "jacobian_u", "jacobian_x", "kinks", "linearise", "mass_matrix", "mode_number", "modes", "name", "output",
-    "output_jacobian_u", "output_jacobian_x", "outputs", "parameters", "pattern_p", "pattern_u", "pattern_x", "powers", "rhs",
+    "output_jacobian_p", "output_jacobian_t", "output_jacobian_u", "output_jacobian_x",
+    "outputs", "parameters", "pattern_p", "pattern_u", "pattern_x", "powers", "rhs",
     "rhs_and_jacobian", "scene", "set", "simulate", "state", "states", "title", "values", "velocity_place", "x0"};
 // clang-format on
 
@@ -142,7 +144,8 @@ Exported python_files(const ExportSubject& subject, const ExportWish& wish) {
     for (const char* name : {"_plant.py", "_tables.py", "_ivp.py", "_simulate.py", "py.typed"})
         put(name, std::string(embedded_file(fmt::format("python/{}", name))));
     put("_library.py", fill_template(embedded_file("python/_library.py.in"),
-                                     {{"OPTIONS", fmt::format("\"{}\"", fmt::join(c_library_options(), "\", \""))}}));
+                                     {{"PLANT_VERSION", std::to_string(DALEMBERT_PLANT_VERSION)},
+                                      {"OPTIONS", fmt::format("\"{}\"", fmt::join(c_library_options(), "\", \""))}}));
     put("_units.py", fill_template(embedded_file("python/_units.py.in"), {{"UNITS", units()}, {"PREFIXES", prefixes()}}));
     put("example.py", example_text(subject));
     for (const auto& [path, text] : texts) result.files.emplace_back(package / "c" / path, text);

@@ -2,6 +2,7 @@
 // Tools that take a model. To add one: a file with its function, and a row in targets.cpp.
 #pragma once
 
+#include <map>
 #include <span>
 
 #include "pipeline.hpp"
@@ -18,8 +19,7 @@ struct ExportSubject {
     std::vector<double> parameter_defaults;
     /// NAME_SCENE.h, dalembert_plant.h and NAME_SCENE_plant.h: the functions of the model and their table, see plant_in_c.hpp.
     FileContents c_files;
-    /// Of a target that takes second derivatives: why NAME_SCENE.h has no function `hessian`, as a sentence; empty where it has.
-    std::string no_hessian;
+    std::map<Function, std::string> missing = {};  ///< functions that the target takes and NAME_SCENE.h does not have: why, as a sentence
 };
 
 /// What the command line asks for besides.
@@ -39,7 +39,7 @@ struct Target {
     /// Throws Failure for what the tool cannot take.
     Exported (*make)(const ExportSubject& subject, const ExportWish& wish);
     bool takes_mode = false;     ///< a machine that switches is exported in one mode, which --mode chooses
-    bool takes_hessian = false;  ///< the C header gets the function `hessian`, where there can be one
+    std::span<const Function> wishes = {};  ///< functions that the C header gets where it can, besides those that every header has
 };
 
 std::span<const Target> targets();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <array>
+
 #include "export/acados.hpp"
 #include "export/casadi.hpp"
 #include "export/fmi.hpp"
@@ -23,16 +25,20 @@ Exported plant_files(const ExportSubject& subject, const ExportWish&) {
     return result;
 }
 
+constexpr std::array slopes_of_outputs{Function::output_jacobian_p, Function::output_jacobian_t};
+constexpr std::array all_derivatives{Function::hessian, Function::output_jacobian_p, Function::output_jacobian_t};
+
 constexpr Target table[]{
     {"c", "the model as a table of C functions, in C99: for programs of your own", plant_files},
-    {"casadi", "functions for CasADi's `external`: C files and a shared library", casadi_files, true, true},
-    {"fmi2", "a functional mock-up unit (FMI 2.0) for model exchange and co-simulation", fmi2_files},
-    {"fmi3", "a functional mock-up unit (FMI 3.0) for model exchange and co-simulation", fmi3_files},
+    {"casadi", "functions for CasADi's `external`: C files and a shared library", casadi_files, true, all_derivatives},
+    {"fmi2", "a functional mock-up unit (FMI 2.0) for model exchange and co-simulation", fmi2_files, false, slopes_of_outputs},
+    {"fmi3", "a functional mock-up unit (FMI 3.0) for model exchange and co-simulation", fmi3_files, false, slopes_of_outputs},
     {"acados", "the functions of the dynamics for acados, what `casadi` writes, and a Python file that makes an AcadosModel", acados_files,
-     true, true},
-    {"python", "a package for Python with numpy: functions for many points at once, runs, and solve_ivp", python_files},
+     true, all_derivatives},
+    {"python", "a package for Python with numpy: functions for many points at once, runs, and solve_ivp", python_files, false,
+     slopes_of_outputs},
     {"octave", "a MEX function for Octave and MATLAB: functions for many points at once, runs, and handles for ode45 and ode15s",
-     octave_files},
+     octave_files, false, slopes_of_outputs},
 };
 
 }  // namespace

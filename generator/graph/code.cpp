@@ -22,7 +22,7 @@ public:
         : code_(std::make_unique<Code>(system)),
           system_(system),
           lowered_(lower_system(system, code_->atoms, wish.passes.rewriting, wish.passes.chain ? wish.chain : ChainUse::never,
-                                wish.functions.contains(Function::hessian))),
+                                wish.functions)),
           n_(system.motion.unknowns()),
           degrees_(system.symbols.degrees()),
           multipliers_(system.motion.multipliers.size()),
@@ -35,7 +35,8 @@ public:
         order_definitions();
         choose_solve();
         code_->has_long_chain = lowered_.has_long_chain;
-        for (const HeaderFunction* row : in_order_of_making()) make(*row);
+        for (const HeaderFunction* row : in_order_of_making())
+            if (row->in != HeaderFunction::In::wished || wish.functions.contains(row->function)) make(*row);
         if (wish.series) series();
         if (wish.functions.contains(Function::together)) together();
         if (wish.functions.contains(Function::hessian) && code_->solve.unrolled) make_hessian(*code_, lowered_, motion_);
@@ -265,6 +266,7 @@ private:
     }
 
     void output_jacobian(const HeaderFunction& row) {
+        if (row.in == HeaderFunction::In::wished) code_->wished.insert(row.function);
         FunctionCode& f = (*code_)[row.function];
         ProgramBuilder builder(code_->atoms, code_->cache, row.parts, f.program, code_->passes);
         const LoweredSystem::Columns& by = lowered_.partial(*row.by);

@@ -108,6 +108,12 @@ std::span<const HeaderFunction> header_functions() {
         HeaderFunction{.function = Function::output_jacobian_u, .name = "output_jacobian_u", .kind = Kind::output_jacobian, .in = In::all,
                        .parts = cached, .doc = "D = dh/du.", .type = "OutputJacobianU", .array = "D", .by = By::input,
                        .names = output_names},
+        HeaderFunction{.function = Function::output_jacobian_p, .name = "output_jacobian_p", .kind = Kind::output_jacobian,
+                       .in = In::wished, .parts = if_cached, .doc = "C_p = dh/dp, parameters in the order of the table.",
+                       .type = "OutputJacobianP", .array = "C_p", .by = By::parameter, .names = output_names},
+        HeaderFunction{.function = Function::output_jacobian_t, .name = "output_jacobian_t", .kind = Kind::output_jacobian,
+                       .in = In::wished, .parts = if_cached, .doc = "C_t = dh/dt at fixed x and u.", .type = "OutputJacobianT",
+                       .array = "C_t", .by = By::time, .names = output_names},
 
         // --- energies and powers
         HeaderFunction{.function = Function::kinetic_energy, .name = "kinetic_energy", .kind = Kind::number, .in = In::all,

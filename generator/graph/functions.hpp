@@ -44,8 +44,10 @@ enum class Function {
     correction,
     together,
     hessian,
+    output_jacobian_p,
+    output_jacobian_t,
 };
-inline constexpr std::size_t function_count = static_cast<std::size_t>(Function::hessian) + 1;
+inline constexpr std::size_t function_count = static_cast<std::size_t>(Function::output_jacobian_t) + 1;
 
 struct HeaderFunction {
     enum class Kind {

@@ -18,7 +18,7 @@ class Lowerer {
 public:
     Lowerer(const System& system, Atoms& atoms, ChainUse chain) : system_(system), atoms_(atoms), chain_(chain) {}
 
-    LoweredSystem run(bool rewrites, bool second_order) {
+    LoweredSystem run(bool rewrites, const std::set<Function>& wished) {
         LoweredSystem l;
         for (const HeaderFunction& row : header_functions())
             if (row.values != nullptr) l[row.function] = all(row.values(system_));
@@ -35,13 +35,14 @@ public:
             auto& columns = l.by[static_cast<std::size_t>(by)];
             for (const auto& column : p.residual) columns.residual.push_back(l.has_long_chain ? std::vector<Polynomial>() : all(column));
             for (const auto& column : p.state_rate) columns.state_rate.push_back(all(column));
-            // Of outputs no code asks for the others, and those by parameters can be long beyond measure: radiosities of many surfaces.
-            if (by == By::state || by == By::input)
+            // Slopes of outputs by parameters can be long beyond measure: radiosities of many surfaces.
+            if (by == By::state || by == By::input || (by == By::parameter && wished.contains(Function::output_jacobian_p)) ||
+                (by == By::time && wished.contains(Function::output_jacobian_t)))
                 for (const auto& column : p.output) columns.output.push_back(all(column));
             for (const auto& column : p.held) columns.held.push_back(all(column));
         }
         for (const auto& column : output_by_acceleration(system_)) l.output_by_acceleration.push_back(all(column));
-        if (second_order && !l.has_long_chain) {
+        if (wished.contains(Function::hessian) && !l.has_long_chain) {
             const SecondPartials s = second_partials(system_);
             l.second.adjoint = all(s.adjoint);
             l.second.direct = all(s.direct);
@@ -204,8 +205,8 @@ private:
 
 }  // namespace
 
-LoweredSystem lower_system(const System& system, Atoms& atoms, bool rewrites, ChainUse chain, bool second_order) {
-    return Lowerer(system, atoms, chain).run(rewrites, second_order);
+LoweredSystem lower_system(const System& system, Atoms& atoms, bool rewrites, ChainUse chain, const std::set<Function>& wished) {
+    return Lowerer(system, atoms, chain).run(rewrites, wished);
 }
 
 }  // namespace dalembert

@@ -21,6 +21,7 @@ std::vector<AuditEntry> Verification::run() {
 }
 
 void Verification::prove(const HeaderFunction& row) {
+    if (row.in == HeaderFunction::In::wished && !code_.wished.contains(row.function)) return;
     switch (row.kind) {
         case Kind::update: return definitions();
         case Kind::motion: motion(row.function); [[fallthrough]];
@@ -28,12 +29,8 @@ void Verification::prove(const HeaderFunction& row) {
             if (row.by) columns(row.function, *row.by);
             return;
         case Kind::output_jacobian: return output_columns(row.function, *row.by);
-        case Kind::together:
-            if (code_.wished.contains(row.function)) together();
-            return;
-        case Kind::hessian:
-            if (code_.wished.contains(row.function)) hessian();
-            return;
+        case Kind::together: return together();
+        case Kind::hessian: return hessian();
         case Kind::resets: return resets();
         case Kind::correction:
             if (system_.needs_projection()) correction();

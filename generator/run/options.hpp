@@ -52,6 +52,7 @@ struct Options {
     std::vector<std::string> free;
     bool taylor = false;                  ///< the header gets series
     bool hessian = false;                 ///< a function for second derivatives
+    bool output_jacobian_p = false, output_jacobian_t = false;
     bool together = false;                ///< and a function for rates, Jacobian, outputs and energies at once
     bool explain = false;
     std::string dump;

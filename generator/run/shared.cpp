@@ -40,6 +40,8 @@ void ask_of_code(Machine& machine, const Options& options) {
     machine.trig = options.trig == "combined" ? Trig::combined : Trig::library;
     if (options.together) machine.wished.insert(Function::together);
     if (options.hessian) machine.wished.insert(Function::hessian);
+    if (options.output_jacobian_p) machine.wished.insert(Function::output_jacobian_p);
+    if (options.output_jacobian_t) machine.wished.insert(Function::output_jacobian_t);
     machine.language = &language_named(options.language);
 }
 

@@ -18,7 +18,7 @@ extern "C" {
 #endif
 
 /* Version of this table. It grows with every change that matters to a program that reads it. */
-#define DALEMBERT_PLANT_VERSION 1
+#define DALEMBERT_PLANT_VERSION 2
 
 /* Name in the model, SI unit, description, and declared range. */
 typedef struct dalembert_quantity {
@@ -105,6 +105,9 @@ typedef struct dalembert_plant {
     void (*output)(const void* self, unsigned mode, const double* x, const double* u, double t, double* y);
     void (*output_jacobian_x)(const void* self, unsigned mode, const double* x, const double* u, double t, double* C);
     void (*output_jacobian_u)(const void* self, unsigned mode, const double* x, const double* u, double t, double* D);
+    /* Of plants that were made with them (null: not known): dy/dp, and dy/dt at fixed x and u. */
+    void (*output_jacobian_p)(const void* self, unsigned mode, const double* x, const double* u, double t, double* C);
+    void (*output_jacobian_t)(const void* self, unsigned mode, const double* x, const double* u, double t, double* dydt);
     void (*mass_matrix)(const void* self, unsigned mode, const double* x, double t, double* M);
 
     /* In J and W; null: zero. d(kinetic + potential + internal)/dt = supplied - dissipated + prescribed + exchanged. */

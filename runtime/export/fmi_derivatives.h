@@ -43,7 +43,7 @@ static void fmi_write_column(const double* values, const dalembert_pattern* patt
             result[pattern->row_indices[k]] = values[k];
 }
 
-/* Outputs by a parameter or the time, which the table does not hold: differences of fourth order, good to about 1e-11 of the outputs. */
+/* Outputs by a parameter or the time where the plant does not have them: differences of fourth order, good to about 1e-11 of the outputs. */
 static void fmi_differences(fmi_machine* m, size_t parameter, int is_time, double* result) {
     const dalembert_plant* plant = m->plant;
     double* p = m->work;
@@ -81,11 +81,17 @@ static int fmi_column(fmi_machine* m, size_t reference, double* rates, double* o
         return 1;
     case fmi_parameter:
         fmi_write_column(fmi_matrix(m, fmi_has_by_parameter, plant->jacobian_p, m->by_parameter), &plant->pattern_p, n, at, rates);
-        fmi_differences(m, at, 0, outputs);
+        if (plant->output_jacobian_p)
+            fmi_write_column(fmi_matrix(m, fmi_has_outputs_by_parameter, plant->output_jacobian_p, m->outputs_by_parameter), NULL,
+                             plant->outputs, at, outputs);
+        else fmi_differences(m, at, 0, outputs);
         return 1;
     case fmi_time:
         fmi_write_column(fmi_matrix(m, fmi_has_by_time, plant->jacobian_t, m->by_time), NULL, n, 0, rates);
-        fmi_differences(m, 0, 1, outputs);
+        if (plant->output_jacobian_t)
+            fmi_write_column(fmi_matrix(m, fmi_has_outputs_by_time, plant->output_jacobian_t, m->outputs_by_time), NULL, plant->outputs, 0,
+                             outputs);
+        else fmi_differences(m, 0, 1, outputs);
         return 1;
     default: return 0;
     }

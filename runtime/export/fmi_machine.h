@@ -39,7 +39,9 @@ enum fmi_known {
     fmi_has_by_state = 4,
     fmi_has_by_input = 8,
     fmi_has_by_parameter = 16,
-    fmi_has_by_time = 32
+    fmi_has_by_time = 32,
+    fmi_has_outputs_by_parameter = 64,
+    fmi_has_outputs_by_time = 128
 };
 
 typedef struct fmi_machine {
@@ -71,7 +73,7 @@ typedef struct fmi_machine {
     double *rates, *outputs, *indicators;
     double* behind;           /* by indicator of an event: where it stood, at or below zero, when the last event was handled */
     double *by_state, *by_input, *by_parameter, *by_time;     /* of the rates, in the pattern of the plant */
-    double *outputs_by_state, *outputs_by_input;
+    double *outputs_by_state, *outputs_by_input, *outputs_by_parameter, *outputs_by_time;
     double* work;
 } fmi_machine;
 
@@ -168,7 +170,7 @@ static fmi_machine* fmi_new(int is_co_simulation, const char* name) {
     double** const vectors[] = {
         &m->x,      &m->u,        &m->p,        &m->given,        &m->rates,   &m->outputs,          &m->indicators,
         &m->behind, &m->by_state, &m->by_input, &m->by_parameter, &m->by_time, &m->outputs_by_state, &m->outputs_by_input,
-        &m->work};
+        &m->outputs_by_parameter, &m->outputs_by_time, &m->work};
     const size_t sizes[] = {n,
                             inputs,
                             parameters,
@@ -183,6 +185,8 @@ static fmi_machine* fmi_new(int is_co_simulation, const char* name) {
                             n,
                             outputs * n,
                             outputs * inputs,
+                            plant->output_jacobian_p ? outputs * parameters : 0,
+                            outputs,
                             n + dalembert_projection_room(plant) + 2 * outputs + parameters};
     const size_t count = sizeof sizes / sizeof sizes[0];
     size_t all = 1; /* an array of nothing has a place, too */

@@ -29,6 +29,8 @@ enum dalembert_value {
     dalembert_value_output,
     dalembert_value_output_jacobian_x,
     dalembert_value_output_jacobian_u,
+    dalembert_value_output_jacobian_p,
+    dalembert_value_output_jacobian_t,
     dalembert_value_mass_matrix,
     dalembert_value_energies, /* kinetic, potential, internal */
     dalembert_value_powers,   /* supplied, dissipated, prescribed, exchanged */
@@ -61,11 +63,14 @@ static inline size_t dalembert_value_size(const dalembert_plant* plant, enum dal
         case dalembert_value_jacobian_p:
             return dalembert_entries(&plant->pattern_p, n, plant->parameters);
         case dalembert_value_output:
+        case dalembert_value_output_jacobian_t:
             return plant->outputs;
         case dalembert_value_output_jacobian_x:
             return plant->outputs * n;
         case dalembert_value_output_jacobian_u:
             return plant->outputs * plant->inputs;
+        case dalembert_value_output_jacobian_p:
+            return plant->outputs * plant->parameters;
         case dalembert_value_mass_matrix:
             return plant->degrees * plant->degrees;
         case dalembert_value_energies:
@@ -105,6 +110,10 @@ static inline int dalembert_has_value(const dalembert_plant* plant, enum dalembe
             return plant->output_jacobian_x != NULL;
         case dalembert_value_output_jacobian_u:
             return plant->output_jacobian_u != NULL;
+        case dalembert_value_output_jacobian_p:
+            return plant->output_jacobian_p != NULL || plant->outputs == 0;
+        case dalembert_value_output_jacobian_t:
+            return plant->output_jacobian_t != NULL || plant->outputs == 0;
         case dalembert_value_mass_matrix:
             return plant->mass_matrix != NULL;
         case dalembert_value_guards:
@@ -167,6 +176,12 @@ static inline void dalembert_many(const dalembert_plant* plant, const void* self
             DALEMBERT_EACH(plant->output_jacobian_x(self, mode, x, u, t, y)) break;
         case dalembert_value_output_jacobian_u:
             DALEMBERT_EACH(plant->output_jacobian_u(self, mode, x, u, t, y)) break;
+        case dalembert_value_output_jacobian_p:
+            if (size > 0) DALEMBERT_EACH(plant->output_jacobian_p(self, mode, x, u, t, y))
+            break;
+        case dalembert_value_output_jacobian_t:
+            if (size > 0) DALEMBERT_EACH(plant->output_jacobian_t(self, mode, x, u, t, y))
+            break;
         case dalembert_value_mass_matrix:
             DALEMBERT_EACH(plant->mass_matrix(self, mode, x, t, y)) break;
         case dalembert_value_energies:

@@ -3,6 +3,8 @@
 // left out.
 #pragma once
 
+#include <cstdlib>
+
 #include "export/random_point.hpp"
 
 using CasadiFunction = LoadedFunction<long long, int>;
@@ -97,16 +99,40 @@ public:
         }
     }
 
+    /// Slopes of outputs by parameters or time, which the table does not have: as the function says, compared with differences.
+    Vector slopes_of_outputs(ExpectedValues& plant, const Point& q, std::size_t result) const {
+        const std::size_t rows = plant.outputs(), columns = result == 2 ? plant.parameters() : 1;
+        Vector found = outputs[1].whole(arguments(q, {Vector()}))[result];
+        if (!has_slopes || !plant.is_finite()) return found;
+        for (std::size_t c = 0; c < columns; ++c) {
+            const auto [slopes, unsure] = plant.slopes_of_outputs(q, result == 2 ? c : plant.parameters());
+            const double step = result == 2 && q.p[c] != 0 ? std::abs(q.p[c]) : 1;
+            for (std::size_t r = 0; r < rows; ++r) {
+                const double size = std::abs(slopes[r]) + std::abs(plant.y[r]) / step, distance = std::abs(found[c * rows + r] - slopes[r]);
+                if (!std::isfinite(slopes[r])) continue;
+                ++compared();
+                require(distance <= 1e-8 * size + 20 * unsure[r],
+                        "slope of output " + std::to_string(r) + " by " + std::to_string(c) + " of " + std::to_string(result) + ": " +
+                            std::to_string(found[c * rows + r]) + ", differences say " + std::to_string(slopes[r]));
+            }
+        }
+        return found;
+    }
+
     void check(ExpectedValues& plant, const Point& q, Random& random) const {
         plant.at(q);
-        std::vector<Vector> J{plant.by_x, plant.by_u, plant.by_p}, S{plant.C, plant.D, Vector(plant.outputs() * plant.parameters(), NAN)};
-        if (has_time) J.push_back(plant.by_time), S.push_back(Vector(plant.outputs(), NAN));
+        std::vector<Vector> J{plant.by_x, plant.by_u, plant.by_p}, S{plant.C, plant.D};
+        if (!outputs.empty()) S.push_back(slopes_of_outputs(plant, q, 2));
+        if (!outputs.empty() && has_time) S.push_back(slopes_of_outputs(plant, q, 3));
+        plant.at(q);
+        if (has_time) J.push_back(plant.by_time);
         else same("df/dt", plant.by_time, Vector(plant.states(), 0.0));
         check(f, jac, fwd, adj, q, plant.rates, J, random);
         if (!outputs.empty()) check(outputs[0], outputs[1], outputs[2], outputs[3], q, plant.y, S, random);
     }
 
     bool has_time;
+    bool has_slopes = std::getenv("NO_SLOPES") == nullptr;  ///< of outputs by parameters and time; else they are NaN
     CasadiFunction f, jac, fwd, adj;
     std::vector<CasadiFunction> outputs;
 };

@@ -43,6 +43,25 @@ public:
         table.output_jacobian_x(self_, mode_, q.x.data(), q.u.data(), q.t, C.data());
         if (m > 0) table.output_jacobian_u(self_, mode_, q.x.data(), q.u.data(), q.t, D.data());
     }
+    /// dy/d(parameter), or behind the last one dy/dt, by differences of fourth order, and how far a step of half the length is from it.
+    std::pair<Vector, Vector> slopes_of_outputs(const Point& q, std::size_t parameter) {
+        const auto difference = [&](double h) {
+            Vector sum(outputs(), 0.0);
+            for (const auto& [step, weight] : {std::pair(-2.0, 1.0), std::pair(-1.0, -8.0), std::pair(1.0, 8.0), std::pair(2.0, -1.0)}) {
+                Point there = q;
+                (parameter < parameters() ? there.p[parameter] : there.t) += step * h;
+                Vector values(outputs());
+                table.set_parameters(self_, there.p.data());
+                table.output(self_, mode_, there.x.data(), there.u.data(), there.t, values.data());
+                for (std::size_t i = 0; i < values.size(); ++i) sum[i] += weight * values[i] / (12.0 * h);
+            }
+            return sum;
+        };
+        const double at = parameter < parameters() ? q.p[parameter] : q.t, h = 1e-3 * (at == 0 ? 1.0 : std::abs(at));
+        Vector coarse = difference(h), fine = difference(h / 2);
+        for (std::size_t i = 0; i < fine.size(); ++i) coarse[i] = std::abs(coarse[i] - fine[i]);
+        return {fine, coarse};
+    }
     Vector start(const Vector& p) {
         Vector x(states());
         table.set_parameters(self_, p.data());

@@ -31,8 +31,8 @@ end
 n = numel(plant.states); m = numel(plant.inputs); k = numel(plant.outputs); q = numel(plant.parameters);
 expected = load(paths{2});  % struct: x, u, t, mode, and values by the names of the functions
 points = numel(expected.t);
-vectors = {'rhs', 'jacobian_t', 'output', 'energies', 'powers', 'guard_values', 'holds'};
-matrices = {'jacobian_x', 'jacobian_u', 'jacobian_p', 'output_jacobian_x', 'output_jacobian_u', 'mass_matrix'};
+vectors = {'rhs', 'jacobian_t', 'output', 'output_jacobian_t', 'energies', 'powers', 'guard_values', 'holds'};
+matrices = {'jacobian_x', 'jacobian_u', 'jacobian_p', 'output_jacobian_x', 'output_jacobian_u', 'output_jacobian_p', 'mass_matrix'};
 for f = [vectors, matrices]
   f = f{1};
   if ~isfield(expected, f), continue; end

@@ -48,6 +48,11 @@ values = {"rhs": plant.rhs(*at).T, "jacobian_t": plant.jacobian_t(*at).T, "energ
 for name, many in (("jacobian_x", plant.jacobian_x), ("jacobian_u", plant.jacobian_u), ("jacobian_p", plant.jacobian_p),
                    ("output_jacobian_x", plant.output_jacobian_x), ("output_jacobian_u", plant.output_jacobian_u)):
     values[name] = np.moveaxis(many(*at), 0, -1)
+try:
+    values["output_jacobian_p"] = np.moveaxis(plant.output_jacobian_p(*at), 0, -1)
+    values["output_jacobian_t"] = plant.output_jacobian_t(*at).T
+except NotImplementedError:  # rods in loops
+    pass
 if plant.outputs:
     values["output"] = plant.output(*at).T
 if plant.degrees > 0:

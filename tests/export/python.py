@@ -47,7 +47,8 @@ POWER = C.CFUNCTYPE(D, P, U, P, P, D)
 
 class Table(library.CPlant):
     _fields_ = [("rhs", AT), ("rhs_and_jacobian", OF_TWO), ("jacobian_u", AT), ("jacobian_p", AT), ("jacobian_t", AT), ("output", AT),
-                ("output_jacobian_x", AT), ("output_jacobian_u", AT), ("mass_matrix", OF_X), ("kinetic_energy", ENERGY),
+                ("output_jacobian_x", AT), ("output_jacobian_u", AT), ("output_jacobian_p", AT), ("output_jacobian_t", AT),
+                ("mass_matrix", OF_X), ("kinetic_energy", ENERGY),
                 ("potential_energy", ENERGY), ("internal_energy", ENERGY), ("supplied_power", POWER), ("dissipated_power", POWER),
                 ("prescribed_power", POWER), ("exchanged_power", POWER), ("guard_values", AT), ("guard_rates", AT), ("kink_values", AT),
                 ("holds", C.CFUNCTYPE(C.c_int, P, U, P, P, D))]
@@ -121,6 +122,16 @@ def check_values(plant, xs, us, ts, modes):
     compare("jacobian_p", stored[2], (n, len(plant.parameters)), plant.pattern_p)
     compare("output_jacobian_x", k * n, (k, n))
     compare("output_jacobian_u", k * m, (k, m))
+    if table.output_jacobian_p:
+        compare("output_jacobian_p", k * len(plant.parameters), (k, len(plant.parameters)))
+        compare("output_jacobian_t", k, (k,))
+    elif k > 0:
+        for value in (plant.output_jacobian_p, plant.output_jacobian_t):
+            try:
+                value(xs, us, ts, modes)
+                check(False, "a plant without slopes of outputs has some")
+            except NotImplementedError:
+                pass
     if table.mass_matrix:
         compare("mass_matrix", plant.degrees**2, (plant.degrees, plant.degrees))
     if watched > 0:
@@ -190,12 +201,18 @@ def check_jacobians(plant, xs, us, ts, modes):
             check_slopes("C", plant.output_jacobian_x(x, u, t, mode), lambda v: plant.output(v, u, t, mode), x)
             check_slopes("D", plant.output_jacobian_u(x, u, t, mode), lambda v: plant.output(x, v, t, mode), u)
         other = plant.copy()
+        parameters = np.array(list(plant.values().values()))
 
-        def by_parameters(values):
-            other.set(dict(zip(other.values(), values)))
-            return other.rhs(x, u, t, mode)
+        def by_parameters(function):
+            def at(values):
+                other.set(dict(zip(other.values(), values)))
+                return function(x, u, t, mode)
+            return at
 
-        check_slopes("df/dp", plant.jacobian_p(x, u, t, mode), by_parameters, np.array(list(plant.values().values())))
+        check_slopes("df/dp", plant.jacobian_p(x, u, t, mode), by_parameters(other.rhs), parameters)
+        if len(plant.outputs) > 0 and C.cast(plant._library.dalembert_plant_table(), C.POINTER(Table)).contents.output_jacobian_p:
+            check_slopes("dy/dp", plant.output_jacobian_p(x, u, t, mode), by_parameters(other.output), parameters)
+            check_slopes("dy/dt", plant.output_jacobian_t(x, u, t, mode)[:, None], lambda v: plant.output(x, u, v[0], mode), np.array([t]))
 
 
 def check_run(plant, run):

@@ -18,6 +18,8 @@ static const char* const mex_commands[dalembert_values] = {"rhs",
                                                            "output",
                                                            "output_jacobian_x",
                                                            "output_jacobian_u",
+                                                           "output_jacobian_p",
+                                                           "output_jacobian_t",
                                                            "mass_matrix",
                                                            "energies",
                                                            "powers",
@@ -52,6 +54,9 @@ static int mex_shape(const dalembert_plant* plant, enum dalembert_value value, s
             break;
         case dalembert_value_output_jacobian_u:
             *columns = plant->inputs;
+            break;
+        case dalembert_value_output_jacobian_p:
+            *columns = plant->parameters;
             break;
         case dalembert_value_mass_matrix:
             *columns = plant->degrees;
@@ -122,8 +127,13 @@ static mxArray* mex_value_as_array(const dalembert_plant* plant, const void* sel
 static mxArray* mex_value_command(const dalembert_plant* plant, int value, int nrhs, const mxArray* prhs[]) {
     const dalembert_points at =
         mex_points_of(plant, nrhs > 1 ? prhs[1] : NULL, nrhs > 2 ? prhs[2] : NULL, nrhs > 3 ? prhs[3] : NULL, nrhs > 5 ? prhs[5] : NULL);
-    void* const self = mex_instance(plant, nrhs > 4 ? prhs[4] : NULL);
-    mxArray* const made = mex_value_as_array(plant, self, (enum dalembert_value)value, &at);
+    void* self;
+    mxArray* made;
+    if ((value == dalembert_value_output_jacobian_p || value == dalembert_value_output_jacobian_t) &&
+        !dalembert_has_value(plant, (enum dalembert_value)value))
+        mex_refuse("function", "'%s' has no %s", plant->name, mex_commands[value]);
+    self = mex_instance(plant, nrhs > 4 ? prhs[4] : NULL);
+    made = mex_value_as_array(plant, self, (enum dalembert_value)value, &at);
     plant->destroy(self);
     return made;
 }

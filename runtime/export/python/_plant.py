@@ -23,8 +23,8 @@ Number = Union[float, str]
 Values = Union[np.ndarray, Sequence[float], Mapping[str, Number]]
 
 # As in enum dalembert_value of many_points.h.
-(_RHS, _JACOBIAN_X, _JACOBIAN_U, _JACOBIAN_P, _JACOBIAN_T, _OUTPUT, _OUTPUT_X, _OUTPUT_U, _MASS, _ENERGIES, _POWERS, _GUARDS, _GUARD_RATES,
- _KINKS, _HOLDS, _CONSTRAINT_POSITIONS, _CONSTRAINT_RATES, _CONSTRAINT_JACOBIAN) = range(18)
+(_RHS, _JACOBIAN_X, _JACOBIAN_U, _JACOBIAN_P, _JACOBIAN_T, _OUTPUT, _OUTPUT_X, _OUTPUT_U, _OUTPUT_P, _OUTPUT_T, _MASS, _ENERGIES, _POWERS,
+ _GUARDS, _GUARD_RATES, _KINKS, _HOLDS, _CONSTRAINT_POSITIONS, _CONSTRAINT_RATES, _CONSTRAINT_JACOBIAN) = range(20)
 
 
 class Plant:
@@ -280,6 +280,20 @@ class Plant:
         """D = dy/du, of shape (..., outputs, inputs)."""
         return self._columns(self._many(_OUTPUT_U, x, u, t, mode), len(self.outputs), len(self.inputs))
 
+    def _asked_for(self, value: int, name: str) -> None:
+        if not self._library.dalembert_python_has(value):
+            raise NotImplementedError(f"{self.name} has no {name}")
+
+    def output_jacobian_p(self, x: Values, u: Values | None = None, t: Any = 0.0, mode: Any = 0) -> np.ndarray:
+        """dy/dp by the parameters, of shape (..., outputs, parameters)."""
+        self._asked_for(_OUTPUT_P, "derivatives of outputs by parameters")
+        return self._columns(self._many(_OUTPUT_P, x, u, t, mode), len(self.outputs), len(self.parameters))
+
+    def output_jacobian_t(self, x: Values, u: Values | None = None, t: Any = 0.0, mode: Any = 0) -> np.ndarray:
+        """dy/dt at fixed x and u."""
+        self._asked_for(_OUTPUT_T, "derivatives of outputs by time")
+        return self._many(_OUTPUT_T, x, u, t, mode)
+
     def linearise(self, x: Values, u: Values | None = None, t: float = 0.0,
                   mode: Any = 0) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """A, B, C, D at a point."""
@@ -288,8 +302,7 @@ class Plant:
 
     def mass_matrix(self, x: Values, t: Any = 0.0, mode: Any = 0) -> np.ndarray:
         """M of the coordinates, of shape (..., degrees, degrees)."""
-        if not self._library.dalembert_python_has(_MASS):
-            raise NotImplementedError(f"{self.name} has no mass matrix")
+        self._asked_for(_MASS, "mass matrix")
         return self._columns(self._many(_MASS, x, None, t, mode), self.degrees, self.degrees)
 
     def energies(self, x: Values, t: Any = 0.0, mode: Any = 0) -> Energies:

@@ -224,6 +224,13 @@ TEST_CASE("a defect anywhere in the code is found") {
     check_every_defect(*machine_of("drive_train", "damped").system);
 }
 
+TEST_CASE("a defect anywhere in the slopes of outputs by parameters and time is found") {
+    for (const char* name : {"cart_pendulum", "coupled_springs", "spherical_pendulum_xyz"}) {
+        CAPTURE(name);
+        check_every_defect(*machine_of(name).system, {Function::output_jacobian_p, Function::output_jacobian_t});
+    }
+}
+
 TEST_CASE("a defect anywhere in the code of second derivatives is found") {
     for (const char* name : {"cart_pendulum", "coupled_springs", "spherical_pendulum_xyz"}) {
         CAPTURE(name);
