@@ -171,13 +171,6 @@ bool all_derivations_proven(const Machine& machine) {
     return machine.audit.all_proven() && std::all_of(machine.other_modes.begin(), machine.other_modes.end(), all_derivations_proven);
 }
 
-/// "--output-jacobian-p"
-std::string flag_of(Function function) {
-    std::string flag = std::string("--") + name_of(function);
-    std::replace(flag.begin(), flag.end(), '_', '-');
-    return flag;
-}
-
 [[noreturn]] void refuse_wish(const Machine& machine, Function function, const std::string& why) {
     throw Failure(Diagnostic{Id::bad_option, machine.loaded->model.name_span,
                              fmt::format("{}: '{}' {}", flag_of(function), machine.loaded->model.name, why)});

@@ -34,7 +34,7 @@ public:
     CLI::Option* add(const char* name, Value& value, const char* doc) { return verb_.add_option(name, value, doc); }
     /// The option takes one of these words.
     CLI::Option* one_of(CLI::Option* option, std::vector<std::string> words);
-    CLI::Option* flag(const char* name, bool& value, const char* doc) { return verb_.add_flag(name, value, doc); }
+    CLI::Option* flag(const std::string& name, bool& value, const std::string& doc) { return verb_.add_flag(name, value, doc); }
     /// File names that are written after the verb.
     void files(const char* name, const char* doc) { verb_.add_option(name, options.models, doc)->required(); }
 

@@ -60,10 +60,9 @@ void take_generate(VerbOptions& o) {
     o.add("--fix", o.options.fix,
           "parameters that become numbers in the code: `parameters` for all, or names, each with =VALUE if it differs from the default");
     o.flag("--taylor", o.options.taylor, "add Taylor series of the motion, for the method taylor");
-    o.flag("--together", o.options.together, "add the function `together`, which computes rates, Jacobian, outputs and energies at once");
-    o.flag("--hessian", o.options.hessian, "add the function `hessian`: second derivatives of the rates by states and inputs, contracted");
-    o.flag("--output-jacobian-p", o.options.output_jacobian_p, "add the function `output_jacobian_p`: derivatives of outputs by parameters");
-    o.flag("--output-jacobian-t", o.options.output_jacobian_t, "add the function `output_jacobian_t`: derivatives of outputs by time");
+    for (const HeaderFunction& row : header_functions())
+        if (row.in == HeaderFunction::In::wished)
+            o.flag(flag_of(row.function), o.options.wished[row.function], fmt::format("add the function `{}`: {}", row.name, row.wish));
     o.format();
     o.explain("print time and result of each stage, and the expressions rewritten for accuracy");
     o.dump();

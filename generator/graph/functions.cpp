@@ -75,10 +75,11 @@ std::span<const HeaderFunction> header_functions() {
                               "qdd + bias - Q.", .type = "JacobianX", .array = "J", .by = By::state},
         HeaderFunction{.function = Function::together, .name = "together", .kind = Kind::together, .in = In::wished, .parts = cached,
                        .doc = "rhs_and_jacobian, output and the energies in one call; common subexpressions are computed once.",
-                       .by = By::state},
+                       .by = By::state, .wish = "rates, Jacobian, outputs and energies at once"},
         HeaderFunction{.function = Function::hessian, .name = "hessian", .kind = Kind::hessian, .in = In::wished, .parts = cached,
                        .doc = "H = d^2(lambda'f)/dy^2 of y = (x, u), for any factors lambda of the rates f: symmetric, all entries, column "
-                              "by column.", .type = "Hessian", .array = "H"},
+                              "by column.", .type = "Hessian", .array = "H",
+                       .wish = "second derivatives of the rates by states and inputs, contracted"},
         HeaderFunction{.function = Function::jacobian_u, .name = "jacobian_u", .kind = Kind::jacobian, .in = In::all, .parts = cached,
                        .doc = "J = df/du.", .type = "JacobianU", .array = "J", .by = By::input},
         HeaderFunction{.function = Function::jacobian_p, .name = "jacobian_p", .kind = Kind::jacobian, .in = In::all, .parts = if_cached,
@@ -110,10 +111,11 @@ std::span<const HeaderFunction> header_functions() {
                        .names = output_names},
         HeaderFunction{.function = Function::output_jacobian_p, .name = "output_jacobian_p", .kind = Kind::output_jacobian,
                        .in = In::wished, .parts = if_cached, .doc = "C_p = dh/dp, parameters in the order of the table.",
-                       .type = "OutputJacobianP", .array = "C_p", .by = By::parameter, .names = output_names},
+                       .type = "OutputJacobianP", .array = "C_p", .by = By::parameter, .names = output_names,
+                       .wish = "derivatives of outputs by parameters"},
         HeaderFunction{.function = Function::output_jacobian_t, .name = "output_jacobian_t", .kind = Kind::output_jacobian,
                        .in = In::wished, .parts = if_cached, .doc = "C_t = dh/dt at fixed x and u.", .type = "OutputJacobianT",
-                       .array = "C_t", .by = By::time, .names = output_names},
+                       .array = "C_t", .by = By::time, .names = output_names, .wish = "derivatives of outputs by time"},
 
         // --- energies and powers
         HeaderFunction{.function = Function::kinetic_energy, .name = "kinetic_energy", .kind = Kind::number, .in = In::all,
@@ -207,6 +209,12 @@ std::span<const HeaderFunction> header_functions() {
 const HeaderFunction& header_function(Function function) {
     const auto rows = header_functions();
     return *std::find_if(rows.begin(), rows.end(), [&](const HeaderFunction& row) { return row.function == function; });
+}
+
+std::string flag_of(Function function) {
+    std::string flag = std::string("--") + name_of(function);
+    std::replace(flag.begin(), flag.end(), '_', '-');
+    return flag;
 }
 
 Function jacobian_by(By by) {

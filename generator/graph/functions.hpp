@@ -90,6 +90,7 @@ struct HeaderFunction {
     bool has_equations = false;     ///< they stand above it
     Values shown = nullptr;         ///< the values as people read them, where they are not `values`
     const char* energy = nullptr;   ///< its name in what `together` fills
+    const char* wish = "";          ///< what those get who ask for it
 
     const char* header_name() const { return in_header != nullptr ? in_header : name; }
     std::vector<GiNaC::ex> shown_values(const System& system) const { return (shown != nullptr ? shown : values)(system); }
@@ -99,6 +100,8 @@ struct HeaderFunction {
 std::span<const HeaderFunction> header_functions();
 const HeaderFunction& header_function(Function function);
 inline const char* name_of(Function function) { return header_function(function).name; }
+/// By which the command line asks for it: "--output-jacobian-p".
+std::string flag_of(Function function);
 /// The function in which the derivatives of dx/dt are computed.
 Function jacobian_by(By by);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -51,9 +52,7 @@ struct Options {
     std::vector<std::string> moving;      ///< coordinates
     std::vector<std::string> free;
     bool taylor = false;                  ///< the header gets series
-    bool hessian = false;                 ///< a function for second derivatives
-    bool output_jacobian_p = false, output_jacobian_t = false;
-    bool together = false;                ///< and a function for rates, Jacobian, outputs and energies at once
+    std::map<Function, bool> wished;      ///< of the functions that headers have where they are asked for
     bool explain = false;
     std::string dump;
     std::string topic;                    ///< of help

@@ -38,10 +38,8 @@ void ask_of_code(Machine& machine, const Options& options) {
     for (const Pass& pass : all_passes)
         machine.passes.*pass.is_on = std::find(options.without.begin(), options.without.end(), pass.name) == options.without.end();
     machine.trig = options.trig == "combined" ? Trig::combined : Trig::library;
-    if (options.together) machine.wished.insert(Function::together);
-    if (options.hessian) machine.wished.insert(Function::hessian);
-    if (options.output_jacobian_p) machine.wished.insert(Function::output_jacobian_p);
-    if (options.output_jacobian_t) machine.wished.insert(Function::output_jacobian_t);
+    for (const auto& [function, is_asked_for] : options.wished)
+        if (is_asked_for) machine.wished.insert(function);
     machine.language = &language_named(options.language);
 }
 

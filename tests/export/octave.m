@@ -85,7 +85,7 @@ ran = load(paths{3});
 warning('off', 'dalembert:stopped');
 own = plant.simulate(ran.t_end, 'u', ran.u, 'p', ran.p, 'x0', ran.x0, 'tolerance', 1e-10);
 count = min(rows(own.x), rows(ran.x)) - ~own.success;
-apart = max(abs(own.x(1:count, :) - ran.x(1:count, :)), [], 1) ./ max(1e-5, max(abs(ran.x), [], 1));
+apart = max(abs(own.x(1:count, :) - ran.x(1:count, :)), [], 1) ./ ran.sizes;
 problems += check(count > 1 && max(apart) <= 1e-8, sprintf('the run is %g off that of the program', max(apart)));
 if m > 0
   by_function = plant.simulate(ran.t_end / 50, 'u', @(t, x) ran.u, 'p', ran.p, 'x0', ran.x0);
@@ -96,9 +96,9 @@ end
 problems += check(isequaln(f(0, ran.x0), plant.rhs(0, ran.x0, ran.u, ran.p)) && isequaln(J(0, ran.x0), plant.jacobian_x(0, ran.x0, ran.u, ran.p)), 'handles');
 if isempty(plant.modes) && isempty(plant.guards) && ran.peers
   t_end = ran.t_end / 20;
-  scale = 1e-6 * max(abs(own.x), [], 1)' + 1e-12;
-  [~, x] = ode15s(f, [0, t_end / 2, t_end], ran.x0, odeset('RelTol', 1e-6, 'AbsTol', scale, 'Jacobian', J));
   near = plant.simulate(t_end, 'u', ran.u, 'p', ran.p, 'x0', ran.x0);
+  scale = 1e-8 * max(abs(near.x), [], 1)' + 1e-12;
+  [~, x] = ode15s(f, [0, t_end / 2, t_end], ran.x0, odeset('RelTol', 1e-8, 'AbsTol', scale, 'Jacobian', J));
   apart = abs(x(end, :)' - near.x_end) ./ max(1e-6, max(abs(near.x), [], 1)');
   problems += check(max(apart) < 1e-3, sprintf('ode15s is %g off', max(apart)));
 end

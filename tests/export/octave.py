@@ -73,5 +73,11 @@ numbers = np.array(rows[1:], dtype=float)
 if given:
     plant.set(given)
 finite = np.isfinite(plant.rhs(start, inputs)).all() and not plant.constraints
+x = numbers[:, [titles.index(q.name) for q in plant.states]]
+sizes = np.maximum(1e-5, abs(x).max(axis=0, initial=0))
+names = [q.name for q in plant.states]
+for i, name in enumerate(names):  # a velocity at rest: roundings beside the speed of the size of the position
+    if name.startswith("dot(") and name[4:-1] in names:
+        sizes[i] = max(sizes[i], abs(x[:, names.index(name[4:-1])]).max(initial=0) / until)
 written(results / "run.mat", {"t_end": until, "u": inputs if inputs.size else np.zeros((0, 0)), "p": np.array(list(plant.values().values())), "x0": start,
-                              "x": numbers[:, [titles.index(q.name) for q in plant.states]], "peers": float(finite)})
+                              "x": x, "sizes": sizes[None, :], "peers": float(finite)})
