@@ -128,6 +128,37 @@ double check_derivatives(const Subject& s, Instance& fmu, double t, const Vector
     return deviation;
 }
 
+/// In event mode, where parameters may be set.
+void check_derivatives_by_parameters(const Subject& s, Instance& fmu) {
+    const References unknowns = unknowns_of(s.d), parameters = s.d.references("parameter");
+    if (unknowns.empty() || fmu.enter_events() != ok) return;
+    std::size_t wrong = 0;
+    std::string where;
+    for (std::size_t j = 0; j < parameters.size() && j < 12; ++j) {
+        Vector value, column;
+        check(fmu.get({parameters[j]}, value) == ok, "a parameter is not read");
+        if (fmu.directional(unknowns, {parameters[j]}, {1}, column) != ok) continue;  // at a kink it is infinite
+        const double h = 1e-4 * std::max(std::abs(value[0]), 1e-6);
+        std::vector<Vector> at;
+        for (const double steps : {-2.0, -1.0, 1.0, 2.0}) {
+            Vector& values = at.emplace_back();
+            if (fmu.set({parameters[j]}, {value[0] + steps * h}) != ok || fmu.get(unknowns, values) != ok) break;
+        }
+        check(fmu.set({parameters[j]}, value) == ok, "a parameter is not set back");
+        if (at.back().size() != unknowns.size() || at.size() < 4) continue;
+        for (std::size_t i = 0; i < unknowns.size(); ++i) {
+            const double rough = (at[2][i] - at[1][i]) / (2 * h), fine = (8 * (at[2][i] - at[1][i]) - at[3][i] + at[0][i]) / (12 * h);
+            const double doubt = std::abs(rough - fine) + 1e-10 * std::max({std::abs(at[1][i]), std::abs(at[2][i]), 1.0}) / h;
+            if (std::abs(fine - column[i]) <= 1e-6 * std::abs(column[i]) + doubt) continue;
+            char text[200];
+            std::snprintf(text, sizeof text, "that of %u by parameter %u is %.9g, differences say %.9g and %.9g", unknowns[i], parameters[j],
+                          column[i], fine, rough);
+            if (wrong++ == 0) where = text;
+        }
+    }
+    check(wrong == 0, std::to_string(wrong) + " derivatives by parameters differ from differences: " + where);
+}
+
 // --- states, reset, instances, wrong calls -----------------------------------------------------------------------------------------------
 
 static bool same(const Trajectory& a, const Trajectory& b) { return a.t == b.t && a.x == b.x && a.failure == b.failure; }

@@ -46,6 +46,8 @@ struct Subject {
 /// In continuous time at the present point: against differences, the adjoint ones, the dependencies, and the plant's own table. Returns the
 /// largest deviation from that, beside the largest entry of a column.
 double check_derivatives(const Subject& s, Instance& fmu, double t, const Vector& x, long mode, const dalembert_plant* plant, void* self);
+/// By parameters; of an instance that is not used any more.
+void check_derivatives_by_parameters(const Subject& s, Instance& fmu);
 void check_states(const Subject& s);
 void check_wrong_calls(const Subject& s);
 

@@ -167,8 +167,10 @@ int whole(const std::string& path, const std::string& runs, const std::string& l
         compare_ends(s, run, fine, 1e-8, "model exchange");
         by_exchange = compare(s, run, fine, rough, 1e-8, 30, "model exchange");
         in_time = compare_changes(run, events);
-        if (!run.is_over)
+        if (!run.is_over) {
             jacobians = check_derivatives(s, *exchange, s.until, run.x.back(), d.mode() ? exchange->mode(*d.mode()) : 0, plant, self);
+            check_derivatives_by_parameters(s, *exchange);
+        }
     }
     const auto steps = unit.instantiate(true);
     s.prepare(*steps, 1e-9);
