@@ -57,17 +57,29 @@ public:
         }
     }
 
+    /// Whether the inputs, which are u at this point, follow the state there.
+    bool have_feedback(const State& x, const Input& u, Scalar t) {
+        x_ = x;
+        u_ = u;
+        return depends_on_state(t);
+    }
+
     template <class Add>
     void for_each_entry(Add add) const {
-        for (std::size_t column = 0; column < x_.size(); ++column) {
+        for (std::size_t column = 0; column < x_.size(); ++column)
             for_each_in_column<Pattern>(J_, x_.size(), column, [&](std::size_t row, const Scalar& value) { add(row, column, value); });
-            for (std::size_t j = 0; has_feedback_ && j < u_.size(); ++j) {
+        for_each_feedback(add);
+    }
+    /// Entries of df/du du/dx.
+    template <class Add>
+    void for_each_feedback(Add add) const {
+        for (std::size_t column = 0; has_feedback_ && column < x_.size(); ++column)
+            for (std::size_t j = 0; j < u_.size(); ++j) {
                 const Scalar& gain = gains_[column][j];
                 if (gain == Scalar(0)) continue;
                 for_each_in_column<PatternU>(J_u_, x_.size(), j,
                                              [&](std::size_t row, const Scalar& value) { add(row, column, value * gain); });
             }
-        }
     }
 
     /// For du/dt: the derivative of the polynomial of degree 4 through equal parts of the step. Its error h^4 does no harm to a method

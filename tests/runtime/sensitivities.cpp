@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sensitivities of runs beside a closed form, and beside differences of runs in long double.
+#include <doctest/doctest.h>
+
+#include <dalembert/sensitivities.hpp>
+
+#include <cmath>
+#include <string>
+
+#include "heat/heat_exchanger_N12_counter.hpp"
+#include "heat/immersion_heater_heating.hpp"
+#include "mechanics/cart_pendulum_lab.hpp"
+#include "mechanics/stick_slip_smooth.hpp"
+
+using namespace dalembert;
+
+namespace {
+
+template <class System>
+struct NoInput {
+    template <class State, class Scalar>
+    typename System::Input operator()(const State&, Scalar) const {
+        return {};
+    }
+};
+
+/// A force that follows the state and the time.
+template <class System>
+struct Feedback {
+    using Scalar = typename System::scalar_type;
+    typename System::Input operator()(const typename System::State& x, Scalar t) const {
+        using std::sin;
+        return {Scalar(-20) * x[1] - Scalar(3) * x[2] + sin(Scalar(2) * t)};
+    }
+};
+
+template <class System>
+void move_parameter(System& system, std::size_t number, typename System::scalar_type by) {
+    auto parameters = system.parameters();
+    reinterpret_cast<typename System::scalar_type*>(&parameters)[number] += by;
+    system.update(parameters);
+}
+
+/// The end of a run in long double, far more accurate than those that are compared with it.
+template <template <class> class System, template <class> class Inputs>
+typename System<long double>::State exact_end(const System<long double>& system, typename System<long double>::State x, long double until,
+                                              long double scale) {
+    using State = typename System<long double>::State;
+    const Inputs<System<long double>> inputs;
+    IntegrationOptions<State> options;
+    options.method = Method::dop853;
+    options.tolerance = 1e-16L;
+    options.scale.fill(scale);
+    const auto rhs = [&](const State& at, long double t, State& rate) { system.rhs(at, inputs(at, t), t, rate); };
+    CHECK(integrate(rhs, x, 0.0L, until, options, [](long double, const State&) {}).status == Status::success);
+    return x;
+}
+
+/// dx/d(varied) at the end, by differences of order six.
+template <template <class> class System, template <class> class Inputs>
+typename System<long double>::State by_differences(const Varied& varied, const typename System<double>::State& start, double until,
+                                                   double scale) {
+    using Wide = System<long double>;
+    typename Wide::State x, sum{};
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = start[i];
+    const bool is_start = varied.of == Varied::Of::start;
+    const long double value = is_start ? x[varied.number] : reinterpret_cast<const long double*>(&Wide().parameters())[varied.number];
+    const long double h = 1e-3L * (value == 0 ? scale : std::abs(value));
+    for (const auto& [steps, weight] : {std::pair(1, 45), std::pair(2, -9), std::pair(3, 1)})
+        for (const int sign : {1, -1}) {
+            Wide system;
+            typename Wide::State from = x;
+            if (is_start)
+                from[varied.number] += sign * steps * h;
+            else
+                move_parameter(system, varied.number, sign * steps * h);
+            const auto end = exact_end<System, Inputs>(system, from, until, scale);
+            for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += sign * weight * end[i] / (60 * h);
+        }
+    return sum;
+}
+
+template <template <class> class System, template <class> class Inputs, std::size_t count>
+void compare(const std::array<Varied, count>& varied, const typename System<double>::State& start, double until, double scale,
+             double tolerance, std::initializer_list<Method> methods, double allowed) {
+    using Plain = System<double>;
+    std::array<typename System<long double>::State, count> expected;
+    for (std::size_t c = 0; c < count; ++c) expected[c] = by_differences<System, Inputs>(varied[c], start, until, scale);
+    for (const Method method : methods) {
+        CAPTURE(static_cast<int>(method));
+        typename Plain::State x = start;
+        auto S = sensitivities_at_start<Plain>(varied);
+        IntegrationOptions<typename Plain::State> options;
+        options.method = method;
+        options.tolerance = tolerance;
+        options.scale.fill(scale);
+        const Inputs<Plain> inputs;
+        const Outcome outcome = simulate_sensitivities(Plain(), inputs, varied, x, S, 0.0, until, options, [](const auto&) {});
+        CHECK(outcome.status == Status::success);
+        for (std::size_t c = 0; c < count; ++c) {
+            CAPTURE(c);
+            double size = varied[c].of == Varied::Of::start ? 1 : 0, distance = 0;  // where it dies away beside that of the start
+            for (std::size_t i = 0; i < x.size(); ++i) {
+                size = std::max(size, static_cast<double>(std::abs(expected[c][i])));
+                distance = std::max(distance, static_cast<double>(std::abs(expected[c][i] - S[c][i])));
+            }
+            CHECK(distance <= allowed * size);
+        }
+    }
+}
+
+constexpr std::initializer_list<Method> all_methods{Method::dopri5, Method::dop853, Method::rodas5p, Method::automatic};
+
+}  // namespace
+
+TEST_CASE("sensitivities of a heater are those of its closed form") {
+    namespace model = immersion_heater::heating;
+    using System = model::System<double>;
+    const System system;
+    const auto& p = system.parameters();
+    const double start = 300, power = 500, conductance = p.A / (1 / p.alpha_i + p.L / p.lambda + 1 / p.alpha_a),
+                 time = p.m_0 * p.c_p / conductance, warmer = start - p.T_inf - power / conductance;
+    const auto heated = [&](const System::State&, double) { return System::Input{power}; };
+    const std::array varied{Varied::parameter(model::parameter::m_0), Varied::parameter(model::parameter::c_p),
+                            Varied::parameter(model::parameter::T_inf), Varied::parameter(model::parameter::t_s), Varied::start(0)};
+    for (const Method method : all_methods) {
+        System::State x{start};
+        auto S = sensitivities_at_start<System>(varied);
+        IntegrationOptions<System::State> options;
+        options.method = method;
+        options.tolerance = 1e-12;
+        options.intervals = 10;
+        std::size_t seen = 0;
+        simulate_sensitivities(system, heated, varied, x, S, 0.0, 2000.0, options, [&](const SensitivitySample<System, 5>& sample) {
+            ++seen;
+            const double left = std::exp(-sample.t / time);  // T = T_inf + P/(k A) + warmer*left
+            CHECK(sample.x[0] == doctest::Approx(p.T_inf + power / conductance + warmer * left).epsilon(1e-10));
+            CHECK(sample.S[0][0] == doctest::Approx(warmer * left * sample.t / time / p.m_0).epsilon(1e-9));
+            CHECK(sample.S[1][0] == doctest::Approx(warmer * left * sample.t / time / p.c_p).epsilon(1e-9));
+            CHECK(sample.S[2][0] == doctest::Approx(1 - left).epsilon(1e-9));
+            CHECK(sample.S[3][0] == 0);
+            CHECK(sample.S[4][0] == doctest::Approx(left).epsilon(1e-9));
+        });
+        CHECK(seen == 11);
+    }
+}
+
+TEST_CASE("sensitivities of the cart by all parameters and start values are differences of runs, with and without a controller") {
+    namespace model = cart_pendulum::lab;
+    std::array<Varied, model::parameter_count + model::state_count> varied;
+    for (std::size_t i = 0; i < model::parameter_count; ++i) varied[i] = Varied::parameter(i);
+    for (std::size_t i = 0; i < model::state_count; ++i) varied[model::parameter_count + i] = Varied::start(i);
+    compare<model::System, NoInput>(varied, {0.3, 0.2, 0, 0}, 1, 1e-2, 1e-11, all_methods, 1e-8);
+    const std::array some{Varied::parameter(model::parameter::l_S), Varied::parameter(model::parameter::d_R), Varied::start(1)};
+    compare<model::System, Feedback>(some, {0.3, 0.2, 0, 0}, 1, 1e-2, 1e-11, all_methods, 1e-8);
+}
+
+TEST_CASE("sensitivities of stiff machines") {
+    namespace model = stick_slip::smooth;
+    const std::array varied{Varied::parameter(0), Varied::parameter(1), Varied::parameter(2), Varied::start(0), Varied::start(1)};
+    compare<model::System, NoInput>(varied, model::System<double>().start_state(), 0.1, 1e-2, 1e-10, {Method::rodas5p, Method::automatic},
+                                    1e-7);
+    namespace exchanger = heat_exchanger_N12::counter;
+    compare<exchanger::System, NoInput>(varied, exchanger::System<double>().start_state(), 20, 1, 1e-10,
+                                        {Method::rodas5p, Method::automatic}, 1e-8);
+}
+
+TEST_CASE("sensitivities that do not control the steps follow those of the state") {
+    namespace model = cart_pendulum::lab;
+    using System = model::System<double>;
+    const System system;
+    const NoInput<System> inputs;
+    const std::array varied{Varied::parameter(model::parameter::d_R)};
+    IntegrationOptions<System::State> options;
+    options.tolerance = 1e-8;
+    options.scale.fill(1e-2);
+    options.method = Method::dopri5;
+    System::State x{0.3, 0.2, 0, 0}, plain = x;
+    auto S = sensitivities_at_start<System>(varied);
+    const Outcome with = simulate_sensitivities(
+        system, inputs, varied, x, S, 0.0, 3.0, options, [](const auto&) {}, false);
+    const auto rhs = [&](const System::State& at, double t, System::State& rate) { system.rhs(at, inputs(at, t), t, rate); };
+    const Outcome without = integrate(rhs, plain, 0.0, 3.0, options, [](double, const System::State&) {});
+    CHECK(with.steps == without.steps);
+    for (std::size_t i = 0; i < 4; ++i) CHECK(x[i] == doctest::Approx(plain[i]).epsilon(1e-12));
+    const auto expected = by_differences<model::System, NoInput>(varied[0], {0.3, 0.2, 0, 0}, 3, 1e-2);
+    for (std::size_t i = 0; i < 4; ++i) CHECK(S[0][i] == doctest::Approx(static_cast<double>(expected[i])).epsilon(1e-5));
+}
+
+TEST_CASE("what is not in a table has no sensitivities") {
+    using System = cart_pendulum::lab::System<double>;
+    const System system;
+    const NoInput<System> inputs;
+    for (const Varied wrong : {Varied::parameter(9), Varied::start(4)}) {
+        const std::array varied{wrong};
+        System::State x = system.start_state();
+        const System::State start = x;
+        Sensitivities<System, 1> S{};
+        const Outcome outcome = simulate_sensitivities(system, inputs, varied, x, S, 0.0, 1.0, {}, [](const auto&) { FAIL("a run"); });
+        CHECK(outcome.status == Status::bad_options);
+        CHECK(x == start);
+    }
+}
