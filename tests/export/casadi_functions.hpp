@@ -107,11 +107,13 @@ public:
         for (std::size_t c = 0; c < columns; ++c) {
             const auto [slopes, unsure] = plant.slopes_of_outputs(q, result == 2 ? c : plant.parameters());
             const double step = result == 2 && q.p[c] != 0 ? std::abs(q.p[c]) : 1;
+            double largest = 0;  // of outputs, of which some may be differences
+            for (const double y : plant.y) largest = std::isfinite(y) ? std::max(largest, std::abs(y)) : largest;
             for (std::size_t r = 0; r < rows; ++r) {
                 const double size = std::abs(slopes[r]) + std::abs(plant.y[r]) / step, distance = std::abs(found[c * rows + r] - slopes[r]);
                 if (!std::isfinite(slopes[r])) continue;
                 ++compared();
-                require(distance <= 1e-8 * size + 20 * unsure[r],
+                require(distance <= 1e-8 * size + 20 * unsure[r] + 1e-11 * largest / step,
                         "slope of output " + std::to_string(r) + " by " + std::to_string(c) + " of " + std::to_string(result) + ": " +
                             std::to_string(found[c * rows + r]) + ", differences say " + std::to_string(slopes[r]));
             }
