@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
 
 #include "command/write_result.hpp"
 #include "export/plant_in_c.hpp"
@@ -43,7 +46,7 @@ std::vector<double> start_values(const System& system) {
 ExportSubject subject_of_export(const Machine& machine, const Header& header) {
     const System& system = *machine.system;
     ExportSubject subject{machine, header.plant, header.name_space, start_values(system),
-                          parameter_numbers(system, Values(system.scene, system.translate)), {}, {}};
+                          parameter_numbers(system, Values(system.scene, system.translate)), {}};
     subject.c_files = {{header.file_name, header.text},
                        {"dalembert_plant.h", std::string(embedded_file("plant.h"))},
                        {subject.name + "_plant.h",
@@ -104,8 +107,7 @@ ExitCode export_command(const Options& options, Streams streams) {
     machine.language = &language_named("c");
     std::map<Function, std::string> missing;
     const Header header = generate_for(target, machine, missing);
-    ExportSubject subject = subject_of_export(machine, header);
-    subject.missing = std::move(missing);
+    const ExportSubject subject = subject_of_export(machine, header);
     Exported exported = target.make(subject, {options.sources_only, options.mode});
     Subject whole = subject_of(machine.system->scene);
     whole.mode = options.mode;  // of a machine that switches all modes are exported, unless one is chosen
@@ -114,6 +116,9 @@ ExitCode export_command(const Options& options, Streams streams) {
         path = options.output / path;
         result.files.push_back({path, content.size()});
     }
+    for (const auto& [function, reason] : missing)
+        if (function == Function::hessian || !subject.plant.outputs.empty())
+            result.notes.push_back(fmt::format("without {}: {}", header_function(function).wish, reason));
     write_files(exported.files);
     write_result(result, options, streams);
     return ExitCode::good;

@@ -23,14 +23,6 @@ Exported casadi_files(const ExportSubject& subject, const ExportWish& wish) {
     if (!wish.sources_only) result.files.emplace_back(subject.name + ".so", c_library(result.files, main_file));
     if (!wish.mode.empty()) result.notes.push_back(fmt::format("the machine stays in the mode '{}', whatever its events are", wish.mode));
     if (derivatives.has_time) result.notes.push_back("the model depends on time: t is the last argument of f and y");
-    const auto tell = [&](Function function, const char* what, const char* instead) {
-        if (const auto found = subject.missing.find(function); found != subject.missing.end())
-            result.notes.push_back(fmt::format("{} are not there{}: {}", what, instead, found->second));
-    };
-    tell(Function::hessian, "second derivatives", "");
-    if (!subject.plant.outputs.empty()) tell(Function::output_jacobian_p, "derivatives of outputs by parameters", ", and are NaN");
-    if (!subject.plant.outputs.empty() && derivatives.has_time)
-        tell(Function::output_jacobian_t, "derivatives of outputs by time", ", and are NaN");
     return result;
 }
 

@@ -2,7 +2,6 @@
 // Tools that take a model. To add one: a file with its function, and a row in targets.cpp.
 #pragma once
 
-#include <map>
 #include <span>
 
 #include "pipeline.hpp"
@@ -19,7 +18,6 @@ struct ExportSubject {
     std::vector<double> parameter_defaults;
     /// NAME_SCENE.h, dalembert_plant.h and NAME_SCENE_plant.h: the functions of the model and their table, see plant_in_c.hpp.
     FileContents c_files;
-    std::map<Function, std::string> missing = {};  ///< functions that the target takes and NAME_SCENE.h does not have: why, as a sentence
 };
 
 /// What the command line asks for besides.
