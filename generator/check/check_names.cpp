@@ -7,6 +7,7 @@
 #include "elements/every_kind.hpp"
 #include "elements/references.hpp"
 #include "elements/sites.hpp"
+#include "language/reserved_names.hpp"
 #include "language/vocabulary.hpp"
 
 namespace dalembert {
@@ -189,7 +190,8 @@ private:
             const std::string& name = e.children[0]->name;
             if (const Solid* solid = names_.find_element<Solid>(name); solid != nullptr && quantity->subscript <= Subscript::solid_and_axes)
                 follow(*solid);
-            else if (const Load* load = names_.find_element<Load>(name); load != nullptr && quantity->subscript <= Subscript::load_and_unknown)
+            else if (const Load* load = names_.find_element<Load>(name);
+                     load != nullptr && quantity->subscript <= Subscript::load_and_unknown)
                 follow(*load);
             else if (const Sticking* sticking = names_.find_element<Sticking>(name);
                      sticking != nullptr && quantity->subscript == Subscript::sticking)

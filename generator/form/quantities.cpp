@@ -232,7 +232,8 @@ ex quantity(const System& system, const Expression& e, const Indices& indices, c
         }
         if (any) return sum;
         // In another mode it is there.
-        const std::optional<Condition>& when = friction != nullptr ? friction->when : system.names.find_element<Damper>(child(0).name)->when;
+        const std::optional<Condition>& when =
+            friction != nullptr ? friction->when : system.names.find_element<Damper>(child(0).name)->when;
         for (std::size_t mode = 0; mode < system.scene.modes.size(); ++mode)
             if (system.scene.holds(when, mode)) return 0;
         const bool left_out = !system.scene.holds(when);

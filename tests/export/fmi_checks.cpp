@@ -151,8 +151,8 @@ void check_derivatives_by_parameters(const Subject& s, Instance& fmu) {
             const double doubt = 20 * std::abs(rough - fine) + 1e-10 * std::max({std::abs(at[1][i]), std::abs(at[2][i]), 1.0}) / h;
             if (std::abs(fine - column[i]) <= 1e-6 * std::abs(column[i]) + doubt) continue;
             char text[200];
-            std::snprintf(text, sizeof text, "that of %u by parameter %u is %.9g, differences say %.9g and %.9g", unknowns[i], parameters[j],
-                          column[i], fine, rough);
+            std::snprintf(text, sizeof text, "that of %u by parameter %u is %.9g, differences say %.9g and %.9g", unknowns[i],
+                          parameters[j], column[i], fine, rough);
             if (wrong++ == 0) where = text;
         }
     }

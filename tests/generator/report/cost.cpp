@@ -106,7 +106,7 @@ TEST_CASE("where a disturbance grows like exp(t), errors are counted as long as 
     CHECK(reference["counted_until"] == doctest::Approx(11.5).epsilon(0.05));  // exp(11.5) = 1e5
 }
 
-TEST_CASE("a closed form is the reference of what it gives, and one that is wrong is refused" * doctest::skip(!is_full)) {
+TEST_CASE("a closed form is the reference of its outputs; a wrong one is refused" * doctest::skip(!is_full)) {
     const Folder place;
     const std::string model = one_mass("1", "0", "10");
     const auto with = [&](const std::string& form) {
