@@ -35,6 +35,16 @@ struct LoadedModel {
     Names names;
 };
 
+/// A function that was asked for and cannot be made (bad-option).
+class CannotMake : public Failure {
+public:
+    CannotMake(Function function, Diagnostic why) : Failure(std::move(why)), function_(function) {}
+    Function function() const { return function_; }
+
+private:
+    Function function_;
+};
+
 /// A derived and proven machine.
 struct Machine {
     std::shared_ptr<const LoadedModel> loaded;

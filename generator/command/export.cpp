@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
-#include <set>
 
 #include "command/write_result.hpp"
 #include "export/plant_in_c.hpp"
@@ -54,34 +52,25 @@ ExportSubject subject_of_export(const Machine& machine, const Header& header) {
     return subject;
 }
 
-/// Why there is no header with these functions besides those that every header has; empty where there is one.
-std::string why_not(Machine& machine, std::set<Function> functions, std::optional<Header>& header) {
-    machine.wished = std::move(functions);
-    try {
-        header = generate(machine);
-        return {};
-    } catch (const Failure& failure) {
-        if (failure.diagnostics().front().id != Id::bad_option && failure.diagnostics().front().id != Id::too_large) throw;
-        return failure.diagnostics().front().message;
-    }
-}
-
-/// With all functions that the target takes; where that cannot be, with those of them that are made, and the reasons for the others.
+/// With all functions that the target takes; those that cannot be made are left out, with the reasons.
 Header generate_for(const Target& target, Machine& machine, std::map<Function, std::string>& missing) {
-    std::set<Function> there = machine.wished;
-    std::set<Function> all = there;
-    all.insert(target.wishes.begin(), target.wishes.end());
-    std::optional<Header> header;
-    if (why_not(machine, all, header).empty()) return std::move(*header);
-    for (const Function function : target.wishes) {
-        std::set<Function> more = there;
-        more.insert(function);
-        const std::string reason = why_not(machine, more, header);
-        if (reason.empty()) there = std::move(more);
-        else missing.emplace(function, reason);
+    machine.wished.insert(target.wishes.begin(), target.wishes.end());
+    const auto leave_out = [&](Function function, const Failure& why) {
+        missing.emplace(function, why.diagnostics().front().message);
+        machine.wished.erase(function);
+    };
+    for (;;) {
+        try {
+            return generate(machine);
+        } catch (const CannotMake& refused) {
+            leave_out(refused.function(), refused);
+        } catch (const Failure& failure) {  // of what is too large nothing says which function it is: the largest first
+            const auto next =
+                std::find_if(target.wishes.begin(), target.wishes.end(), [&](Function f) { return machine.wished.contains(f); });
+            if (failure.diagnostics().front().id != Id::too_large || next == target.wishes.end()) throw;
+            leave_out(*next, failure);
+        }
     }
-    machine.wished = there;
-    return generate(machine);
 }
 
 /// Throws Failure for a mode that there is not, or a target that takes all.

@@ -37,7 +37,7 @@ struct Target {
     /// Throws Failure for what the tool cannot take.
     Exported (*make)(const ExportSubject& subject, const ExportWish& wish);
     bool takes_mode = false;     ///< a machine that switches is exported in one mode, which --mode chooses
-    std::span<const Function> wishes = {};  ///< functions that the C header gets where it can, besides those that every header has
+    std::span<const Function> wishes = {};  ///< functions that the C header gets where it can, the largest first
 };
 
 std::span<const Target> targets();

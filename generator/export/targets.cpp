@@ -26,7 +26,7 @@ Exported plant_files(const ExportSubject& subject, const ExportWish&) {
 }
 
 constexpr std::array slopes_of_outputs{Function::output_jacobian_p, Function::output_jacobian_t};
-constexpr std::array all_derivatives{Function::hessian, Function::output_jacobian_p, Function::output_jacobian_t};
+constexpr std::array all_derivatives{Function::output_jacobian_p, Function::hessian, Function::output_jacobian_t};
 
 constexpr Target table[]{
     {"c", "the model as a table of C functions, in C99: for programs of your own", plant_files},
