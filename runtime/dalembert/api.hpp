@@ -2,6 +2,8 @@
 // Whether a generated header and this runtime fit together.
 #pragma once
 
+#include <type_traits>
+
 namespace dalembert {
 inline namespace v1 {
 
@@ -17,5 +19,13 @@ constexpr void check_api() {
                   "the generated header is newer than this dalembert runtime: take the runtime of the program that generated the header");
 }
 
+namespace detail {
+
+template <class System, class = void>
+inline constexpr bool is_switching = false;
+template <class System>
+inline constexpr bool is_switching<System, std::void_t<typename System::Mode>> = true;
+
+}  // namespace detail
 }  // namespace v1
 }  // namespace dalembert

@@ -17,11 +17,6 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-template <class System, class = void>
-inline constexpr bool is_switching = false;
-template <class System>
-inline constexpr bool is_switching<System, std::void_t<typename System::Mode>> = true;
-
 /// What a run of a system with or without modes takes and calls. A rough run and the run that counts share their types, so that a method is
 /// compiled once.
 template <class System, bool = is_switching<System>>

@@ -45,6 +45,31 @@ struct SensitivitySample {
 
 namespace detail {
 
+template <class System>
+using ParametersOf = std::decay_t<decltype(std::declval<const System&>().parameters())>;
+
+template <class System>
+typename System::scalar_type parameter_of(const System& system, std::size_t number) {
+    using Scalar = typename System::scalar_type;
+    static_assert(sizeof(ParametersOf<System>) == sizeof(Scalar) * System::parameter_table().size(),
+                  "parameters have the order of their table");
+    return reinterpret_cast<const Scalar*>(&system.parameters())[number];
+}
+template <class System>
+void move_parameter(System& system, std::size_t number, const typename System::scalar_type& by) {
+    ParametersOf<System> parameters = system.parameters();
+    reinterpret_cast<typename System::scalar_type*>(&parameters)[number] += by;
+    system.update(parameters);
+}
+/// What counts as large for it.
+template <class System>
+typename System::scalar_type size_of_parameter(const System& system, std::size_t number) {
+    using std::abs;
+    using Scalar = typename System::scalar_type;
+    const Scalar value = abs(parameter_of(system, number));
+    return value > Scalar(0) ? value : Scalar(1);
+}
+
 /// Blocks of n rows: those on the diagonal are alike and have the pattern Base, those in the first column may be full, others are zero.
 template <class Base, std::size_t n>
 struct SensitivityPattern {
@@ -118,19 +143,12 @@ public:
             ahead_[c] = behind_[c] = system;
             distance_[c] = Scalar(0);
             if (varied[c].of == Varied::Of::start) continue;
-            distance_[c] = smallest() * size_of_varied(system, varied[c], part(scale, 0));
-            move(ahead_[c], c, distance_[c]);
-            move(behind_[c], c, -distance_[c]);
-            distance_[c] = (parameter(ahead_[c], c) - parameter(behind_[c], c)) / Scalar(2);
+            const std::size_t number = varied[c].number;
+            distance_[c] = smallest() * size_of_parameter(system, number);
+            move_parameter(ahead_[c], number, distance_[c]);
+            move_parameter(behind_[c], number, -distance_[c]);
+            distance_[c] = (parameter_of(ahead_[c], number) - parameter_of(behind_[c], number)) / Scalar(2);
         }
-    }
-
-    /// What counts as large for it.
-    static Scalar size_of_varied(const System& system, const Varied& varied, const Plain& scale) {
-        using std::abs;
-        if (varied.of == Varied::Of::start) return scale[varied.number];
-        const Scalar value = abs(reinterpret_cast<const Scalar*>(&system.parameters())[varied.number]);
-        return value > Scalar(0) ? value : Scalar(1);
     }
 
     static Plain part(const State& all, std::size_t c) {
@@ -226,16 +244,6 @@ private:
         using std::cbrt;
         return cbrt(std::numeric_limits<Scalar>::epsilon());
     }
-    using Parameters = std::decay_t<decltype(std::declval<const System&>().parameters())>;
-    static_assert(sizeof(Parameters) == sizeof(Scalar) * System::parameter_table().size(), "parameters have the order of their table");
-    Scalar parameter(const System& system, std::size_t c) const {
-        return reinterpret_cast<const Scalar*>(&system.parameters())[varied_[c].number];
-    }
-    void move(System& system, std::size_t c, const Scalar& by) const {
-        Parameters parameters = system.parameters();
-        reinterpret_cast<Scalar*>(&parameters)[varied_[c].number] += by;
-        system.update(parameters);
-    }
     /// df/d(varied) at fixed x.
     Plain own_rate(std::size_t c) const {
         Plain result;
@@ -261,18 +269,21 @@ private:
 }  // namespace detail
 
 /// Integrates a system and the derivatives of its state, from the start x with S = dx/d(varied) there, and calls observe(sample) at the
-/// output points. For the derivative by a start value, begin with the unit vector: see sensitivities_at_start(). `inputs` is called as
-/// inputs(x, t) and is not varied itself; where it follows x, its slopes are differences.
+/// output points. S at the start comes from sensitivities_at_start(). `inputs` is called as inputs(x, t) and is not varied itself; where it
+/// follows x, its slopes are differences.
 ///
-/// A number that is in no table gives Status::bad_options. Of options.scale follow the scales of S: those of the state by that of what is
-/// varied. With controls = false steps follow the error of the state alone. Systems that switch, have constraints or guards are not taken:
-/// there S jumps.
+/// A number that is in no table gives Status::bad_options. The scale of an entry of S is the scale of its state, divided by the size of
+/// what is varied. With controls = false the steps follow the error of the state alone.
+///
+/// Systems that switch, or have constraints or guards, are not taken: S would jump there. The compiler says so. It cannot see one more
+/// jump: where the rates jump at a time that a varied parameter moves, as step(t - t_0) does for t_0, S lacks its jump.
 template <std::size_t count, class System, class Inputs, class Observer>
 Outcome simulate_sensitivities(const System& system, const Inputs& inputs, const std::array<Varied, count>& varied,
                                typename System::State& x, Sensitivities<System, count>& S, typename System::scalar_type from,
                                typename System::scalar_type to, const IntegrationOptions<typename System::State>& options,
                                Observer&& observe, bool controls = true) {
     check_api<System>();
+    static_assert(!detail::is_switching<System>, "systems that switch are not taken yet");
     static_assert(!detail::needs_projection<System>, "systems with constraints or attitudes are not taken yet");
     static_assert(!detail::may_have_entries<typename System::Guards>, "systems with guards are not taken yet");
     using Scalar = typename System::scalar_type;
@@ -295,11 +306,13 @@ Outcome simulate_sensitivities(const System& system, const Inputs& inputs, const
     whole.kinks = options.kinks;
     whole.intervals = options.intervals;
     whole.max_steps = options.max_steps;
+    const auto size = [&](const Varied& one) {
+        return one.of == Varied::Of::start ? options.scale[one.number] : detail::size_of_parameter(system, one.number);
+    };
     for (std::size_t i = 0; i < n; ++i) {
         whole.scale[i] = options.scale[i];
         for (std::size_t c = 0; c < count; ++c)
-            whole.scale[(c + 1) * n + i] =
-                controls ? options.scale[i] / Motion::size_of_varied(system, varied[c], options.scale) : std::numeric_limits<Scalar>::max();
+            whole.scale[(c + 1) * n + i] = controls ? options.scale[i] / size(varied[c]) : std::numeric_limits<Scalar>::max();
     }
     Motion motion(system, inputs, varied, whole.scale);
     State all;
@@ -320,13 +333,33 @@ Outcome simulate_sensitivities(const System& system, const Inputs& inputs, const
     return outcome;
 }
 
-/// dx/d(varied) of a start that no parameter moves.
+/// dx/d(varied) of a start that parameters do not move, because it was set by hand.
 template <class System, std::size_t count>
-Sensitivities<System, count> sensitivities_at_start(const std::array<Varied, count>& varied) {
+Sensitivities<System, count> sensitivities_at_fixed_start(const std::array<Varied, count>& varied) {
     Sensitivities<System, count> S;
     for (std::size_t c = 0; c < count; ++c) {
         S[c].fill(typename System::scalar_type(0));
         if (varied[c].of == Varied::Of::start && varied[c].number < S[c].size()) S[c][varied[c].number] = typename System::scalar_type(1);
+    }
+    return S;
+}
+
+/// dx/d(varied) of system.start_state(), which may follow from parameters: by these as differences of order four, good to about 1e-11.
+template <class System, std::size_t count>
+Sensitivities<System, count> sensitivities_at_start(const System& system, const std::array<Varied, count>& varied) {
+    using Scalar = typename System::scalar_type;
+    Sensitivities<System, count> S = sensitivities_at_fixed_start<System>(varied);
+    for (std::size_t c = 0; c < count; ++c) {
+        if (varied[c].of == Varied::Of::start || varied[c].number >= System::parameter_table().size()) continue;
+        const Scalar step = detail::size_of_parameter(system, varied[c].number) / Scalar(1024);
+        const auto start_at = [&](int steps) {
+            System moved = system;
+            detail::move_parameter(moved, varied[c].number, Scalar(steps) * step);
+            return moved.start_state();
+        };
+        const auto before = start_at(-2), behind = start_at(-1), ahead = start_at(1), beyond = start_at(2);
+        for (std::size_t i = 0; i < S[c].size(); ++i)
+            S[c][i] = (Scalar(8) * (ahead[i] - behind[i]) - (beyond[i] - before[i])) / (Scalar(12) * step);
     }
     return S;
 }

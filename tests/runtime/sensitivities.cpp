@@ -89,7 +89,7 @@ void compare(const std::array<Varied, count>& varied, const typename System<doub
     for (const Method method : methods) {
         CAPTURE(static_cast<int>(method));
         typename Plain::State x = start;
-        auto S = sensitivities_at_start<Plain>(varied);
+        auto S = sensitivities_at_fixed_start<Plain>(varied);
         IntegrationOptions<typename Plain::State> options;
         options.method = method;
         options.tolerance = tolerance;
@@ -125,7 +125,7 @@ TEST_CASE("sensitivities of a heater are those of its closed form") {
                             Varied::parameter(model::parameter::T_inf), Varied::parameter(model::parameter::t_s), Varied::start(0)};
     for (const Method method : all_methods) {
         System::State x{start};
-        auto S = sensitivities_at_start<System>(varied);
+        auto S = sensitivities_at_fixed_start<System>(varied);
         IntegrationOptions<System::State> options;
         options.method = method;
         options.tolerance = 1e-12;
@@ -176,7 +176,7 @@ TEST_CASE("sensitivities that do not control the steps follow those of the state
     options.scale.fill(1e-2);
     options.method = Method::dopri5;
     System::State x{0.3, 0.2, 0, 0}, plain = x;
-    auto S = sensitivities_at_start<System>(varied);
+    auto S = sensitivities_at_fixed_start<System>(varied);
     const Outcome with = simulate_sensitivities(
         system, inputs, varied, x, S, 0.0, 3.0, options, [](const auto&) {}, false);
     const auto rhs = [&](const System::State& at, double t, System::State& rate) { system.rhs(at, inputs(at, t), t, rate); };
@@ -199,5 +199,32 @@ TEST_CASE("what is not in a table has no sensitivities") {
         const Outcome outcome = simulate_sensitivities(system, inputs, varied, x, S, 0.0, 1.0, {}, [](const auto&) { FAIL("a run"); });
         CHECK(outcome.status == Status::bad_options);
         CHECK(x == start);
+    }
+}
+
+TEST_CASE("sensitivities begin with those of a start that follows from parameters") {
+    namespace model = immersion_heater::heating;
+    using System = model::System<double>;
+    const System system;
+    const std::array varied{Varied::parameter(model::parameter::T_inf), Varied::parameter(model::parameter::c_p), Varied::start(0)};
+    const auto S = sensitivities_at_start(system, varied);
+    CHECK(S[0][0] == doctest::Approx(1).epsilon(1e-11));
+    CHECK(S[1][0] == 0);
+    CHECK(S[2][0] == 1);
+    CHECK(sensitivities_at_fixed_start<System>(varied)[0][0] == 0);
+}
+
+TEST_CASE("methods that a run cannot take end it") {
+    using System = cart_pendulum::lab::System<double>;
+    const System system;
+    const NoInput<System> inputs;
+    const std::array varied{Varied::parameter(0)};
+    for (const Method method : {Method::taylor, Method::symplectic}) {
+        System::State x = system.start_state();
+        auto S = sensitivities_at_start(system, varied);
+        IntegrationOptions<System::State> options;
+        options.method = method;
+        options.step = 0.01;
+        CHECK(simulate_sensitivities(system, inputs, varied, x, S, 0.0, 1.0, options, [](const auto&) {}).status != Status::success);
     }
 }
