@@ -12,6 +12,8 @@ namespace dalembert {
 
 namespace {
 
+using Kind = Expression::Kind;
+
 /// Bounds; one that is not there is infinite.
 struct Interval {
     std::optional<Rational> low, high;
@@ -23,7 +25,6 @@ public:
 
     /// Nothing where the form of the expression is beyond this arithmetic.
     std::optional<Interval> operator()(const Expression& e) {
-        using Kind = Expression::Kind;
         if (e.kind == Kind::number) return Interval{e.value, e.value};
         if (e.kind == Kind::name) return name(e);
         if (e.kind == Kind::call && (e.name == "sin" || e.name == "cos")) return Interval{Rational(-1), Rational(1)};

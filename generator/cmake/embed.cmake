@@ -5,7 +5,7 @@ set(entries "")
 foreach(file IN LISTS FILES)
   file(READ ${ROOT}/${file} content)
   string(REGEX REPLACE "^(templates|runtime/dalembert|runtime/c|runtime/export)/" "" name ${file})
-  string(APPEND entries "    {\"${name}\", R\"embedded(${content})embedded\"},\n")
+  string(APPEND entries "    {\"${name}\", R\"embedded(${content})embedded\"sv},\n")
 endforeach()
 file(WRITE ${OUTPUT}
 "// Written by embed.cmake.
@@ -17,6 +17,7 @@ namespace dalembert {
 const char* const program_version = \"${VERSION}\";
 
 namespace {
+using namespace std::string_view_literals;
 constexpr EmbeddedFile table[]{
 ${entries}};
 }

@@ -7,7 +7,7 @@ namespace dalembert {
 
 namespace {
 
-constexpr std::array words{
+constexpr std::array words_of_dependence{
     DependenceWord{on_anything, "everything", "everything below"},
     DependenceWord{on_anything & ~on_outputs, "everything but outputs", "everything below except outputs"},
     DependenceWord{on_state_and_inputs, "the state and inputs", "motion, states, inputs, modes and properties"},
@@ -31,11 +31,11 @@ constexpr std::array words{
 
 }  // namespace
 
-std::span<const DependenceWord> dependence_words() { return words; }
+std::span<const DependenceWord> dependence_words() { return words_of_dependence; }
 
 std::string described(unsigned depends) {
     std::string text;
-    for (const DependenceWord& word : words) {
+    for (const DependenceWord& word : words_of_dependence) {
         if ((depends & word.bits) != word.bits) continue;
         text += (text.empty() ? "" : ", ") + std::string(word.word);
         depends &= ~word.bits;

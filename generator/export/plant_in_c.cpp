@@ -172,9 +172,9 @@ private:
         const bool is_masked = !p.is_sparse && !p.column_starts.empty() && p.row_indices.size() < p.rows * p.columns;
         if (p.is_sparse || is_masked) {
             const std::string starts = array("size_t", std::string(pattern) + "_starts", texts(p.column_starts), ", ");
-            const std::vector<std::string> rows = p.row_indices.empty() ? std::vector<std::string>{"0"} : texts(p.row_indices);
-            const std::string indices = array("size_t", std::string(pattern) + "_rows", rows, ", ");
-            member(pattern, fmt::format("{{{}, {}}}", starts, indices));
+            const std::vector<std::string> indices = p.row_indices.empty() ? std::vector<std::string>{"0"} : texts(p.row_indices);
+            const std::string row_indices = array("size_t", std::string(pattern) + "_rows", indices, ", ");
+            member(pattern, fmt::format("{{{}, {}}}", starts, row_indices));
         }
         const std::string head = fmt::format(
             "static void {}_plant_{}(const void* self, unsigned mode, const double* x, const double* u, double t, {}double* J) "

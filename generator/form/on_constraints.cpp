@@ -18,7 +18,7 @@ constexpr int met_digits = digits - 5;  ///< where Newton's steps end
 constexpr int dependent_digits = 14;
 
 /// Beside which something counts as zero.
-cl_R tenth_to(int exponent) { return cln::recip(cl_R(cln::expt_pos(cln::cl_I(10), exponent))); }
+cl_R tenth_to(unsigned exponent) { return cln::recip(cl_R(cln::expt_pos(cln::cl_I(10), exponent))); }
 
 cl_R product(const std::vector<cl_R>& a, const std::vector<cl_R>& b) {
     cl_R sum = 0;

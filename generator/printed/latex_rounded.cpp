@@ -9,6 +9,8 @@ namespace dalembert {
 
 namespace {
 
+using Kind = Expression::Kind;
+
 /// number*rest; without a rest the number alone.
 struct ScaledNumber {
     ExpressionPtr number, rest;
@@ -20,7 +22,6 @@ ExpressionPtr quotient_of(const Span& span, const ExpressionPtr& a, const Expres
 
 /// Nothing where no number stands first.
 std::optional<ScaledNumber> scaled_number(const ExpressionPtr& e) {
-    using Kind = Expression::Kind;
     if (e->kind == Kind::number || (e->kind == Kind::call && e->name == "quantity" && e->children[0]->kind == Kind::number))
         return ScaledNumber{e, nullptr};
     if (e->kind != Kind::negate && e->kind != Kind::multiply && e->kind != Kind::divide) return std::nullopt;
