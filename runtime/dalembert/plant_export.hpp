@@ -51,6 +51,14 @@ inline constexpr bool has_series = false;
 template <class S>
 inline constexpr bool has_series<S, std::void_t<decltype(S::series_rows)>> = true;
 template <class S, class = void>
+inline constexpr bool has_output_jacobian_p = false;
+template <class S>
+inline constexpr bool has_output_jacobian_p<S, std::void_t<typename S::OutputJacobianP>> = true;
+template <class S, class = void>
+inline constexpr bool has_output_jacobian_t = false;
+template <class S>
+inline constexpr bool has_output_jacobian_t<S, std::void_t<typename S::OutputJacobianT>> = true;
+template <class S, class = void>
 inline constexpr bool is_separable = false;
 template <class S>
 inline constexpr bool is_separable<S, std::void_t<decltype(S::is_separable)>> = S::is_separable;
@@ -175,6 +183,19 @@ class PlantTable {
     static void output_jacobian_u(const void* self, unsigned mode, const double* x, const double* u, double t, double* D) {
         in_mode(mode, [&](auto... m) {
             of(self).output_jacobian_u(m..., as<State>(x), as<Input>(u), t, as<typename System::OutputJacobianU>(D));
+        });
+    }
+    // Of headers that have them.
+    template <class S = System>
+    static void output_jacobian_p(const void* self, unsigned mode, const double* x, const double* u, double t, double* C) {
+        in_mode(mode, [&](auto... m) {
+            of(self).output_jacobian_p(m..., as<State>(x), as<Input>(u), t, as<typename S::OutputJacobianP>(C));
+        });
+    }
+    template <class S = System>
+    static void output_jacobian_t(const void* self, unsigned mode, const double* x, const double* u, double t, double* dydt) {
+        in_mode(mode, [&](auto... m) {
+            of(self).output_jacobian_t(m..., as<State>(x), as<Input>(u), t, as<typename S::OutputJacobianT>(dydt));
         });
     }
     static void mass_matrix(const void* self, unsigned mode, const double* x, double t, double* M) {
@@ -360,6 +381,8 @@ public:
         table.output = output;
         table.output_jacobian_x = output_jacobian_x;
         table.output_jacobian_u = output_jacobian_u;
+        if constexpr (plant_export::has_output_jacobian_p<System>) table.output_jacobian_p = output_jacobian_p<System>;
+        if constexpr (plant_export::has_output_jacobian_t<System>) table.output_jacobian_t = output_jacobian_t<System>;
         table.mass_matrix = mass_matrix;
         table.kinetic_energy = kinetic_energy;
         table.potential_energy = potential_energy;

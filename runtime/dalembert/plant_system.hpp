@@ -67,6 +67,7 @@ inline bool can_be_left_out(Plant p, std::size_t i) { return p.constraint_table[
 inline bool solved_for_at_start(Plant p, std::size_t i) { return p.constraint_table[i].solved_for_at_start != 0; }
 inline const dalembert_pattern& x(Plant p) { return p.pattern_x; }
 inline const dalembert_pattern& u(Plant p) { return p.pattern_u; }
+inline const dalembert_pattern& p(Plant p) { return p.pattern_p; }
 
 }  // namespace of_plant
 
@@ -87,9 +88,11 @@ struct PatternOfPlant {
 };
 using PatternXOfPlant = PatternOfPlant<of_plant::x>;
 using PatternUOfPlant = PatternOfPlant<of_plant::u>;
+using PatternPOfPlant = PatternOfPlant<of_plant::p>;
 namespace of_plant {
 inline std::size_t entries_x(Plant p) { return PatternXOfPlant::start(p, p.states); }
 inline std::size_t entries_u(Plant p) { return PatternUOfPlant::start(p, p.inputs); }
+inline std::size_t entries_p(Plant p) { return p.jacobian_p != nullptr ? PatternPOfPlant::start(p, p.parameters) : 0; }
 }  // namespace of_plant
 
 template <std::size_t (*count)(const dalembert_plant&)>
@@ -172,8 +175,10 @@ public:
     using MassMatrix = PlantArray<of_plant::square>;
     using PatternX = PatternXOfPlant;
     using PatternU = PatternUOfPlant;
+    using PatternP = PatternPOfPlant;
     using JacobianX = PlantArray<of_plant::entries_x>;
     using JacobianU = PlantArray<of_plant::entries_u>;
+    using JacobianP = PlantArray<of_plant::entries_p>;
     using JacobianT = State;
     using OutputJacobianX = PlantArray<of_plant::outputs_by_states>;
     using OutputJacobianU = PlantArray<of_plant::outputs_by_inputs>;
@@ -196,6 +201,11 @@ public:
     PlantBase(const PlantBase& other) : parameters_(other.parameters_), self_(make(parameters_)) {}
     PlantBase& operator=(const PlantBase&) = delete;
 
+    const std::vector<double>& parameters() const { return parameters_; }
+    void update(const std::vector<double>& parameters) {
+        parameters_ = parameters;
+        now().set_parameters(self_.get(), parameters_.data());
+    }
     const void* self() const { return self_.get(); }
     State start_state() const {
         State x;
@@ -231,9 +241,16 @@ public:
     explicit PlantSystem(std::vector<double> parameters, unsigned mode = 0) : PlantBase(std::move(parameters)), mode_(mode) {}
 
     void rhs(const State& x, const Input& u, double t, State& dxdt) const { now().rhs(self(), mode_, x.data(), u.data(), t, dxdt.data()); }
+    void rhs_and_jacobian(const State& x, const Input& u, double t, State& dxdt, JacobianX& J) const {
+        now().rhs_and_jacobian(self(), mode_, x.data(), u.data(), t, dxdt.data(), J.data());
+    }
     void jacobian_x(const State& x, const Input& u, double t, JacobianX& J) const {
         State dxdt;
-        now().rhs_and_jacobian(self(), mode_, x.data(), u.data(), t, dxdt.data(), J.data());
+        rhs_and_jacobian(x, u, t, dxdt, J);
+    }
+    /// Of plants that have it.
+    void jacobian_p(const State& x, const Input& u, double t, JacobianP& J) const {
+        now().jacobian_p(self(), mode_, x.data(), u.data(), t, J.data());
     }
     void jacobian_u(const State& x, const Input& u, double t, JacobianU& J) const {
         if (now().jacobian_u != nullptr) now().jacobian_u(self(), mode_, x.data(), u.data(), t, J.data());
@@ -325,9 +342,16 @@ public:
     void rhs(Mode mode, const State& x, const Input& u, double t, State& dxdt) const {
         now().rhs(self(), number(mode), x.data(), u.data(), t, dxdt.data());
     }
+    void rhs_and_jacobian(Mode mode, const State& x, const Input& u, double t, State& dxdt, JacobianX& J) const {
+        now().rhs_and_jacobian(self(), number(mode), x.data(), u.data(), t, dxdt.data(), J.data());
+    }
     void jacobian_x(Mode mode, const State& x, const Input& u, double t, JacobianX& J) const {
         State dxdt;
-        now().rhs_and_jacobian(self(), number(mode), x.data(), u.data(), t, dxdt.data(), J.data());
+        rhs_and_jacobian(mode, x, u, t, dxdt, J);
+    }
+    /// Of plants that have it.
+    void jacobian_p(Mode mode, const State& x, const Input& u, double t, JacobianP& J) const {
+        now().jacobian_p(self(), number(mode), x.data(), u.data(), t, J.data());
     }
     void jacobian_u(Mode mode, const State& x, const Input& u, double t, JacobianU& J) const {
         if (now().jacobian_u != nullptr) now().jacobian_u(self(), number(mode), x.data(), u.data(), t, J.data());
@@ -401,6 +425,8 @@ class InputsOfPlant {
 public:
     static constexpr std::size_t series_rows = 0;
     InputsOfPlant(const detail::PlantBase& system, detail::PlantBase::Input held) : system_(system), held_(std::move(held)) {}
+    /// The same with the parameters of another system.
+    InputsOfPlant of(const detail::PlantBase& system) const { return {system, held_}; }
     detail::PlantBase::Input operator()(const detail::PlantBase::State& x, double t) const {
         detail::PlantBase::Input u = held_;
         if (detail::plant_in_use->inputs_of_run != nullptr) detail::plant_in_use->inputs_of_run(system_.self(), x.data(), t, u.data());

@@ -37,7 +37,7 @@ struct Running<System, true> {
     using Observe = std::function<void(const Sample&)>;
     using State = typename System::State;
     using Mode = typename System::Mode;
-    using OnChange = std::function<void(typename System::scalar_type, std::size_t, Mode, Mode, const State&, const State&)>;
+    using OnChange = std::function<void(typename System::scalar_type, std::size_t, Mode, Mode, const State&, const State&, bool)>;
     template <class Inputs, class Time>
     static SwitchingResult<System> run(
         const System& system, const Inputs& inputs, State& x, Time until, const Options& options, const Observe& observe,

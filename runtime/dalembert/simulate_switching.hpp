@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 #include "dalembert/switching.hpp"
 
@@ -144,7 +145,7 @@ struct SwitchingResult {
 };
 
 /// As simulate(), for a system with modes; see simulate_modes(). Calls on_change(t, event, from, to, before, after) for each event, with
-/// states of the system.
+/// states of the system; where it takes one argument more, that says whether the event has happened infinitely often before.
 template <class System, class Inputs, class Observer, class OnChange>
 SwitchingResult<System> simulate_switching(const System& system, const Inputs& inputs, typename System::State& x,
                                            typename System::scalar_type from, typename System::scalar_type to,
@@ -188,7 +189,11 @@ SwitchingResult<System> simulate_switching(const System& system, const Inputs& i
             energy(change.from, before, change.t) - energy(change.to, after, change.t) + (change.after[n] - change.before[n]);
         lost += loss;
         result.energy.largest_gain = std::max(result.energy.largest_gain, static_cast<double>(-loss));
-        on_change(change.t, change.event, change.from, change.to, before, after);
+        if constexpr (std::is_invocable_v<OnChange&, Scalar, std::size_t, typename System::Mode, typename System::Mode,
+                                          const typename System::State&, const typename System::State&, bool>)
+            on_change(change.t, change.event, change.from, change.to, before, after, change.is_accumulation);
+        else
+            on_change(change.t, change.event, change.from, change.to, before, after);
     };
     typename Whole::State extended;
     std::copy_n(x.begin(), n, extended.begin());

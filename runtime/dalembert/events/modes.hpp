@@ -85,6 +85,14 @@ public:
         system_.jacobian_x(mode, x, u, t, J);
     }
     template <class Jacobian>
+    void rhs_and_jacobian(const Differentiated& x, const Input& u, scalar_type t, Differentiated& dxdt, Jacobian& J) const {
+        system_.rhs_and_jacobian(mode, x, u, t, dxdt, J);
+    }
+    template <class Jacobian>
+    void jacobian_p(const Differentiated& x, const Input& u, scalar_type t, Jacobian& J) const {
+        system_.jacobian_p(mode, x, u, t, J);
+    }
+    template <class Jacobian>
     void jacobian_u(const Differentiated& x, const Input& u, scalar_type t, Jacobian& J) const {
         system_.jacobian_u(mode, x, u, t, J);
     }

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: BSL-1.0
+// Sensitivities of a run that is made beside: with modes, events, constraints, kinks.
+//
+// note [jumps]: Where the motion changes at a time t* that depends on what is varied, S jumps. With the rates f- before and f+ behind, and the
+// change of the state x+ = R(x-, t*, p): S+ = R_x (S- + f- t') + R_p + R_t t' - f+ t', where t' = dt*/d(varied). Where a guard g falls through
+// zero, t' = -(g_x S- + g_p)/(dg/dt along the motion). An event that another one causes happens when that one does; the last of infinitely
+// many when the one before; an event at the start, or when inputs jump, at a fixed time. R and g are differentiated by central
+// differences along (S, t', p): they cost nothing beside the run, and keep about ten digits.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "dalembert/integrate.hpp"
+#include "dalembert/sensitivities/moded.hpp"
+#include "dalembert/sensitivities/options.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+/// Integrates the state and S from one point of the run to the next, in the mode of the run; the state is then that of the run.
+template <class System, class Inputs, class List>
+class Replay {
+    using Scalar = typename System::scalar_type;
+    using Plain = typename System::State;
+    using Asked = Moded<System>;
+    using Motion = Variational<System, Inputs, List, typename Asked::View>;
+    using All = typename Motion::State;
+    using Kinks = typename Asked::Kinks;
+    template <class T>
+    using ColumnsOf = typename Columns<List>::template Of<T>;
+
+public:
+    using Mode = typename Asked::Mode;
+    using Sensitivities = ColumnsOf<Plain>;
+
+    /// A time at which inputs have a kink or jump, in s, and how it follows what is varied.
+    struct MovingKink {
+        Scalar t;
+        ColumnsOf<Scalar> slope;
+    };
+
+    /// Refers to all of them but S. `options` are those of the run; with controls = false the steps follow the error of the state alone.
+    Replay(const System& system, const Inputs& inputs, const List& varied, const Plain& x, const Sensitivities& S, Scalar from, Scalar to,
+           const IntegrationOptions<Plain>& options, bool controls = true)
+        : system_(system),
+          inputs_(inputs),
+          varied_(varied),
+          moved_(system, varied),
+          scale_(options.scale),
+          known_kinks_(options.kinks),
+          x_(x),
+          S_(S),
+          t_(from),
+          from_(from),
+          span_(to - from),
+          time_of_last_(from),
+          shift_(Columns<List>::filled(varied, Scalar(0))) {
+        copy_options(options_, options);
+        options_.kinks.clear();
+        options_.intervals = 1;
+        const std::size_t n = size_of<Plain>();
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t c = 0; c < varied.size(); ++c) {
+                const Scalar size =
+                    varied[c].of == Varied::Of::start ? scale_[varied[c].number] : size_of_parameter(system, varied[c].number);
+                options_.scale[(c + 1) * n + i] = controls ? scale_[i] / size : std::numeric_limits<Scalar>::max();
+            }
+        }
+    }
+
+    /// Those of the options that move. They must stay where they are until the run has ended.
+    template <class MovingKinks>
+    void take_moving_kinks(const MovingKinks& kinks) {
+        kinks_begin_ = kinks.data();
+        kinks_end_ = kinks_begin_ + kinks.size();
+    }
+
+    const Sensitivities& S() const { return S_; }
+    /// How the integration went; with Status::not_finite and a guard, that event or kink only touches zero, and S has no value behind it.
+    const Outcome& outcome() const { return outcome_; }
+
+    /// How inputs follow one that is varied, along the motion.
+    typename System::Input slopes_of_inputs(std::size_t c) const {
+        return along(c, S_[c], Scalar(0),
+                     [&](const System& a, const Plain& ahead, const Scalar& t, const System& b, const Plain& behind, const Scalar&,
+                         const Scalar& step) {
+                         auto slopes = inputs_with(inputs_, a)(ahead, t);
+                         const auto other = inputs_with(inputs_, b)(behind, t);
+                         for (std::size_t j = 0; j < slopes.size(); ++j) slopes[j] = (slopes[j] - other[j]) / (Scalar(2) * step);
+                         return slopes;
+                     });
+    }
+
+    /// To the point (t, x) of the run.
+    void advance(Scalar t, const Plain& x, Mode mode = {}) {
+        if (outcome_.status != Status::success) return;
+        if (!knows_sides_ || mode != mode_) find_sides(mode);
+        while (t_ < t && outcome_.status == Status::success) {
+            // No step sees the instant around a kink at a known time.
+            const auto next = std::find_if(known_kinks_.begin(), known_kinks_.end(), [&](const Scalar& k) { return k + instant(k) > t_; });
+            if (next == known_kinks_.end() || t <= *next - instant(*next)) {
+                go_on(t);
+            } else if (t_ < *next - instant(*next)) {
+                go_on(*next - instant(*next));
+            } else {
+                if (t_ < *next && t >= *next) pass_known_kink(*next);
+                t_ = std::min(t, Scalar(*next + instant(*next)));
+            }
+        }
+        if (outcome_.status != Status::success) return;
+        t_ = t;
+        x_ = x;
+    }
+
+    /// Over an event of the run, with the states before and behind it.
+    void change(Scalar t, std::size_t event, Mode from, Mode to, const Plain& before, const Plain& after, bool is_accumulation) {
+        advance(t, before, from);
+        if (outcome_.status != Status::success) return;
+        shift_ = times_of_event(event, from, is_accumulation);
+        if (outcome_.status != Status::success) return;
+        const Plain rate_before = rate(from, before, t), rate_after = rate(to, after, t);
+        for (std::size_t c = 0; c < varied_.size(); ++c) {
+            const Scalar shift = shift_[c];
+            Plain s = S_[c];
+            for (std::size_t i = 0; i < s.size(); ++i) s[i] += rate_before[i] * shift;
+            s = through_reset(c, s, shift, event, from, is_accumulation);
+            for (std::size_t i = 0; i < s.size(); ++i) s[i] -= rate_after[i] * shift;
+            S_[c] = s;
+        }
+        x_ = after;
+        time_of_last_ = t;
+        has_last_ = true;
+        knows_sides_ = false;
+    }
+
+private:
+    /// What passes for no time at all: an event may be passed an instant later.
+    Scalar instant(const Scalar& t) const {
+        using std::abs;
+        return Scalar(4096) * std::numeric_limits<Scalar>::epsilon() * std::max(Scalar(abs(t)), Scalar(span_ / Scalar(1000)));
+    }
+
+    Plain rate(Mode mode, const Plain& x, const Scalar& t) const {
+        Plain dxdt;
+        Asked::view(mode)(system_).rhs(x, inputs_(x, t), t, dxdt);
+        return dxdt;
+    }
+    static Plain moved(const Plain& x, const Plain& direction, const Scalar& length) {
+        Plain result = x;
+        for (std::size_t i = 0; i < result.size(); ++i) result[i] += length * direction[i];
+        return result;
+    }
+    void fail(Status status, std::size_t guard = Outcome::none) {
+        outcome_.status = status;
+        outcome_.t = static_cast<double>(t_);
+        outcome_.guard = guard;
+    }
+
+    // From point to point.
+
+    Kinks kinks_at(Mode mode, const Plain& x, const Scalar& t) const {
+        Kinks k;
+        Asked::kinks(system_, mode, x, inputs_(x, t), t, k);
+        return k;
+    }
+    /// The signs that kinks have in a mode that begins here; of one at zero that to which it goes.
+    void find_sides(Mode mode) {
+        mode_ = mode;
+        knows_sides_ = true;
+        if constexpr (may_have_entries<Kinks>) {
+            const Kinks here = kinks_at(mode, x_, t_);
+            const Scalar d = instant(t_);
+            const Kinks ahead = kinks_at(mode, moved(x_, rate(mode, x_, t_), d), t_ + d);
+            for (std::size_t i = 0; i < sides_.size(); ++i) sides_[i] = (here[i] != Scalar(0) ? here[i] : ahead[i]) < Scalar(0) ? -1 : 1;
+        }
+    }
+
+    /// To the time `to`, or over the next kink before.
+    void go_on(Scalar to) {
+        All all;
+        Motion::put(all, 0, x_);
+        for (std::size_t c = 0; c < varied_.size(); ++c) Motion::put(all, c + 1, S_[c]);
+        Motion motion(system_, inputs_, varied_, moved_, scale_, Asked::view(mode_));
+        const auto rates = [&](const All& at, Scalar t, All& derivative) { motion.rates(at, t, derivative); };
+        if (to - t_ <= instant(to)) {  // as between the last of many impacts: no method has a step so short
+            All slope;
+            rates(all, t_, slope);
+            for (std::size_t i = 0; i < all.size(); ++i) all[i] += (to - t_) * slope[i];
+            take(all, to);
+            return;
+        }
+        Scalar reached = t_;
+        const auto watch = [&](Scalar t, const All&) { reached = t; };
+        Outcome part;
+        if constexpr (may_have_entries<Kinks>) {
+            const auto guards = [&](const All& at, Scalar t, Kinks& g) {
+                g = kinks_at(mode_, Motion::part(at, 0), t);
+                for (std::size_t i = 0; i < g.size(); ++i) g[i] = Asked::is_kink(i) ? g[i] * Scalar(sides_[i]) : Scalar(1);
+            };
+            Like<Kinks, bool> ends;
+            ends.fill(true);
+            part = integrate(rates, motion, all, t_, to, options_, watch, guards, ends);
+        } else {
+            part = integrate(rates, motion, all, t_, to, options_, watch);
+        }
+        outcome_.steps += part.steps;
+        outcome_.rejected += part.rejected;
+        outcome_.rhs_calls += part.rhs_calls;
+        for (std::size_t k = 0; k < part.steps_by.size(); ++k) outcome_.steps_by[k] += part.steps_by[k];
+        take(all, part.status == Status::success ? to : reached);
+        if constexpr (may_have_entries<Kinks>)
+            if (part.status == Status::event) return pass_kink(part.guard);
+        if (part.status != Status::success) fail(part.status);
+    }
+
+    void take(const All& all, const Scalar& t) {
+        x_ = Motion::part(all, 0);
+        for (std::size_t c = 0; c < varied_.size(); ++c) S_[c] = Motion::part(all, c + 1);
+        t_ = t;
+    }
+
+    /// Over a kink of the rates, where they may jump.
+    void pass_kink(std::size_t kink) {
+        if (++outcome_.events > options_.max_events) return fail(Status::event_storm, kink);
+        const Plain before = rate(mode_, x_, t_);
+        const Scalar d = instant(t_);
+        const auto behind = [&](const Scalar& distance) { return rate(mode_, moved(x_, before, distance), t_ + distance); };
+        const Plain near = behind(d), far = behind(Scalar(16) * d);
+        if (is_jump(before, near, far)) {
+            const auto value = [&](const System& system, const Plain& x, const Scalar& t) {
+                Kinks k;
+                Asked::kinks(system, mode_, x, inputs_with(inputs_, system)(x, t), t, k);
+                return k[kink];
+            };
+            const Scalar step = step_of_differences<Scalar>() * span_ / Scalar(1000);
+            const Scalar slope = (value(system_, moved(x_, before, step), t_ + step) - value(system_, moved(x_, before, -step), t_ - step)) /
+                                 (Scalar(2) * step);
+            const auto shift = times_of_zero(value, slope, kink);
+            if (outcome_.status != Status::success) return;
+            jump(before, near, shift);
+        }
+        x_ = moved(x_, before, d);
+        t_ += d;
+        sides_[kink] = -sides_[kink];
+    }
+    void jump(const Plain& before, const Plain& behind, const ColumnsOf<Scalar>& shift) {
+        for (std::size_t c = 0; c < varied_.size(); ++c)
+            for (std::size_t i = 0; i < before.size(); ++i) S_[c][i] += (before[i] - behind[i]) * shift[c];
+    }
+    /// Behind an infinite slope rates go on growing; behind a jump they do not.
+    static bool is_jump(const Plain& before, const Plain& near, const Plain& far) {
+        using std::abs;
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            const Scalar there = near[i] - before[i];
+            const bool is_seen = abs(there) > Scalar(1e-9) * (abs(before[i]) + abs(near[i]));
+            if (is_seen && abs(far[i] - near[i]) <= abs(there) / Scalar(2)) return true;
+        }
+        return false;
+    }
+    void pass_known_kink(const Scalar& t) {
+        if (const MovingKink* kink = moving_kink(t)) jump(rate(mode_, x_, t - instant(t)), rate(mode_, x_, t + instant(t)), kink->slope);
+    }
+    /// None where what is varied does not move it.
+    const MovingKink* moving_kink(const Scalar& t) const {
+        using std::abs;
+        const auto found = std::find_if(kinks_begin_, kinks_end_, [&](const MovingKink& kink) { return abs(t - kink.t) <= instant(t); });
+        return found != kinks_end_ ? found : nullptr;
+    }
+
+    // Over an event.
+
+    /// The derivative of value(system, x, t) along (p, S, t') for what is varied.
+    template <class Value>
+    auto along(std::size_t c, const Plain& s, const Scalar& shift, const Value& value) const {
+        using std::abs;
+        Scalar longest = abs(shift) / span_;
+        for (std::size_t i = 0; i < s.size(); ++i) longest = std::max(longest, Scalar(abs(s[i]) / std::max(scale_[i], Scalar(abs(x_[i])))));
+        const bool is_parameter = varied_[c].of == Varied::Of::parameter;
+        Scalar step = is_parameter ? moved_.distance[c] : Scalar(1);
+        if (longest > Scalar(0)) step = std::min(step, step_of_differences<Scalar>() / longest);
+        System ahead = system_, behind = system_;
+        if (is_parameter) {
+            move_parameter(ahead, varied_[c].number, step);
+            move_parameter(behind, varied_[c].number, -step);
+            step = (parameter_of(ahead, varied_[c].number) - parameter_of(behind, varied_[c].number)) / Scalar(2);
+        }
+        return value(ahead, moved(x_, s, step), t_ + step * shift, behind, moved(x_, s, -step), t_ - step * shift, step);
+    }
+
+    /// How the time follows what is varied at which a function that is zero here, and whose rate is given, is zero.
+    template <class Value>
+    ColumnsOf<Scalar> times_of_zero(const Value& value, const Scalar& slope, std::size_t number) {
+        ColumnsOf<Scalar> shift = Columns<List>::filled(varied_, Scalar(0));
+        for (std::size_t c = 0; c < varied_.size(); ++c) {
+            const Scalar by = along(c, S_[c], Scalar(0),
+                                    [&](const System& a, const Plain& ahead, const Scalar& later, const System& b, const Plain& behind,
+                                        const Scalar& earlier, const Scalar& step) {
+                                        return (value(a, ahead, later) - value(b, behind, earlier)) / (Scalar(2) * step);
+                                    });
+            if (by == Scalar(0)) continue;
+            shift[c] = -by / slope;
+            if (!(shift[c] - shift[c] == Scalar(0))) fail(Status::not_finite, number);
+        }
+        return shift;
+    }
+
+    ColumnsOf<Scalar> times_of_event(std::size_t event, Mode mode, bool is_accumulation) {
+        using std::abs;
+        const ColumnsOf<Scalar> fixed = Columns<List>::filled(varied_, Scalar(0));
+        if (t_ - from_ <= instant(from_)) return fixed;
+        if (is_accumulation) return shift_;
+        if (const MovingKink* kink = moving_kink(t_)) return kink->slope;
+        for (const Scalar& kink : known_kinks_)
+            if (abs(t_ - kink) <= instant(t_)) return fixed;
+        using Events = typename System::Events;
+        const auto value = [&](const System& system, const Plain& x, const Scalar& t) {
+            Events g;
+            system.guards(mode, x, inputs_with(inputs_, system)(x, t), t, g);
+            return g[event];
+        };
+        const auto u = inputs_(x_, t_);
+        Events slopes;
+        system_.guard_rates(mode, x_, u, t_, slopes);
+        Scalar slope = slopes[event];
+        if constexpr (may_have_entries<typename System::Input>) {  // the rates hold inputs
+            const Plain dxdt = rate(mode, x_, t_);
+            const Scalar step = step_of_differences<Scalar>() * span_ / Scalar(1000);
+            Events ahead, behind;
+            system_.guards(mode, x_, inputs_(moved(x_, dxdt, step), t_ + step), t_, ahead);
+            system_.guards(mode, x_, inputs_(moved(x_, dxdt, -step), t_ - step), t_, behind);
+            slope += (ahead[event] - behind[event]) / (Scalar(2) * step);
+        }
+        const Scalar here = value(system_, x_, t_);
+        const bool is_caused = has_last_ && t_ - time_of_last_ <= instant(t_) && here < -abs(slope) * instant(t_);
+        return is_caused ? shift_ : times_of_zero(value, slope, event);
+    }
+
+    Plain through_reset(std::size_t c, const Plain& s, const Scalar& shift, std::size_t event, Mode mode, bool is_accumulation) const {
+        return along(c, s, shift,
+                     [&](const System& a, const Plain& ahead, const Scalar& later, const System& b, const Plain& behind,
+                         const Scalar& earlier, const Scalar& step) {
+                         const auto reset = [&](const System& system, Plain x, const Scalar& t) {
+                             const auto u = inputs_with(inputs_, system)(x, t);
+                             if (is_accumulation) system.settle(event, mode, x, u, t);
+                             else system.reset(event, mode, x, u, t);
+                             return x;
+                         };
+                         Plain result = s;
+                         const Plain at_a = reset(a, ahead, later), at_b = reset(b, behind, earlier);
+                         for (std::size_t i = 0; i < result.size(); ++i)
+                             if (at_a[i] != ahead[i] || at_b[i] != behind[i]) result[i] = (at_a[i] - at_b[i]) / (Scalar(2) * step);
+                         return result;
+                     });
+    }
+
+    const System& system_;
+    const Inputs& inputs_;
+    const List& varied_;
+    MovedSystems<System, List> moved_;
+    Plain scale_;
+    std::vector<Scalar> known_kinks_;  ///< s, rising
+    IntegrationOptions<All> options_;
+    Plain x_;
+    Sensitivities S_;
+    Scalar t_, from_, span_;
+    Mode mode_{};
+    Like<Kinks, int> sides_{};
+    bool knows_sides_ = false;
+    Scalar time_of_last_;  ///< event
+    bool has_last_ = false;
+    ColumnsOf<Scalar> shift_;  ///< how its time follows what is varied
+    const MovingKink* kinks_begin_ = nullptr;
+    const MovingKink* kinks_end_ = nullptr;
+    Outcome outcome_;
+};
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSL-1.0
+// A state and its sensitivities as one motion: dS/dt = (df/dx + df/du du/dx) S + df/dp + df/du du/dp.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+#include "dalembert/linear/run_matrix.hpp"
+#include "dalembert/sensitivities/varied.hpp"
+#include "dalembert/system_derivatives.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+/// Blocks of the size of Plain: those on the diagonal are alike and have the pattern Base, those in the first column may be full, others are zero.
+template <class Plain, class Base>
+struct SensitivityPattern {
+    static constexpr bool is_sparse = false;
+};
+
+template <class All, class Plain, class Base>
+class SensitivityMatrix {
+    using Scalar = typename Plain::value_type;
+
+public:
+    SensitivityMatrix() {
+        if constexpr (!has_fixed_size<All>) below_.resize((size_of<All>() - size_of<Plain>()) * size_of<Plain>());
+    }
+    void clear() {
+        diagonal_.clear();
+        std::fill(below_.begin(), below_.end(), Scalar(0));
+    }
+    void add(std::size_t row, std::size_t column, const Scalar& value) {
+        const std::size_t n = size_of<Plain>();
+        if (row < n)
+            diagonal_.add(row, column, value);
+        else if (column < n)
+            below_[column * (size_of<All>() - n) + row - n] += value;
+    }
+    bool factor() { return diagonal_.factor(); }
+    void solve(All& b) const {
+        const std::size_t n = size_of<Plain>(), all = size_of<All>();
+        Plain part;
+        const auto solve_part = [&](std::size_t c) {
+            std::copy_n(b.begin() + static_cast<std::ptrdiff_t>(c * n), n, part.begin());
+            diagonal_.solve(part);
+            std::copy_n(part.begin(), n, b.begin() + static_cast<std::ptrdiff_t>(c * n));
+        };
+        solve_part(0);
+        for (std::size_t column = 0; column < n; ++column)
+            for (std::size_t i = 0; i < all - n; ++i) b[n + i] -= below_[column * (all - n) + i] * part[column];
+        for (std::size_t c = 1; c * n < all; ++c) solve_part(c);
+    }
+
+private:
+    template <class Array>
+    struct Below {
+        using type = std::vector<Scalar>;
+    };
+    template <std::size_t all>
+    struct Below<std::array<Scalar, all>> {
+        using type = std::array<Scalar, (all - size_of<Plain>()) * size_of<Plain>()>;
+    };
+    typename MatrixOf<Plain, Base>::type diagonal_;
+    typename Below<All>::type below_{};
+};
+
+template <class All, class Plain, class Base>
+struct SensitivityMatrixOf {
+    using type = SensitivityMatrix<All, Plain, Base>;
+    static constexpr bool fits() { return MatrixOf<Plain, Base>::fits() && size_of<All>() * size_of<Plain>() * sizeof(typename Plain::value_type) <= std::size_t(1) << 20; }
+    static constexpr double multiplications(double solutions) {
+        const std::size_t n = size_of<Plain>(), all = size_of<All>();
+        return MatrixOf<Plain, Base>::multiplications(solutions * static_cast<double>(all / n)) + solutions * static_cast<double>((all - n) * n);
+    }
+};
+template <class Scalar, std::size_t all, class Plain, class Base>
+struct MatrixOf<std::array<Scalar, all>, SensitivityPattern<Plain, Base>> : SensitivityMatrixOf<std::array<Scalar, all>, Plain, Base> {};
+template <class Size, class Scalar, class Plain, class Base>
+struct MatrixOf<RunArray<Size, Scalar>, SensitivityPattern<Plain, Base>> : SensitivityMatrixOf<RunArray<Size, Scalar>, Plain, Base> {};
+
+/// A system as it is, for Variational.
+struct AsItIs {
+    template <class System>
+    const System& operator()(const System& system) const {
+        return system;
+    }
+};
+
+/// `view` shows a system, or one of its modes, as one without modes.
+template <class System, class Inputs, class List, class View = AsItIs>
+class Variational {
+    using Scalar = typename System::scalar_type;
+    using Plain = typename System::State;
+    using Shown = std::decay_t<decltype(std::declval<const View&>()(std::declval<const System&>()))>;
+    using Held = decltype(std::declval<const View&>()(std::declval<const System&>()));
+    template <class T>
+    using ColumnsOf = typename Columns<List>::template Of<T>;
+
+public:
+    using State = typename Columns<List>::template State<Plain>;
+    using DifferentiatedState = State;
+    using Pattern = SensitivityPattern<Plain, typename Shown::PatternX>;
+
+    template <class Scale>
+    Variational(const System& system, const Inputs& inputs, const List& varied, const MovedSystems<System, List>& moved, const Scale& scale,
+                const View& view = {})
+        : shown_(view(system)),
+          inputs_(inputs),
+          varied_(varied),
+          moved_(moved),
+          view_(view),
+          here_(shown_, inputs, scale),
+          on_the_way_(shown_, inputs, scale),
+          below_(Columns<List>::filled(varied, typename System::JacobianX{})) {
+        std::copy_n(scale.begin(), scale_.size(), scale_.begin());
+    }
+
+    static Plain part(const State& all, std::size_t c) {
+        Plain result;
+        std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(c * size_of<Plain>()), size_of<Plain>(), result.begin());
+        return result;
+    }
+    static void put(State& all, std::size_t c, const Plain& values) {
+        std::copy_n(values.begin(), size_of<Plain>(), all.begin() + static_cast<std::ptrdiff_t>(c * size_of<Plain>()));
+    }
+
+    void rates(const State& all, Scalar t, State& derivative) {
+        const std::size_t n = size_of<Plain>();
+        const Plain x = part(all, 0);
+        const auto u = inputs_(x, t);
+        Plain dxdt;
+        shown_.rhs_and_jacobian(x, u, t, dxdt, by_state_);
+        put(derivative, 0, dxdt);
+        shown_.jacobian_p(x, u, t, by_parameters_);
+        for (std::size_t c = 0; c < varied_.size(); ++c) {
+            Plain s = part(all, c + 1), rate = own_rate(c);
+            for (std::size_t column = 0; column < n; ++column)
+                for_each_in_column<typename System::PatternX>(
+                    by_state_, n, column, [&](std::size_t row, const Scalar& value) { rate[row] += value * s[column]; });
+            put(derivative, c + 1, rate);
+        }
+        if constexpr (may_have_entries<typename System::Input>) {
+            if (on_the_way_.have_feedback(x, u, t)) add_feedback(all, x, t, derivative);
+            if constexpr (follow_parameters<Inputs, System>) add_parameters_of_inputs(x, u, t, derivative);
+        }
+    }
+
+    // What Rodas5p asks for.
+
+    void prepare(const State& all, Scalar t) {
+        using std::abs;
+        const Plain x = part(all, 0);
+        here_.prepare(x, t);
+        for (std::size_t c = 0; c < varied_.size(); ++c) {
+            // Along a column of S, and the parameter with it.
+            const Plain s = part(all, c + 1);
+            Scalar step = moved_.distance[c];
+            if (varied_[c].of == Varied::Of::start) {
+                Scalar longest = Scalar(0);
+                for (std::size_t i = 0; i < s.size(); ++i)
+                    longest = std::max(longest, Scalar(abs(s[i]) / std::max(scale_[i], Scalar(abs(x[i])))));
+                step = longest > Scalar(0) ? step_of_differences<Scalar>() / longest : Scalar(0);
+            }
+            below_[c].fill(Scalar(0));
+            if (step == Scalar(0)) continue;
+            typename System::JacobianX ahead{}, behind{};
+            const auto at = [&](const System& system, Scalar length, typename System::JacobianX& J) {
+                Plain there = x;
+                for (std::size_t i = 0; i < s.size(); ++i) there[i] += length * s[i];
+                view_(system).jacobian_x(there, inputs_with(inputs_, system)(there, t), t, J);
+            };
+            at(moved_.ahead[c], step, ahead);
+            at(moved_.behind[c], -step, behind);
+            for (std::size_t k = 0; k < ahead.size(); ++k) below_[c][k] = (ahead[k] - behind[k]) / (Scalar(2) * step);
+        }
+    }
+
+    template <class Add>
+    void for_each_entry(Add add) const {
+        const std::size_t n = size_of<Plain>();
+        here_.for_each_entry([&](std::size_t row, std::size_t column, const Scalar& value) {
+            for (std::size_t c = 0; c <= varied_.size(); ++c) add(c * n + row, c * n + column, value);
+        });
+        for (std::size_t c = 0; c < varied_.size(); ++c)
+            for (std::size_t column = 0; column < n; ++column)
+                for_each_in_column<typename System::PatternX>(
+                    below_[c], n, column, [&](std::size_t row, const Scalar& value) { add((c + 1) * n + row, column, value); });
+    }
+
+    /// That of the rates of S is a difference within the step; exact where time does not appear.
+    void time_derivative(const State& all, Scalar t, Scalar length, State& dfdt) {
+        using std::sqrt;
+        Plain of_state;
+        here_.time_derivative(part(all, 0), t, length, of_state);
+        const Scalar step = length * sqrt(std::numeric_limits<Scalar>::epsilon()) * Scalar(64);
+        State now, later;
+        rates(all, t, now);
+        rates(all, t + step, later);
+        for (std::size_t i = 0; i < dfdt.size(); ++i) dfdt[i] = (later[i] - now[i]) / step;
+        put(dfdt, 0, of_state);
+    }
+
+private:
+    /// What S gets by way of inputs that follow the state: the whole Jacobian without that of the system.
+    void add_feedback(const State& all, const Plain& x, Scalar t, State& derivative) {
+        const std::size_t n = size_of<Plain>();
+        on_the_way_.prepare(x, t);
+        on_the_way_.for_each_feedback([&](std::size_t row, std::size_t column, const Scalar& value) {
+            for (std::size_t c = 1; c <= varied_.size(); ++c) derivative[c * n + row] += value * all[c * n + column];
+        });
+    }
+
+    /// And by way of inputs that follow parameters.
+    void add_parameters_of_inputs(const Plain& x, const typename System::Input& u, Scalar t, State& derivative) {
+        const std::size_t n = size_of<Plain>();
+        bool is_made = false;
+        for (std::size_t c = 0; c < varied_.size(); ++c) {
+            if (varied_[c].of == Varied::Of::start) continue;
+            const auto ahead = inputs_with(inputs_, moved_.ahead[c])(x, t), behind = inputs_with(inputs_, moved_.behind[c])(x, t);
+            for (std::size_t j = 0; j < u.size(); ++j) {
+                const Scalar slope = (ahead[j] - behind[j]) / (Scalar(2) * moved_.distance[c]);
+                if (slope == Scalar(0)) continue;
+                if (!is_made) shown_.jacobian_u(x, u, t, by_inputs_);
+                is_made = true;
+                for_each_in_column<typename System::PatternU>(
+                    by_inputs_, n, j, [&](std::size_t row, const Scalar& value) { derivative[(c + 1) * n + row] += value * slope; });
+            }
+        }
+    }
+
+    /// df/d(varied) at fixed x and u.
+    Plain own_rate(std::size_t c) const {
+        Plain result;
+        result.fill(Scalar(0));
+        if (varied_[c].of == Varied::Of::parameter)
+            for_each_in_column<typename System::PatternP>(by_parameters_, size_of<Plain>(), varied_[c].number,
+                                                          [&](std::size_t row, const Scalar& value) { result[row] = value; });
+        return result;
+    }
+
+    Held shown_;
+    const Inputs& inputs_;
+    const List& varied_;
+    const MovedSystems<System, List>& moved_;
+    View view_;
+    SystemDerivatives<Shown, Inputs> here_, on_the_way_;  ///< where Rodas5p has prepared, which may ask again; and at its stages
+    Plain scale_;
+    typename System::JacobianX by_state_{};
+    typename System::JacobianP by_parameters_{};
+    typename System::JacobianU by_inputs_{};
+    ColumnsOf<typename System::JacobianX> below_;
+};
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert
