@@ -129,7 +129,7 @@ foreach(source ${generator_sources})
   set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${layer}_${group})
 endforeach()
 # Integrators and matrices take the compiler seconds each: side by side.
-file(GLOB plant_sources generator/plant/simulation_*.cpp generator/plant/equilibrium.cpp generator/plant/modal.cpp)
+file(GLOB plant_sources generator/plant/simulation_*.cpp generator/plant/sensitivities_*.cpp generator/plant/equilibrium.cpp generator/plant/modal.cpp)
 set_source_files_properties(${plant_sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 
 # The state of the checkout is looked at in every build. It is told by --version alone: headers are the same for the same input.

@@ -116,6 +116,10 @@ void take_simulate(VerbOptions& o) {
     o.plots();
     o.result_files();
     o.until();
+    o.add("--sensitivities", o.options.sensitivities,
+          "also write derivatives of states and outputs along the run: by parameters, and by start values of coordinates, velocities and "
+          "states; names, comma separated")
+        ->delimiter(',');
     o.cache();
     o.explain("print time and result of each stage, and the origin of the plant");
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <dalembert/recording.hpp>
+#include <dalembert/sensitivities/varied.hpp>
 #include <dalembert/status.hpp>
 
 namespace dalembert {
@@ -20,6 +21,14 @@ struct RecordedState {
     std::string name, unit;
     std::size_t place;  ///< in x
     bool is_root;
+};
+
+/// What a run is differentiated by.
+struct VariedOfRun {
+    Varied what;
+    std::string name, unit;
+    std::vector<double> start;   ///< the derivatives of PlantRun::start by it
+    std::vector<double> kinks;   ///< and of PlantRun::kinks
 };
 
 /// What is to be run. Numbers are in SI; parameters and inputs in the order of the tables of the plant.
@@ -37,6 +46,7 @@ struct PlantRun {
     std::vector<double> kinks = {};  ///< s, at known times
     bool steps_freely = false;       ///< nothing acts in between that steps could miss
     bool keeps_all = true;           ///< else only the last row
+    std::vector<VariedOfRun> varied = {};  ///< derivatives are recorded of plants that have those by parameters
     bool is_of_heat = false;         ///< the largest step of the explicit Euler method is asked for
 };
 
@@ -52,6 +62,8 @@ struct PlantRunResult {
     std::vector<EventOfRun> events;
     double energy_error = 0;      ///< max |E - E(0) - work| / max(T + |V| + |internal energy|)
     double euler_step = 0;        ///< s
+    Recording sensitivities;      ///< time, and d(state or output)/d(varied), in SI; up to where they exist
+    Outcome of_sensitivities;     ///< with Status::not_finite and an event or kink as the guard, that one only touches zero
     // Of what switches.
     double lost = 0;              ///< J, at events
     std::size_t mode = 0;         ///< in which it ended

@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <type_traits>
 #include <utility>
 
 #include <dalembert/euler_step.hpp>
 #include <dalembert/plant_system.hpp>
 #include <dalembert/run_program.hpp>
+#include <dalembert/sensitivities/options.hpp>
 
 #include "plant/methods.hpp"
+#include "plant/sensitivities.hpp"
 #include "plant/simulation.hpp"
 
 namespace dalembert {
@@ -27,6 +30,14 @@ extern template PlantRunResult simulate_kind<PlantKind::choosing>(const dalember
 extern template PlantRunResult simulate_kind<PlantKind::switching>(const dalembert_plant&, const PlantRun&);
 
 namespace plant_run {
+
+/// "m/kg", "rad/(kg*m^2)", "1/s"
+inline std::string quotient_of_units(const std::string& unit, const std::string& by) {
+    const bool is_compound = by.find_first_of("*/ ") != std::string::npos;
+    const std::string below = is_compound ? "(" + by + ")" : by;
+    if (by.empty() || by == "1") return unit;
+    return (unit.empty() ? "1" : unit) + "/" + below;
+}
 
 template <class System>
 class Runner {
@@ -48,12 +59,25 @@ public:
         options.kinks = run_.kinks;
         if constexpr (!switches)
             if (run_.is_of_heat) result_.euler_step = largest_euler_step(system_, x, inputs_(x, 0.0), 0.0);
-        const auto observe = [this](const auto& sample) { record(sample); };
+        if constexpr (!dalembert::detail::chooses_constraints<System>)
+            if (!run_.varied.empty()) {
+                result_.sensitivities = empty_sensitivities();
+                IntegrationOptions<State> of_states;
+                dalembert::detail::copy_options(of_states, options);
+                // Methods of fixed steps, and those that need more than rates, do not take S.
+                const bool takes = options.method == Method::dopri5 || options.method == Method::dop853 || options.method == Method::rodas5p;
+                if (!takes) of_states.method = Method::automatic;
+                of_states.step = 0;
+                sensitivities_ = sensitivities_of(run_, system_, inputs_, x, of_states);
+            }
+        const auto observe = [this](const auto& sample) { this->record(sample); };
         if constexpr (switches) {
             using Mode = typename System::Mode;
             const auto ended =
                 Running::run(system_, inputs_, x, run_.until, options, observe,
-                             [this](double t, std::size_t event, Mode from, Mode to, const State&, const State&) {
+                             [this](double t, std::size_t event, Mode from, Mode to, const State& before, const State& after,
+                                    bool is_accumulation) {
+                                 if (sensitivities_) sensitivities_->change(t, event, from, to, before, after, is_accumulation);
                                  result_.events.push_back({t, event, static_cast<std::size_t>(from), static_cast<std::size_t>(to)});
                              });
             finish(ended);
@@ -62,6 +86,7 @@ public:
             result_.outcome = ended.outcome;
             result_.energy_error = ended.energy.relative_error();
         }
+        if (sensitivities_) result_.of_sensitivities = sensitivities_->outcome();
         return result_;
     }
 
@@ -93,8 +118,35 @@ private:
         return recording;
     }
 
+    Recording empty_sensitivities() const {
+        Recording recording;
+        recording.columns.push_back({"t", "s"});
+        for (const VariedOfRun& one : run_.varied) {
+            const auto add = [&](const std::string& name, const std::string& unit) {
+                recording.columns.push_back({"d(" + name + ")/d(" + one.name + ")", quotient_of_units(unit, one.unit)});
+            };
+            for (const RecordedState& state : run_.states) add(state.name, state.unit);
+            for (const auto& quantity : System::output_table()) add(quantity.name, quantity.unit);
+        }
+        return recording;
+    }
+
+    template <class Sample>
+    void record_sensitivities(const Sample& sample) {
+        PlantMode mode{};
+        if constexpr (switches) mode = sample.mode;
+        sensitivities_->advance(sample.t, sample.x, mode);
+        if (sensitivities_->outcome().status != Status::success) return;
+        std::vector<double> row = sensitivities_->row();
+        row.insert(row.begin(), sample.t);
+        auto& rows = result_.sensitivities.rows;
+        if (!run_.keeps_all) rows.clear();
+        rows.push_back(std::move(row));
+    }
+
     template <class Sample>
     void record(const Sample& sample) {
+        if (sensitivities_) record_sensitivities(sample);
         std::vector<double> row{sample.t};
         for (const RecordedState& state : run_.states)
             row.push_back(state.is_root ? sample.x[state.place] * sample.x[state.place] : sample.x[state.place]);
@@ -124,6 +176,7 @@ private:
     System system_;
     InputsOfPlant inputs_;
     PlantRunResult result_;
+    std::unique_ptr<SensitivitiesOfRun<System>> sensitivities_;  ///< where they are asked for
 };
 
 }  // namespace plant_run

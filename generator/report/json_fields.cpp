@@ -193,6 +193,8 @@ constexpr auto of_simulate = std::to_array<JsonField>({
     {"euler_step", "of models with heat: largest step for which the explicit Euler method is stable at the start, s"},
     {"lost", "of a machine with modes: energy lost in events such as impacts, J"},
     {"mode", "of a machine with modes: mode at the end of the run"},
+    {"sensitivities.t", "with --sensitivities: time up to which they exist, s"},
+    {"sensitivities.reason", "why they end before the run, else empty"},
     {"files[]", "paths of the written files"},
 });
 

@@ -86,6 +86,8 @@ std::string as_text(const SimulateResult& result) {
     else if (run.euler_step) text += fmt::format("explicit Euler at the start: stable up to steps of {:.6g} s\n", *run.euler_step);
     if (run.lost) text += fmt::format("energy lost at events: {} J; mode at the end: {}\n", *run.lost, run.mode);
     if (run.ended) text += run.message + "\n";
+    if (run.sensitivities && !run.sensitivities->reason.empty())
+        text += fmt::format("sensitivities only up to {:.6g} s: {}\n", run.sensitivities->t, run.sensitivities->reason);
     for (const auto& [path, content] : run.files) text += path.string() + "\n";
     return text;
 }
@@ -109,6 +111,7 @@ nlohmann::ordered_json as_json(const SimulateResult& result) {
     if (run.euler_step) json["euler_step"] = *run.euler_step;
     if (run.lost) json["lost"] = *run.lost;
     if (run.lost) json["mode"] = run.mode;
+    if (run.sensitivities) json["sensitivities"] = {{"t", run.sensitivities->t}, {"reason", run.sensitivities->reason}};
     json["files"] = nlohmann::ordered_json::array();
     for (const auto& [path, content] : run.files) json["files"].push_back(path.string());
     return json;

@@ -47,6 +47,7 @@ void refuse_options_of_models(const Options& options) {
     only_of_models(!options.choice.sizes.empty(), "--size");
     only_of_models(!options.run.empty(), "--run");
     only_of_models(options.periods > 0, "--periods");
+    only_of_models(!options.sensitivities.empty(), "--sensitivities");
     only_of_models(options.units == "declared", "--units declared");
 }
 

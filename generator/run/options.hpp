@@ -35,6 +35,7 @@ struct Options {
     int samples = 0;
     double periods = 0;                   ///< length of the run in periods, where the run names one
     bool no_plot = false;
+    std::vector<std::string> sensitivities;  ///< what a run is differentiated by
     std::vector<std::string> write;       ///< formats of results besides CSV
     bool no_cache = false;                ///< plants are compiled anew
     std::string units;                    ///< "declared" or "si", of CSV and plots; empty: CSV in SI, plots in declared units

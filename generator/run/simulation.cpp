@@ -14,6 +14,7 @@
 #include "run/run_header.hpp"
 #include "run/run_preparation.hpp"
 #include "run/settings.hpp"
+#include "run/varied.hpp"
 #include "run/shared.hpp"
 #include "program/function_bodies.hpp"
 #include "form/state_places.hpp"
@@ -111,23 +112,34 @@ PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const s
     const SeriesWish wish = tries_series                       ? SeriesWish::if_possible
                             : preparation.method() == "taylor" ? SeriesWish::wanted
                                                                : SeriesWish::none;
+    if (!options.sensitivities.empty() && !system.outputs.empty()) machine.wished.insert(Function::output_jacobian_p);
     Header header = generate(machine, wish);
     Values values(system.scene, system.translate);
     preparation.set_values(values, system);
+    const Values unmet = values;
     meet_constraints(system, values);
     check_values(system, values);
     SimulationSettings settings = preparation.make_settings(values, system);
-    for (const Machine& other : machine.other_modes) {
-        Values same(other.system->scene, other.system->translate);
-        preparation.set_values(same, *other.system);
-        const std::vector<double> kinks = preparation.make_settings(same, *other.system).kinks;
-        settings.kinks.insert(settings.kinks.end(), kinks.begin(), kinks.end());
-    }
-    std::sort(settings.kinks.begin(), settings.kinks.end());
-    settings.kinks.erase(std::unique(settings.kinks.begin(), settings.kinks.end()), settings.kinks.end());
+    const KinksOfRun kinks_of = [&](const auto& change) {
+        std::vector<double> kinks;
+        const auto add = [&](const System& mode) {
+            Values same(mode.scene, mode.translate);
+            preparation.set_values(same, mode);
+            change(mode, same);
+            const std::vector<double> some = preparation.make_settings(same, mode).kinks;
+            kinks.insert(kinks.end(), some.begin(), some.end());
+        };
+        add(system);
+        for (const Machine& other : machine.other_modes) add(*other.system);
+        std::sort(kinks.begin(), kinks.end());
+        kinks.erase(std::unique(kinks.begin(), kinks.end()), kinks.end());
+        return kinks;
+    };
+    settings.kinks = kinks_of([](const System&, Values&) {});
+    std::vector<VariedOfRun> varied = varied_of_run(options.sensitivities, system, unmet, kinks_of);
     settings.series = has_series(machine) && (!tries_series || have_series(*machine.code, settings.inputs));
     std::string name = fmt::format("{}_{}", system.scene.sized_name(), system.scene.name);
-    return {std::move(machine), std::move(header), std::move(values), std::move(settings), std::move(name)};
+    return {std::move(machine), std::move(header), std::move(values), std::move(settings), std::move(varied), std::move(name)};
 }
 
 PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options) {
@@ -138,6 +150,7 @@ PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& 
     const System& system = *run.machine.system;
     prepared.plant = source_of_plant(*run.machine.code, run.header, run.settings);
     prepared.run = run_of_plant(system, run.values, run.settings);
+    prepared.run.varied = std::move(run.varied);
     prepared.cache = plant_cache(options);
     prepared.units = shown_units(system);
     const std::string title = system.scene.model->title.empty() ? system.scene.sized_name() : system.scene.model->title;
@@ -249,8 +262,30 @@ void add_results(SimulationReport& report, const PlantRunResult& run, const dale
         for (const char* ending : {".svg", ".png"}) report.files.emplace_back(folder / (name + ending), read_file(base + ending));
 }
 
+namespace {
+
+/// How far they go, and the file.
+void add_sensitivities(SimulationReport& report, const PlantRunResult& run, const System& system, const std::filesystem::path& file) {
+    const Outcome& outcome = run.of_sensitivities;
+    report.sensitivities.emplace();
+    report.sensitivities->t = run.sensitivities.rows.empty() ? 0 : run.sensitivities.rows.back()[0];
+    if (outcome.status == Status::not_finite && outcome.guard < system.events.size())
+        report.sensitivities->reason = fmt::format("event '{}' only touches its zero there, and has no derivative behind it",
+                                                   system.events[outcome.guard].name);
+    else if (outcome.status != Status::success)
+        report.sensitivities->reason = to_string(outcome.status);
+    report.files.emplace_back(file, csv_text(run.sensitivities));
+}
+
+}  // namespace
+
 SimulationReport run_simulation(const PreparedSimulation& prepared, const std::filesystem::path& folder) {
     const PlantLibrary library(prepared.plant, prepared.cache);
+    if (!prepared.run.varied.empty() && library.table().constraint_rank > 0)
+        throw Failure(Diagnostic{Id::bad_option,
+                                 {},
+                                 "--sensitivities: the run chooses which of its constraints are solved for, since some follow from others; "
+                                 "leave out those that do"});
     const PlantRunResult run = simulate_plant(library.table(), prepared.run);
     SimulationReport report = report_of_run(run, library.table(), prepared.settings);
     report.plant = library.origin();
@@ -259,6 +294,8 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
     if (run.outcome.status == Status::no_start_mode) return report;  // no motion to record
     report.files.emplace_back(folder / prepared.header.file_name, prepared.header.text);
     add_results(report, run, library.table(), prepared.settings, prepared.units, prepared.title, folder, prepared.name);
+    if (!prepared.run.varied.empty())
+        add_sensitivities(report, run, *prepared.machine.system, folder / (prepared.name + "_sensitivities.csv"));
     return report;
 }
 

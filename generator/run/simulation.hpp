@@ -32,6 +32,7 @@ struct PreparedRun {
     Header header;
     Values values;
     SimulationSettings settings;
+    std::vector<VariedOfRun> varied;
     std::string name;    ///< of result files, without ending
 };
 
@@ -56,6 +57,11 @@ struct SimulationReport {
     bool ended = false;                ///< by an event that the model says ends a run
     bool keeps_energy() const { return energy_error <= energy_limit; }  // false for NaN
     bool is_good() const { return status == "success" || ended; }
+    struct Sensitivities {
+        double t = 0;        ///< s, up to which they exist
+        std::string reason;  ///< why not further, if so
+    };
+    std::optional<Sensitivities> sensitivities;  ///< where they are asked for
     bool drawn = false;
     FileContents files;      ///< to be written: header, CSV, plots
     PlantOrigin plant;

@@ -8,19 +8,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <iostream>
 #include <memory>
-#include <sstream>
 
 #include <dalembert/methods/dop853_coefficients.hpp>
 #include <dalembert/methods/rodas5p_coefficients.hpp>
 
 #include "elements/runs.hpp"
 #include "run/simulation.hpp"
-#include "text/diagnostic.hpp"
 
 #include "export/run_in_c.h"
+#include "model_files.hpp"
 
 using namespace dalembert;
 
@@ -31,35 +29,9 @@ const bool is_full = std::getenv("DALEMBERT_FULL") != nullptr;
 const bool prints = std::getenv("DALEMBERT_TABLE") != nullptr;
 
 std::vector<std::filesystem::path> models() {
-    std::vector<std::string> wanted{"cart_pendulum", "stick_slip",   "bouncing_ball", "cylinder_stops",  "switched_tank",
-                                    "four_bar",      "rolling_disc", "heavy_top",     "heat_conduction", "hydraulic_cylinder"};
-    const char* named = std::getenv("DALEMBERT_MODELS");
-    if (named != nullptr) {
-        std::istringstream words(named);
-        wanted.assign(std::istream_iterator<std::string>(words), {});
-    }
-    std::vector<std::string> folders{"systems/mechanics", "systems/hydraulics", "systems/pneumatics", "systems/heat"};
-    if (is_full || named != nullptr) folders.insert(folders.end(), {"tests/published", "tests/regressions", "tests/physics/switching"});
-    std::vector<std::filesystem::path> files;
-    for (const std::string& folder : folders)
-        for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(SOURCE_DIR) / folder)) {
-            const std::string stem = entry.path().stem().string();
-            const bool is_long = stem == "three_tanks" && folder == "tests/regressions";  // millions of steps along a kink
-            const bool is_meant = (is_full && named == nullptr) || std::count(wanted.begin(), wanted.end(), stem) > 0;
-            if (entry.path().extension() == ".toml" && is_meant && !is_long) files.push_back(entry.path());
-        }
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
-/// Null for what is no model, or a bad one on purpose.
-std::shared_ptr<const LoadedModel> loaded_if_good(const std::filesystem::path& file) {
-    try {
-        Diagnostics diagnostics;
-        return load(file, diagnostics);
-    } catch (const Failure&) {
-        return nullptr;
-    }
+    return model_files({"cart_pendulum", "stick_slip", "bouncing_ball", "cylinder_stops", "switched_tank", "four_bar", "rolling_disc",
+                        "heavy_top", "heat_conduction", "hydraulic_cylinder"},
+                       is_full);
 }
 
 struct Row {

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sensitivities of a run of a plant, which follow it from point to point.
+#pragma once
+
+#include <dalembert/plant_system.hpp>
+
+#include <memory>
+
+#include "plant/simulation.hpp"
+
+namespace dalembert {
+
+/// Asked with the points of the run in order. `mode` counts only where the plant switches.
+template <class System>
+class SensitivitiesOfRun {
+public:
+    using State = typename System::State;
+    virtual ~SensitivitiesOfRun() = default;
+    virtual void advance(double t, const State& x, PlantMode mode) = 0;
+    virtual void change(double t, std::size_t event, PlantMode from, PlantMode to, const State& before, const State& after,
+                        bool is_accumulation) = 0;
+    /// At the point that they are at: states and outputs as PlantRun records them, by each that is varied.
+    virtual std::vector<double> row() const = 0;
+    virtual const Outcome& outcome() const = 0;
+};
+
+/// Refers to the run, the system and its inputs. `options` are those of the run.
+template <PlantKind kind>
+std::unique_ptr<SensitivitiesOfRun<PlantSystem<kind>>> sensitivities_of(const PlantRun& run, const PlantSystem<kind>& system,
+                                                                        const InputsOfPlant& inputs,
+                                                                        const detail::PlantArray<detail::of_plant::states>& x,
+                                                                        const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>& options);
+
+}  // namespace dalembert

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plant/sensitivities_of_kind.hpp"
+
+namespace dalembert {
+
+template std::unique_ptr<SensitivitiesOfRun<PlantSystem<PlantKind::switching>>> sensitivities_of<PlantKind::switching>(
+    const PlantRun&, const PlantSystem<PlantKind::switching>&, const InputsOfPlant&, const detail::PlantArray<detail::of_plant::states>&,
+    const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>&);
+
+}  // namespace dalembert

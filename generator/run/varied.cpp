@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The start of a run, and times of kinks, are expressions of parameters, and constraints may determine some start values: their derivatives are
+// central differences with far more digits than a double has.
+#include "run/varied.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "form/state_places.hpp"
+#include "language/parser.hpp"
+#include "prove/constraint_validity.hpp"
+#include "text/nearest.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+
+namespace {
+
+constexpr int digits = 40;
+
+/// The part of a value by which it is moved: the rest of the series is below a rounding of a double.
+ex step_of(const ex& value) {
+    const ex number = value.evalf();
+    const ex size = GiNaC::is_a<GiNaC::numeric>(number) && !number.is_zero() ? GiNaC::abs(number) : ex(1);
+    return size * GiNaC::pow(GiNaC::numeric(10), -8);
+}
+
+class Differentiation {
+public:
+    Differentiation(const System& system, const Values& values, const KinksOfRun& kinks) : system_(system), values_(values), kinks_(kinks) {}
+
+    VariedOfRun by(const Variable& variable, const Span& place) const {
+        const bool is_parameter = variable.kind == SymbolKind::parameter;
+        const std::size_t at_state = is_parameter ? 0 : state_number(variable);
+        const ex start = is_parameter ? values_.parameter(variable.position) : values_.state()[at_state];
+        // What is integrated as its root is varied itself.
+        const ex value = variable.is_root ? ex(start * start) : start;
+        const ex step = step_of(value);
+        const auto moved = [&](const System&, Values& values, int sign) {
+            const ex there = value + sign * step;
+            values.find(variable.kind, variable.position, variable.is_root ? GiNaC::sqrt(there) : there);
+        };
+        VariedOfRun result{is_parameter ? Varied::parameter(variable.position) : Varied::start(place_states(system_).positions[at_state]),
+                           variable.recorded_name(), variable.is_root ? variable.declared->unit.si() : variable.unit, {}, {}};
+        const cln::cl_R distance = *value_at(2 * step, {}, digits);
+        const auto slopes = [&](const auto& ahead, const auto& behind) {
+            std::vector<double> all;
+            for (std::size_t i = 0; i < ahead.size(); ++i) all.push_back(cln::double_approx((ahead[i] - behind[i]) / distance));
+            return all;
+        };
+        const auto start_at = [&](int sign) {
+            Values there = values_;
+            moved(system_, there, sign);
+            return start_of(there, place);
+        };
+        result.start = slopes(start_at(1), start_at(-1));
+        if (!is_parameter && result.start[at_state] == 0)
+            throw Failure(Diagnostic{Id::bad_option, place,
+                                     fmt::format("the start of '{}' cannot be varied: constraints determine it", variable.recorded_name())});
+        const auto kinks_at = [&](int sign) { return kinks_([&](const System& system, Values& values) { moved(system, values, sign); }); };
+        const std::vector<double> ahead = kinks_at(1), behind = kinks_at(-1);
+        if (ahead.size() != behind.size())
+            throw Failure(Diagnostic{Id::bad_option, place,
+                                     fmt::format("the run has no derivative by '{}': with a larger value it has {} kinks and jumps at known "
+                                                 "times, with a smaller one {}",
+                                                 variable.recorded_name(), ahead.size(), behind.size())});
+        for (std::size_t k = 0; k < ahead.size(); ++k)
+            result.kinks.push_back((ahead[k] - behind[k]) / cln::double_approx(distance));
+        return result;
+    }
+
+private:
+    std::size_t state_number(const Variable& variable) const {
+        const auto all = system_.symbols.state_variables();
+        return static_cast<std::size_t>(
+            std::find_if(all.begin(), all.end(), [&](const Variable* one) { return one->name == variable.name; }) - all.begin());
+    }
+
+    std::vector<cln::cl_R> start_of(Values& values, const Span& place) const {
+        meet_constraints(system_, values);
+        std::vector<cln::cl_R> numbers;
+        for (const ex& value : values.state()) {
+            const auto number = value_at(value, {}, digits);
+            if (!number) throw Failure(Diagnostic{Id::division_by_zero, place, "a start value has no derivative by this"});
+            numbers.push_back(*number);
+        }
+        return numbers;
+    }
+
+    const System& system_;
+    const Values& values_;
+    const KinksOfRun& kinks_;
+};
+
+}  // namespace
+
+std::vector<VariedOfRun> varied_of_run(const std::vector<std::string>& names, const System& system, const Values& values,
+                                       const KinksOfRun& kinks) {
+    std::vector<VariedOfRun> varied;
+    const Differentiation differentiation(system, values, kinks);
+    for (const std::string& name : names) {
+        const auto source = std::make_shared<const Source>("--sensitivities", name);
+        const std::string written = parse_expression(excerpt_of(source))->written();
+        const Span place{source, 0, name.size()};
+        std::vector<std::string> known;
+        bool found = false;
+        for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
+            for (const Variable& variable : system.symbols.all(kind)) {
+                const std::string own = variable.recorded_name();
+                const auto bracket = own.find('[');
+                const std::string family = bracket == std::string::npos ? own : own.substr(0, bracket) + (own.back() == ')' ? ")" : "");
+                known.push_back(own);
+                if (own != written && family != written) continue;
+                found = true;
+                const auto same = [&](const VariedOfRun& other) { return other.name == own; };
+                if (std::any_of(varied.begin(), varied.end(), same))
+                    throw Failure(Diagnostic{Id::bad_option, place, fmt::format("'{}' is named twice", own)});
+                varied.push_back(differentiation.by(variable, place));
+            }
+        if (!found)
+            throw Failure(Diagnostic{Id::unknown_name, place,
+                                     fmt::format("scene '{}' has no parameter, coordinate, velocity or state '{}'{}", system.scene.name,
+                                                 written, did_you_mean(written, known))});
+    }
+    return varied;
+}
+
+}  // namespace dalembert
