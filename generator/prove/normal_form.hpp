@@ -62,6 +62,7 @@ private:
     Polynomial other_function(const std::string& name, const GiNaC::ex& e);
     Polynomial hyperbolic(Op op, const Polynomial& x);
     Polynomial arc(Op op, const Polynomial& x);
+    bool has_shorter_reciprocal(const Polynomial& x) const;
     Polynomial with_sign(Op op, const Polynomial& x, const GiNaC::ex& e);
     Polynomial extreme(bool is_smaller, const Polynomial& a, const Polynomial& b);
     Polynomial power(const GiNaC::ex& base, const GiNaC::ex& exponent);

@@ -76,9 +76,24 @@ Polynomial NormalForm::hyperbolic(Op op, const Polynomial& x) {
     return result;
 }
 
-/// Odd ones, but for the quarter turn that acos is from asin.
+/// Whether of a product and its reciprocal the second one is taken: where its first letter comes into the numerator, or a sum. The
+/// reciprocal of that one is not taken, so it ends there.
+bool NormalForm::has_shorter_reciprocal(const Polynomial& x) const {
+    if (!x.is_monomial() || x.is_constant()) return false;
+    const LetterPower& first = x.terms().begin()->first.front();
+    return (first.exponent < 0) != (denominator_of(first.letter) != nullptr);
+}
+
+/// Odd ones, but for the quarter turn that acos is from asin. atan(1/x) = sign(x) pi/2 - atan(x), since for positive x both are angles of
+/// one right-angled triangle.
 Polynomial NormalForm::arc(Op op, const Polynomial& x) {
     const bool is_turned = !x.is_zero() && is_negative(leading(x));
+    if (op == Op::atan && has_shorter_reciprocal(x)) {
+        const Polynomial reciprocal = inverse(x);
+        Polynomial result = multiply(convert(GiNaC::Pi), sign_of(reciprocal));
+        result *= Rational(1) / 2;
+        return result - arc(op, reciprocal);
+    }
     Polynomial result = atom_of(name_of(op == Op::atan ? Op::atan : Op::asin), {is_turned ? -x : x});
     if (is_turned != (op == Op::acos)) result *= Rational(-1);
     if (op != Op::acos) return result;

@@ -74,6 +74,11 @@ TEST_CASE("identities are proven") {
         atan(-x) + atan(x),
         asin(x) + acos(x) - Pi / 2,
         acos(-x) - Pi + acos(x),
+        atan(1 / p) + atan(p) - Pi / 2,
+        atan(1 / x) + atan(x) - sign_of(x) * Pi / 2,
+        atan(exp(-x)) + atan(exp(x)) - Pi / 2,
+        atan(-y / x) - atan(x / y) + sign_of(x / y) * Pi / 2,
+        atan(1 / (p + q * q)) + atan(p + q * q) - Pi / 2,
     };
     for (const ex& e : identities) {
         CAPTURE(e);
@@ -95,6 +100,8 @@ TEST_CASE("what is no identity is not proven") {
                                  tanh(x) - x,
                                  log(x * y) - log(x),
                                  sign_of(x) - 1,
+                                 atan(1 / p) - atan(p) - Pi / 2,
+                                 atan(1 / x) + atan(x) - Pi / 2,
                                  pow(sin(x), 2) + pow(cos(y), 2) - 1,
                                  pow(sign_of(x / (x + y) + y / (x + y) - 1), 2) - 1};
     for (const ex& e : others) {
