@@ -272,6 +272,8 @@ void add_sensitivities(SimulationReport& report, const PlantRunResult& run, cons
     if (outcome.status == Status::not_finite && outcome.guard < system.events.size())
         report.sensitivities->reason = fmt::format("event '{}' only touches its zero there, and has no derivative behind it",
                                                    system.events[outcome.guard].name);
+    else if (outcome.status == Status::not_finite)
+        report.sensitivities->reason = "a derivative of the rates is not finite there, as of a root at zero";
     else if (outcome.status != Status::success)
         report.sensitivities->reason = to_string(outcome.status);
     report.files.emplace_back(file, csv_text(run.sensitivities));

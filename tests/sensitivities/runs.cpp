@@ -118,7 +118,8 @@ TEST_CASE("sensitivities of runs are those of differences") {
                 const Outcome& outcome = result.of_sensitivities;
                 if (prints && outcome.status != Status::success)
                     std::cout << fmt::format("{}: {} at {} s, guard {}\n", name, to_string(outcome.status), outcome.t, outcome.guard);
-                CHECK(outcome.status == Status::success);
+                // A flow like a root has no derivative at equal pressures: from where it begins there.
+                CHECK((outcome.status == Status::success || (outcome.status == Status::not_finite && outcome.t == 0)));
                 if (outcome.status != Status::success) continue;
                 for (std::size_t c = 0; c < prepared.run.varied.size(); c += is_full ? 1 : 3) {
                     const Row row = compare(library.table(), prepared.run, result, c);

@@ -28,7 +28,12 @@ class Replay {
     using Scalar = typename System::scalar_type;
     using Plain = typename System::State;
     using Asked = Moded<System>;
-    using Motion = Variational<System, Inputs, List, typename Asked::View>;
+    /// See Variational.
+    struct Sides {
+        const Replay* replay;
+        int operator()(std::size_t c, const Scalar& t) const { return replay->side(c, t); }
+    };
+    using Motion = Variational<System, Inputs, List, typename Asked::View, Sides>;
     using All = typename Motion::State;
     using Kinks = typename Asked::Kinks;
     template <class T>
@@ -86,12 +91,14 @@ public:
 
     /// How inputs follow one that is varied, along the motion.
     typename System::Input slopes_of_inputs(std::size_t c) const {
+        const int side = this->side(c, t_);
         return along(c, S_[c], Scalar(0),
                      [&](const System& a, const Plain& ahead, const Scalar& t, const System& b, const Plain& behind, const Scalar&,
                          const Scalar& step) {
-                         auto slopes = inputs_with(inputs_, a)(ahead, t);
-                         const auto other = inputs_with(inputs_, b)(behind, t);
-                         for (std::size_t j = 0; j < slopes.size(); ++j) slopes[j] = (slopes[j] - other[j]) / (Scalar(2) * step);
+                         auto slopes = side < 0 ? inputs_(x_, t) : inputs_with(inputs_, a)(ahead, t);
+                         const auto other = side > 0 ? inputs_(x_, t) : inputs_with(inputs_, b)(behind, t);
+                         for (std::size_t j = 0; j < slopes.size(); ++j)
+                             slopes[j] = (slopes[j] - other[j]) / (Scalar(side == 0 ? 2 : 1) * step);
                          return slopes;
                      });
     }
@@ -185,7 +192,7 @@ private:
         All all;
         Motion::put(all, 0, x_);
         for (std::size_t c = 0; c < varied_.size(); ++c) Motion::put(all, c + 1, S_[c]);
-        Motion motion(system_, inputs_, varied_, moved_, scale_, Asked::view(mode_));
+        Motion motion(system_, inputs_, varied_, moved_, scale_, Asked::view(mode_), Sides{this});
         const auto rates = [&](const All& at, Scalar t, All& derivative) { motion.rates(at, t, derivative); };
         if (to - t_ <= instant(to)) {  // as between the last of many impacts: no method has a step so short
             All slope;
@@ -264,6 +271,14 @@ private:
     }
     void pass_known_kink(const Scalar& t) {
         if (const MovingKink* kink = moving_kink(t)) jump(rate(mode_, x_, t - instant(t)), rate(mode_, x_, t + instant(t)), kink->slope);
+    }
+    int side(std::size_t c, const Scalar& t) const {
+        using std::abs;
+        for (const MovingKink* kink = kinks_begin_; kink != kinks_end_; ++kink) {
+            const Scalar way = Scalar(2) * kink->slope[c] * moved_.distance[c];
+            if (abs(t - kink->t) <= abs(way) && way != Scalar(0)) return (t < kink->t) == (way > Scalar(0)) ? 1 : -1;
+        }
+        return 0;
     }
     /// None where what is varied does not move it.
     const MovingKink* moving_kink(const Scalar& t) const {

@@ -92,8 +92,17 @@ struct AsItIs {
     }
 };
 
-/// `view` shows a system, or one of its modes, as one without modes.
-template <class System, class Inputs, class List, class View = AsItIs>
+/// Times at which inputs have kinks or jumps rest.
+struct KinksRest {
+    template <class Scalar>
+    int operator()(std::size_t, const Scalar&) const {
+        return 0;
+    }
+};
+
+/// `view` shows a system, or one of its modes, as one without modes. sides(c, t) says which of the moved systems has the same inputs at t but
+/// for their slope: 1 the one ahead, -1 the one behind, 0 both. A kink moves past t in the other one, and its jump is not for here.
+template <class System, class Inputs, class List, class View = AsItIs, class Sides = KinksRest>
 class Variational {
     using Scalar = typename System::scalar_type;
     using Plain = typename System::State;
@@ -109,12 +118,14 @@ public:
 
     template <class Scale>
     Variational(const System& system, const Inputs& inputs, const List& varied, const MovedSystems<System, List>& moved, const Scale& scale,
-                const View& view = {})
-        : shown_(view(system)),
+                const View& view = {}, const Sides& sides = {})
+        : shown_system_(system),
+          shown_(view(system)),
           inputs_(inputs),
           varied_(varied),
           moved_(moved),
           view_(view),
+          sides_(sides),
           here_(shown_, inputs, scale),
           on_the_way_(shown_, inputs, scale),
           below_(Columns<List>::filled(varied, typename System::JacobianX{})) {
@@ -175,9 +186,13 @@ public:
                 for (std::size_t i = 0; i < s.size(); ++i) there[i] += length * s[i];
                 view_(system).jacobian_x(there, inputs_with(inputs_, system)(there, t), t, J);
             };
-            at(moved_.ahead[c], step, ahead);
-            at(moved_.behind[c], -step, behind);
-            for (std::size_t k = 0; k < ahead.size(); ++k) below_[c][k] = (ahead[k] - behind[k]) / (Scalar(2) * step);
+            const int side = sides_(c, t);
+            if (side < 0) at(shown_system_, Scalar(0), ahead);
+            else at(moved_.ahead[c], step, ahead);
+            if (side > 0) at(shown_system_, Scalar(0), behind);
+            else at(moved_.behind[c], -step, behind);
+            for (std::size_t k = 0; k < ahead.size(); ++k)
+                below_[c][k] = (ahead[k] - behind[k]) / (Scalar(side == 0 ? 2 : 1) * step);
         }
     }
 
@@ -222,9 +237,11 @@ private:
         bool is_made = false;
         for (std::size_t c = 0; c < varied_.size(); ++c) {
             if (varied_[c].of == Varied::Of::start) continue;
-            const auto ahead = inputs_with(inputs_, moved_.ahead[c])(x, t), behind = inputs_with(inputs_, moved_.behind[c])(x, t);
+            const int side = sides_(c, t);
+            const auto ahead = side < 0 ? u : inputs_with(inputs_, moved_.ahead[c])(x, t),
+                       behind = side > 0 ? u : inputs_with(inputs_, moved_.behind[c])(x, t);
             for (std::size_t j = 0; j < u.size(); ++j) {
-                const Scalar slope = (ahead[j] - behind[j]) / (Scalar(2) * moved_.distance[c]);
+                const Scalar slope = (ahead[j] - behind[j]) / (Scalar(side == 0 ? 2 : 1) * moved_.distance[c]);
                 if (slope == Scalar(0)) continue;
                 if (!is_made) shown_.jacobian_u(x, u, t, by_inputs_);
                 is_made = true;
@@ -244,11 +261,13 @@ private:
         return result;
     }
 
+    const System& shown_system_;
     Held shown_;
     const Inputs& inputs_;
     const List& varied_;
     const MovedSystems<System, List>& moved_;
     View view_;
+    Sides sides_;
     SystemDerivatives<Shown, Inputs> here_, on_the_way_;  ///< where Rodas5p has prepared, which may ask again; and at its stages
     Plain scale_;
     typename System::JacobianX by_state_{};
