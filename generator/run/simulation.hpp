@@ -36,6 +36,11 @@ struct PreparedRun {
     std::string name;    ///< of result files, without ending
 };
 
+struct ReachOfSensitivities {
+    double t = 0;        ///< s, up to which they exist
+    std::string reason;  ///< why not further, if so
+};
+
 struct SimulationReport {
     std::string status;      ///< "success", or why it stopped
     double t = 0;            ///< s, where it ended
@@ -57,11 +62,7 @@ struct SimulationReport {
     bool ended = false;                ///< by an event that the model says ends a run
     bool keeps_energy() const { return energy_error <= energy_limit; }  // false for NaN
     bool is_good() const { return status == "success" || ended; }
-    struct Sensitivities {
-        double t = 0;        ///< s, up to which they exist
-        std::string reason;  ///< why not further, if so
-    };
-    std::optional<Sensitivities> sensitivities;  ///< where they are asked for
+    std::optional<ReachOfSensitivities> sensitivities;  ///< where they are asked for
     bool drawn = false;
     FileContents files;      ///< to be written: header, CSV, plots
     PlantOrigin plant;
