@@ -42,7 +42,7 @@ Shown run(const System& system, const Inputs& inputs, double until, dalembert::M
     if constexpr (dalembert::detail::is_switching<System>) {
         using Mode = typename System::Mode;
         shown.outcome = Running::run(system, inputs, x, until, options, observe,
-                                     [&](double t, std::size_t event, Mode from, Mode to, const auto&, const auto&) {
+                                     [&](double t, std::size_t event, Mode from, Mode to, const auto&, const auto&, bool) {
                                          shown.changes.insert(shown.changes.end(), {t, double(event), double(static_cast<unsigned>(from)),
                                                                                     double(static_cast<unsigned>(to))});
                                      })
