@@ -26,9 +26,8 @@ public:
 
 /// Refers to the run, the system and its inputs. `options` are those of the run.
 template <PlantKind kind>
-std::unique_ptr<SensitivitiesOfRun<PlantSystem<kind>>> sensitivities_of(const PlantRun& run, const PlantSystem<kind>& system,
-                                                                        const InputsOfPlant& inputs,
-                                                                        const detail::PlantArray<detail::of_plant::states>& x,
-                                                                        const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>& options);
+std::unique_ptr<SensitivitiesOfRun<PlantSystem<kind>>> sensitivities_of(
+    const PlantRun& run, const PlantSystem<kind>& system, const InputsOfPlant& inputs,
+    const detail::PlantArray<detail::of_plant::states>& x, const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>& options);
 
 }  // namespace dalembert

@@ -44,16 +44,20 @@ public:
     }
 
     void advance(double t, const State& x, PlantMode mode) override {
-        if constexpr (dalembert::detail::is_switching<System>) replay_.advance(t, x, mode);
-        else (void)mode, replay_.advance(t, x);
+        if constexpr (dalembert::detail::is_switching<System>)
+            replay_.advance(t, x, mode);
+        else
+            (void)mode, replay_.advance(t, x);
         t_ = t;
         x_ = x;
         mode_ = static_cast<unsigned>(mode);
     }
     void change(double t, std::size_t event, PlantMode from, PlantMode to, const State& before, const State& after,
                 bool is_accumulation) override {
-        if constexpr (dalembert::detail::is_switching<System>) replay_.change(t, event, from, to, before, after, is_accumulation);
-        else (void)t, (void)event, (void)from, (void)to, (void)before, (void)after, (void)is_accumulation;
+        if constexpr (dalembert::detail::is_switching<System>)
+            replay_.change(t, event, from, to, before, after, is_accumulation);
+        else
+            (void)t, (void)event, (void)from, (void)to, (void)before, (void)after, (void)is_accumulation;
     }
     const Outcome& outcome() const override { return replay_.outcome(); }
 
@@ -107,10 +111,10 @@ private:
 }  // namespace plant_run
 
 template <PlantKind kind>
-std::unique_ptr<SensitivitiesOfRun<PlantSystem<kind>>> sensitivities_of(const PlantRun& run, const PlantSystem<kind>& system,
-                                                                        const InputsOfPlant& inputs,
-                                                                        const detail::PlantArray<detail::of_plant::states>& x,
-                                                                        const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>& options) {
+std::unique_ptr<SensitivitiesOfRun<PlantSystem<kind>>> sensitivities_of(
+    const PlantRun& run, const PlantSystem<kind>& system, const InputsOfPlant& inputs,
+    const detail::PlantArray<detail::of_plant::states>& x,
+    const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>& options) {
     return std::make_unique<plant_run::Sensitivities<PlantSystem<kind>>>(run, system, inputs, x, options);
 }
 

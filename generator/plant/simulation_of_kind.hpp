@@ -65,7 +65,8 @@ public:
                 IntegrationOptions<State> of_states;
                 dalembert::detail::copy_options(of_states, options);
                 // Methods of fixed steps, and those that need more than rates, do not take S.
-                const bool takes = options.method == Method::dopri5 || options.method == Method::dop853 || options.method == Method::rodas5p;
+                const bool takes =
+                    options.method == Method::dopri5 || options.method == Method::dop853 || options.method == Method::rodas5p;
                 if (!takes) of_states.method = Method::automatic;
                 of_states.step = 0;
                 sensitivities_ = sensitivities_of(run_, system_, inputs_, x, of_states);
@@ -73,13 +74,12 @@ public:
         const auto observe = [this](const auto& sample) { this->record(sample); };
         if constexpr (switches) {
             using Mode = typename System::Mode;
-            const auto ended =
-                Running::run(system_, inputs_, x, run_.until, options, observe,
-                             [this](double t, std::size_t event, Mode from, Mode to, const State& before, const State& after,
-                                    bool is_accumulation) {
-                                 if (sensitivities_) sensitivities_->change(t, event, from, to, before, after, is_accumulation);
-                                 result_.events.push_back({t, event, static_cast<std::size_t>(from), static_cast<std::size_t>(to)});
-                             });
+            const auto ended = Running::run(
+                system_, inputs_, x, run_.until, options, observe,
+                [this](double t, std::size_t event, Mode from, Mode to, const State& before, const State& after, bool is_accumulation) {
+                    if (sensitivities_) sensitivities_->change(t, event, from, to, before, after, is_accumulation);
+                    result_.events.push_back({t, event, static_cast<std::size_t>(from), static_cast<std::size_t>(to)});
+                });
             finish(ended);
         } else {
             const auto ended = Running::run(system_, inputs_, x, run_.until, options, observe);
@@ -102,8 +102,10 @@ private:
             return system_.kinetic_energy(mode..., x, 0.0) + std::fabs(system_.potential_energy(mode..., x, 0.0)) +
                    std::fabs(system_.internal_energy(mode..., x, 0.0));
         };
-        if constexpr (switches) return of(typename System::Mode{});
-        else return of();
+        if constexpr (switches)
+            return of(typename System::Mode{});
+        else
+            return of();
     }
 
     Recording empty_recording() const {

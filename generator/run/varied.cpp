@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The start of a run, and times of kinks, are expressions of parameters, and constraints may determine some start values: their derivatives are
-// central differences with far more digits than a double has.
+// The start of a run, and times of kinks, are expressions of parameters, and constraints may determine some start values: their derivatives
+// are central differences with far more digits than a double has.
 #include "run/varied.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,8 @@ ex step_of(const ex& value) {
 
 class Differentiation {
 public:
-    Differentiation(const System& system, const Values& values, const KinksOfRun& kinks) : system_(system), values_(values), kinks_(kinks) {}
+    Differentiation(const System& system, const Values& values, const KinksOfRun& kinks)
+        : system_(system), values_(values), kinks_(kinks) {}
 
     VariedOfRun by(const Variable& variable, const Span& place) const {
         const bool is_parameter = variable.kind == SymbolKind::parameter;
@@ -43,7 +44,10 @@ public:
             values.find(variable.kind, variable.position, variable.is_root ? GiNaC::sqrt(there) : there);
         };
         VariedOfRun result{is_parameter ? Varied::parameter(variable.position) : Varied::start(place_states(system_).positions[at_state]),
-                           variable.recorded_name(), variable.is_root ? variable.declared->unit.si() : variable.unit, {}, {}};
+                           variable.recorded_name(),
+                           variable.is_root ? variable.declared->unit.si() : variable.unit,
+                           {},
+                           {}};
         const cln::cl_R distance = *value_at(2 * step, {}, digits);
         const auto slopes = [&](const auto& ahead, const auto& behind) {
             std::vector<double> all;
@@ -57,17 +61,18 @@ public:
         };
         result.start = slopes(start_at(1), start_at(-1));
         if (!is_parameter && result.start[at_state] == 0)
-            throw Failure(Diagnostic{Id::bad_option, place,
-                                     fmt::format("the start of '{}' cannot be varied: constraints determine it", variable.recorded_name())});
+            throw Failure(
+                Diagnostic{Id::bad_option, place,
+                           fmt::format("the start of '{}' cannot be varied: constraints determine it", variable.recorded_name())});
         const auto kinks_at = [&](int sign) { return kinks_([&](const System& system, Values& values) { moved(system, values, sign); }); };
         const std::vector<double> ahead = kinks_at(1), behind = kinks_at(-1);
         if (ahead.size() != behind.size())
-            throw Failure(Diagnostic{Id::bad_option, place,
-                                     fmt::format("the run has no derivative by '{}': with a larger value it has {} kinks and jumps at known "
-                                                 "times, with a smaller one {}",
-                                                 variable.recorded_name(), ahead.size(), behind.size())});
-        for (std::size_t k = 0; k < ahead.size(); ++k)
-            result.kinks.push_back((ahead[k] - behind[k]) / cln::double_approx(distance));
+            throw Failure(
+                Diagnostic{Id::bad_option, place,
+                           fmt::format("the run has no derivative by '{}': with a larger value it has {} kinks and jumps at known "
+                                       "times, with a smaller one {}",
+                                       variable.recorded_name(), ahead.size(), behind.size())});
+        for (std::size_t k = 0; k < ahead.size(); ++k) result.kinks.push_back((ahead[k] - behind[k]) / cln::double_approx(distance));
         return result;
     }
 

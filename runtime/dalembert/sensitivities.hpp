@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSL-1.0
 // How a run depends on parameters and start values: S = dx/dp and dx/dx0.
 //
-// The variational equations are dS/dt = (df/dx + df/du du/dx) S + df/dp, with the exact Jacobians of the header. Where nothing but the rates
-// is needed, S is integrated with the state: methods and steps are those of simulate(), and Method::rodas5p takes the Jacobian of both
-// together: its blocks on the diagonal are equal, so that one factorisation serves all, and those below are differences of Jacobians along
-// the columns of S. Machines that switch, or have constraints, attitudes or guards, run as usual, and S follows that run from point to
-// point; at events it jumps (note [jumps] in sensitivities/replay.hpp).
+// The variational equations are dS/dt = (df/dx + df/du du/dx) S + df/dp, with the exact Jacobians of the header. Where nothing but the
+// rates is needed, S is integrated with the state: methods and steps are those of simulate(), and Method::rodas5p takes the Jacobian of
+// both together: its blocks on the diagonal are equal, so that one factorisation serves all, and those below are differences of Jacobians
+// along the columns of S. Machines that switch, or have constraints, attitudes or guards, run as usual, and S follows that run from point
+// to point; at events it jumps (note [jumps] in sensitivities/replay.hpp).
 #pragma once
 
 #include <algorithm>
@@ -37,8 +37,10 @@ namespace detail {
 /// Whether a run needs nothing but the rates.
 template <class System>
 constexpr bool needs_rates_alone() {
-    if constexpr (is_switching<System> || needs_projection<System>) return false;
-    else return !may_have_entries<typename System::Guards>;
+    if constexpr (is_switching<System> || needs_projection<System>)
+        return false;
+    else
+        return !may_have_entries<typename System::Guards>;
 }
 
 /// S with the state, in one integration.
@@ -87,10 +89,11 @@ Outcome integrate_beside(const System& system, const Inputs& inputs, const std::
     using Scalar = typename System::scalar_type;
     Replay<System, Inputs, std::array<Varied, count>> replay(system, inputs, varied, x, S, from, to, options, controls);
     const auto watch = [&](const auto& sample) {
-        if constexpr (is_switching<System>) replay.advance(sample.t, sample.x, sample.mode);
-        else replay.advance(sample.t, sample.x);
-        if (replay.outcome().status == Status::success)
-            observe(SensitivitySample<System, count>{sample.t, sample.x, sample.u, replay.S()});
+        if constexpr (is_switching<System>)
+            replay.advance(sample.t, sample.x, sample.mode);
+        else
+            replay.advance(sample.t, sample.x);
+        if (replay.outcome().status == Status::success) observe(SensitivitySample<System, count>{sample.t, sample.x, sample.u, replay.S()});
     };
     Outcome outcome;
     if constexpr (is_switching<System>) {
@@ -99,9 +102,8 @@ Outcome integrate_beside(const System& system, const Inputs& inputs, const std::
         whole.scale.back() = Scalar(1);
         using Mode = typename System::Mode;
         const auto note = [&](Scalar t, std::size_t event, Mode before, Mode after, const typename System::State& at,
-                              const typename System::State& behind, bool is_accumulation) {
-            replay.change(t, event, before, after, at, behind, is_accumulation);
-        };
+                              const typename System::State& behind,
+                              bool is_accumulation) { replay.change(t, event, before, after, at, behind, is_accumulation); };
         outcome = simulate_switching(system, inputs, x, from, to, whole, watch, note).outcome;
     } else {
         SimulationOptions<System> whole;
@@ -116,8 +118,8 @@ Outcome integrate_beside(const System& system, const Inputs& inputs, const std::
 }  // namespace detail
 
 /// Integrates a system and the derivatives of its state, from the start x with S = dx/d(varied) there, and calls observe(sample) at the
-/// output points. S at the start comes from sensitivities_at_start(). `inputs` is called as inputs(x, t); where it follows x, its slopes are
-/// differences. It is not varied itself, unless inputs.of(system) gives the inputs for a system with other parameters.
+/// output points. S at the start comes from sensitivities_at_start(). `inputs` is called as inputs(x, t); where it follows x, its slopes
+/// are differences. It is not varied itself, unless inputs.of(system) gives the inputs for a system with other parameters.
 ///
 /// A number that is in no table gives Status::bad_options. The scale of an entry of S is the scale of its state, divided by the size of
 /// what is varied. With controls = false the steps follow the error of the state alone.

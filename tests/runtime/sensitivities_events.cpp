@@ -41,8 +41,9 @@ typename System::State end_of(std::size_t number, long double by, long double un
         set(options);
         using State = typename System::State;
         using Mode = typename System::Mode;
-        const auto result = simulate_switching(system, inputs, x, Scalar(0), until, options, [](const auto&) {},
-                                               [](Scalar, std::size_t, Mode, Mode, const State&, const State&) {});
+        const auto result = simulate_switching(
+            system, inputs, x, Scalar(0), until, options, [](const auto&) {},
+            [](Scalar, std::size_t, Mode, Mode, const State&, const State&) {});
         CHECK(result.outcome.status == Status::success);
     } else {
         SimulationOptions<System> options;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sensitivities of runs beside differences of runs with parameters that are moved. The quick tier takes some machines, the full tier every run
-// of every model. With DALEMBERT_TABLE=1 a table is printed; DALEMBERT_MODELS names other models.
+// Sensitivities of runs beside differences of runs with parameters that are moved. The quick tier takes some machines, the full tier every
+// run of every model. With DALEMBERT_TABLE=1 a table is printed; DALEMBERT_MODELS names other models.
 #include <doctest/doctest.h>
 
 #include <fmt/format.h>
@@ -43,7 +43,7 @@ std::vector<std::size_t> compared_rows(std::size_t count) {
 
 /// Differences of order four: states and outputs, of each row that is compared.
 std::vector<std::vector<double>> by_differences(const dalembert_plant& plant, const PlantRun& run, const VariedOfRun& varied, double step,
-                                   std::size_t count) {
+                                                std::size_t count) {
     const std::vector<std::size_t> rows = compared_rows(run.intervals + 1);
     std::vector<std::vector<double>> sum(rows.size(), std::vector<double>(count, 0));
     for (const auto& [steps, weight] : {std::pair(1, 8), std::pair(2, -1)})
@@ -93,8 +93,7 @@ Row compare(const dalembert_plant& plant, const PlantRun& run, const PlantRunRes
 
 TEST_CASE("sensitivities of runs are those of differences") {
     std::size_t compared = 0;
-    for (const std::filesystem::path& file :
-         model_files({"bouncing_ball", "cylinder_stops", "switched_tank"}, is_full)) {
+    for (const std::filesystem::path& file : model_files({"bouncing_ball", "cylinder_stops", "switched_tank"}, is_full)) {
         const auto model = loaded_if_good(file);
         if (model == nullptr) continue;
         for (const Run& wanted : model->model.runs) {

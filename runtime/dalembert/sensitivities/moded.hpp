@@ -36,8 +36,10 @@ struct Moded {
     static View view(Mode mode) { return {mode}; }
     template <class State, class Input, class Scalar>
     static void kinks(const System& system, Mode mode, const State& x, const Input& u, const Scalar& t, Kinks& k) {
-        if constexpr (may_have_entries<Kinks>) system.kinks(mode, x, u, t, k);
-        else (void)system, (void)mode, (void)x, (void)u, (void)t, (void)k;
+        if constexpr (may_have_entries<Kinks>)
+            system.kinks(mode, x, u, t, k);
+        else
+            (void)system, (void)mode, (void)x, (void)u, (void)t, (void)k;
     }
     static bool is_kink(std::size_t) { return true; }
 };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
 // Sensitivities of a run that is made beside: with modes, events, constraints, kinks.
 //
-// note [jumps]: Where the motion changes at a time t* that depends on what is varied, S jumps. With the rates f- before and f+ behind, and the
-// change of the state x+ = R(x-, t*, p): S+ = R_x (S- + f- t') + R_p + R_t t' - f+ t', where t' = dt*/d(varied). Where a guard g falls through
-// zero, t' = -(g_x S- + g_p)/(dg/dt along the motion). An event that another one causes happens when that one does; the last of infinitely
-// many when the one before; an event at the start, or when inputs jump, at a fixed time. R and g are differentiated by central
+// note [jumps]: Where the motion changes at a time t* that depends on what is varied, S jumps. With the rates f- before and f+ behind, and
+// the change of the state x+ = R(x-, t*, p): S+ = R_x (S- + f- t') + R_p + R_t t' - f+ t', where t' = dt*/d(varied). Where a guard g falls
+// through zero, t' = -(g_x S- + g_p)/(dg/dt along the motion). An event that another one causes happens when that one does; the last of
+// infinitely many when the one before; an event at the start, or when inputs jump, at a fixed time. R and g are differentiated by central
 // differences along (S, t', p): they cost nothing beside the run, and keep about ten digits.
 #pragma once
 
@@ -245,8 +245,9 @@ private:
                 return k[kink];
             };
             const Scalar step = step_of_differences<Scalar>() * span_ / Scalar(1000);
-            const Scalar slope = (value(system_, moved(x_, before, step), t_ + step) - value(system_, moved(x_, before, -step), t_ - step)) /
-                                 (Scalar(2) * step);
+            const Scalar slope =
+                (value(system_, moved(x_, before, step), t_ + step) - value(system_, moved(x_, before, -step), t_ - step)) /
+                (Scalar(2) * step);
             const auto shift = times_of_zero(value, slope, kink);
             if (outcome_.status != Status::success) return;
             jump(before, near, shift);
@@ -312,11 +313,10 @@ private:
     ColumnsOf<Scalar> times_of_zero(const Value& value, const Scalar& slope, std::size_t number) {
         ColumnsOf<Scalar> shift = Columns<List>::filled(varied_, Scalar(0));
         for (std::size_t c = 0; c < varied_.size(); ++c) {
-            const Scalar by = along(c, S_[c], Scalar(0),
-                                    [&](const System& a, const Plain& ahead, const Scalar& later, const System& b, const Plain& behind,
-                                        const Scalar& earlier, const Scalar& step) {
-                                        return (value(a, ahead, later) - value(b, behind, earlier)) / (Scalar(2) * step);
-                                    });
+            const Scalar by = along(
+                c, S_[c], Scalar(0),
+                [&](const System& a, const Plain& ahead, const Scalar& later, const System& b, const Plain& behind, const Scalar& earlier,
+                    const Scalar& step) { return (value(a, ahead, later) - value(b, behind, earlier)) / (Scalar(2) * step); });
             if (by == Scalar(0)) continue;
             shift[c] = -by / slope;
             if (!(shift[c] - shift[c] == Scalar(0))) fail(Status::not_finite, number);
@@ -361,8 +361,10 @@ private:
                          const Scalar& earlier, const Scalar& step) {
                          const auto reset = [&](const System& system, Plain x, const Scalar& t) {
                              const auto u = inputs_with(inputs_, system)(x, t);
-                             if (is_accumulation) system.settle(event, mode, x, u, t);
-                             else system.reset(event, mode, x, u, t);
+                             if (is_accumulation)
+                                 system.settle(event, mode, x, u, t);
+                             else
+                                 system.reset(event, mode, x, u, t);
                              return x;
                          };
                          Plain result = s;

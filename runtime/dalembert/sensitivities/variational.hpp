@@ -17,7 +17,8 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-/// Blocks of the size of Plain: those on the diagonal are alike and have the pattern Base, those in the first column may be full, others are zero.
+/// Blocks of the size of Plain: those on the diagonal are alike and have the pattern Base, those in the first column may be full, others
+/// are zero.
 template <class Plain, class Base>
 struct SensitivityPattern {
     static constexpr bool is_sparse = false;
@@ -73,10 +74,14 @@ private:
 template <class All, class Plain, class Base>
 struct SensitivityMatrixOf {
     using type = SensitivityMatrix<All, Plain, Base>;
-    static constexpr bool fits() { return MatrixOf<Plain, Base>::fits() && size_of<All>() * size_of<Plain>() * sizeof(typename Plain::value_type) <= std::size_t(1) << 20; }
+    static constexpr bool fits() {
+        return MatrixOf<Plain, Base>::fits() && size_of<All>() * size_of<Plain>() * sizeof(typename Plain::value_type) <= std::size_t(1)
+                                                                                                                              << 20;
+    }
     static constexpr double multiplications(double solutions) {
         const std::size_t n = size_of<Plain>(), all = size_of<All>();
-        return MatrixOf<Plain, Base>::multiplications(solutions * static_cast<double>(all / n)) + solutions * static_cast<double>((all - n) * n);
+        return MatrixOf<Plain, Base>::multiplications(solutions * static_cast<double>(all / n)) +
+               solutions * static_cast<double>((all - n) * n);
     }
 };
 template <class Scalar, std::size_t all, class Plain, class Base>
@@ -100,8 +105,8 @@ struct KinksRest {
     }
 };
 
-/// `view` shows a system, or one of its modes, as one without modes. sides(c, t) says which of the moved systems has the same inputs at t but
-/// for their slope: 1 the one ahead, -1 the one behind, 0 both. A kink moves past t in the other one, and its jump is not for here.
+/// `view` shows a system, or one of its modes, as one without modes. sides(c, t) says which of the moved systems has the same inputs at t
+/// but for their slope: 1 the one ahead, -1 the one behind, 0 both. A kink moves past t in the other one, and its jump is not for here.
 template <class System, class Inputs, class List, class View = AsItIs, class Sides = KinksRest>
 class Variational {
     using Scalar = typename System::scalar_type;
@@ -187,12 +192,15 @@ public:
                 view_(system).jacobian_x(there, inputs_with(inputs_, system)(there, t), t, J);
             };
             const int side = sides_(c, t);
-            if (side < 0) at(shown_system_, Scalar(0), ahead);
-            else at(moved_.ahead[c], step, ahead);
-            if (side > 0) at(shown_system_, Scalar(0), behind);
-            else at(moved_.behind[c], -step, behind);
-            for (std::size_t k = 0; k < ahead.size(); ++k)
-                below_[c][k] = (ahead[k] - behind[k]) / (Scalar(side == 0 ? 2 : 1) * step);
+            if (side < 0)
+                at(shown_system_, Scalar(0), ahead);
+            else
+                at(moved_.ahead[c], step, ahead);
+            if (side > 0)
+                at(shown_system_, Scalar(0), behind);
+            else
+                at(moved_.behind[c], -step, behind);
+            for (std::size_t k = 0; k < ahead.size(); ++k) below_[c][k] = (ahead[k] - behind[k]) / (Scalar(side == 0 ? 2 : 1) * step);
         }
     }
 

@@ -142,12 +142,14 @@ struct MovedSystems {
 template <class Inputs, class System, class = void>
 inline constexpr bool follow_parameters = false;
 template <class Inputs, class System>
-inline constexpr bool follow_parameters<Inputs, System, std::void_t<decltype(std::declval<const Inputs&>().of(std::declval<const System&>()))>> =
-    true;
+inline constexpr bool
+    follow_parameters<Inputs, System, std::void_t<decltype(std::declval<const Inputs&>().of(std::declval<const System&>()))>> = true;
 template <class Inputs, class System>
 decltype(auto) inputs_with(const Inputs& inputs, const System& system) {
-    if constexpr (follow_parameters<Inputs, System>) return inputs.of(system);
-    else return (inputs);
+    if constexpr (follow_parameters<Inputs, System>)
+        return inputs.of(system);
+    else
+        return (inputs);
 }
 
 }  // namespace detail
