@@ -172,8 +172,9 @@ bool all_derivations_proven(const Machine& machine) {
 }
 
 [[noreturn]] void refuse_wish(const Machine& machine, Function function, const std::string& why) {
-    throw CannotMake(function, Diagnostic{Id::bad_option, machine.loaded->model.name_span,
-                                          fmt::format("{}: '{}' {}", flag_of(function), machine.loaded->model.name, why)});
+    const std::string reason = fmt::format("'{}' {}", machine.loaded->model.name, why);
+    throw CannotMake(function, reason,
+                     Diagnostic{Id::bad_option, machine.loaded->model.name_span, fmt::format("{}: {}", flag_of(function), reason)});
 }
 
 /// Throws Failure (bad-option) for a function that was asked for and cannot be made.

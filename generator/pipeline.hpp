@@ -38,11 +38,15 @@ struct LoadedModel {
 /// A function that was asked for and cannot be made (bad-option).
 class CannotMake : public Failure {
 public:
-    CannotMake(Function function, Diagnostic why) : Failure(std::move(why)), function_(function) {}
+    CannotMake(Function function, std::string reason, Diagnostic why)
+        : Failure(std::move(why)), function_(function), reason_(std::move(reason)) {}
     Function function() const { return function_; }
+    /// "'fin' has rods ...", for who did not ask by a flag.
+    const std::string& reason() const { return reason_; }
 
 private:
     Function function_;
+    std::string reason_;
 };
 
 /// A derived and proven machine.

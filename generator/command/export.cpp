@@ -55,20 +55,20 @@ ExportSubject subject_of_export(const Machine& machine, const Header& header) {
 /// With all functions that the target takes; those that cannot be made are left out, with the reasons.
 Header generate_for(const Target& target, Machine& machine, std::map<Function, std::string>& missing) {
     machine.wished.insert(target.wishes.begin(), target.wishes.end());
-    const auto leave_out = [&](Function function, const Failure& why) {
-        missing.emplace(function, why.diagnostics().front().message);
+    const auto leave_out = [&](Function function, const std::string& why) {
+        missing.emplace(function, why);
         machine.wished.erase(function);
     };
     for (;;) {
         try {
             return generate(machine);
         } catch (const CannotMake& refused) {
-            leave_out(refused.function(), refused);
-        } catch (const Failure& failure) {  // of what is too large nothing says which function it is: the largest first
+            leave_out(refused.function(), refused.reason());
+        } catch (const Failure& failure) {  // the code is too large: leave out the largest function
             const auto next =
                 std::find_if(target.wishes.begin(), target.wishes.end(), [&](Function f) { return machine.wished.contains(f); });
             if (failure.diagnostics().front().id != Id::too_large || next == target.wishes.end()) throw;
-            leave_out(*next, failure);
+            leave_out(*next, failure.diagnostics().front().message);
         }
     }
 }
