@@ -10,6 +10,9 @@
 
 namespace dalembert {
 
+/// Else those of outputs are not recorded.
+inline bool has_slopes_of_outputs(const dalembert_plant& plant) { return plant.output_jacobian_p != nullptr; }
+
 /// Asked with the points of the run in order. `mode` counts only where the plant switches.
 template <class System>
 class SensitivitiesOfRun {

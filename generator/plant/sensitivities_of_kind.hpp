@@ -76,6 +76,7 @@ public:
         for (std::size_t c = 0; c < varied_.size(); ++c) {
             const State& s = replay_.S()[c];
             for (const RecordedState& state : run_.states) row.push_back(s[state.place] * (state.is_root ? 2 * x_[state.place] : 1));
+            if (!has_slopes_of_outputs(plant)) continue;
             const auto of_inputs = replay_.slopes_of_inputs(c);
             for (std::size_t i = 0; i < plant.outputs; ++i) {
                 double sum = varied_[c].of == Varied::Of::parameter ? by_parameters[varied_[c].number * plant.outputs + i] : 0;

@@ -60,17 +60,7 @@ public:
         if constexpr (!switches)
             if (run_.is_of_heat) result_.euler_step = largest_euler_step(system_, x, inputs_(x, 0.0), 0.0);
         if constexpr (!dalembert::detail::chooses_constraints<System>)
-            if (!run_.varied.empty()) {
-                result_.sensitivities = empty_sensitivities();
-                IntegrationOptions<State> of_states;
-                dalembert::detail::copy_options(of_states, options);
-                // Methods of fixed steps, and those that need more than rates, do not take S.
-                const bool takes =
-                    options.method == Method::dopri5 || options.method == Method::dop853 || options.method == Method::rodas5p;
-                if (!takes) of_states.method = Method::automatic;
-                of_states.step = 0;
-                sensitivities_ = sensitivities_of(run_, system_, inputs_, x, of_states);
-            }
+            if (!run_.varied.empty()) begin_sensitivities(options, x);
         const auto observe = [this](const auto& sample) { this->record(sample); };
         if constexpr (switches) {
             using Mode = typename System::Mode;
@@ -120,6 +110,18 @@ private:
         return recording;
     }
 
+    template <class Options>
+    void begin_sensitivities(const Options& options, const State& x) {
+        result_.sensitivities = empty_sensitivities();
+        IntegrationOptions<State> of_states;
+        dalembert::detail::copy_options(of_states, options);
+        // Methods of fixed steps, and those that need more than rates, do not take S.
+        const bool takes = options.method == Method::dopri5 || options.method == Method::dop853 || options.method == Method::rodas5p;
+        if (!takes) of_states.method = Method::automatic;
+        of_states.step = 0;
+        sensitivities_ = sensitivities_of(run_, system_, inputs_, x, of_states);
+    }
+
     Recording empty_sensitivities() const {
         Recording recording;
         recording.columns.push_back({"t", "s"});
@@ -128,7 +130,8 @@ private:
                 recording.columns.push_back({"d(" + name + ")/d(" + one.name + ")", quotient_of_units(unit, one.unit)});
             };
             for (const RecordedState& state : run_.states) add(state.name, state.unit);
-            for (const auto& quantity : System::output_table()) add(quantity.name, quantity.unit);
+            if (has_slopes_of_outputs(*dalembert::detail::plant_in_use))
+                for (const auto& quantity : System::output_table()) add(quantity.name, quantity.unit);
         }
         return recording;
     }

@@ -195,6 +195,7 @@ constexpr auto of_simulate = std::to_array<JsonField>({
     {"mode", "of a machine with modes: mode at the end of the run"},
     {"sensitivities.t", "with --sensitivities: time up to which they exist, s"},
     {"sensitivities.reason", "why they end before the run, else empty"},
+    {"sensitivities.without_outputs", "why there are none of outputs, else empty"},
     {"files[]", "paths of the written files"},
 });
 

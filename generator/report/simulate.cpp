@@ -88,6 +88,8 @@ std::string as_text(const SimulateResult& result) {
     if (run.ended) text += run.message + "\n";
     if (run.sensitivities && !run.sensitivities->reason.empty())
         text += fmt::format("sensitivities only up to {:.6g} s: {}\n", run.sensitivities->t, run.sensitivities->reason);
+    if (run.sensitivities && !run.sensitivities->without_outputs.empty())
+        text += fmt::format("sensitivities of states alone, not of outputs: {}\n", run.sensitivities->without_outputs);
     for (const auto& [path, content] : run.files) text += path.string() + "\n";
     return text;
 }
@@ -111,7 +113,8 @@ nlohmann::ordered_json as_json(const SimulateResult& result) {
     if (run.euler_step) json["euler_step"] = *run.euler_step;
     if (run.lost) json["lost"] = *run.lost;
     if (run.lost) json["mode"] = run.mode;
-    if (run.sensitivities) json["sensitivities"] = {{"t", run.sensitivities->t}, {"reason", run.sensitivities->reason}};
+    if (run.sensitivities) json["sensitivities"] = {{"t", run.sensitivities->t}, {"reason", run.sensitivities->reason},
+                                                    {"without_outputs", run.sensitivities->without_outputs}};
     json["files"] = nlohmann::ordered_json::array();
     for (const auto& [path, content] : run.files) json["files"].push_back(path.string());
     return json;

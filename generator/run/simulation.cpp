@@ -113,7 +113,16 @@ PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const s
                             : preparation.method() == "taylor" ? SeriesWish::wanted
                                                                : SeriesWish::none;
     if (!options.sensitivities.empty() && !system.outputs.empty()) machine.wished.insert(Function::output_jacobian_p);
-    Header header = generate(machine, wish);
+    std::string without_slopes_of_outputs;
+    Header header = [&] {
+        try {
+            return generate(machine, wish);
+        } catch (const CannotMake& refused) {
+            without_slopes_of_outputs = refused.reason();
+            machine.wished.erase(refused.function());
+            return generate(machine, wish);
+        }
+    }();
     Values values(system.scene, system.translate);
     preparation.set_values(values, system);
     const Values unmet = values;
@@ -139,7 +148,8 @@ PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const s
     std::vector<VariedOfRun> varied = varied_of_run(options.sensitivities, system, unmet, kinks_of);
     settings.series = has_series(machine) && (!tries_series || have_series(*machine.code, settings.inputs));
     std::string name = fmt::format("{}_{}", system.scene.sized_name(), system.scene.name);
-    return {std::move(machine), std::move(header), std::move(values), std::move(settings), std::move(varied), std::move(name)};
+    return {std::move(machine), std::move(header), std::move(values), std::move(settings), std::move(varied),
+            std::move(without_slopes_of_outputs), std::move(name)};
 }
 
 PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options) {
@@ -151,6 +161,7 @@ PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& 
     prepared.plant = source_of_plant(*run.machine.code, run.header, run.settings);
     prepared.run = run_of_plant(system, run.values, run.settings);
     prepared.run.varied = std::move(run.varied);
+    prepared.without_slopes_of_outputs = std::move(run.without_slopes_of_outputs);
     prepared.cache = plant_cache(options);
     prepared.units = shown_units(system);
     const std::string title = system.scene.model->title.empty() ? system.scene.sized_name() : system.scene.model->title;
@@ -265,9 +276,12 @@ void add_results(SimulationReport& report, const PlantRunResult& run, const dale
 namespace {
 
 /// How far they go, and the file.
-void add_sensitivities(SimulationReport& report, const PlantRunResult& run, const System& system, const std::filesystem::path& file) {
+void add_sensitivities(SimulationReport& report, const PlantRunResult& run, const PreparedSimulation& prepared,
+                       const std::filesystem::path& file) {
+    const System& system = *prepared.machine.system;
     const Outcome& outcome = run.of_sensitivities;
     report.sensitivities.emplace();
+    report.sensitivities->without_outputs = prepared.without_slopes_of_outputs;
     report.sensitivities->t = run.sensitivities.rows.empty() ? 0 : run.sensitivities.rows.back()[0];
     if (outcome.status == Status::not_finite && outcome.guard < system.events.size())
         report.sensitivities->reason = fmt::format("event '{}' only touches its zero there, and has no derivative behind it",
@@ -297,7 +311,7 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
     report.files.emplace_back(folder / prepared.header.file_name, prepared.header.text);
     add_results(report, run, library.table(), prepared.settings, prepared.units, prepared.title, folder, prepared.name);
     if (!prepared.run.varied.empty())
-        add_sensitivities(report, run, *prepared.machine.system, folder / (prepared.name + "_sensitivities.csv"));
+        add_sensitivities(report, run, prepared, folder / (prepared.name + "_sensitivities.csv"));
     return report;
 }
 

@@ -24,6 +24,7 @@ struct PreparedSimulation {
     bool draw = true;
     SimulationSettings settings;
     std::string doubts;  ///< warnings of start values
+    std::string without_slopes_of_outputs;  ///< why sensitivities have none, if so
 };
 
 /// A machine that was generated, and all that is to be known of its run.
@@ -33,12 +34,14 @@ struct PreparedRun {
     Values values;
     SimulationSettings settings;
     std::vector<VariedOfRun> varied;
+    std::string without_slopes_of_outputs;  ///< why, if so
     std::string name;    ///< of result files, without ending
 };
 
 struct ReachOfSensitivities {
     double t = 0;        ///< s, up to which they exist
     std::string reason;  ///< why not further, if so
+    std::string without_outputs;  ///< why those of outputs are left out, if so
 };
 
 struct SimulationReport {

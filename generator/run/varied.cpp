@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "form/state_places.hpp"
 #include "language/parser.hpp"
@@ -30,9 +31,10 @@ ex step_of(const ex& value) {
 class Differentiation {
 public:
     Differentiation(const System& system, const Values& values, const KinksOfRun& kinks)
-        : system_(system), values_(values), kinks_(kinks) {}
+        : system_(system), values_(values), kinks_(kinks), kinks_now_(kinks([](const System&, Values&) {})) {}
 
     VariedOfRun by(const Variable& variable, const Span& place) const {
+        refuse_quaternion(variable, place);
         const bool is_parameter = variable.kind == SymbolKind::parameter;
         const std::size_t at_state = is_parameter ? 0 : state_number(variable);
         const ex start = is_parameter ? values_.parameter(variable.position) : values_.state()[at_state];
@@ -60,23 +62,48 @@ public:
             return start_of(there, place);
         };
         result.start = slopes(start_at(1), start_at(-1));
-        if (!is_parameter && result.start[at_state] == 0)
+        if (!is_parameter && std::fabs(result.start[at_state]) < 1e-12)  // else 1, or that of a root by its square
             throw Failure(
                 Diagnostic{Id::bad_option, place,
                            fmt::format("the start of '{}' cannot be varied: constraints determine it", variable.recorded_name())});
         const auto kinks_at = [&](int sign) { return kinks_([&](const System& system, Values& values) { moved(system, values, sign); }); };
-        const std::vector<double> ahead = kinks_at(1), behind = kinks_at(-1);
-        if (ahead.size() != behind.size())
-            throw Failure(
-                Diagnostic{Id::bad_option, place,
-                           fmt::format("the run has no derivative by '{}': with a larger value it has {} kinks and jumps at known "
-                                       "times, with a smaller one {}",
-                                       variable.recorded_name(), ahead.size(), behind.size())});
-        for (std::size_t k = 0; k < ahead.size(); ++k) result.kinks.push_back((ahead[k] - behind[k]) / cln::double_approx(distance));
+        result.kinks = kink_slopes(kinks_at(1), kinks_at(-1), cln::double_approx(distance), variable, place);
         return result;
     }
 
 private:
+    /// Each kink has its slope only where no two meet that move differently: there the run has a derivative to either side, but no one.
+    std::vector<double> kink_slopes(const std::vector<double>& ahead, const std::vector<double>& behind, double distance,
+                                    const Variable& variable, const Span& place) const {
+        if (ahead.size() != kinks_now_.size() || behind.size() != kinks_now_.size())
+            throw Failure(Diagnostic{
+                Id::bad_option, place,
+                fmt::format("the run has no derivative by '{}': it has {} kinks and jumps at known times, but {} with a larger value and {} "
+                            "with a smaller one, since some fall together or lie at the end of the run",
+                            variable.recorded_name(), kinks_now_.size(), ahead.size(), behind.size())});
+        std::vector<double> slopes;
+        for (std::size_t k = 0; k < kinks_now_.size(); ++k) {
+            slopes.push_back((ahead[k] - behind[k]) / distance);
+            if (k == 0 || kinks_now_[k] - kinks_now_[k - 1] > 1e-7 * kinks_now_[k]) continue;
+            if (std::fabs(slopes[k] - slopes[k - 1]) * distance > 1e-12 * kinks_now_[k])
+                throw Failure(Diagnostic{Id::bad_option, place,
+                                         fmt::format("the run has no derivative by '{}', which moves two kinks or jumps apart that fall "
+                                                     "together at {:.6g} s",
+                                                     variable.recorded_name(), kinks_now_[k])});
+        }
+        return slopes;
+    }
+
+    /// Alone they leave the norm one.
+    void refuse_quaternion(const Variable& variable, const Span& place) const {
+        for (const Symbols::AttitudeSymbols& attitude : system_.symbols.attitudes())
+            if (variable.kind == SymbolKind::state && std::count(attitude.parts.begin(), attitude.parts.end(), variable.position) > 0)
+                throw Failure(Diagnostic{Id::bad_option, place,
+                                         fmt::format("the start of '{}' cannot be varied alone: it is a part of a quaternion, whose norm is "
+                                                     "one; vary a parameter that the attitude at the start is made of",
+                                                     variable.name)});
+    }
+
     std::size_t state_number(const Variable& variable) const {
         const auto all = system_.symbols.state_variables();
         return static_cast<std::size_t>(
@@ -97,6 +124,7 @@ private:
     const System& system_;
     const Values& values_;
     const KinksOfRun& kinks_;
+    std::vector<double> kinks_now_;
 };
 
 }  // namespace

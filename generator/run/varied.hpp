@@ -13,8 +13,8 @@ namespace dalembert {
 /// Kinks of a run, in s, with values that are changed before: see SimulationSettings.
 using KinksOfRun = std::function<std::vector<double>(const std::function<void(const System&, Values&)>& change)>;
 
-/// Parameters, and coordinates, velocities and states for their start values; a family stands for all its members. `values` are those of the
-/// run before constraints determine some. Throws Failure (unknown-name, bad-option).
+/// Parameters, and coordinates, velocities and states for their start values; a family stands for all its members. `values` are those of
+/// the run before constraints determine some. Throws Failure (unknown-name, bad-option).
 std::vector<VariedOfRun> varied_of_run(const std::vector<std::string>& names, const System& system, const Values& values,
                                        const KinksOfRun& kinks);
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <dalembert/sensitivities.hpp>
+#include <dalembert/simulate.hpp>
 
 #include <cmath>
 #include <string>
@@ -16,14 +17,6 @@ using namespace dalembert;
 
 namespace {
 
-template <class System>
-struct NoInput {
-    template <class State, class Scalar>
-    typename System::Input operator()(const State&, Scalar) const {
-        return {};
-    }
-};
-
 /// A force that follows the state and the time.
 template <class System>
 struct Feedback {
@@ -33,13 +26,6 @@ struct Feedback {
         return {Scalar(-20) * x[1] - Scalar(3) * x[2] + sin(Scalar(2) * t)};
     }
 };
-
-template <class System>
-void move_parameter(System& system, std::size_t number, typename System::scalar_type by) {
-    auto parameters = system.parameters();
-    reinterpret_cast<typename System::scalar_type*>(&parameters)[number] += by;
-    system.update(parameters);
-}
 
 /// The end of a run in long double, far more accurate than those that are compared with it.
 template <template <class> class System, template <class> class Inputs>
@@ -73,7 +59,7 @@ typename System<long double>::State by_differences(const Varied& varied, const t
             if (is_start)
                 from[varied.number] += sign * steps * h;
             else
-                move_parameter(system, varied.number, sign * steps * h);
+                detail::move_parameter(system, varied.number, sign * steps * h);
             const auto end = exact_end<System, Inputs>(system, from, until, scale);
             for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += sign * weight * end[i] / (60 * h);
         }
@@ -150,7 +136,7 @@ TEST_CASE("sensitivities of the cart by all parameters and start values are diff
     std::array<Varied, model::parameter_count + model::state_count> varied;
     for (std::size_t i = 0; i < model::parameter_count; ++i) varied[i] = Varied::parameter(i);
     for (std::size_t i = 0; i < model::state_count; ++i) varied[model::parameter_count + i] = Varied::start(i);
-    compare<model::System, NoInput>(varied, {0.3, 0.2, 0, 0}, 1, 1e-2, 1e-11, all_methods, 1e-8);
+    compare<model::System, ZeroInputs>(varied, {0.3, 0.2, 0, 0}, 1, 1e-2, 1e-11, all_methods, 1e-8);
     const std::array some{Varied::parameter(model::parameter::l_S), Varied::parameter(model::parameter::d_R), Varied::start(1)};
     compare<model::System, Feedback>(some, {0.3, 0.2, 0, 0}, 1, 1e-2, 1e-11, all_methods, 1e-8);
 }
@@ -158,10 +144,10 @@ TEST_CASE("sensitivities of the cart by all parameters and start values are diff
 TEST_CASE("sensitivities of stiff machines") {
     namespace model = stick_slip::smooth;
     const std::array varied{Varied::parameter(0), Varied::parameter(1), Varied::parameter(2), Varied::start(0), Varied::start(1)};
-    compare<model::System, NoInput>(varied, model::System<double>().start_state(), 0.1, 1e-2, 1e-10, {Method::rodas5p, Method::automatic},
+    compare<model::System, ZeroInputs>(varied, model::System<double>().start_state(), 0.1, 1e-2, 1e-10, {Method::rodas5p, Method::automatic},
                                     1e-7);
     namespace exchanger = heat_exchanger_N12::counter;
-    compare<exchanger::System, NoInput>(varied, exchanger::System<double>().start_state(), 20, 1, 1e-10,
+    compare<exchanger::System, ZeroInputs>(varied, exchanger::System<double>().start_state(), 20, 1, 1e-10,
                                         {Method::rodas5p, Method::automatic}, 1e-8);
 }
 
@@ -169,7 +155,7 @@ TEST_CASE("sensitivities that do not control the steps follow those of the state
     namespace model = cart_pendulum::lab;
     using System = model::System<double>;
     const System system;
-    const NoInput<System> inputs;
+    const ZeroInputs<System> inputs;
     const std::array varied{Varied::parameter(model::parameter::d_R)};
     IntegrationOptions<System::State> options;
     options.tolerance = 1e-8;
@@ -183,14 +169,14 @@ TEST_CASE("sensitivities that do not control the steps follow those of the state
     const Outcome without = integrate(rhs, plain, 0.0, 3.0, options, [](double, const System::State&) {});
     CHECK(with.steps == without.steps);
     for (std::size_t i = 0; i < 4; ++i) CHECK(x[i] == doctest::Approx(plain[i]).epsilon(1e-12));
-    const auto expected = by_differences<model::System, NoInput>(varied[0], {0.3, 0.2, 0, 0}, 3, 1e-2);
+    const auto expected = by_differences<model::System, ZeroInputs>(varied[0], {0.3, 0.2, 0, 0}, 3, 1e-2);
     for (std::size_t i = 0; i < 4; ++i) CHECK(S[0][i] == doctest::Approx(static_cast<double>(expected[i])).epsilon(1e-5));
 }
 
 TEST_CASE("what is not in a table has no sensitivities") {
     using System = cart_pendulum::lab::System<double>;
     const System system;
-    const NoInput<System> inputs;
+    const ZeroInputs<System> inputs;
     for (const Varied wrong : {Varied::parameter(9), Varied::start(4)}) {
         const std::array varied{wrong};
         System::State x = system.start_state();
@@ -217,7 +203,7 @@ TEST_CASE("sensitivities begin with those of a start that follows from parameter
 TEST_CASE("methods that a run cannot take end it") {
     using System = cart_pendulum::lab::System<double>;
     const System system;
-    const NoInput<System> inputs;
+    const ZeroInputs<System> inputs;
     const std::array varied{Varied::parameter(0)};
     for (const Method method : {Method::taylor, Method::symplectic}) {
         System::State x = system.start_state();

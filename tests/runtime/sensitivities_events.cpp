@@ -15,14 +15,6 @@ using namespace dalembert;
 
 namespace {
 
-template <class System>
-struct NoInput {
-    template <class State, class Scalar>
-    typename System::Input operator()(const State&, Scalar) const {
-        return {};
-    }
-};
-
 /// The end of a run with the parameter moved.
 template <class System>
 typename System::State end_of(std::size_t number, long double by, long double until) {
@@ -30,7 +22,7 @@ typename System::State end_of(std::size_t number, long double by, long double un
     System system;
     detail::move_parameter(system, number, by);
     typename System::State x = system.start_state();
-    const NoInput<System> inputs;
+    const ZeroInputs<System> inputs;
     const auto set = [](auto& options) {
         options.method = Method::dop853;
         options.tolerance = 1e-15L;
@@ -80,7 +72,7 @@ void compare(double until, double allowed, std::size_t intervals = 50) {
     options.tolerance = 1e-11;
     options.scale.fill(1);
     options.intervals = intervals;
-    const NoInput<System> inputs;
+    const ZeroInputs<System> inputs;
     const Outcome outcome = simulate_sensitivities(system, inputs, varied, x, S, 0.0, until, options, [](const auto&) {});
     CHECK(outcome.status == Status::success);
     for (std::size_t c = 0; c < count; ++c) {
@@ -144,7 +136,7 @@ TEST_CASE("sensitivities of a ball that bounces are those of its closed form") {
         CHECK(std::abs(sample.S[1][0] - by_t_1 * t_1 / (2 * h_0)) < 1e-8);
         CHECK(std::abs(sample.S[2][0] - by_e) < 1e-8 * (1 + std::abs(by_e)));
     };
-    const NoInput<System> inputs;
+    const ZeroInputs<System> inputs;
     const double until = t_1 * ((1 + e) / (1 - e) + 1);
     CHECK(simulate_sensitivities(system, inputs, varied, x, S, 0.0, until, options, compare).status == Status::success);
     for (const auto& column : S)  // at rest

@@ -234,31 +234,72 @@ private:
     /// Over a kink of the rates, where they may jump.
     void pass_kink(std::size_t kink) {
         if (++outcome_.events > options_.max_events) return fail(Status::event_storm, kink);
-        const Plain before = rate(mode_, x_, t_);
         const Scalar d = instant(t_);
-        const auto behind = [&](const Scalar& distance) { return rate(mode_, moved(x_, before, distance), t_ + distance); };
-        const Plain near = behind(d), far = behind(Scalar(16) * d);
-        if (is_jump(before, near, far)) {
-            const auto value = [&](const System& system, const Plain& x, const Scalar& t) {
+        Plain before;
+        if (!rate_before(kink, Scalar(0), before)) {  // it is one of time
+            if (is_at_known_kink(t_)) {               // where all is done already
+                sides_[kink] = -sides_[kink];
+                return;
+            }
+            if (!rate_before(kink, Scalar(1), before)) return fail(Status::event_storm, kink);
+        }
+        const auto value_of = [&](std::size_t i) {
+            return [this, i](const System& system, const Plain& x, const Scalar& t) {
                 Kinks k;
                 Asked::kinks(system, mode_, x, inputs_with(inputs_, system)(x, t), t, k);
-                return k[kink];
+                return k[i];
             };
-            const Scalar step = step_of_differences<Scalar>() * span_ / Scalar(1000);
-            const Scalar slope =
-                (value(system_, moved(x_, before, step), t_ + step) - value(system_, moved(x_, before, -step), t_ - step)) /
-                (Scalar(2) * step);
-            const auto shift = times_of_zero(value, slope, kink);
-            if (outcome_.status != Status::success) return;
-            jump(before, near, shift);
+        };
+        // Past it by the state alone, if that does: a kink at a known time next to it is passed on its own.
+        const auto is_past = [&](std::size_t i, const Scalar& t) {
+            return value_of(i)(system_, moved(x_, before, d), t) * Scalar(sides_[i]) < Scalar(0);
+        };
+        const bool waits = is_past(kink, t_);
+        const auto behind = [&](const Scalar& distance) { return rate(mode_, moved(x_, before, distance), waits ? t_ : t_ + distance); };
+        const Plain near = behind(d), far = behind(Scalar(16) * d);
+        const Scalar step = step_of_differences<Scalar>() * span_ / Scalar(1000);
+        const auto times_of = [&](std::size_t i) {
+            const auto value = value_of(i);
+            const Scalar ahead = value(system_, moved(x_, before, step), t_ + step);
+            const Scalar back = value(system_, moved(x_, before, -step), t_ - step);
+            return times_of_zero(value, (ahead - back) / (Scalar(2) * step), i);
+        };
+        const bool jumps = is_jump(before, near, far);
+        ColumnsOf<Scalar> shift = Columns<List>::filled(varied_, Scalar(0));
+        if (jumps) shift = times_of(kink);
+        // Others that fall together with it are passed at once. What is varied must not move them apart.
+        for (std::size_t i = 0; i < sides_.size(); ++i) {
+            if (i != kink && !(Asked::is_kink(i) && is_past(i, waits ? t_ : t_ + d))) continue;
+            if (i != kink && jumps && !are_equal(shift, times_of(i))) fail(Status::not_finite, i);
+            sides_[i] = -sides_[i];
         }
+        if (outcome_.status != Status::success) return;
+        if (jumps) jump(before, near, shift);
         x_ = moved(x_, before, d);
-        t_ += d;
-        sides_[kink] = -sides_[kink];
+        if (!waits) t_ += d;
+    }
+    static bool are_equal(const ColumnsOf<Scalar>& a, const ColumnsOf<Scalar>& b) {
+        using std::abs;
+        for (std::size_t c = 0; c < a.size(); ++c)
+            if (abs(a[c] - b[c]) > Scalar(1e-6) * (abs(a[c]) + abs(b[c]))) return false;
+        return true;
     }
     void jump(const Plain& before, const Plain& behind, const ColumnsOf<Scalar>& shift) {
         for (std::size_t c = 0; c < varied_.size(); ++c)
             for (std::size_t i = 0; i < before.size(); ++i) S_[c][i] += (before[i] - behind[i]) * shift[c];
+    }
+    /// The rate on the side where a kink comes from, which may lie behind: where it was passed in the instant of another, or of an output.
+    bool rate_before(std::size_t kink, const Scalar& of_time, Plain& before) const {
+        const Plain here = rate(mode_, x_, t_);
+        const Scalar step = instant(t_);
+        for (Scalar distance = step; distance <= Scalar(64) * step; distance += step) {
+            const Plain x = moved(x_, here, -distance);
+            const Scalar t = t_ - of_time * distance;
+            if (!(kinks_at(mode_, x, t)[kink] * Scalar(sides_[kink]) > Scalar(0))) continue;
+            before = rate(mode_, x, t);
+            return true;
+        }
+        return false;
     }
     /// Behind an infinite slope rates go on growing; behind a jump they do not.
     static bool is_jump(const Plain& before, const Plain& near, const Plain& far) {
@@ -280,6 +321,11 @@ private:
             if (abs(t - kink->t) <= abs(way) && way != Scalar(0)) return (t < kink->t) == (way > Scalar(0)) ? 1 : -1;
         }
         return 0;
+    }
+    bool is_at_known_kink(const Scalar& t) const {
+        using std::abs;
+        return std::any_of(known_kinks_.begin(), known_kinks_.end(),
+                           [&](const Scalar& kink) { return abs(t - kink) <= Scalar(2) * instant(t); });
     }
     /// None where what is varied does not move it.
     const MovingKink* moving_kink(const Scalar& t) const {
@@ -329,26 +375,31 @@ private:
         const ColumnsOf<Scalar> fixed = Columns<List>::filled(varied_, Scalar(0));
         if (t_ - from_ <= instant(from_)) return fixed;
         if (is_accumulation) return shift_;
-        if (const MovingKink* kink = moving_kink(t_)) return kink->slope;
-        for (const Scalar& kink : known_kinks_)
-            if (abs(t_ - kink) <= instant(t_)) return fixed;
         using Events = typename System::Events;
         const auto value = [&](const System& system, const Plain& x, const Scalar& t) {
             Events g;
             system.guards(mode, x, inputs_with(inputs_, system)(x, t), t, g);
             return g[event];
         };
-        const auto u = inputs_(x_, t_);
+        const Scalar d = Scalar(2) * instant(t_);
+        const bool is_at_kink = is_at_known_kink(t_);
+        // Where inputs have a kink, what counts is how they come.
+        const Scalar at = is_at_kink ? t_ - d : t_;
         Events slopes;
-        system_.guard_rates(mode, x_, u, t_, slopes);
+        system_.guard_rates(mode, x_, inputs_(x_, at), at, slopes);
         Scalar slope = slopes[event];
         if constexpr (may_have_entries<typename System::Input>) {  // the rates hold inputs
-            const Plain dxdt = rate(mode, x_, t_);
-            const Scalar step = step_of_differences<Scalar>() * span_ / Scalar(1000);
+            const Plain dxdt = rate(mode, x_, at);
+            const Scalar step = step_of_differences<Scalar>() * span_ / Scalar(1000), ahead_by = is_at_kink ? Scalar(0) : step;
             Events ahead, behind;
-            system_.guards(mode, x_, inputs_(moved(x_, dxdt, step), t_ + step), t_, ahead);
-            system_.guards(mode, x_, inputs_(moved(x_, dxdt, -step), t_ - step), t_, behind);
-            slope += (ahead[event] - behind[event]) / (Scalar(2) * step);
+            system_.guards(mode, x_, inputs_(moved(x_, dxdt, ahead_by), at + ahead_by), at, ahead);
+            system_.guards(mode, x_, inputs_(moved(x_, dxdt, -step), at - step), at, behind);
+            slope += (ahead[event] - behind[event]) / (step + ahead_by);
+        }
+        // A guard that jumps there makes the event happen when the kink does; one that comes to its zero by itself does not.
+        if (is_at_kink && abs(value(system_, x_, t_ + d) - value(system_, x_, t_ - d)) > Scalar(1e-6) * abs(slope) * span_) {
+            const MovingKink* kink = moving_kink(t_);
+            return kink != nullptr ? kink->slope : fixed;
         }
         const Scalar here = value(system_, x_, t_);
         const bool is_caused = has_last_ && t_ - time_of_last_ <= instant(t_) && here < -abs(slope) * instant(t_);

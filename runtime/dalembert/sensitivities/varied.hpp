@@ -47,7 +47,7 @@ struct WithColumns {
     static std::size_t of_run() noexcept { return Size::of_run() * (1 + columns_of_run); }
 };
 
-/// What belongs to each of a list of what is varied: an array where their number is known, else a vector.
+/// One T for each entry of a list of Varied: in an array if the list is one, else in a vector.
 template <class List>
 struct Columns;
 template <std::size_t count>
