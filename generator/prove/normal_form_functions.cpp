@@ -12,6 +12,20 @@ namespace dalembert {
 
 using GiNaC::ex;
 
+namespace {
+
+/// What all terms have in common in even powers, so that no negative or higher ones are left.
+Monomial squares_in(const Polynomial& p) {
+    Monomial result;
+    for (const auto& [letter, exponent] : common_factor(p)) {
+        const int pairs = exponent >= 0 ? exponent / 2 : (exponent - 1) / 2;
+        if (pairs != 0) result.push_back({letter, 2 * pairs});
+    }
+    return result;
+}
+
+}  // namespace
+
 Polynomial NormalForm::function(const ex& e) {
     if (is_ex_the_function(e, whole) || is_ex_the_function(e, unlocated)) return convert(e.op(0));
     const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
@@ -152,6 +166,7 @@ Polynomial NormalForm::sign_of(const Polynomial& whole) {
     };
     if (std::all_of(argument.terms().begin(), argument.terms().end(), has_that_sign)) return Polynomial(negative ? -1 : 1);
     Polynomial positive = argument * raised(positive_factor(argument), -1);
+    positive = positive * raised(squares_in(positive), -1);
     const Rational factor = leading(positive);
     positive *= Rational(1) / factor;
     const auto [found, is_new] = signs_.emplace(positive, 0);

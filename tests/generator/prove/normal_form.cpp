@@ -78,6 +78,8 @@ TEST_CASE("identities are proven") {
         atan(1 / x) + atan(x) - sign_of(x) * Pi / 2,
         atan(exp(-x)) + atan(exp(x)) - Pi / 2,
         atan(-y / x) - atan(x / y) + sign_of(x / y) * Pi / 2,
+        atan(-y / x) - atan(x / y) + sign_of(x * y) * Pi / 2,
+        sign_of(x * x * y) - sign_of(y / x / x),
         atan(1 / (p + q * q)) + atan(p + q * q) - Pi / 2,
     };
     for (const ex& e : identities) {
@@ -100,6 +102,7 @@ TEST_CASE("what is no identity is not proven") {
                                  tanh(x) - x,
                                  log(x * y) - log(x),
                                  sign_of(x) - 1,
+                                 sign_of(x * y) - sign_of(y),
                                  atan(1 / p) - atan(p) - Pi / 2,
                                  atan(1 / x) + atan(x) - Pi / 2,
                                  pow(sin(x), 2) + pow(cos(y), 2) - 1,
