@@ -50,6 +50,7 @@ ProgramBuilder::ProgramBuilder(Atoms& atoms, ParameterCache& cache, ParameterPar
       cache_(cache),
       parts_(passes.constants ? parts : ParameterParts::in_place),
       factors_(passes.factoring),
+      nests_(passes.nesting),
       program_(program),
       network_{} {}
 
@@ -329,7 +330,7 @@ void ProgramBuilder::collect_terms(const CubeSum& sum, std::vector<std::pair<boo
         }
     }
     const auto most = std::max_element(uses.begin(), uses.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (most == uses.end() || most->second < 2) {
+    if (!nests_ || most == uses.end() || most->second < 2) {
         for (const Cube& cube : sum) {
             std::vector<NodeId> factors;
             const Rational size = cln::abs(cube.coefficient);

@@ -91,7 +91,7 @@ private:
     Atoms& atoms_;
     ParameterCache& cache_;
     ParameterParts parts_;
-    bool factors_;
+    bool factors_, nests_;
     Program& program_;
 
     std::vector<Value> roots_;

@@ -11,6 +11,7 @@ struct Passes {
     bool chain = true;
     bool constants = true;
     bool factoring = true;
+    bool nesting = true;
     bool angles = true;
     bool reciprocals = true;
     bool loops = true;
@@ -27,6 +28,7 @@ inline constexpr std::array all_passes{
     Pass{"chain", &Passes::chain, "motion from body to body, if that is shorter"},
     Pass{"constants", &Passes::constants, "expressions of parameters alone are computed once"},
     Pass{"factoring", &Passes::factoring, "common factors and sums are computed once"},
+    Pass{"nesting", &Passes::nesting, "sums are nested (Horner's scheme): what terms share is multiplied once"},
     Pass{"angles", &Passes::angles, "sine and cosine of one angle in one call"},
     Pass{"reciprocals", &Passes::reciprocals, "repeated divisions by one pivot become multiplications by its reciprocal"},
     Pass{"loops", &Passes::loops, "loops solve a mass matrix of more than seven rows, unless it is sparse"},

@@ -11,7 +11,7 @@ source_dir=$(cd "$(dirname "$0")/../.." && pwd)
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
 march=-march=$([ "$(uname -m)" = x86_64 ] && echo x86-64-v3 || echo native)
-passes=(rewriting chain constants factoring angles reciprocals loops)
+IFS=, read -ra passes <<<"$("$program" generate --help | sed -n 's/.*--without TEXT:{\(.*\)}.*/\1/p')"
 
 operations() { awk -v f="$2" '$1 == "//" && $2 == f { print $3 + $4 + $5 + $6 + $7; exit }' "$here/$1.hpp"; }
 

@@ -206,7 +206,7 @@ same() {
 }
 
 # Without rewriting, too, digits are lost that it keeps: `dalembert accuracy --without rewriting` shows these.
-passes=chain,constants,factoring,angles,reciprocals,loops
+passes=$("$PROGRAM" generate --help | sed -n 's/.*--without TEXT:{rewriting,\(.*\)}.*/\1/p')
 if [ "${1:-}" = full ]; then
   while read -r model; do
     limit=4 beside_largest=
@@ -233,7 +233,7 @@ if [ "${1:-}" = full ]; then
   same hydraulics/torricelli double -- --fix parameters
   same hydraulics/hydraulic_cylinder double -- --without constants,factoring
   same mechanics/n_pendulum double --size N=12 -- --without constants
-  for option in '--fix parameters' '--without constants' '--without factoring' '--without angles' '--without reciprocals'; do
+  for option in '--fix parameters' '--without constants' '--without factoring' '--without nesting' '--without angles' '--without reciprocals'; do
     same mechanics/arm_6r double --scene plain -- $option
   done
   limit=5 same mechanics/arm_6r double --scene plain -- --without chain
@@ -246,7 +246,7 @@ same mechanics/slider_crank double -- --together
 same heat/fin double -- --fix parameters
 same mechanics/n_pendulum double --size N=6 -- --fix g
 same mechanics/n_pendulum double --size N=6 -- --without chain
-for option in '--fix parameters' '--without constants' '--without factoring' '--without angles' '--without reciprocals'; do
+for option in '--fix parameters' '--without constants' '--without factoring' '--without nesting' '--without angles' '--without reciprocals'; do
   same mechanics/cart_pendulum double -- $option
 done
 same mechanics/spherical_pendulum double -- --without rewriting
