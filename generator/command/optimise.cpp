@@ -75,11 +75,11 @@ struct OptimumFound {
     RepeatedRun::End end, coarser;
 };
 
-OptimumFound search(const RepeatedRun& run, const Expression& parameter, const OptimiseResult& wanted) {
-    const auto value = [&](double p) { return (wanted.is_largest ? 1 : -1) * run(parameter, p).value; };
+OptimumFound search(const RepeatedRun& run, const OptimiseResult& wanted) {
+    const auto value = [&](double p) { return (wanted.is_largest ? 1 : -1) * run(p).value; };
     OptimumSearch found = find_maximum(value, wanted.low, wanted.high, static_cast<std::size_t>(wanted.points));
     const double at = found.best.at;
-    return {std::move(found), run(parameter, at), run(parameter, at, RepeatedRun::Care::coarse)};
+    return {std::move(found), run(at), run(at, RepeatedRun::Care::coarse)};
 }
 
 void fill(OptimiseResult& result, const OptimumFound& found) {
@@ -129,10 +129,10 @@ ExitCode optimise_command(const Options& options, Streams streams) {
             Id::bad_option, over.low->span,
             fmt::format("the search for '{}' would begin at {} and end at {}; give the smaller value first", result.parameter.name,
                         with_units(result.low, result.parameter, 6), with_units(result.high, result.parameter, 6))});
-    run.compile();
+    run.compile(parameter_of(*over.parameter, system));
     std::optional<OptimumFound> found;
     try {
-        found = search(run, *over.parameter, result);
+        found = search(run, result);
     } catch (const RunStopped& stopped) {
         streams.err << fmt::format("dalembert: {}, scene {}: {}\n", result.subject.sized_name, result.subject.scene, stopped.what());
         return ExitCode::run_stopped;

@@ -41,10 +41,10 @@ CLI::Option* VerbOptions::one_of(CLI::Option* option, std::vector<std::string> w
     return option->check(CLI::Validator(problem, listed));
 }
 
-void VerbOptions::model_alone() { verb_.add_option("MODEL", given_.model, "model file")->required(); }
+void VerbOptions::model_alone(Model need) { verb_.add_option("MODEL", given_.model, "model file")->required(need == Model::required); }
 
-void VerbOptions::model() {
-    model_alone();
+void VerbOptions::model(Model need) {
+    model_alone(need);
     verb_.add_option("--scene", options.choice.scene,
                      "scene, if the model has several; NAME+EFFECT adds an effect, NAME-EFFECT leaves one out");
     sizes("size of a family, as N=5");

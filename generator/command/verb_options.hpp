@@ -38,9 +38,10 @@ public:
     /// File names that are written after the verb.
     void files(const char* name, const char* doc) { verb_.add_option(name, options.models, doc)->required(); }
 
-    void model_alone();
+    enum class Model { required, optional };
+    void model_alone(Model need = Model::required);
     /// With scene and sizes.
-    void model();
+    void model(Model need = Model::required);
     void sizes(const char* doc);
     void output();
     /// text and json, or what is given.

@@ -23,6 +23,7 @@ ExitCode simulate_command(const Options& options, Streams streams);
 ExitCode equilibrium_command(const Options& options, Streams streams);
 ExitCode modal_command(const Options& options, Streams streams);
 ExitCode optimise_command(const Options& options, Streams streams);
+ExitCode study_command(const Options& options, Streams streams);
 ExitCode survey_command(const Options& options, Streams streams);
 ExitCode gallery_command(const Options& options, Streams streams);
 ExitCode effects_command(const Options& options, Streams streams);
@@ -163,6 +164,34 @@ void take_optimise(VerbOptions& o) {
     o.cache();
 }
 
+void take_study(VerbOptions& o) {
+    o.model(VerbOptions::Model::optional);
+    o.add("--vary", o.options.vary,
+          "parameters, start values of coordinates, velocities and states, and constant inputs, as \"m_W=normal(1, 5 %), d_R=0.1:1:10\": "
+          "a grid LOW:HIGH:COUNT, or a distribution, which is cut off at the range of the model");
+    o.add("--runs", o.options.runs, "number of runs, where distributions are varied");
+    o.one_of(o.add("--sampling", o.options.sampling, "points of distributions: random, or of a Sobol sequence; the latter with --indices"),
+             {"random", "sobol"});
+    o.flag("--indices", o.options.indices, "compute first-order and total Sobol indices; the runs are in groups of two more than what is varied");
+    o.add("--seed", o.options.seed, "seed of the points")->capture_default_str();
+    o.add("--observe", o.options.observe,
+          "what is kept of a run, as \"max(phi), end(s)^2, time(EVENT)\"; if left out, states and outputs at the end");
+    o.add("--worst", o.options.worst, "number of runs with the smallest and largest values that are told")
+        ->capture_default_str()->check(CLI::Range(0, 1000));
+    o.add("--only", o.options.only, "number of a run that is made again; its CSV is that of simulate");
+    o.add("--shard", o.options.shard,
+          "part of the runs, as 2/3; if left out, the part that SLURM_ARRAY_TASK_ID and its companions say, or all");
+    o.add("--merge", o.options.merge, "files of all shards, which become the file of the whole study; without a model");
+    o.add("--jobs", o.options.jobs, "number of threads; if left out, one for each processor")->check(CLI::Range(1, 1024));
+    o.settings();
+    o.output();
+    o.format();
+    o.integration();
+    o.until();
+    o.flag("--no-plot", o.options.no_plot, "draw no histograms and scatter plots");
+    o.cache();
+}
+
 void take_survey(VerbOptions& o) {
     o.files("MODELS", "model files");
     o.sizes("size of a family, as N=5, for the models that have it");
@@ -262,6 +291,8 @@ constexpr auto table = std::to_array<Verb>({
      modal_command,
      take_modal},
     {"optimise", "find the parameter that maximises or minimises an output at the end of a run", optimise_command, take_optimise},
+    {"study", "make many runs with varied parameters, start values and inputs; write a CSV with a row for each, statistics and plots",
+     study_command, take_study},
     {"survey", "check, generate and simulate several models; print a table", survey_command, take_survey},
     {"gallery", "write gallery.html and GALLERY.md: a small plot, numbers, traits, verdicts and links for each of several models",
      gallery_command, take_gallery},

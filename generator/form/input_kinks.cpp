@@ -87,17 +87,16 @@ private:
     double until_;
 };
 
-/// Whether time is all that moves in e.
-bool is_of_time_alone(const ex& e, const ex& time) {
+/// Whether time is all that moves in e, but for letters that stand for numbers.
+bool is_of_time_alone(const ex& e, const ex& time, const GiNaC::exset& letters) {
     if (!e.has(time)) return false;
     for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
-        if (GiNaC::is_a<GiNaC::symbol>(*part) && !part->is_equal(time)) return false;
+        if (GiNaC::is_a<GiNaC::symbol>(*part) && !part->is_equal(time) && !letters.contains(*part)) return false;
     return true;
 }
 
-}  // namespace
-
-std::vector<double> input_kinks(const System& system, const std::vector<ex>& inputs, const Values& values, double until) {
+/// The functions whose changes of sign are kinks.
+std::vector<ex> functions_of_time(const System& system, const std::vector<ex>& inputs, const Values& values, const GiNaC::exset& letters) {
     const Symbols& symbols = system.symbols;
     GiNaC::exmap parameters, given;
     for (std::size_t i = 0; i < symbols.count(SymbolKind::parameter); ++i)
@@ -107,7 +106,7 @@ std::vector<double> input_kinks(const System& system, const std::vector<ex>& inp
     const auto add = [&](const ex& e) {
         const ex function = symbols.without_definitions(e).subs(parameters, GiNaC::subs_options::no_pattern);
         const bool is_known = std::any_of(functions.begin(), functions.end(), [&](const ex& known) { return known.is_equal(function); });
-        if (!is_known && is_of_time_alone(function, symbols.time())) functions.push_back(function);
+        if (!is_known && is_of_time_alone(function, symbols.time(), letters)) functions.push_back(function);
     };
     // What stands inside another comes first.
     const auto add_switches = [&](const ex& e) {
@@ -121,8 +120,21 @@ std::vector<double> input_kinks(const System& system, const std::vector<ex>& inp
         add_switches(value);
         add(value);
     }
+    return functions;
+}
+
+}  // namespace
+
+bool kinks_move(const System& system, const std::vector<ex>& inputs, const Values& values, const GiNaC::exset& letters) {
+    const std::vector<ex> functions = functions_of_time(system, inputs, values, letters);
+    return std::any_of(functions.begin(), functions.end(), [&](const ex& function) {
+        return std::any_of(letters.begin(), letters.end(), [&](const ex& letter) { return function.has(letter); });
+    });
+}
+
+std::vector<double> input_kinks(const System& system, const std::vector<ex>& inputs, const Values& values, double until) {
     std::set<double> kinks;
-    for (const ex& function : functions) Kinks(function, symbols.time(), until).find(kinks);
+    for (const ex& function : functions_of_time(system, inputs, values, {})) Kinks(function, system.symbols.time(), until).find(kinks);
     // A zero that is a number has one just before it and one on it.
     std::vector<double> result;
     for (const double kink : kinks)

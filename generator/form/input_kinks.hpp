@@ -12,4 +12,7 @@ namespace dalembert {
 /// one may be missed. Throws Failure (too-large).
 std::vector<double> input_kinks(const System& system, const std::vector<GiNaC::ex>& inputs, const Values& values, double until);
 
+/// Whether these times may change with letters that stand in `inputs` and `values` in the place of numbers.
+bool kinks_move(const System& system, const std::vector<GiNaC::ex>& inputs, const Values& values, const GiNaC::exset& letters);
+
 }  // namespace dalembert

@@ -44,6 +44,16 @@ struct Options {
     std::string maximise, minimise;       ///< what optimise looks for
     std::string over;                     ///< "alpha=10deg:80deg"
     int points = 33;                      ///< of its scan
+    std::vector<std::string> vary;        ///< of study: "m_W=normal(1, 5 %), d_R=0.1:1:10"
+    std::vector<std::string> observe;     ///< "max(phi), end(s)"
+    std::uint64_t runs = 0;
+    std::string sampling;                 ///< "random" or "sobol"; empty: as fits
+    bool indices = false;                 ///< Sobol indices
+    int jobs = 0;                         ///< threads; 0: one a processor
+    std::string shard;                    ///< "2/3"
+    std::vector<std::string> merge;       ///< files of shards
+    std::string only;                     ///< the number of a run that is made again
+    int worst = 3;                        ///< runs at either end that are told
     std::string budget;                   ///< "1 ms step, 20 us"
     std::vector<std::string> methods;     ///< that cost measures; all, if empty
     std::vector<std::string> arithmetics;

@@ -7,18 +7,13 @@
 #include <cmath>
 
 #include "elements/model.hpp"
-#include "prove/constraint_validity.hpp"
-#include "prove/value_checks.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
 
 RepeatedRun::RepeatedRun(const std::shared_ptr<const LoadedModel>& model, const Options& options, const std::string& wanted)
-    : options_(options),
-      preparation_(model->model, options),
-      machine_(derive_machine(model, preparation_.scene(options.choice.scene), options.choice.sizes)) {
-    header_ = generate(machine_);
-    const System& system = *machine_.system;
+    : runs_(model, options, "optimise") {
+    const System& system = *machine().system;
     const std::vector<std::string> names = recorded_names(wanted, system);
     if (names.size() != 1) {
         std::vector<std::string> known;
@@ -30,46 +25,34 @@ RepeatedRun::RepeatedRun(const std::shared_ptr<const LoadedModel>& model, const 
                                                : fmt::format("'{}' is a family; name a member, as in '{}'", wanted, names.front())});
     }
     constexpr double fine = 1e-12;
-    const SimulationSettings settings = preparation_.make_settings(values(), system);
-    tolerance_ = options.tolerance > 0 ? options.tolerance : std::min(settings.tolerance, fine);
-    source_ = source_of_plant(*machine_.code, header_, settings);
+    tolerance_ = options.tolerance > 0 ? options.tolerance : std::min(runs_.settings().tolerance, fine);
     wanted_ = names.front();
 }
 
-void RepeatedRun::compile() { library_.emplace(source_, plant_cache(options_)); }
-
-/// Those of the model, the run and the command line.
-Values RepeatedRun::values() const {
-    Values result(machine_.system->scene, machine_.system->translate);
-    preparation_.set_values(result, *machine_.system);
-    return result;
+void RepeatedRun::compile(const Variable& parameter) {
+    parameter_ = parameter.name;
+    runs_.vary({&parameter});
+    runs_.compile();
 }
 
-RepeatedRun::End RepeatedRun::operator()(const Expression& parameter, double value, Care care) const {
-    const System& system = *machine_.system;
-    Values at = values();
-    at.set(parameter, *make_number(cln::rational(cln::cl_DF(value)), parameter.span), on_parameters);
-    meet_constraints(system, at);
-    check_values(system, at);
-    SimulationSettings settings = preparation_.make_settings(at, system);
-    settings.tolerance = tolerance_;
+RepeatedRun::End RepeatedRun::operator()(double value, Care care) const {
+    const System& system = *machine().system;
+    PlantRun run = runs_(std::span(&value, 1));
+    run.tolerance = tolerance_;
     if (care == Care::coarse) {
-        settings.tolerance = std::min(10 * tolerance_, 0.5);
-        settings.step *= 2;
-        settings.intervals = std::max(1, settings.intervals / 2);
+        run.tolerance = std::min(10 * tolerance_, 0.5);
+        run.step *= 2;
+        run.intervals = std::max<std::size_t>(1, run.intervals / 2);
     }
-    PlantRun run = run_of_plant(system, at, settings);
     run.keeps_all = false;
-    const PlantRunResult result = simulate_plant(library_->table(), run);
+    const PlantRunResult result = simulate_plant(runs_.plant(), run);
     const Status status = result.outcome.status;
     End end{0, result.outcome.t, static_cast<double>(result.outcome.steps), ""};
-    const std::size_t event = result.outcome.guard;
-    const bool ends = status == Status::event && !system.scene.modes.empty() && event < system.events.size() &&
-                      system.events[event].item != nullptr && !system.events[event].item->is_limit;
-    if (ends) end.event = system.events[event].name;
+    const EventEquation* ends = event_that_ended(result.outcome, system);
+    if (ends != nullptr) end.event = ends->name;
     if (!result.recording.rows.empty()) end.value = result.recording.rows.back()[result.recording.find(wanted_)];
-    if ((status != Status::success && !ends) || !std::isfinite(end.value))
-        throw RunStopped(fmt::format("with {} = {:.6g} the run does not reach its end: {} at t = {:.6g} s", parameter.written(), value,
+    if ((status != Status::success && ends == nullptr) || !std::isfinite(end.value))
+        throw RunStopped(fmt::format("with {} = {:.6g} the run does not reach its end: {} at t = {:.6g} s", parameter_, value,
                                      status == Status::success ? "not finite" : to_string(status), end.t));
     return end;
 }

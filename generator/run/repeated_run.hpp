@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A run whose plant is compiled once, made many times, with other values of one parameter.
+// The end of a run, with other values of one parameter.
 #pragma once
 
-#include "run/run_preparation.hpp"
-#include "run/settings.hpp"
-#include "run/simulation.hpp"
+#include "run/varied_runs.hpp"
 
 namespace dalembert {
 
@@ -14,7 +12,7 @@ public:
     RepeatedRun(const std::shared_ptr<const LoadedModel>& model, const Options& options, const std::string& wanted);
 
     /// Once, before the first run. Throws Failure (tool-failed).
-    void compile();
+    void compile(const Variable& parameter);
 
     struct End {
         double value;  ///< of what is wanted, in SI
@@ -24,22 +22,16 @@ public:
     };
     /// How exactly a run is made: at ten times the tolerance and twice the largest step, it shows what both leave.
     enum class Care { usual, coarse };
-    /// The end of the run with a parameter set to a number in SI. Throws RunStopped, Failure.
-    End operator()(const Expression& parameter, double value, Care care = Care::usual) const;
+    /// The end of the run with the parameter set to a number in SI. Throws RunStopped, Failure.
+    End operator()(double value, Care care = Care::usual) const;
 
-    const Machine& machine() const { return machine_; }
+    const Machine& machine() const { return runs_.machine(); }
 
 private:
-    Values values() const;
-
-    const Options& options_;
-    RunPreparation preparation_;
-    Machine machine_;
-    Header header_;
-    PlantSource source_;
+    VariedRuns runs_;
+    std::string parameter_;
     std::string wanted_;    ///< as the recording has it
     double tolerance_ = 0;  ///< that of the command line, else 1e-12 or what the run has, where that is finer
-    std::optional<PlantLibrary> library_;
 };
 
 }  // namespace dalembert

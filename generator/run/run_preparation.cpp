@@ -232,6 +232,19 @@ SimulationSettings RunPreparation::make_settings(const Values& values, const Sys
     return settings;
 }
 
+bool RunPreparation::settings_move(const Values& values, const System& system, const GiNaC::exset& letters) const {
+    const GiNaC::exmap at = values.substitution();
+    std::vector<ExpressionPtr> times;
+    if (run_ != nullptr) times = {run_->until, run_->step, run_->period};
+    if (!options_.until.empty()) times.push_back(parse_expression(excerpt_of(std::make_shared<const Source>("--until", options_.until))));
+    for (const ExpressionPtr& time : times) {
+        if (!time) continue;
+        const ex value = system.translate(*time, {}).subs(at, GiNaC::subs_options::no_pattern);
+        if (std::any_of(letters.begin(), letters.end(), [&](const ex& letter) { return value.has(letter); })) return true;
+    }
+    return kinks_move(system, inputs(values, system), values, letters);
+}
+
 std::vector<ex> RunPreparation::inputs_at_start(const Values& values, const System& system) const {
     std::vector<ex> result;
     for (const ex& input : inputs(values, system)) {

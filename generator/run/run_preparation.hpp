@@ -29,6 +29,8 @@ public:
     std::vector<GiNaC::ex> inputs_at_start(const Values& values, const System& system) const;
     /// Everything else, with values that are set. Throws Failure (bad-option, division-by-zero, ...).
     SimulationSettings make_settings(const Values& values, const System& system) const;
+    /// Whether these may change with letters that stand in `values` in the place of numbers.
+    bool settings_move(const Values& values, const System& system, const GiNaC::exset& letters) const;
 
 private:
     std::vector<GiNaC::ex> inputs(const Values& values, const System& system) const;

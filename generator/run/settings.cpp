@@ -17,17 +17,6 @@ namespace dalembert {
 
 namespace {
 
-/// The next comma outside of brackets, or the end.
-std::size_t end_of_part(const std::string& text, std::size_t from) {
-    int depth = 0;
-    for (std::size_t i = from; i < text.size(); ++i) {
-        if (text[i] == '(' || text[i] == '[') ++depth;
-        if (text[i] == ')' || text[i] == ']') --depth;
-        if (text[i] == ',' && depth <= 0) return i;
-    }
-    return text.size();
-}
-
 Setting parse_setting(const SourcePtr& source, std::size_t begin, std::size_t end, const std::string& option) {
     const std::size_t equals = source->text().find('=', begin);
     if (equals == std::string::npos || equals >= end)
@@ -38,6 +27,16 @@ Setting parse_setting(const SourcePtr& source, std::size_t begin, std::size_t en
 }
 
 }  // namespace
+
+std::size_t end_of_part(const std::string& text, std::size_t from) {
+    int depth = 0;
+    for (std::size_t i = from; i < text.size(); ++i) {
+        if (text[i] == '(' || text[i] == '[') ++depth;
+        if (text[i] == ')' || text[i] == ']') --depth;
+        if (text[i] == ',' && depth <= 0) return i;
+    }
+    return text.size();
+}
 
 std::vector<Setting> parse_settings(const std::vector<std::string>& texts, const std::string& option) {
     std::vector<Setting> settings;

@@ -14,6 +14,9 @@ struct Setting {
     ExpressionPtr value;
 };
 
+/// The next comma outside of brackets, or the end.
+std::size_t end_of_part(const std::string& text, std::size_t from);
+
 /// `option` names the option in diagnostics. Throws Failure (bad-option, syntax, unknown-unit).
 std::vector<Setting> parse_settings(const std::vector<std::string>& texts, const std::string& option);
 

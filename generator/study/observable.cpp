@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study/observable.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "language/parser.hpp"
+#include "run/settings.hpp"
+#include "text/nearest.hpp"
+
+namespace dalembert {
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+constexpr std::array of_runs{
+    ObserverSpec{"end(x)", "value of an expression at the end of the run; x alone means the same"},
+    ObserverSpec{"start(x)", "its value where the run begins"},
+    ObserverSpec{"max(x)", "its largest value at the samples of the run"},
+    ObserverSpec{"min(x)", "its smallest value there"},
+    ObserverSpec{"time(EVENT)", "time at which an event happens first"},
+    ObserverSpec{"count(EVENT)", "number of times that it happens"},
+};
+
+struct NumberFunction {
+    const char* name;
+    double (*of)(double);
+    bool is_of_any_unit;  ///< and keeps it
+};
+
+constexpr std::array of_numbers{
+    NumberFunction{"abs", [](double x) { return std::fabs(x); }, true},  NumberFunction{"exp", [](double x) { return std::exp(x); }, false},
+    NumberFunction{"log", [](double x) { return std::log(x); }, false},  NumberFunction{"sin", [](double x) { return std::sin(x); }, false},
+    NumberFunction{"cos", [](double x) { return std::cos(x); }, false},  NumberFunction{"tan", [](double x) { return std::tan(x); }, false},
+    NumberFunction{"asin", [](double x) { return std::asin(x); }, false}, NumberFunction{"acos", [](double x) { return std::acos(x); }, false},
+    NumberFunction{"atan", [](double x) { return std::atan(x); }, false},
+};
+
+/// A value with its dimension, of a row or of a whole run.
+template <class From>
+struct Measured {
+    std::function<double(const From&)> value;
+    Dimension dimension;
+    std::string unit = {};  ///< of a column alone
+};
+
+using Row = std::vector<double>;
+
+class ObservableReader {
+public:
+    explicit ObservableReader(const System& system) : system_(system), columns_(recorded_columns(system)) {}
+
+    Observable read(const ExpressionPtr& e) const {
+        const auto whole = of<PlantRunResult>(*e);
+        std::string unit = whole.unit;
+        if (unit.empty() && !whole.dimension.is_none()) unit = whole.dimension.in_base_units();
+        return {e->written(), unit == "1" ? "" : unit, whole.value};
+    }
+
+private:
+    [[noreturn]] static void refuse(const Expression& e, std::string sentence, Id id = Id::bad_option) {
+        throw Failure(Diagnostic{id, e.span, std::move(sentence)});
+    }
+
+    template <class From>
+    Measured<From> of(const Expression& e) const {
+        using Kind = Expression::Kind;
+        switch (e.kind) {
+            case Kind::number: {
+                const double value = cln::double_approx(e.value);
+                const Dimension dimension = e.name.empty() ? Dimension() : dimension_of(e.name);
+                return {[value](const From&) { return value; }, dimension};
+            }
+            case Kind::negate: {
+                auto a = of<From>(*e.children[0]);
+                return {[v = a.value](const From& from) { return -v(from); }, a.dimension, a.unit};
+            }
+            case Kind::add: return sum<From>(e, [](double a, double b) { return a + b; });
+            case Kind::subtract: return sum<From>(e, [](double a, double b) { return a - b; });
+            case Kind::multiply: {
+                auto [a, b] = both<From>(e);
+                return {[v = a.value, w = b.value](const From& from) { return v(from) * w(from); }, a.dimension * b.dimension};
+            }
+            case Kind::divide: {
+                auto [a, b] = both<From>(e);
+                return {[v = a.value, w = b.value](const From& from) { return v(from) / w(from); }, a.dimension / b.dimension};
+            }
+            case Kind::power: return power<From>(e);
+            case Kind::call:
+            case Kind::name: break;
+            case Kind::sum: refuse(e, "a study observes no sums over an index");
+        }
+        if constexpr (std::is_same_v<From, Row>) {
+            if (const auto column = column_of(e)) return *column;
+        } else {
+            if (const auto of_run = observed(e)) return *of_run;
+            if (const auto column = column_of(e)) return at_end(*column);
+        }
+        return function<From>(e);
+    }
+
+    template <class From>
+    std::pair<Measured<From>, Measured<From>> both(const Expression& e) const {
+        return {of<From>(*e.children[0]), of<From>(*e.children[1])};
+    }
+
+    template <class From, class Operation>
+    Measured<From> sum(const Expression& e, Operation operation) const {
+        auto [a, b] = both<From>(e);
+        if (!(a.dimension == b.dimension))
+            refuse(e, fmt::format("'{}' is in {}, but '{}' is in {}", e.children[0]->written(), a.dimension.usual_unit(),
+                                  e.children[1]->written(), b.dimension.usual_unit()),
+                   Id::unit_mismatch);
+        return {[v = a.value, w = b.value, operation](const From& from) { return operation(v(from), w(from)); }, a.dimension,
+                a.unit == b.unit ? a.unit : ""};
+    }
+
+    template <class From>
+    Measured<From> power(const Expression& e) const {
+        auto [a, b] = both<From>(e);
+        Dimension dimension;
+        if (!a.dimension.is_none()) {
+            const double exponent = b.value(From{});
+            const bool is_number = e.children[1]->kind == Expression::Kind::number ||
+                                   (e.children[1]->kind == Expression::Kind::negate &&
+                                    e.children[1]->children[0]->kind == Expression::Kind::number);
+            if (!is_number || 2 * exponent != std::floor(2 * exponent) || std::fabs(exponent) > 100)
+                refuse(e, fmt::format("'{}' has a unit, so its exponent must be a whole or half number", e.children[0]->written()),
+                       Id::unit_mismatch);
+            dimension = a.dimension.raised(Fraction::reduced(static_cast<long long>(2 * exponent), 2));
+        }
+        return {[v = a.value, w = b.value](const From& from) { return std::pow(v(from), w(from)); }, dimension};
+    }
+
+    template <class From>
+    Measured<From> function(const Expression& e) const {
+        if (e.kind == Expression::Kind::name) unknown(e);
+        std::vector<Measured<From>> arguments;
+        const auto known = std::find_if(of_numbers.begin(), of_numbers.end(), [&](const NumberFunction& f) { return f.name == e.name; });
+        const bool is_of_two = e.name == "max" || e.name == "min";
+        if (known == of_numbers.end() && e.name != "sqrt" && !is_of_two) unknown(e);
+        if (e.children.size() != (is_of_two ? 2 : 1))
+            refuse(e, fmt::format("'{}' takes {} here", e.name, is_of_two ? "two arguments" : "one argument"), Id::wrong_arguments);
+        for (const ExpressionPtr& child : e.children) arguments.push_back(of<From>(*child));
+        const auto a = arguments[0].value;
+        const Dimension& dimension = arguments[0].dimension;
+        if (is_of_two) {
+            const bool is_largest = e.name == "max";
+            return sum<From>(e, [is_largest](double x, double y) { return is_largest ? std::max(x, y) : std::min(x, y); });
+        }
+        if (e.name == "sqrt") return {[a](const From& from) { return std::sqrt(a(from)); }, dimension.raised({1, 2})};
+        if (!known->is_of_any_unit && !dimension.is_none())
+            refuse(*e.children[0], fmt::format("'{}' is in {}, but '{}' takes a number without a unit", e.children[0]->written(),
+                                               dimension.usual_unit(), e.name),
+                   Id::unit_mismatch);
+        return {[a, f = known->of](const From& from) { return f(a(from)); }, known->is_of_any_unit ? dimension : Dimension(),
+                known->is_of_any_unit ? arguments[0].unit : ""};
+    }
+
+    [[noreturn]] void unknown(const Expression& e) const {
+        std::vector<std::string> known;
+        for (const Column& column : columns_) known.push_back(column.name);
+        const std::string family = e.written() + "[";
+        for (const std::string& name : known)
+            if (name.starts_with(family)) refuse(e, fmt::format("'{}' is a family; name a member, as in '{}'", e.written(), name));
+        std::string forms;
+        for (const ObserverSpec& one : of_runs) forms += fmt::format("{}{}", forms.empty() ? "" : ", ", one.written);
+        refuse(e, fmt::format("'{}' is not recorded in scene '{}'{}; a study observes {} and expressions of these", e.written(),
+                              system_.scene.name, did_you_mean(e.written(), known), forms),
+               Id::unknown_name);
+    }
+
+    static Dimension dimension_of(const std::string& unit) {
+        return unit.empty() ? Dimension() : parse_unit(excerpt_of(std::make_shared<const Source>("unit", unit))).dimension;
+    }
+
+    std::optional<Measured<Row>> column_of(const Expression& e) const {
+        std::string written = e.written();
+        written.erase(std::remove(written.begin(), written.end(), ' '), written.end());
+        for (std::size_t i = 0; i < columns_.size(); ++i)
+            if (columns_[i].name == written)
+                return Measured<Row>{[i](const Row& row) { return row[i]; }, dimension_of(columns_[i].unit), columns_[i].unit};
+        return std::nullopt;
+    }
+
+    static Measured<PlantRunResult> at_end(const Measured<Row>& of_row) {
+        return {[v = of_row.value](const PlantRunResult& run) { return run.recording.rows.empty() ? none : v(run.recording.rows.back()); },
+                of_row.dimension, of_row.unit};
+    }
+
+    std::optional<Measured<PlantRunResult>> observed(const Expression& e) const {
+        if (e.kind != Expression::Kind::call || e.children.size() != 1) return std::nullopt;
+        const Expression& argument = *e.children[0];
+        if (e.name == "time" || e.name == "count") return of_event(e, argument);
+        if (e.name == "end") return at_end(of<Row>(argument));
+        if (e.name == "start") {
+            const auto of_row = of<Row>(argument);
+            return Measured<PlantRunResult>{
+                [v = of_row.value](const PlantRunResult& run) { return run.recording.rows.empty() ? none : v(run.recording.rows.front()); },
+                of_row.dimension, of_row.unit};
+        }
+        if (e.name != "max" && e.name != "min") return std::nullopt;
+        const auto of_row = of<Row>(argument);
+        const double sign = e.name == "max" ? 1 : -1;
+        return Measured<PlantRunResult>{[v = of_row.value, sign](const PlantRunResult& run) {
+                                            double found = none;
+                                            for (const Row& row : run.recording.rows)
+                                                if (const double value = v(row); !(sign * value <= sign * found)) found = value;
+                                            return found;
+                                        },
+                                        of_row.dimension, of_row.unit};
+    }
+
+    Measured<PlantRunResult> of_event(const Expression& e, const Expression& named) const {
+        std::vector<std::string> known;
+        for (const EventEquation& event : system_.events) known.push_back(event.name);
+        const std::string name = named.written();
+        const auto found = std::find(known.begin(), known.end(), name);
+        if (found == known.end())
+            refuse(named,
+                   system_.scene.modes.empty()
+                       ? fmt::format("scene '{}' does not switch, so no event '{}' is recorded", system_.scene.name, name)
+                       : fmt::format("scene '{}' has no event '{}'; its events are {}", system_.scene.name, name, quoted_list(known)),
+                   Id::unknown_name);
+        const auto number = static_cast<std::size_t>(found - known.begin());
+        if (e.name == "count")
+            return {[number](const PlantRunResult& run) {
+                        return static_cast<double>(std::count_if(run.events.begin(), run.events.end(),
+                                                                 [&](const EventOfRun& event) { return event.event == number; }));
+                    },
+                    Dimension()};
+        return {[number](const PlantRunResult& run) {
+                    const auto first = std::find_if(run.events.begin(), run.events.end(),
+                                                    [&](const EventOfRun& event) { return event.event == number; });
+                    return first == run.events.end() ? none : first->t;
+                },
+                Dimension::time(), "s"};
+    }
+
+    const System& system_;
+    std::vector<Column> columns_;
+};
+
+}  // namespace
+
+std::span<const ObserverSpec> observers() { return of_runs; }
+
+std::vector<Column> recorded_columns(const System& system) {
+    const auto si = [](const std::string& unit) { return unit == "1" ? "" : unit; };
+    std::vector<Column> columns{{"t", "s"}};
+    for (const Variable* state : system.symbols.state_variables())
+        columns.push_back({state->recorded_name(), si(state->is_root ? state->declared->unit.si() : state->unit)});
+    for (const OutputEquation& output : system.outputs) columns.push_back({output.name, si(output.unit)});
+    for (const Variable& input : system.symbols.all(SymbolKind::input)) columns.push_back({input.name, si(input.unit)});
+    for (const char* energy : {"kinetic_energy", "potential_energy", "internal_energy", "work"}) columns.push_back({energy, "J"});
+    if (!system.scene.modes.empty()) columns.push_back({"mode", ""});
+    return columns;
+}
+
+std::vector<Observable> read_observables(const std::vector<std::string>& texts, const System& system) {
+    std::vector<std::string> wanted = texts;
+    if (wanted.empty()) {
+        for (const Variable* state : system.symbols.state_variables()) wanted.push_back(state->recorded_name());
+        for (const OutputEquation& output : system.outputs) wanted.push_back(output.name);
+    }
+    const ObservableReader reader(system);
+    std::vector<Observable> result;
+    for (const std::string& text : wanted) {
+        const auto source = std::make_shared<const Source>("--observe", text);
+        for (std::size_t begin = 0; begin <= text.size();) {
+            const std::size_t end = end_of_part(text, begin);
+            result.push_back(reader.read(parse_expression(excerpt_of(source, begin, end))));
+            begin = end + 1;
+        }
+    }
+    return result;
+}
+
+}  // namespace dalembert
