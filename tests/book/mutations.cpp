@@ -4,7 +4,6 @@
 // zero, and another one is taken instead; all of them are listed.
 #include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <iostream>
 #include <random>
 
@@ -15,7 +14,7 @@ using namespace dalembert;
 
 namespace {
 
-const int mutations_each = std::getenv("DALEMBERT_FULL") != nullptr ? 3 : 1;
+const int mutations_each = is_full_tier() ? 3 : 1;
 
 struct Count {
     int entries = 0, mutations = 0, caught = 0;

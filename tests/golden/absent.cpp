@@ -21,8 +21,10 @@ TEST_CASE("the header of a scene is that of a model without what the scene leave
     int compared = 0;
     for (const fs::path& path : system_models()) {
         const TextModel model(content(path));
-        if (!model.leaves_out_anything()) continue;
-        for (const std::string& scene : model.scenes()) {
+        if (!model.leaves_out_anything() || (!is_full_tier() && is_slow(path))) continue;
+        std::vector<std::string> scenes = model.scenes();
+        if (!is_full_tier()) scenes.erase(scenes.begin(), scenes.end() - 1);  // of each model one
+        for (const std::string& scene : scenes) {
             const TemporaryFolder folder;
             const fs::path file = folder.path() / path.filename();
             std::ofstream(file) << model.without(scene);
@@ -36,7 +38,7 @@ TEST_CASE("the header of a scene is that of a model without what the scene leave
             ++compared;
         }
     }
-    CHECK(compared > 60);
+    CHECK(compared > (is_full_tier() ? 60 : 20));
 }
 
 TEST_CASE("five models written by hand without what the scene leaves out") {

@@ -51,10 +51,8 @@ TEST_CASE("outputs of the verbs") {
     std::set<fs::path> models{source / "tests/golden/capacitor.toml"};
     for (const auto& entry : fs::recursive_directory_iterator(source / "systems"))
         if (entry.path().extension() == ".toml") models.insert(entry.path());
-    // Their printed equations take half a minute each: of the full tier.
-    const std::set<std::string> slow{"enclosure", "4_1_heat_transfer"};
     for (const fs::path& path : models)
-        if (std::getenv("DALEMBERT_FULL") != nullptr || accepting() || !slow.contains(path.stem().string()))
+        if (is_full_tier() || accepting() || !is_slow(path))
             kept.push_back({"check_" + path.stem().string() + ".txt", {"check", path.string()}});
     for (const Kept& one : kept) {
         const Result result = run(one.arguments);

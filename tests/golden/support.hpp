@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "command/command_line.hpp"
+#include "tier.hpp"
 
 namespace golden {
 
@@ -51,6 +52,12 @@ inline std::set<fs::path> system_models() {
     for (const auto& entry : fs::recursive_directory_iterator(source / "systems"))
         if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "book") models.insert(entry.path());
     return models;
+}
+
+/// Models and catalogues that take seconds each: of the full tier, but for one header a model.
+inline bool is_slow(const fs::path& model) {
+    static const std::set<std::string> slow{"enclosure", "arm_6r", "block", "pneumatic_cylinder", "3_3_mass_and_momentum", "4_1_heat_transfer"};
+    return slow.contains(model.stem().string());
 }
 
 /// Compares with the file, or writes it.

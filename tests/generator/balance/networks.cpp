@@ -10,6 +10,7 @@
 #include "graph/verify.hpp"
 #include "elements/verdict.hpp"
 #include "symbolic/network_functions.hpp"
+#include "tier.hpp"
 
 using namespace dalembert;
 using GiNaC::ex;
@@ -84,7 +85,7 @@ TEST_CASE("the balance that defines a temperature is that of its node") {
     for (LinkState& link : system.heat.links) flipped_is_wrong(system, link.heat, link.name);
 }
 
-TEST_CASE("derivatives of a network are those of its balances") {
+TEST_CASE("derivatives of a network are those of its balances" * doctest::skip(!is_full_tier())) {
     // dT/dp from the function against the linear system that the balances give when p changes.
     const Machine machine = machine_from(nodes(2, chain("a", 1, conducts) + chain("b", 1, radiates)));
     const System& system = *machine.system;

@@ -48,7 +48,7 @@ double error_of_rk4(std::size_t steps, double until) {
 
 }  // namespace
 
-TEST_CASE("errors of an oscillator are those of an integration by hand, and a stopped measurement goes on") {
+TEST_CASE("errors of an oscillator are those of an integration by hand, and a stopped measurement goes on" * doctest::skip(!is_full)) {
     const Folder place;
     const std::string model = place.write("mass.toml", one_mass("1", "0", "10"));
     const std::vector<std::string> call{model, "--methods", "rk4,dopri5", "--arithmetics", "float,double", "--limit",

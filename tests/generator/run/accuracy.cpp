@@ -10,6 +10,7 @@
 #include "run/accuracy_measurement.hpp"
 #include "generator/command/verb.hpp"
 #include "generator/machine.hpp"
+#include "tier.hpp"
 
 using namespace dalembert;
 
@@ -155,7 +156,9 @@ TEST_CASE("exact numbers have slopes") {
 }
 
 TEST_CASE("nodes that are eliminated, enthalpies, and powers of flows that come and go keep their digits") {
+    int seen = 0;
     for (const auto& one : {std::pair("heat/immersion_heater", "heating"), std::pair("heat/block", "steady"), std::pair("heat/layered_wall", "gaps"), std::pair("heat/glazing", "mirrors"), std::pair("hydraulics/hydraulic_cylinder", "real"), std::pair("hydraulics/torricelli", "book")}) {
+        if (!is_full_tier() && ++seen > 2) break;
         CAPTURE(one.first);
         const std::filesystem::path path = std::filesystem::path(SOURCE_DIR) / "systems" / (std::string(one.first) + ".toml");
         CHECK(ask("accuracy", {path, "--scene", one.second, "--points", "100"}).code == 0);
