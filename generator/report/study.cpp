@@ -130,8 +130,8 @@ nlohmann::ordered_json as_json(const StudyResult& result) {
     json["first"] = result.first;
     json["made"] = result.last - result.first;
     json["found"] = result.found;
-    json["statuses"] = nlohmann::ordered_json::object();
-    for (const auto& [status, count] : result.statuses) json["statuses"][status] = count;
+    json["statuses"] = nlohmann::ordered_json::array();
+    for (const auto& [status, count] : result.statuses) json["statuses"].push_back({{"status", status}, {"runs", count}});
     json["left_out"] = result.left_out_count;
     json["groups_left_out"] = result.groups_left_out;
     json["observed"] = nlohmann::ordered_json::array();
@@ -173,8 +173,8 @@ nlohmann::ordered_json as_json(const RepeatedOfStudy& result) {
     json["t"] = result.row.t;
     json["values"] = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < result.varied.size(); ++i) json["values"][result.varied[i].name] = result.row.varied[i];
-    json["results"] = nlohmann::ordered_json::object();
-    for (std::size_t i = 0; i < result.observed.size(); ++i) json["results"][result.observed[i].name] = result.row.observed[i];
+    json["output"] = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < result.observed.size(); ++i) json["output"][result.observed[i].name] = result.row.observed[i];
     json["files"] = json_list(result.files);
     return json;
 }

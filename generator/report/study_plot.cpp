@@ -65,7 +65,7 @@ std::vector<std::pair<std::string, std::string>> study_plot(const RunTable& tabl
         ++rows;
     }
     if (rows == 0) return {};
-    const std::string script = data + "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\nset xtics autofreq rotate by -30\n";
+    const std::string script = data + "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\nset tics font ',8'\nset xtics rotate by -40\n";
     const std::string panels = fmt::format("set multiplot layout {},{} title {} noenhanced\n{}unset multiplot\n", rows, across + 1,
                                            gnuplot_quoted(title), draw);
     return gnuplot_pictures(script, panels, static_cast<int>(across + 1) * panel_width, static_cast<int>(rows) * panel_height + 40);

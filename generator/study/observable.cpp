@@ -60,7 +60,7 @@ public:
         const auto whole = of<PlantRunResult>(*e);
         std::string unit = whole.unit;
         if (unit.empty() && !whole.dimension.is_none()) unit = whole.dimension.in_base_units();
-        return {e->written(), unit == "1" ? "" : unit, whole.value};
+        return {column_of(*e) ? "end(" + e->written() + ")" : e->written(), unit == "1" ? "" : unit, whole.value};
     }
 
 private:

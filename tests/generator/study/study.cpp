@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Studies of a model with closed forms, and what is refused.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "generator/command/verb.hpp"
+#include "text/process.hpp"
+
+using namespace dalembert;
+
+namespace {
+
+const std::string forms = SOURCE_DIR "/tests/study/forms.toml";
+
+Answer study(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), forms);
+    return ask("study", arguments);
+}
+
+std::vector<std::string> lines_of(const std::string& file) {
+    std::ifstream in(file);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+}  // namespace
+
+TEST_CASE("indices of what is linear are the parts of the variance, and the mean is that of the means") {
+    const ScratchFolder scratch;
+    const Answer answer = study({"--vary", "a=uniform(0, 1), b=uniform(0, 1)", "--vary", "v_0=normal(0, 0.1)", "--indices", "--runs", "5120",
+                                 "--observe", "x, end(x)^2 + 1m^2, max(x) - min(x), ishigami", "--no-plot", "--format", "json", "-o", scratch.path()});
+    INFO(answer.err);
+    REQUIRE(answer.code == 0);
+    const auto json = answer.json();
+    const auto& x = json.at("observed")[0];
+    CHECK(std::fabs(x.at("mean").get<double>() - 0.75) < 0.002);
+    const double of_a = 1.0 / 48, of_b = 1.0 / 12, of_v = 0.01, whole = of_a + of_b + of_v;
+    const double parts[] = {of_a / whole, of_b / whole, of_v / whole};
+    CHECK(std::fabs(x.at("deviation").get<double>() / std::sqrt(whole) - 1) < 0.01);
+    for (std::size_t i = 0; i < 3; ++i)
+        for (const char* kind : {"first", "total"}) {
+            const auto& index = x.at("indices")[i];
+            CHECK(std::fabs(index.at(kind).get<double>() - parts[i]) < 3 * index.at(std::string(kind) + "_error").get<double>());
+        }
+    CHECK(json.at("observed")[1].at("unit") == "m^2");
+    CHECK(json.at("observed")[3].at("indices").empty());
+}
+
+TEST_CASE("parameters, start values and inputs: each row has the closed form") {
+    const ScratchFolder scratch;
+    const Answer answer = study({"--vary", "a=uniform(-5, 5), u=-1:1:3, x=normal(1, 10 %), dot(x)=uniform(-1, 1)", "--sampling", "sobol", "--runs",
+                                 "30", "--observe", "x, start(x), end(t)", "--no-plot", "-o", scratch.path()});
+    INFO(answer.err);
+    REQUIRE(answer.code == 0);
+    const auto lines = lines_of(std::string(scratch.path()) + "/forms_full_study.csv");
+    REQUIRE(lines.size() == 32);
+    CHECK(lines[1] == "run,status,t [s],a [N],u [N],x [m],dot(x) [m/s],end(x) [m],start(x) [m],end(t) [s]");
+    for (std::size_t run = 0; run < 30; ++run) {
+        double a, u, x, v, end, start;
+        unsigned long number;
+        REQUIRE(std::sscanf(lines[run + 2].c_str(), "%lu,success,1,%lf,%lf,%lf,%lf,%lf,%lf", &number, &a, &u, &x, &v, &end, &start) == 7);
+        CHECK(number == run);
+        CHECK(start == x);
+        CHECK(u == static_cast<double>(run % 3) - 1);
+        CHECK(std::fabs(end - (x + v + (a + 2 + u) / 2)) < 1e-9);
+    }
+}
+
+TEST_CASE("a start value that is made of what varies moves with it") {
+    const ScratchFolder scratch;
+    const Answer answer = study({"--vary", "v_0=0:4:5", "--observe", "start(dot(x))", "--no-plot", "-o", scratch.path()});
+    INFO(answer.err);
+    REQUIRE(answer.code == 0);
+    const auto lines = lines_of(std::string(scratch.path()) + "/forms_full_study.csv");
+    CHECK(lines[5] == "3,success,1,3,3");
+}
+
+TEST_CASE("a run that cannot be made is a row, and in no statistics") {
+    const ScratchFolder scratch;
+    const Answer answer = study({"--vary", "m=-1:2:4", "--observe", "x", "--no-plot", "--format", "json", "-o", scratch.path()});
+    INFO(answer.err);
+    REQUIRE(answer.code == 0);
+    CHECK(answer.json().at("left_out") == 2);
+    CHECK(answer.json().at("observed")[0].at("count") == 2);
+    const auto lines = lines_of(std::string(scratch.path()) + "/forms_full_study.csv");
+    CHECK(lines[2].starts_with("0,refused: "));
+    CHECK(lines[2].ends_with(",nan"));
+}
+
+TEST_CASE("what makes no study is refused with a sentence, and nothing is written") {
+    const ScratchFolder scratch;
+    const auto refused = [&](std::vector<std::string> arguments, const std::string& sentence) {
+        arguments.insert(arguments.end(), {"--no-plot", "-o", scratch.path()});
+        const Answer answer = study(arguments);
+        CAPTURE(sentence);
+        CAPTURE(answer.err);
+        CHECK(answer.code == 2);
+        CHECK(answer.err.find(sentence) != std::string::npos);
+    };
+    refused({}, "nothing is varied");
+    refused({"--vary", "q=0:1:2"}, "has no parameter, coordinate, velocity, state or input 'q'");
+    refused({"--vary", "a=0:1"}, "a grid is written LOW:HIGH:COUNT");
+    refused({"--vary", "a=0:1:0"}, "is no number of grid points");
+    refused({"--vary", "a=1:0:3"}, "must be smaller than the last one");
+    refused({"--vary", "a=gauss(0, 1)", "--runs", "5"}, "is neither a grid LOW:HIGH:COUNT nor a distribution");
+    refused({"--vary", "a=normal(0)", "--runs", "5"}, "normal takes 2 numbers");
+    refused({"--vary", "a=normal(0, 5 %)", "--runs", "5"}, "the standard deviation of 'a' is 0");
+    refused({"--vary", "a=normal(1, 2)"}, "give --runs");
+    refused({"--vary", "b=-1:1:3"}, "but its range begins at 0 N");
+    refused({"--vary", "b=normal(0, 1), a=0:1:2, b=0:1:2", "--runs", "4"}, "'b' is varied twice");
+    refused({"--vary", "a=0:1:3", "--runs", "4"}, "the grid has 3 points, a run each");
+    refused({"--vary", "a=0:1:3, b=uniform(0, 1)", "--runs", "4"}, "give --runs 3 or 6");
+    refused({"--vary", "a=uniform(0, 1)", "--indices", "--runs", "7"}, "give --runs 6 or 9");
+    refused({"--vary", "a=0:1:3", "--indices"}, "write uniform(low, high) instead");
+    refused({"--vary", "a=0:1:100000, b=0:1:100000"}, "the limit is 10000000");
+    refused({"--vary", "a=0:1:3", "--shard", "4/3"}, "write I/N");
+    refused({"--vary", "a=0:1:3", "--shard", "1/4"}, "cannot be divided into 4 shards");
+    refused({"--vary", "a=0:1:3", "--observe", "x + dot(x)"}, "but 'dot(x)' is in");
+    refused({"--vary", "a=0:1:3", "--observe", "max(y)"}, "'y' is not recorded");
+    refused({"--vary", "a=0:1:3", "--observe", "time(hit)"}, "does not switch");
+    refused({"--vary", "a=1 m:2 m:3"}, "");
+    refused({"--vary", "u=0:1:3", "--input", "u=sin(t/1s)"}, "an input can be varied where all inputs are constant");
+    refused({"--vary", "a=0:1:3", "--only", "3"}, "its runs are 0 to 2");
+    CHECK(std::filesystem::is_empty(scratch.path()));
+}
