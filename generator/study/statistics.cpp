@@ -75,8 +75,15 @@ std::vector<SobolIndex> sobol_indices(const std::vector<std::vector<double>>& gr
     if (groups.size() < 2) return {};
     std::vector<std::size_t> drawn(groups.size());
     for (std::size_t k = 0; k < drawn.size(); ++k) drawn[k] = k;
+    // What is the same but for roundings has a variance of roundings.
+    constexpr double roundings = 1e-13;
+    double least = groups[0][0], most = least;
+    for (const std::vector<double>& group : groups) {
+        least = std::min(least, *std::min_element(group.begin(), group.end()));
+        most = std::max(most, *std::max_element(group.begin(), group.end()));
+    }
+    if (!(most - least > roundings * std::max(std::fabs(least), std::fabs(most)))) return {};
     const std::vector<IndexEstimate> best = estimates(groups, drawn);
-    if (best.empty() || !std::isfinite(best.front().total)) return {};
     std::vector<SobolIndex> result;
     for (const IndexEstimate& one : best) result.push_back({one.first, 0, one.total, 0});
     boost::random::mt19937_64 generator(seed);

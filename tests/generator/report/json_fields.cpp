@@ -146,7 +146,7 @@ TEST_CASE("the JSON fields are the documented ones") {
           {waves, "--budget", "1 ms step, 1 s", "--methods", "rk4", "--arithmetics", "double", "--limit", "2"}}},
         {"accuracy", {{model, "--points", "20"}, {waves, "--points", "20"}}},
         {"study",
-         {{model, "--vary", "m=uniform(1, 2)", "--runs", "9", "--indices", "--until", "0.1", "--no-plot", "-o", folder},
+         {{model, "--vary", "m=uniform(1, 2)", "--runs", "9", "--indices", "--until", "0.1", "--state", "q[1]=1", "--no-plot", "-o", folder},
           {model, "--vary", "m=uniform(1, 2)", "--runs", "9", "--indices", "--until", "0.1", "--only", "3", "-o", folder}}},
         {"survey", {{systems + "pulley.toml", "--no-plot", "-o", folder}}},
         {"scenes", {{systems + "cart_pendulum.toml"}}},

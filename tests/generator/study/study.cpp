@@ -121,8 +121,8 @@ TEST_CASE("what makes no study is refused with a sentence, and nothing is writte
     refused({"--vary", "a=0:1:3", "--observe", "x + dot(x)"}, "but 'dot(x)' is in");
     refused({"--vary", "a=0:1:3", "--observe", "max(y)"}, "'y' is not recorded");
     refused({"--vary", "a=0:1:3", "--observe", "time(hit)"}, "does not switch");
-    refused({"--vary", "a=1 m:2 m:3"}, "");
-    refused({"--vary", "u=0:1:3", "--input", "u=sin(t/1s)"}, "an input can be varied where all inputs are constant");
+    refused({"--vary", "a=1m:2m:3"}, "the value of 'a'");
+    refused({"--vary", "u=0:1:3", "--input", "w=sin(t/1s)"}, "an input can be varied where all inputs are constant");
     refused({"--vary", "a=0:1:3", "--only", "3"}, "its runs are 0 to 2");
     CHECK(std::filesystem::is_empty(scratch.path()));
 }
