@@ -110,7 +110,8 @@ add_custom_command(
   VERBATIM)
 
 file(GLOB_RECURSE generator_sources CONFIGURE_DEPENDS generator/*.cpp)
-list(REMOVE_ITEM generator_sources ${CMAKE_CURRENT_SOURCE_DIR}/generator/main.cpp)
+set(mpi_source ${CMAKE_CURRENT_SOURCE_DIR}/generator/study/mpi_library.cpp)
+list(REMOVE_ITEM generator_sources ${CMAKE_CURRENT_SOURCE_DIR}/generator/main.cpp ${mpi_source})
 add_library(dalembert_core STATIC ${generator_sources} ${embedded_source})
 target_include_directories(dalembert_core PUBLIC generator runtime)
 target_link_libraries(dalembert_core PUBLIC ${libraries} ${CMAKE_DL_LIBS})
@@ -144,6 +145,16 @@ target_link_libraries(dalembert PRIVATE dalembert_core)
 target_compile_options(dalembert PRIVATE ${dalembert_options})
 set_target_properties(dalembert_core dalembert PROPERTIES CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON CXX_EXTENSIONS OFF
                       RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+# Studies under mpirun: loaded by the program then only. Not part of packages, which would need MPI: cmake --install build --component mpi.
+# By pkg-config: CMake's own search stops with an error where mpirun is installed without the headers.
+pkg_check_modules(OMPI QUIET IMPORTED_TARGET ompi-c)
+if(OMPI_FOUND AND PROJECT_IS_TOP_LEVEL)
+  add_library(dalembert_mpi MODULE ${mpi_source})
+  target_include_directories(dalembert_mpi PRIVATE generator)
+  target_link_libraries(dalembert_mpi PRIVATE PkgConfig::OMPI)
+  set_target_properties(dalembert_mpi PROPERTIES PREFIX "" CXX_STANDARD 20 LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+  install(TARGETS dalembert_mpi LIBRARY DESTINATION lib/dalembert COMPONENT mpi EXCLUDE_FROM_ALL)
+endif()
 # Where another project includes this one, the program is built when a model needs it.
 if(NOT PROJECT_IS_TOP_LEVEL)
   set_target_properties(dalembert_core dalembert PROPERTIES EXCLUDE_FROM_ALL ON)

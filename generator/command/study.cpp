@@ -11,6 +11,7 @@
 #include "report/study.hpp"
 #include "report/study_plot.hpp"
 #include "run/shared.hpp"
+#include "study/ranks.hpp"
 #include "text/durations.hpp"
 
 namespace dalembert {
@@ -107,12 +108,37 @@ ExitCode make_again(const Study& study, const Options& options, Streams streams)
     return result.row.is_good() ? ExitCode::good : ExitCode::run_stopped;
 }
 
+/// Those that the file does not have yet; the result is how many it had.
+std::size_t make_runs(Study& study, const fs::path& path, const MakeRuns& make, Streams streams) {
+    const Shard& shard = study.head().shard;
+    RunFile file(path, study.head());
+    const std::size_t first = shard.first(study.design().runs) + file.found(), last = shard.last(study.design().runs);
+    if (first == last) return file.found();
+    study.compile();
+    Progress progress(last - first, streams.err);
+    make(study, first, last, [&](const std::string& lines) {
+        file.add(lines);
+        progress.add(static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n')));
+    });
+    return file.found();
+}
+
 }  // namespace
 
 ExitCode study_command(const Options& options, Streams streams) {
     if (!options.merge.empty()) return merge(options, streams);
     if (options.choice.model.empty())
         throw Failure(Diagnostic{Id::bad_option, {}, "MODEL is required; give a model file, or --merge with the files of shards"});
+    const std::unique_ptr<Ranks> ranks = Ranks::if_any();
+    if (ranks && !ranks->is_writer()) {
+        try {
+            Study study(loaded(options, streams), options);
+            if (options.only.empty()) ranks->work(study);
+        } catch (const Failure& failure) {  // the writer tells it
+            return failure.exit_code();
+        }
+        return ExitCode::good;
+    }
     Study study(loaded(options, streams), options);
     show_warnings(study.runs().machine(), streams);
     if (!options.only.empty()) {
@@ -120,21 +146,7 @@ ExitCode study_command(const Options& options, Streams streams) {
         return make_again(study, options, streams);
     }
     const fs::path path = fs::path(options.output) / study.file_name();
-    const RunTable& head = study.head();
-    std::size_t found = 0;
-    {
-        RunFile file(path, head);
-        found = file.found();
-        const std::size_t first = head.shard.first(study.design().runs) + found, last = head.shard.last(study.design().runs);
-        if (first < last) {
-            study.compile();
-            Progress progress(last - first, streams.err);
-            by_threads(static_cast<std::size_t>(options.jobs))(study, first, last, [&](const std::string& lines) {
-                file.add(lines);
-                progress.add(static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n')));
-            });
-        }
-    }
+    const std::size_t found = make_runs(study, path, ranks ? ranks->maker() : by_threads(static_cast<std::size_t>(options.jobs)), streams);
     return finish(read_runs(path), path, found, options, streams);
 }
 
