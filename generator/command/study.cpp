@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 
@@ -12,7 +13,7 @@
 #include "report/study_plot.hpp"
 #include "run/shared.hpp"
 #include "study/ranks.hpp"
-#include "text/durations.hpp"
+#include "text/guardian.hpp"
 
 namespace dalembert {
 
@@ -59,6 +60,7 @@ Subject subject_of_table(const RunTable& table) {
 /// Statistics and plots of what is in a file.
 ExitCode finish(const RunTable& table, const fs::path& file, std::size_t found, const Options& options, Streams streams) {
     StudyResult result{.subject = subject_of_table(table), .found = found, .files = {file}};
+    enter_stage("the statistics of a study");
     fill(result, table, static_cast<std::size_t>(options.worst));
     FileContents pictures;
     if (!options.no_plot)

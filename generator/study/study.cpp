@@ -11,6 +11,7 @@
 #include "elements/model.hpp"
 #include "run/in_parallel.hpp"
 #include "text/files.hpp"
+#include "text/guardian.hpp"
 #include "text/version.hpp"
 
 namespace dalembert {
@@ -128,6 +129,7 @@ RowOfRun Study::row(std::size_t run) const { return row_of(run, ValuesOfRuns(des
 
 RowOfRun Study::row_of(std::size_t run, std::vector<double> values) const {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    enter_stage("a run of a study");  // each has a budget of its own
     RowOfRun row{run, "", none, std::move(values), std::vector<double>(observables_.size(), none)};
     try {
         const PlantRunResult result = simulate_plant(runs_.plant(), runs_(row.varied));
