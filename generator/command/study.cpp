@@ -98,8 +98,8 @@ ExitCode make_again(const Study& study, const Options& options, Streams streams)
     const std::string& text = options.only;
     const auto end = std::from_chars(text.data(), text.data() + text.size(), run);
     if (end.ec != std::errc() || end.ptr != text.data() + text.size() || run >= study.design().runs)
-        throw Failure(Diagnostic{Id::bad_option, {},
-                                 fmt::format("'--only {}' is no run of this study; its runs are 0 to {}", text, study.design().runs - 1)});
+        throw Failure(Diagnostic{
+            Id::bad_option, {}, fmt::format("'--only {}' is no run of this study; its runs are 0 to {}", text, study.design().runs - 1)});
     const System& system = *study.runs().machine().system;
     RepeatedOfStudy result{subject_of(system.scene), study.head().varied, study.head().observed, study.row(run), {}};
     const PlantRunResult made = study.simulated(run);

@@ -23,7 +23,8 @@ std::vector<std::vector<double>> groups_of(const RunTable& table, std::size_t ob
     for (std::size_t first = 0; first + size <= table.rows.size(); first += size) {
         std::vector<double> group;
         for (std::size_t k = first; k < first + size; ++k)
-            if (table.rows[k].is_good() && std::isfinite(table.rows[k].observed[observed])) group.push_back(table.rows[k].observed[observed]);
+            if (table.rows[k].is_good() && std::isfinite(table.rows[k].observed[observed]))
+                group.push_back(table.rows[k].observed[observed]);
         if (group.size() == size) groups.push_back(std::move(group));
     }
     return groups;
@@ -110,17 +111,19 @@ std::string as_text(const StudyResult& result) {
         text += fmt::format("\n{}\n", one.column.title());
         if (one.missing > 0) text += fmt::format("  {:<20} {} runs\n", "without a value", one.missing);
         if (one.statistics.count == 0) continue;
-        text += fmt::format("  {:<20} {:.8g}\n  {:<20} {:.6g}\n", "mean", one.statistics.mean, "standard deviation", one.statistics.deviation);
+        text +=
+            fmt::format("  {:<20} {:.8g}\n  {:<20} {:.6g}\n", "mean", one.statistics.mean, "standard deviation", one.statistics.deviation);
         text += fmt::format("  {:<20}", "quantiles");
         for (std::size_t i = 0; i < one.statistics.quantiles.size(); ++i)
             text += fmt::format("{} {:g} %: {:.6g}", i == 0 ? "" : ",", 100 * told_quantiles[i], one.statistics.quantiles[i]);
         text += fmt::format("\n  {:<20} {}\n  {:<20} {}\n", "smallest", runs_text(one.least), "largest", runs_text(one.most));
         for (std::size_t i = 0; i < one.indices.size(); ++i)
-            text += fmt::format("  {:<20} first order {:7.4f} +- {:.4f}, total {:7.4f} +- {:.4f}\n", result.varied[i].name, one.indices[i].first,
-                                one.indices[i].first_error, one.indices[i].total, one.indices[i].total_error);
+            text += fmt::format("  {:<20} first order {:7.4f} +- {:.4f}, total {:7.4f} +- {:.4f}\n", result.varied[i].name,
+                                one.indices[i].first, one.indices[i].first_error, one.indices[i].total, one.indices[i].total_error);
         if (result.has_indices && one.indices.empty()) text += "  no Sobol indices, because it does not vary\n";
     }
-    for (const std::filesystem::path& file : result.files) text += fmt::format("{}{}\n", &file == &result.files.front() ? "\n" : "", file.string());
+    for (const std::filesystem::path& file : result.files)
+        text += fmt::format("{}{}\n", &file == &result.files.front() ? "\n" : "", file.string());
     return text;
 }
 
@@ -136,8 +139,8 @@ nlohmann::ordered_json as_json(const StudyResult& result) {
     json["groups_left_out"] = result.groups_left_out;
     json["observed"] = nlohmann::ordered_json::array();
     for (const StudiedQuantity& one : result.observed) {
-        nlohmann::ordered_json entry{{"name", one.column.name}, {"unit", one.column.unit}, {"count", one.statistics.count},
-                                     {"missing", one.missing}, {"mean", one.statistics.mean}, {"deviation", one.statistics.deviation}};
+        nlohmann::ordered_json entry{{"name", one.column.name}, {"unit", one.column.unit},     {"count", one.statistics.count},
+                                     {"missing", one.missing},  {"mean", one.statistics.mean}, {"deviation", one.statistics.deviation}};
         entry["quantiles"] = nlohmann::ordered_json::array();
         for (std::size_t i = 0; i < one.statistics.quantiles.size(); ++i)
             entry["quantiles"].push_back({{"part", told_quantiles[i]}, {"value", one.statistics.quantiles[i]}});
@@ -145,8 +148,11 @@ nlohmann::ordered_json as_json(const StudyResult& result) {
         entry["largest"] = json_of(one.most);
         entry["indices"] = nlohmann::ordered_json::array();
         for (std::size_t i = 0; i < one.indices.size(); ++i)
-            entry["indices"].push_back({{"name", result.varied[i].name}, {"first", one.indices[i].first}, {"first_error", one.indices[i].first_error},
-                                        {"total", one.indices[i].total}, {"total_error", one.indices[i].total_error}});
+            entry["indices"].push_back({{"name", result.varied[i].name},
+                                        {"first", one.indices[i].first},
+                                        {"first_error", one.indices[i].first_error},
+                                        {"total", one.indices[i].total},
+                                        {"total_error", one.indices[i].total_error}});
         json["observed"].push_back(std::move(entry));
     }
     json["files"] = json_list(result.files);
@@ -154,11 +160,12 @@ nlohmann::ordered_json as_json(const StudyResult& result) {
 }
 
 std::string as_text(const RepeatedOfStudy& result) {
-    std::string text = fmt::format("{}, scene {}: run {}, {} at t = {:.6g} s\n", result.subject.sized_name, result.subject.scene, result.row.run,
-                                   result.row.status, result.row.t);
+    std::string text = fmt::format("{}, scene {}: run {}, {} at t = {:.6g} s\n", result.subject.sized_name, result.subject.scene,
+                                   result.row.run, result.row.status, result.row.t);
     const auto add = [&](const std::vector<Column>& columns, const std::vector<double>& values) {
         for (std::size_t i = 0; i < columns.size(); ++i)
-            text += fmt::format("  {:<20} {}{}{}\n", columns[i].name, detail::number_text(values[i]), columns[i].unit.empty() ? "" : " ", columns[i].unit);
+            text += fmt::format("  {:<20} {}{}{}\n", columns[i].name, detail::number_text(values[i]), columns[i].unit.empty() ? "" : " ",
+                                columns[i].unit);
     };
     add(result.varied, result.row.varied);
     add(result.observed, result.row.observed);

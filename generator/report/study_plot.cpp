@@ -56,18 +56,20 @@ std::vector<std::pair<std::string, std::string>> study_plot(const RunTable& tabl
         }
         data += "EOD\n";
         draw += label("x", table.observed[y]) + "set ylabel 'runs'\nset yrange [0:*]\n" +
-                fmt::format("plot $histogram_{} using 1:2:3 with boxes fs solid 0.6 border lc rgb '#2f7fd0' lc rgb '#2f7fd0' notitle\n"
-                            "set yrange [*:*]\n",
-                            y);
+                fmt::format(
+                    "plot $histogram_{} using 1:2:3 with boxes fs solid 0.6 border lc rgb '#2f7fd0' lc rgb '#2f7fd0' notitle\n"
+                    "set yrange [*:*]\n",
+                    y);
         for (std::size_t x = 0; x < across; ++x)
             draw += label("x", table.varied[x]) + label("y", table.observed[y]) +
                     fmt::format("plot $dots_{} using {}:{} with points pt 7 ps 0.25 lc rgb '#600060ad' notitle\n", y, x + 1, across + 1);
         ++rows;
     }
     if (rows == 0) return {};
-    const std::string script = data + "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\nset tics font ',8'\nset xtics rotate by -40\n";
-    const std::string panels = fmt::format("set multiplot layout {},{} title {} noenhanced\n{}unset multiplot\n", rows, across + 1,
-                                           gnuplot_quoted(title), draw);
+    const std::string script =
+        data + "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\nset tics font ',8'\nset xtics rotate by -40\n";
+    const std::string panels =
+        fmt::format("set multiplot layout {},{} title {} noenhanced\n{}unset multiplot\n", rows, across + 1, gnuplot_quoted(title), draw);
     return gnuplot_pictures(script, panels, static_cast<int>(across + 1) * panel_width, static_cast<int>(rows) * panel_height + 40);
 }
 

@@ -95,10 +95,11 @@ void VariedRuns::hold_inputs() {
     for (const Variable& input : system.symbols.all(SymbolKind::input)) {
         const bool is_varied = std::any_of(varied_.begin(), varied_.end(), [&](const Variable* v) { return v->name == input.name; });
         if (is_varied || system.symbols.is_constant(settings_.inputs[input.position])) continue;
-        throw Failure(Diagnostic{Id::bad_option, system.scene.model->name_span,
-                                 fmt::format("an input can be varied where all inputs are constant, but '{}' changes during the run; give it "
-                                             "as a constant, --input {}=..., or make what is varied a parameter of the model",
-                                             input.name, input.name)});
+        throw Failure(
+            Diagnostic{Id::bad_option, system.scene.model->name_span,
+                       fmt::format("an input can be varied where all inputs are constant, but '{}' changes during the run; give it "
+                                   "as a constant, --input {}=..., or make what is varied a parameter of the model",
+                                   input.name, input.name)});
     }
     settings_.inputs.clear();
 }

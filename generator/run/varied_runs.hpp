@@ -69,8 +69,8 @@ private:
     bool holds_inputs_ = false;         ///< all inputs are numbers, so that the plant is compiled without
     bool is_made_anew_ = true, is_checked_ = true;
     PlantRun base_;
-    std::vector<Start> starts_;         ///< as PlantRun::start
-    mutable std::mutex symbolic_;       ///< GiNaC works in one thread at a time
+    std::vector<Start> starts_;    ///< as PlantRun::start
+    mutable std::mutex symbolic_;  ///< GiNaC works in one thread at a time
     std::optional<PlantLibrary> library_;
 };
 

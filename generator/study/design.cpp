@@ -37,9 +37,8 @@ std::size_t Design::grid_points() const {
 }
 
 std::size_t Design::random_count() const {
-    return static_cast<std::size_t>(std::count_if(variations.begin(), variations.end(), [](const Variation& one) {
-        return std::holds_alternative<Distribution>(one);
-    }));
+    return static_cast<std::size_t>(std::count_if(variations.begin(), variations.end(),
+                                                  [](const Variation& one) { return std::holds_alternative<Distribution>(one); }));
 }
 
 struct Points::Sequence {
@@ -48,7 +47,8 @@ struct Points::Sequence {
 };
 
 Points::Points(Sampling sampling, std::size_t dimensions, std::uint64_t seed) : sampling_(sampling), dimensions_(dimensions), seed_(seed) {
-    if (sampling == Sampling::sobol && dimensions > 0) sequence_ = std::make_unique<Sequence>(Sequence{boost::random::sobol(dimensions), 1});
+    if (sampling == Sampling::sobol && dimensions > 0)
+        sequence_ = std::make_unique<Sequence>(Sequence{boost::random::sobol(dimensions), 1});
 }
 Points::~Points() = default;
 Points::Points(Points&&) noexcept = default;

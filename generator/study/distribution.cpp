@@ -36,12 +36,14 @@ std::span<const DistributionSpec> distributions() { return of_distributions; }
 
 double Distribution::below(double value) const {
     switch (kind) {
-        case Kind::normal: return normal_below((value - a) / b);
+        case Kind::normal:
+            return normal_below((value - a) / b);
         case Kind::lognormal: {
             const OfLogarithm log = of_logarithm(a, b);
             return value > 0 ? normal_below((std::log(value) - log.mean) / log.deviation) : 0;
         }
-        case Kind::uniform: return std::clamp((value - a) / (b - a), 0.0, 1.0);
+        case Kind::uniform:
+            return std::clamp((value - a) / (b - a), 0.0, 1.0);
         case Kind::triangular:
             if (value <= a) return 0;
             if (value >= b) return 1;
@@ -53,14 +55,17 @@ double Distribution::below(double value) const {
 
 double Distribution::whole_quantile(double part) const {
     switch (kind) {
-        case Kind::normal: return a + b * normal_quantile(part);
+        case Kind::normal:
+            return a + b * normal_quantile(part);
         case Kind::lognormal: {
             const OfLogarithm log = of_logarithm(a, b);
             return std::exp(log.mean + log.deviation * normal_quantile(part));
         }
-        case Kind::uniform: return a + (b - a) * part;
+        case Kind::uniform:
+            return a + (b - a) * part;
         case Kind::triangular:
-            return part < (mode - a) / (b - a) ? a + std::sqrt(part * (b - a) * (mode - a)) : b - std::sqrt((1 - part) * (b - a) * (b - mode));
+            return part < (mode - a) / (b - a) ? a + std::sqrt(part * (b - a) * (mode - a))
+                                               : b - std::sqrt((1 - part) * (b - a) * (b - mode));
     }
     return 0;
 }

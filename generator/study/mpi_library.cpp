@@ -11,7 +11,9 @@ namespace {
 
 std::vector<char> buffer;
 
-void send(int to, int tag, const char* data, std::size_t size) { MPI_Send(data, static_cast<int>(size), MPI_CHAR, to, tag, MPI_COMM_WORLD); }
+void send(int to, int tag, const char* data, std::size_t size) {
+    MPI_Send(data, static_cast<int>(size), MPI_CHAR, to, tag, MPI_COMM_WORLD);
+}
 
 std::ptrdiff_t receive(int* from, int* tag, const char** data) {
     int is_there = 0, size = 0;
@@ -19,7 +21,8 @@ std::ptrdiff_t receive(int* from, int* tag, const char** data) {
     if (MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &is_there, &status) != MPI_SUCCESS || is_there == 0) return -1;
     MPI_Get_count(&status, MPI_CHAR, &size);
     buffer.resize(static_cast<std::size_t>(size) + 1);
-    if (MPI_Recv(buffer.data(), size, MPI_CHAR, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD, MPI_STATUS_IGNORE) != MPI_SUCCESS) return -1;
+    if (MPI_Recv(buffer.data(), size, MPI_CHAR, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD, MPI_STATUS_IGNORE) != MPI_SUCCESS)
+        return -1;
     *from = status.MPI_SOURCE;
     *tag = status.MPI_TAG;
     *data = buffer.data();

@@ -35,10 +35,14 @@ struct NumberFunction {
 };
 
 constexpr std::array of_numbers{
-    NumberFunction{"abs", [](double x) { return std::fabs(x); }, true},  NumberFunction{"exp", [](double x) { return std::exp(x); }, false},
-    NumberFunction{"log", [](double x) { return std::log(x); }, false},  NumberFunction{"sin", [](double x) { return std::sin(x); }, false},
-    NumberFunction{"cos", [](double x) { return std::cos(x); }, false},  NumberFunction{"tan", [](double x) { return std::tan(x); }, false},
-    NumberFunction{"asin", [](double x) { return std::asin(x); }, false}, NumberFunction{"acos", [](double x) { return std::acos(x); }, false},
+    NumberFunction{"abs", [](double x) { return std::fabs(x); }, true},
+    NumberFunction{"exp", [](double x) { return std::exp(x); }, false},
+    NumberFunction{"log", [](double x) { return std::log(x); }, false},
+    NumberFunction{"sin", [](double x) { return std::sin(x); }, false},
+    NumberFunction{"cos", [](double x) { return std::cos(x); }, false},
+    NumberFunction{"tan", [](double x) { return std::tan(x); }, false},
+    NumberFunction{"asin", [](double x) { return std::asin(x); }, false},
+    NumberFunction{"acos", [](double x) { return std::acos(x); }, false},
     NumberFunction{"atan", [](double x) { return std::atan(x); }, false},
 };
 
@@ -81,8 +85,10 @@ private:
                 auto a = of<From>(*e.children[0]);
                 return {[v = a.value](const From& from) { return -v(from); }, a.dimension, a.unit};
             }
-            case Kind::add: return sum<From>(e, [](double a, double b) { return a + b; });
-            case Kind::subtract: return sum<From>(e, [](double a, double b) { return a - b; });
+            case Kind::add:
+                return sum<From>(e, [](double a, double b) { return a + b; });
+            case Kind::subtract:
+                return sum<From>(e, [](double a, double b) { return a - b; });
             case Kind::multiply: {
                 auto [a, b] = both<From>(e);
                 return {[v = a.value, w = b.value](const From& from) { return v(from) * w(from); }, a.dimension * b.dimension};
@@ -91,10 +97,13 @@ private:
                 auto [a, b] = both<From>(e);
                 return {[v = a.value, w = b.value](const From& from) { return v(from) / w(from); }, a.dimension / b.dimension};
             }
-            case Kind::power: return power<From>(e);
+            case Kind::power:
+                return power<From>(e);
             case Kind::call:
-            case Kind::name: break;
-            case Kind::sum: refuse(e, "a study observes no sums over an index");
+            case Kind::name:
+                break;
+            case Kind::sum:
+                refuse(e, "a study observes no sums over an index");
         }
         if constexpr (std::is_same_v<From, Row>) {
             if (const auto column = column_of(e)) return *column;
@@ -114,8 +123,9 @@ private:
     Measured<From> sum(const Expression& e, Operation operation) const {
         auto [a, b] = both<From>(e);
         if (!(a.dimension == b.dimension))
-            refuse(e, fmt::format("'{}' is in {}, but '{}' is in {}", e.children[0]->written(), a.dimension.usual_unit(),
-                                  e.children[1]->written(), b.dimension.usual_unit()),
+            refuse(e,
+                   fmt::format("'{}' is in {}, but '{}' is in {}", e.children[0]->written(), a.dimension.usual_unit(),
+                               e.children[1]->written(), b.dimension.usual_unit()),
                    Id::unit_mismatch);
         return {[v = a.value, w = b.value, operation](const From& from) { return operation(v(from), w(from)); }, a.dimension,
                 a.unit == b.unit ? a.unit : ""};
@@ -127,9 +137,9 @@ private:
         Dimension dimension;
         if (!a.dimension.is_none()) {
             const double exponent = b.value(From{});
-            const bool is_number = e.children[1]->kind == Expression::Kind::number ||
-                                   (e.children[1]->kind == Expression::Kind::negate &&
-                                    e.children[1]->children[0]->kind == Expression::Kind::number);
+            const bool is_number =
+                e.children[1]->kind == Expression::Kind::number ||
+                (e.children[1]->kind == Expression::Kind::negate && e.children[1]->children[0]->kind == Expression::Kind::number);
             if (!is_number || 2 * exponent != std::floor(2 * exponent) || std::fabs(exponent) > 100)
                 refuse(e, fmt::format("'{}' has a unit, so its exponent must be a whole or half number", e.children[0]->written()),
                        Id::unit_mismatch);
@@ -156,8 +166,9 @@ private:
         }
         if (e.name == "sqrt") return {[a](const From& from) { return std::sqrt(a(from)); }, dimension.raised({1, 2})};
         if (!known->is_of_any_unit && !dimension.is_none())
-            refuse(*e.children[0], fmt::format("'{}' is in {}, but '{}' takes a number without a unit", e.children[0]->written(),
-                                               dimension.usual_unit(), e.name),
+            refuse(*e.children[0],
+                   fmt::format("'{}' is in {}, but '{}' takes a number without a unit", e.children[0]->written(), dimension.usual_unit(),
+                               e.name),
                    Id::unit_mismatch);
         return {[a, f = known->of](const From& from) { return f(a(from)); }, known->is_of_any_unit ? dimension : Dimension(),
                 known->is_of_any_unit ? arguments[0].unit : ""};
@@ -171,8 +182,9 @@ private:
             if (name.starts_with(family)) refuse(e, fmt::format("'{}' is a family; name a member, as in '{}'", e.written(), name));
         std::string forms;
         for (const ObserverSpec& one : of_runs) forms += fmt::format("{}{}", forms.empty() ? "" : ", ", one.written);
-        refuse(e, fmt::format("'{}' is not recorded in scene '{}'{}; a study observes {} and expressions of these", e.written(),
-                              system_.scene.name, did_you_mean(e.written(), known), forms),
+        refuse(e,
+               fmt::format("'{}' is not recorded in scene '{}'{}; a study observes {} and expressions of these", e.written(),
+                           system_.scene.name, did_you_mean(e.written(), known), forms),
                Id::unknown_name);
     }
 
@@ -236,8 +248,8 @@ private:
                     },
                     Dimension()};
         return {[number](const PlantRunResult& run) {
-                    const auto first = std::find_if(run.events.begin(), run.events.end(),
-                                                    [&](const EventOfRun& event) { return event.event == number; });
+                    const auto first =
+                        std::find_if(run.events.begin(), run.events.end(), [&](const EventOfRun& event) { return event.event == number; });
                     return first == run.events.end() ? none : first->t;
                 },
                 Dimension::time(), "s"};

@@ -77,7 +77,8 @@ private:
 void* load_library() {
     std::array<char, 4096> path{};
     const ssize_t size = ::readlink("/proc/self/exe", path.data(), path.size() - 1);
-    const std::filesystem::path folder = std::filesystem::path(std::string(path.data(), size > 0 ? static_cast<std::size_t>(size) : 0)).parent_path();
+    const std::filesystem::path folder =
+        std::filesystem::path(std::string(path.data(), size > 0 ? static_cast<std::size_t>(size) : 0)).parent_path();
     for (const char* place : {"dalembert_mpi.so", "../lib/dalembert/dalembert_mpi.so"})
         if (void* handle = ::dlopen((folder / place).c_str(), RTLD_NOW | RTLD_GLOBAL)) return handle;
     return nullptr;
@@ -92,10 +93,12 @@ std::unique_ptr<Ranks> Ranks::if_any() {
     using Begin = DalembertMessages (*)();
     const auto begin = library == nullptr ? nullptr : reinterpret_cast<Begin>(::dlsym(library, "dalembert_messages"));
     if (begin == nullptr)
-        throw Failure(Diagnostic{Id::tool_failed, {},
-                                 "mpirun has started this program several times, but it was built without MPI; build it where CMake finds MPI "
-                                 "(on Debian: apt-get install libopenmpi-dev), or start it without mpirun, with --jobs or --shard"},
-                      ExitCode::tool_missing);
+        throw Failure(
+            Diagnostic{Id::tool_failed,
+                       {},
+                       "mpirun has started this program several times, but it was built without MPI; build it where CMake finds MPI "
+                       "(on Debian: apt-get install libopenmpi-dev), or start it without mpirun, with --jobs or --shard"},
+            ExitCode::tool_missing);
     return std::unique_ptr<Ranks>(new Ranks(begin()));
 }
 
@@ -108,8 +111,10 @@ Ranks::~Ranks() {
         int left = messages_.size - 1;
         const auto start = std::chrono::steady_clock::now();
         while (left > 0 && std::chrono::steady_clock::now() - start < longest_farewell) {
-            if (messages_.receive(&from, &tag, &data) < 0) rest();
-            else if (tag == says_farewell) --left;
+            if (messages_.receive(&from, &tag, &data) < 0)
+                rest();
+            else if (tag == says_farewell)
+                --left;
         }
         is_complete = left == 0;
         for (int rank = 1; rank < messages_.size; ++rank) messages_.send(rank, may_end, is_complete ? "1" : "0", 1);

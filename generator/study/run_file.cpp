@@ -38,10 +38,14 @@ std::vector<std::string> fields_of(std::string_view line) {
     bool is_quoted = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
         const char c = line[i];
-        if (c == '"' && is_quoted && i + 1 < line.size() && line[i + 1] == '"') fields.back() += line[++i];
-        else if (c == '"') is_quoted = !is_quoted;
-        else if (c == ',' && !is_quoted) fields.emplace_back();
-        else fields.back() += c;
+        if (c == '"' && is_quoted && i + 1 < line.size() && line[i + 1] == '"')
+            fields.back() += line[++i];
+        else if (c == '"')
+            is_quoted = !is_quoted;
+        else if (c == ',' && !is_quoted)
+            fields.emplace_back();
+        else
+            fields.back() += c;
     }
     return fields;
 }
@@ -96,8 +100,8 @@ RunTable parsed(const fs::path& file, const std::string& text, std::size_t& comp
     while (complete < text.size()) {
         const std::size_t end = text.find('\n', complete);
         RowOfRun row{};
-        if (end == std::string::npos || !read_row(std::string_view(text).substr(complete, end - complete), varied, result.observed.size(), row) ||
-            row.run != expected)
+        if (end == std::string::npos ||
+            !read_row(std::string_view(text).substr(complete, end - complete), varied, result.observed.size(), row) || row.run != expected)
             break;
         result.rows.push_back(std::move(row));
         ++expected;
@@ -147,8 +151,10 @@ RunFile::RunFile(const fs::path& file, const RunTable& head) : file_(file) {
             std::string difference;
             for (const auto& [key, value] : head.study.items())
                 if (difference.empty() && (!other.study.contains(key) || other.study[key] != value))
-                    difference = fmt::format(": its '{}' is {}, not {}", key, other.study.value(key, nlohmann::ordered_json()).dump(), value.dump());
-            refuse_file(fmt::format("'{}' belongs to another study{}; move it away, or give another folder with -o", file.string(), difference));
+                    difference =
+                        fmt::format(": its '{}' is {}, not {}", key, other.study.value(key, nlohmann::ordered_json()).dump(), value.dump());
+            refuse_file(
+                fmt::format("'{}' belongs to another study{}; move it away, or give another folder with -o", file.string(), difference));
         }
         found_ = parsed(file, text, complete).rows.size();
     }
@@ -183,8 +189,8 @@ RunTable merged(const std::vector<fs::path>& files) {
         parts[table.shard.part - 1] = &table;
         const std::size_t expected = table.shard.last(runs) - table.shard.first(runs);
         if (table.rows.size() != expected)
-            refuse_file(fmt::format("'{}' has {} of its {} runs; start this shard again to go on with it", files[i].string(), table.rows.size(),
-                               expected));
+            refuse_file(fmt::format("'{}' has {} of its {} runs; start this shard again to go on with it", files[i].string(),
+                                    table.rows.size(), expected));
     }
     RunTable whole = tables.front();
     whole.shard = {};

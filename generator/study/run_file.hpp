@@ -25,7 +25,7 @@ private:
 struct RowOfRun {
     std::size_t run;
     std::string status;
-    double t;                     ///< s, where it ended
+    double t;  ///< s, where it ended
     std::vector<double> varied, observed;
     /// Whether the run came to its end, or to that of an event of the model.
     bool is_good() const { return status == "success" || status.starts_with("ended by "); }

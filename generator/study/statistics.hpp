@@ -16,7 +16,7 @@ struct SampleStatistics {
     std::size_t count = 0;
     double mean = 0, deviation = 0;  ///< standard deviation, of a sample
     double smallest = 0, largest = 0;
-    std::vector<double> quantiles;   ///< of told_quantiles
+    std::vector<double> quantiles;  ///< of told_quantiles
 };
 
 /// Of finite values. Without any, all is NaN.

@@ -85,7 +85,8 @@ void Study::read_design(const Options& options) {
     double points = 1;  // that a product of whole numbers could leave their range
     for (const Variation& one : design_.variations)
         if (const auto* axis = std::get_if<GridAxis>(&one)) points *= static_cast<double>(axis->count);
-    if (points > static_cast<double>(most_runs)) refuse_study(fmt::format("the grid has {:.4g} points; the limit is {}", points, most_runs));
+    if (points > static_cast<double>(most_runs))
+        refuse_study(fmt::format("the grid has {:.4g} points; the limit is {}", points, most_runs));
     const auto grid = design_.grid_points();
     if (options.indices && random != varied_.size())
         refuse_study("--indices needs a distribution for all that is varied, and a grid has none; write uniform(low, high) instead");
@@ -101,10 +102,11 @@ void Study::read_design(const Options& options) {
     const std::size_t together = grid * design_.group();
     if (options.runs % together != 0) {
         const std::size_t less = options.runs / together * together;
-        const std::string why = options.indices ? fmt::format("--indices with {} varied quantities makes runs in groups of {}", random, together)
-                                                : fmt::format("each of the {} grid points gets the same number of runs", grid);
+        const std::string why = options.indices
+                                    ? fmt::format("--indices with {} varied quantities makes runs in groups of {}", random, together)
+                                    : fmt::format("each of the {} grid points gets the same number of runs", grid);
         refuse_study(fmt::format("{}, and {} is no multiple of {}; give --runs {}{}", why, options.runs, together,
-                           less > 0 ? fmt::format("{} or ", less) : "", less + together));
+                                 less > 0 ? fmt::format("{} or ", less) : "", less + together));
     }
     design_.runs = options.runs;
 }
@@ -137,8 +139,10 @@ RowOfRun Study::row_of(std::size_t run, std::vector<double> values) const {
         const EventEquation* ends = event_that_ended(result.outcome, system);
         row.t = result.outcome.t;
         row.status = to_string(result.outcome.status);
-        if (ends != nullptr) row.status = "ended by " + ends->name;
-        else if (result.outcome.status == Status::event) row.status = "left the model";
+        if (ends != nullptr)
+            row.status = "ended by " + ends->name;
+        else if (result.outcome.status == Status::event)
+            row.status = "left the model";
         if (row.is_good())
             for (std::size_t i = 0; i < observables_.size(); ++i) row.observed[i] = observables_[i].value(result);
     } catch (const Failure& failure) {
@@ -175,9 +179,10 @@ Shard shard_of(const std::string& text, std::size_t runs) {
         const auto place = number(id), from = number(least != nullptr ? least : "1");
         if (place && from && *place >= *from) part = *place - *from + 1;
         if (!part || !of || *part > *of)
-            refuse_study(fmt::format("SLURM_ARRAY_TASK_ID={}, SLURM_ARRAY_TASK_MIN={} and SLURM_ARRAY_TASK_COUNT={} name no part of a study; number "
-                               "the array without gaps, as --array=1-8, or give --shard",
-                               id, least != nullptr ? least : "", count));
+            refuse_study(
+                fmt::format("SLURM_ARRAY_TASK_ID={}, SLURM_ARRAY_TASK_MIN={} and SLURM_ARRAY_TASK_COUNT={} name no part of a study; number "
+                            "the array without gaps, as --array=1-8, or give --shard",
+                            id, least != nullptr ? least : "", count));
     } else {
         const std::size_t slash = text.find('/');
         if (slash != std::string::npos) {

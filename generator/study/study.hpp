@@ -49,7 +49,8 @@ private:
 Shard shard_of(const std::string& text, std::size_t runs);
 
 /// Who makes the runs `first` to behind `last` and gives their lines, in order, to `take`.
-using MakeRuns = std::function<void(const Study& study, std::size_t first, std::size_t last, const std::function<void(const std::string&)>& take)>;
+using MakeRuns =
+    std::function<void(const Study& study, std::size_t first, std::size_t last, const std::function<void(const std::string&)>& take)>;
 
 /// In so many threads, 0: one a processor.
 MakeRuns by_threads(std::size_t threads);

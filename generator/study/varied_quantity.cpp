@@ -29,7 +29,8 @@ std::string list_of_distributions() {
 
 class VariationReader {
 public:
-    VariationReader(const SourcePtr& source, const System& system, const Values& values) : source_(source), system_(system), values_(values) {}
+    VariationReader(const SourcePtr& source, const System& system, const Values& values)
+        : source_(source), system_(system), values_(values) {}
 
     VariedQuantity read(std::size_t begin, std::size_t end) {
         whole_ = trimmed(begin, end);
@@ -136,8 +137,10 @@ private:
         } else {
             const ExpressionPtr written = parse_expression(excerpt_of(source_, place.begin, place.end));
             const auto unit = declared_unit(*name_, system_.names);
-            if (unit && !is_zero(unit->offset) && is_plain_number(*written)) result = number_of(written) * cln::double_approx(unit->factor);
-            else result = value(place);
+            if (unit && !is_zero(unit->offset) && is_plain_number(*written))
+                result = number_of(written) * cln::double_approx(unit->factor);
+            else
+                result = value(place);
         }
         if (!(result > 0) || !std::isfinite(result))
             refuse(place, fmt::format("the standard deviation of '{}' is {:.6g}, but must be positive", name_->written(), result));
@@ -146,7 +149,8 @@ private:
 
     GridAxis axis() const {
         const std::vector<Span> parts = pieces(value_place_.begin, value_place_.end, ':');
-        if (parts.size() != 3) refuse(value_place_, fmt::format("a grid is written LOW:HIGH:COUNT, as in 0.1:1:10, not '{}'", value_place_.text()));
+        if (parts.size() != 3)
+            refuse(value_place_, fmt::format("a grid is written LOW:HIGH:COUNT, as in 0.1:1:10, not '{}'", value_place_.text()));
         GridAxis axis{allowed(parts[0]), allowed(parts[1]), 0};
         const std::string_view count = parts[2].text();
         const auto end = std::from_chars(count.data(), count.data() + count.size(), axis.count);
@@ -162,15 +166,17 @@ private:
         const std::string_view written = value_place_.text();
         const std::size_t open = written.find('(');
         const auto names = distributions();
-        const auto found = std::find_if(names.begin(), names.end(), [&](const DistributionSpec& d) { return written.substr(0, open) == d.name; });
+        const auto found =
+            std::find_if(names.begin(), names.end(), [&](const DistributionSpec& d) { return written.substr(0, open) == d.name; });
         if (found == names.end() || open == std::string_view::npos || !written.ends_with(')'))
-            refuse(value_place_, fmt::format("'{}' is neither a grid LOW:HIGH:COUNT nor a distribution; there are {}", written,
-                                             list_of_distributions()));
+            refuse(value_place_,
+                   fmt::format("'{}' is neither a grid LOW:HIGH:COUNT nor a distribution; there are {}", written, list_of_distributions()));
         const std::vector<Span> of = pieces(value_place_.begin + open + 1, value_place_.end - 1, ',');
         const auto kind = static_cast<Distribution::Kind>(found - names.begin());
         const std::size_t count = kind == Distribution::Kind::triangular ? 3 : 2;
         if (of.size() != count)
-            refuse(value_place_, fmt::format("{} takes {} numbers, {}({}), not {}", found->name, count, found->name, found->arguments, of.size()));
+            refuse(value_place_,
+                   fmt::format("{} takes {} numbers, {}({}), not {}", found->name, count, found->name, found->arguments, of.size()));
         Distribution result;
         result.kind = kind;
         result.a = allowed(of[0]);

@@ -30,8 +30,9 @@ std::vector<std::string> lines_of(const std::string& file) {
 
 TEST_CASE("indices of what is linear are the parts of the variance, and the mean is that of the means") {
     const ScratchFolder scratch;
-    const Answer answer = study({"--vary", "a=uniform(0, 1), b=uniform(0, 1)", "--vary", "v_0=normal(0, 0.1)", "--indices", "--runs", "5120",
-                                 "--observe", "x, end(x)^2 + 1m^2, max(x) - min(x), ishigami", "--no-plot", "--format", "json", "-o", scratch.path()});
+    const Answer answer =
+        study({"--vary", "a=uniform(0, 1), b=uniform(0, 1)", "--vary", "v_0=normal(0, 0.1)", "--indices", "--runs", "5120", "--observe",
+               "x, end(x)^2 + 1m^2, max(x) - min(x), ishigami", "--no-plot", "--format", "json", "-o", scratch.path()});
     INFO(answer.err);
     REQUIRE(answer.code == 0);
     const auto json = answer.json();
@@ -51,8 +52,8 @@ TEST_CASE("indices of what is linear are the parts of the variance, and the mean
 
 TEST_CASE("parameters, start values and inputs: each row has the closed form") {
     const ScratchFolder scratch;
-    const Answer answer = study({"--vary", "a=uniform(-5, 5), u=-1:1:3, x=normal(1, 10 %), dot(x)=uniform(-1, 1)", "--sampling", "sobol", "--runs",
-                                 "30", "--observe", "x, start(x), end(t)", "--no-plot", "-o", scratch.path()});
+    const Answer answer = study({"--vary", "a=uniform(-5, 5), u=-1:1:3, x=normal(1, 10 %), dot(x)=uniform(-1, 1)", "--sampling", "sobol",
+                                 "--runs", "30", "--observe", "x, start(x), end(t)", "--no-plot", "-o", scratch.path()});
     INFO(answer.err);
     REQUIRE(answer.code == 0);
     const auto lines = lines_of(std::string(scratch.path()) + "/forms_full_study.csv");
