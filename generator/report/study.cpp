@@ -108,6 +108,7 @@ std::string as_text(const StudyResult& result) {
     }
     if (result.groups_left_out > 0) text += fmt::format("  and of the indices {} groups of runs\n", result.groups_left_out);
     for (const StudiedQuantity& one : result.observed) {
+        if (one.statistics.count == 0 && one.missing == 0) continue;
         text += fmt::format("\n{}\n", one.column.title());
         if (one.missing > 0) text += fmt::format("  {:<20} {} runs\n", "without a value", one.missing);
         if (one.statistics.count == 0) continue;

@@ -25,7 +25,9 @@ SLURM_ARRAY_TASK_ID=7 SLURM_ARRAY_TASK_MIN=6 SLURM_ARRAY_TASK_COUNT=3 study slur
 cmp "$here/shards/${name}_2_of_3.csv" "$here/slurm/${name}_2_of_3.csv" || fail "the variables of SLURM give another shard"
 "$PROGRAM" study --merge "$here"/shards/${name}_{3,1,2}_of_3.csv --no-plot -o "$here/merged" >/dev/null
 cmp "$here/whole/$name.csv" "$here/merged/$name.csv" || fail "three shards give other bytes"
-if "$PROGRAM" study --merge "$here"/shards/${name}_{1,2}_of_3.csv --no-plot -o "$here/part" 2>"$here/error.txt"; then fail "two of three are a whole"; fi
+if "$PROGRAM" study --merge "$here"/shards/${name}_{1,2}_of_3.csv -o "$here/part" 2>"$here/error.txt"; then
+  fail "two of three are a whole"
+fi
 grep -q "shard 3 of 3 is missing" "$here/error.txt" || fail "$(cat "$here/error.txt")"
 
 # Killed at random moments, some of them in the middle of a line.
