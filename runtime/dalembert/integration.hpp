@@ -37,7 +37,7 @@ public:
 
     /// The run is a part of a longer one, up to a guard behind which the right-hand side would go on smoothly. Of the output points of the
     /// whole those from number `next` on are observed, besides both ends of the part.
-    void be_part(const OutputPoints<Scalar>& outputs, std::size_t next) {
+    void be_part(const OutputPoints<State>& outputs, std::size_t next) {
         control_.set_outputs(outputs);
         next_ = next;
         if constexpr (may_have_entries<Values>) events_.spare_stages();
@@ -79,7 +79,7 @@ public:
 private:
     Outcome fixed_steps() {
         using std::ceil;
-        for (std::size_t i = next_; i <= options_.intervals;) {
+        for (std::size_t i = next_; i <= options_.output_count();) {
             const Scalar target = control_.output_time(i);
             if (!(t_ < target)) {
                 observe(target);
@@ -119,7 +119,7 @@ private:
     /// Observes output points within a step that at(t) knows the states of.
     auto outputs_inside(std::size_t& next) {
         return [this, &next](const Scalar& until, const auto& at) {
-            for (; next <= options_.intervals && control_.output_time(next) < until; ++next) observe_(control_.output_time(next), at(control_.output_time(next)));
+            for (; next <= options_.output_count() && control_.output_time(next) < until; ++next) observe_(control_.output_time(next), at(control_.output_time(next)));
         };
     }
 
@@ -127,7 +127,7 @@ private:
     Outcome controlled_steps(bool dense) {
         Scalar h = control_.first(x_, dxdt_, stepper_->order());
         std::size_t next = next_;
-        while (next <= options_.intervals) {
+        while (next <= options_.output_count()) {
             Try c;
             const auto kink = control_.next_kink(t_);
             Scalar target = std::min(dense ? to_ : control_.output_time(next), kink.before);
@@ -205,7 +205,7 @@ private:
     }
 
     void observe_up_to_now(std::size_t& next) {
-        for (; next <= options_.intervals && control_.output_time(next) <= t_; ++next) observe(control_.output_time(next));
+        for (; next <= options_.output_count() && control_.output_time(next) <= t_; ++next) observe(control_.output_time(next));
     }
 
     std::size_t next_ = 1;  ///< the first output point behind the start

@@ -70,9 +70,13 @@ struct IntegrationOptions {
     std::vector<Scalar> kinks = {};
     std::size_t order = 0;            ///< of Method::taylor; 0: from the tolerance
     std::size_t intervals = 1;        ///< number of equal parts of the run; the observer sees their ends
+    /// s, rising; the observer sees the state at these times within the run, and at its ends, and `intervals` does not count.
+    std::vector<Scalar> output_times = {};
     std::size_t max_steps = 100000000;  ///< also ends a run that would exceed it at the pace of its last 2 million steps
     std::size_t max_events = 100000;  ///< number of sign changes of guards after which the run stops as an event storm
 
+    /// How often the observer sees the state after the start.
+    std::size_t output_count() const { return output_times.empty() ? intervals : output_times.size() + 1; }
     bool has_fixed_steps() const {
         for (const MethodSpec& spec : methods_of_integration)
             if (spec.method == method && spec.needs_step) return true;

@@ -119,7 +119,7 @@ public:
         auto kink = control.next_kink(from_);
         if (to_ > from_ && !stop_at(kink.before)) outcome.status = Status::bad_options;
         Outcome before_kink;
-        for (std::size_t i = 1; to_ > from_ && outcome.status == Status::success && i <= options_.intervals; ++i) {
+        for (std::size_t i = 1; to_ > from_ && outcome.status == Status::success && i <= options_.output_count(); ++i) {
             realtype t = from_;
             culprit_ = n;
             const realtype target = control.output_time(i);

@@ -24,7 +24,7 @@ public:
     static constexpr std::size_t none = Outcome::none;
 
     ModeRun(const System& system, const Inputs& inputs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options, Observer& observer)
-        : system_(system), inputs_(inputs), x_(x), t_(from), to_(to), options_(options), control_(options, from, to), outputs_{from, to, options.intervals}, observe_(observer),
+        : system_(system), inputs_(inputs), x_(x), t_(from), to_(to), options_(options), control_(options, from, to), outputs_(options_, from, to), observe_(observer),
           here_(system, Mode{}), derivatives_(here_, inputs, options_.scale) {}
 
 protected:
@@ -75,6 +75,8 @@ protected:
         IntegrationOptions<State> options = options_;
         options.max_steps -= result_.steps + result_.rejected;
         options.max_events -= result_.events;
+        options.intervals = options.output_count();
+        options.output_times.clear();
         if (to < to_)
             for (options.intervals = next_; outputs_.time(options.intervals) < to;) ++options.intervals;
         Integration<State, decltype(rhs), decltype(observe), decltype(guards), typename Here::Guards> run(rhs, x, t_, to, options, observe, guards, ends);
@@ -134,7 +136,7 @@ protected:
     Scalar t_, to_;
     const IntegrationOptions<State>& options_;
     StepControl<State> control_;
-    OutputPoints<Scalar> outputs_;
+    OutputPoints<State> outputs_;
     std::size_t next_ = 0;  ///< output point
     Observer& observe_;
     Here here_;

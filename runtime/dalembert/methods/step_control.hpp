@@ -13,13 +13,19 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-/// Output points divide a run into equal parts.
-template <class Scalar>
+/// Output points divide a run into equal parts, or are at given times.
+template <class State>
 struct OutputPoints {
+    using Scalar = typename State::value_type;
+    /// Refers to the options.
+    OutputPoints(const IntegrationOptions<State>& options, Scalar begin, Scalar end)
+        : from(begin), to(end), intervals(options.output_count()), times(options.output_times.empty() ? nullptr : options.output_times.data()) {}
     Scalar from, to;  ///< s
     std::size_t intervals;
+    const Scalar* times;  ///< s; null: equal parts
 
     Scalar time(std::size_t i) const {
+        if (times != nullptr && i > 0 && i < intervals) return times[i - 1];
         return i == intervals ? to : from + (to - from) * (Scalar(static_cast<double>(i)) / Scalar(static_cast<double>(intervals)));
     }
 };
@@ -29,18 +35,18 @@ class StepControl {
     using Scalar = typename State::value_type;
 
 public:
-    StepControl(const IntegrationOptions<State>& options, Scalar from, Scalar to) : options_(options), from_(from), to_(to), outputs_{from, to, options.intervals} {}
+    StepControl(const IntegrationOptions<State>& options, Scalar from, Scalar to) : options_(options), from_(from), to_(to), outputs_(options, from, to) {}
 
     bool are_options_good() const {
         using std::isfinite;
-        return to_ >= from_ && isfinite(from_) && isfinite(to_) && options_.intervals > 0 && options_.tolerance > Scalar(0) && options_.step >= Scalar(0) &&
+        return to_ >= from_ && isfinite(from_) && isfinite(to_) && options_.intervals > 0 && are_output_times_good() && options_.tolerance > Scalar(0) && options_.step >= Scalar(0) &&
                options_.max_step >= Scalar(0) && std::all_of(options_.scale.begin(), options_.scale.end(), [](const Scalar& scale) { return scale > Scalar(0); }) &&
                (!options_.has_fixed_steps() || options_.step > Scalar(0));
     }
 
     /// The last one is the end of the run, also where it is a part of a longer one that has `outputs`.
-    Scalar output_time(std::size_t i) const { return i == options_.intervals ? to_ : outputs_.time(i); }
-    void set_outputs(const OutputPoints<Scalar>& outputs) { outputs_ = outputs; }
+    Scalar output_time(std::size_t i) const { return i == options_.output_count() ? to_ : outputs_.time(i); }
+    void set_outputs(const OutputPoints<State>& outputs) { outputs_ = outputs; }
 
     /// A step that changes nothing any more at t.
     Scalar smallest(Scalar t) const {
@@ -139,11 +145,17 @@ public:
     void forget() { last_error_ = Scalar(0); }
 
 private:
+    bool are_output_times_good() const {
+        const auto& times = options_.output_times;
+        const auto falls = [](const Scalar& a, const Scalar& b) { return !(a < b); };
+        return times.empty() || (times.front() > from_ && times.back() < to_ && std::adjacent_find(times.begin(), times.end(), falls) == times.end());
+    }
+
     static Scalar least_error() { return Scalar(1) / Scalar(10000); }
 
     const IntegrationOptions<State>& options_;
     Scalar from_, to_;
-    OutputPoints<Scalar> outputs_;
+    OutputPoints<State> outputs_;
     Scalar last_error_ = Scalar(0);  ///< the logarithm of that of the step before
 };
 

@@ -21,6 +21,7 @@ void copy_options(IntegrationOptions<State>& to, const IntegrationOptions<Other>
     to.kinks = from.kinks;
     to.order = from.order;
     to.intervals = from.intervals;
+    to.output_times = from.output_times;
     to.max_steps = from.max_steps;
     to.max_events = from.max_events;
     std::copy_n(from.scale.begin(), std::min(from.scale.size(), to.scale.size()), to.scale.begin());

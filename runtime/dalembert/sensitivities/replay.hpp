@@ -68,6 +68,7 @@ public:
         copy_options(options_, options);
         options_.kinks.clear();
         options_.intervals = 1;
+        options_.output_times.clear();
         const std::size_t n = size_of<Plain>();
         for (std::size_t i = 0; i < n; ++i) {
             for (std::size_t c = 0; c < varied.size(); ++c) {
