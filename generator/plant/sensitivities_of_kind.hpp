@@ -79,7 +79,7 @@ public:
             if (!has_slopes_of_outputs(plant)) continue;
             const auto of_inputs = replay_.slopes_of_inputs(c);
             for (std::size_t i = 0; i < plant.outputs; ++i) {
-                double sum = varied_[c].of == Varied::Of::parameter ? by_parameters[varied_[c].number * plant.outputs + i] : 0;
+                double sum = has_column(c) ? by_parameters[varied_[c].number * plant.outputs + i] : 0;
                 for (std::size_t j = 0; j < plant.states; ++j) sum += by_states[j * plant.outputs + i] * s[j];
                 for (std::size_t j = 0; j < plant.inputs; ++j) sum += by_inputs[j * plant.outputs + i] * of_inputs[j];
                 row.push_back(sum);
@@ -89,6 +89,9 @@ public:
     }
 
 private:
+    bool has_column(std::size_t c) const {
+        return varied_[c].of == Varied::Of::parameter && varied_[c].number < dalembert::detail::plant_in_use->parameters;
+    }
     /// Cells of rods begin as the plant says, the others as the run does.
     typename Following::Sensitivities at_start() const {
         auto S = sensitivities_at_start(system_, varied_);

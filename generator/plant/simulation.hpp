@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <dalembert/recording.hpp>
+#include <dalembert/sampled_input.hpp>
 #include <dalembert/sensitivities/varied.hpp>
 #include <dalembert/status.hpp>
 
@@ -33,7 +34,7 @@ struct VariedOfRun {
 
 /// What is to be run. Numbers are in SI; parameters and inputs in the order of the tables of the plant.
 struct PlantRun {
-    std::vector<double> parameters;
+    std::vector<double> parameters;        ///< behind them, where inputs were measured, the delay of each input
     std::vector<double> start = {};        ///< of the states at `places` in x; all others begin as the plant says
     std::vector<std::size_t> places = {};
     std::vector<double> held_inputs = {};  ///< of a plant that was compiled without inputs; empty: zero
@@ -43,6 +44,8 @@ struct PlantRun {
     double step = 0;   ///< s; 0: chosen by the method
     double until = 0;  ///< s
     std::size_t intervals = 500;
+    std::vector<double> output_times = {};  ///< s, rising, within the run; where there are any, `intervals` is for the longest step alone
+    std::vector<SampledInput> sampled = {};
     std::vector<double> kinks = {};  ///< s, at known times
     bool steps_freely = false;       ///< nothing acts in between that steps could miss
     bool keeps_all = true;           ///< else only the last row

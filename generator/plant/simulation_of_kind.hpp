@@ -46,7 +46,7 @@ class Runner {
     static constexpr bool switches = dalembert::detail::is_switching<System>;
 
 public:
-    explicit Runner(const PlantRun& run) : run_(run), system_(run.parameters), inputs_(system_, held_inputs(run)) {}
+    explicit Runner(const PlantRun& run) : run_(run), system_(run.parameters), inputs_(system_, held_inputs(run), &run.sampled) {}
 
     PlantRunResult operator()() {
         State x = system_.start_state();
@@ -57,6 +57,7 @@ public:
         dalembert::detail::set_run(options, system_, inputs_, x, run_.tolerance, run_.step, run_.intervals, run_.until, energy(x));
         if (run_.steps_freely) options.max_step = 0;
         options.kinks = run_.kinks;
+        options.output_times = run_.output_times;
         if constexpr (!switches)
             if (run_.is_of_heat) result_.euler_step = largest_euler_step(system_, x, inputs_(x, 0.0), 0.0);
         if constexpr (!dalembert::detail::chooses_constraints<System>)

@@ -11,6 +11,7 @@
 
 #include "dalembert/linear/run_matrix.hpp"
 #include "dalembert/plant_arrays.hpp"
+#include "dalembert/sampled_input.hpp"
 #include "dalembert/simulate.hpp"
 
 namespace dalembert {
@@ -100,7 +101,8 @@ public:
     static auto mode_table() { return TableOfPlant<const char*>{now().mode_names, now().modes}; }
     static auto event_table() { return TableOfPlant<const char*>{now().event_names, now().events}; }
 
-    /// Of the plant in use, with these parameters in SI, in the order of its table.
+    /// Of the plant in use, with these parameters in SI, in the order of its table. Behind them there may stand a delay in s for each input,
+    /// by which the machine gets it later where it was measured: see SampledInput.
     explicit PlantBase(std::vector<double> parameters) : parameters_(std::move(parameters)), self_(make(parameters_)) {}
     PlantBase(const PlantBase& other) : parameters_(other.parameters_), self_(make(parameters_)) {}
     PlantBase& operator=(const PlantBase&) = delete;
@@ -109,6 +111,10 @@ public:
     void update(const std::vector<double>& parameters) {
         parameters_ = parameters;
         now().set_parameters(self_.get(), parameters_.data());
+    }
+    double delay(std::size_t input) const {
+        const std::size_t number = now().parameters + input;
+        return number < parameters_.size() ? parameters_[number] : 0;
     }
     const void* self() const { return self_.get(); }
     State start_state() const {
@@ -324,22 +330,27 @@ private:
     }
 };
 
-/// The inputs that a plant was compiled for; where it was compiled for none, numbers that stay.
+/// The inputs that a plant was compiled for; where it was compiled for none, numbers that stay. Inputs that were measured come before both.
 class InputsOfPlant {
 public:
     static constexpr std::size_t series_rows = 0;
-    InputsOfPlant(const detail::PlantBase& system, detail::PlantBase::Input held) : system_(system), held_(std::move(held)) {}
-    /// The same with the parameters of another system.
-    InputsOfPlant of(const detail::PlantBase& system) const { return {system, held_}; }
+    /// Refers to the system and to what was measured.
+    InputsOfPlant(const detail::PlantBase& system, detail::PlantBase::Input held, const std::vector<SampledInput>* sampled = nullptr)
+        : system_(system), held_(std::move(held)), sampled_(sampled) {}
+    /// The same with the parameters and delays of another system.
+    InputsOfPlant of(const detail::PlantBase& system) const { return {system, held_, sampled_}; }
     detail::PlantBase::Input operator()(const detail::PlantBase::State& x, double t) const {
         detail::PlantBase::Input u = held_;
         if (detail::plant_in_use->inputs_of_run != nullptr) detail::plant_in_use->inputs_of_run(system_.self(), x.data(), t, u.data());
+        if (sampled_ != nullptr)
+            for (const SampledInput& one : *sampled_) u[one.input] = one(t - system_.delay(one.input));
         return u;
     }
 
 private:
     const detail::PlantBase& system_;
     detail::PlantBase::Input held_;
+    const std::vector<SampledInput>* sampled_;
 };
 
 }  // namespace v1

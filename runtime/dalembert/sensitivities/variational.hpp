@@ -263,7 +263,8 @@ private:
     Plain own_rate(std::size_t c) const {
         Plain result;
         result.fill(Scalar(0));
-        if (varied_[c].of == Varied::Of::parameter)
+        // The delay of an input has no column of its own.
+        if (varied_[c].of == Varied::Of::parameter && varied_[c].number < System::parameter_table().size())
             for_each_in_column<typename System::PatternP>(by_parameters_, size_of<Plain>(), varied_[c].number,
                                                           [&](std::size_t row, const Scalar& value) { result[row] = value; });
         return result;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSL-1.0
+// An input that was measured: a value at each of many times, and something in between.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace dalembert {
+inline namespace v1 {
+
+struct SampledInput {
+    std::size_t input = 0;       ///< its number in the table of inputs
+    std::vector<double> times;   ///< s, rising; at least one
+    std::vector<double> values;  ///< in SI, one for each
+    bool is_held = false;        ///< a value counts up to the next time; else straight lines join the values
+
+    /// Before the first time the first value counts, behind the last one the last.
+    double operator()(double t) const {
+        const auto behind = std::upper_bound(times.begin(), times.end(), t);
+        if (behind == times.begin()) return values.front();
+        const std::size_t i = static_cast<std::size_t>(behind - times.begin()) - 1;
+        if (is_held || behind == times.end()) return values[i];
+        return values[i] + (t - times[i]) / (times[i + 1] - times[i]) * (values[i + 1] - values[i]);
+    }
+    /// s; times at which it jumps.
+    std::vector<double> jumps() const {
+        std::vector<double> found;
+        for (std::size_t i = 1; is_held && i < times.size(); ++i)
+            if (values[i] != values[i - 1]) found.push_back(times[i]);
+        return found;
+    }
+};
+
+}  // namespace v1
+}  // namespace dalembert
