@@ -24,6 +24,7 @@ struct Options {
     std::vector<std::string> parameters;  ///< "m_W=1.2,g=9.81"
     std::vector<std::string> states;
     std::vector<std::string> inputs;
+    std::vector<std::string> measured_inputs;  ///< that data give
     std::string mode;                     ///< of a machine that switches; empty: the first
     int digits = 17;
     std::string time;  ///< of evaluate; empty: 0

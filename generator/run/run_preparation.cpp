@@ -293,6 +293,8 @@ std::vector<ex> RunPreparation::inputs(const Values& values, const System& syste
                                      fmt::format("scene '{}' has no input '{}'", system.scene.name, setting.variable->written())});
         check_range(*setting.variable, *value);
     }
+    for (const Variable& input : system.symbols.all(SymbolKind::input))
+        if (std::count(options_.measured_inputs.begin(), options_.measured_inputs.end(), input.name) > 0) is_given[input.position] = true;
     check_inputs_given(is_given, system);
     return result;
 }

@@ -38,6 +38,19 @@ std::size_t end_of_part(const std::string& text, std::size_t from) {
     return text.size();
 }
 
+std::vector<Excerpt> parts_of_list(const SourcePtr& source) {
+    std::vector<Excerpt> parts;
+    const std::string& text = source->text();
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = end_of_part(text, begin);
+        const std::size_t first = std::min(text.find_first_not_of(' ', begin), end);
+        const std::size_t last = end > first ? text.find_last_not_of(' ', end - 1) + 1 : first;
+        parts.push_back(excerpt_of(source, first, last));
+        begin = end + 1;
+    }
+    return parts;
+}
+
 std::vector<Setting> parse_settings(const std::vector<std::string>& texts, const std::string& option) {
     std::vector<Setting> settings;
     for (const std::string& text : texts) {

@@ -17,6 +17,9 @@ struct Setting {
 /// The next comma outside of brackets, or the end.
 std::size_t end_of_part(const std::string& text, std::size_t from);
 
+/// Texts between commas outside of brackets, without blanks around them, as excerpts of a source.
+std::vector<Excerpt> parts_of_list(const SourcePtr& source);
+
 /// `option` names the option in diagnostics. Throws Failure (bad-option, syntax, unknown-unit).
 std::vector<Setting> parse_settings(const std::vector<std::string>& texts, const std::string& option);
 

@@ -103,6 +103,35 @@ std::pair<Values, std::vector<ex>> start_of_run(const System& system, const Opti
     return {values, preparation.inputs_at_start(values, system)};
 }
 
+KinksOfRun kinks_of_run(const RunPreparation& preparation, const Machine& machine) {
+    return [&](const auto& change) {
+        std::vector<double> kinks;
+        const auto add = [&](const System& mode) {
+            Values same(mode.scene, mode.translate);
+            preparation.set_values(same, mode);
+            change(mode, same);
+            const std::vector<double> some = preparation.make_settings(same, mode).kinks;
+            kinks.insert(kinks.end(), some.begin(), some.end());
+        };
+        add(*machine.system);
+        for (const Machine& other : machine.other_modes) add(*other.system);
+        std::sort(kinks.begin(), kinks.end());
+        kinks.erase(std::unique(kinks.begin(), kinks.end()), kinks.end());
+        return kinks;
+    };
+}
+
+Header generate_with_slopes(Machine& machine, std::string& without_outputs, SeriesWish wish) {
+    if (!machine.system->outputs.empty()) machine.wished.insert(Function::output_jacobian_p);
+    try {
+        return generate(machine, wish);
+    } catch (const CannotMake& refused) {
+        without_outputs = refused.reason();
+        machine.wished.erase(refused.function());
+        return generate(machine, wish);
+    }
+}
+
 PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options, const char* verb,
                         bool tries_series) {
     const RunPreparation preparation(model->model, options);
@@ -112,38 +141,15 @@ PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const s
     const SeriesWish wish = tries_series                       ? SeriesWish::if_possible
                             : preparation.method() == "taylor" ? SeriesWish::wanted
                                                                : SeriesWish::none;
-    if (!options.sensitivities.empty() && !system.outputs.empty()) machine.wished.insert(Function::output_jacobian_p);
     std::string without_slopes_of_outputs;
-    Header header = [&] {
-        try {
-            return generate(machine, wish);
-        } catch (const CannotMake& refused) {
-            without_slopes_of_outputs = refused.reason();
-            machine.wished.erase(refused.function());
-            return generate(machine, wish);
-        }
-    }();
+    Header header = options.sensitivities.empty() ? generate(machine, wish) : generate_with_slopes(machine, without_slopes_of_outputs, wish);
     Values values(system.scene, system.translate);
     preparation.set_values(values, system);
     const Values unmet = values;
     meet_constraints(system, values);
     check_values(system, values);
     SimulationSettings settings = preparation.make_settings(values, system);
-    const KinksOfRun kinks_of = [&](const auto& change) {
-        std::vector<double> kinks;
-        const auto add = [&](const System& mode) {
-            Values same(mode.scene, mode.translate);
-            preparation.set_values(same, mode);
-            change(mode, same);
-            const std::vector<double> some = preparation.make_settings(same, mode).kinks;
-            kinks.insert(kinks.end(), some.begin(), some.end());
-        };
-        add(system);
-        for (const Machine& other : machine.other_modes) add(*other.system);
-        std::sort(kinks.begin(), kinks.end());
-        kinks.erase(std::unique(kinks.begin(), kinks.end()), kinks.end());
-        return kinks;
-    };
+    const KinksOfRun kinks_of = kinks_of_run(preparation, machine);
     settings.kinks = kinks_of([](const System&, Values&) {});
     std::vector<VariedOfRun> varied = varied_of_run(options.sensitivities, system, unmet, kinks_of);
     settings.series = has_series(machine) && (!tries_series || have_series(*machine.code, settings.inputs));

@@ -4,6 +4,8 @@
 
 #include "run/options.hpp"
 #include "run/plant_run.hpp"
+#include "run/run_preparation.hpp"
+#include "run/varied.hpp"
 #include "form/system.hpp"
 #include "text/files.hpp"
 #include "text/process.hpp"
@@ -82,6 +84,10 @@ std::string scene_of_run(const Model& model, const std::string& run);
 std::string scene_for_run(const Model& model, const Options& options);
 /// What run and command line say of the start: values, and inputs at t = 0.
 std::pair<Values, std::vector<GiNaC::ex>> start_of_run(const System& system, const Options& options);
+/// Kinks at known times of a run in all its modes. Refers to both.
+KinksOfRun kinks_of_run(const RunPreparation& preparation, const Machine& machine);
+/// With the derivatives of outputs by parameters, where these can be made; else `without_outputs` says why not.
+Header generate_with_slopes(Machine& machine, std::string& without_outputs, SeriesWish wish = SeriesWish::none);
 /// Derives and generates, with series of the motion where the method needs them, or where `tries_series` and that is possible. `verb` is
 /// named where nothing moves. Throws Failure.
 PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options, const char* verb,

@@ -129,33 +129,41 @@ private:
 
 }  // namespace
 
+std::vector<const Variable*> variables_to_vary(const Expression& name, const System& system) {
+    const std::string written = name.written();
+    std::vector<std::string> known;
+    std::vector<const Variable*> found;
+    for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
+        for (const Variable& variable : system.symbols.all(kind)) {
+            const std::string own = variable.recorded_name();
+            const auto bracket = own.find('[');
+            const std::string family = bracket == std::string::npos ? own : own.substr(0, bracket) + (own.back() == ')' ? ")" : "");
+            known.push_back(own);
+            if (own == written || family == written) found.push_back(&variable);
+        }
+    if (found.empty())
+        throw Failure(Diagnostic{Id::unknown_name, name.span,
+                                 fmt::format("scene '{}' has no parameter, coordinate, velocity or state '{}'{}", system.scene.name, written,
+                                             did_you_mean(written, known))});
+    return found;
+}
+
+VariedOfRun varied_by(const Variable& variable, const Span& place, const System& system, const Values& values, const KinksOfRun& kinks) {
+    return Differentiation(system, values, kinks).by(variable, place);
+}
+
 std::vector<VariedOfRun> varied_of_run(const std::vector<std::string>& names, const System& system, const Values& values,
                                        const KinksOfRun& kinks) {
     std::vector<VariedOfRun> varied;
     const Differentiation differentiation(system, values, kinks);
     for (const std::string& name : names) {
-        const auto source = std::make_shared<const Source>("--sensitivities", name);
-        const std::string written = parse_expression(excerpt_of(source))->written();
-        const Span place{source, 0, name.size()};
-        std::vector<std::string> known;
-        bool found = false;
-        for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state})
-            for (const Variable& variable : system.symbols.all(kind)) {
-                const std::string own = variable.recorded_name();
-                const auto bracket = own.find('[');
-                const std::string family = bracket == std::string::npos ? own : own.substr(0, bracket) + (own.back() == ')' ? ")" : "");
-                known.push_back(own);
-                if (own != written && family != written) continue;
-                found = true;
-                const auto same = [&](const VariedOfRun& other) { return other.name == own; };
-                if (std::any_of(varied.begin(), varied.end(), same))
-                    throw Failure(Diagnostic{Id::bad_option, place, fmt::format("'{}' is named twice", own)});
-                varied.push_back(differentiation.by(variable, place));
-            }
-        if (!found)
-            throw Failure(Diagnostic{Id::unknown_name, place,
-                                     fmt::format("scene '{}' has no parameter, coordinate, velocity or state '{}'{}", system.scene.name,
-                                                 written, did_you_mean(written, known))});
+        const ExpressionPtr written = parse_expression(excerpt_of(std::make_shared<const Source>("--sensitivities", name)));
+        for (const Variable* variable : variables_to_vary(*written, system)) {
+            const auto same = [&](const VariedOfRun& other) { return other.name == variable->recorded_name(); };
+            if (std::any_of(varied.begin(), varied.end(), same))
+                throw Failure(Diagnostic{Id::bad_option, written->span, fmt::format("'{}' is named twice", variable->recorded_name())});
+            varied.push_back(differentiation.by(*variable, written->span));
+        }
     }
     return varied;
 }
