@@ -5,9 +5,11 @@
 #include <set>
 
 #include "check/checks.hpp"
+#include "check/written_values.hpp"
 #include "elements/every_kind.hpp"
 #include "elements/kinds.hpp"
 #include "elements/references.hpp"
+#include "language/parser.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -173,6 +175,7 @@ private:
                                                item.name));
         }
         for (const SceneChoice& scene : model_.scenes) listed(scene.effects);
+        for (const Measurement& measurement : model_.measurements) measured(measurement);
         for (const Run& run : model_.runs) {
             std::vector<std::string> known{model_.scenes.empty() ? "full" : ""};
             for (const SceneChoice& scene : model_.scenes) known.push_back(scene.name);
@@ -184,6 +187,18 @@ private:
     }
 
     /// Names in plots: variables, members and rates of them, outputs, energies.
+    /// What a column of data is said to be.
+    void measured(const Measurement& measurement) {
+        const std::string& name = measurement.quantity.empty() ? measurement.name : measurement.quantity;
+        try {
+            if (name == "t" || declared_unit(*parse_expression(excerpt_of(std::make_shared<const Source>("quantity", name))), names_)) return;
+        } catch (const Failure&) {  // told below
+        }
+        diagnostics_.error(Id::unknown_name, measurement.span,
+                           fmt::format("measurement '{}': '{}' is no output, coordinate, rate of one, state, input or parameter",
+                                       measurement.name, name));
+    }
+
     void plots(const Run& run) {
         const auto check = [&](const std::string& name, const Span& span) {
             std::string base = name.starts_with("dot(") && name.ends_with(")") ? name.substr(4, name.size() - 5) : name;

@@ -18,7 +18,8 @@ endif()
 find_package(fmt ${needed})
 find_package(nlohmann_json ${needed})
 find_package(CLI11 ${needed})
-set(libraries PkgConfig::GINAC PkgConfig::CLN PkgConfig::TOMLPLUSPLUS PkgConfig::PUGIXML PkgConfig::ZIP PkgConfig::MATIO fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11 Boost::headers Eigen3::Eigen)
+find_package(Ceres ${needed})
+set(libraries PkgConfig::GINAC PkgConfig::CLN PkgConfig::TOMLPLUSPLUS PkgConfig::PUGIXML PkgConfig::ZIP PkgConfig::MATIO fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11 Ceres::ceres Boost::headers Eigen3::Eigen)
 set(missing "")
 foreach(library IN LISTS libraries)
   if(NOT TARGET ${library})
@@ -62,6 +63,7 @@ set(embedded
     templates/accuracy.cpp.in
     templates/book.html.in
     templates/gallery.html.in
+    templates/identify.html.in
     templates/reference.html.in
     runtime/dalembert/compiler.h
     runtime/dalembert/scalar_functions.hpp

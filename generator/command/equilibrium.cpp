@@ -110,7 +110,7 @@ std::vector<std::string> names_at(const std::vector<std::size_t>& places, const 
 /// What the command line says of the start. Throws Failure, also where an input is neither given nor free.
 Values start_values(const Options& options, const System& system) {
     Values values(system.scene, system.translate);
-    apply_settings(values, parse_settings(options.parameters, "parameter"), on_parameters, system);
+    apply_settings(values, parameter_settings(options), on_parameters, system);
     apply_settings(values, parse_settings(options.states, "state"), on_states, system);
     apply_settings(values, parse_settings(options.inputs, "input"), on_inputs, system);
     const auto is_free = [&](const std::string& name) {

@@ -68,7 +68,7 @@ ex time_of(const Options& options, const System& system) {
 Values values_of(const Options& options, const System& system) {
     Values values(system.scene, system.translate);
     values.set_time(time_of(options, system));
-    apply_settings(values, parse_settings(options.parameters, "parameter"), on_parameters, system);
+    apply_settings(values, parameter_settings(options), on_parameters, system);
     apply_settings(values, parse_settings(options.states, "state"), on_states, system);
     apply_settings(values, parse_settings(options.inputs, "input"), on_inputs, system);
     std::vector<bool> is_given;

@@ -65,6 +65,8 @@ void VerbOptions::format(std::vector<std::string> choices) {
 void VerbOptions::settings() {
     verb_.add_option("--parameter", options.parameters,
                      "parameters, as m_W=1.2 or p=5bar, comma separated; a number without a unit counts in the declared one");
+    verb_.add_option("--parameters", options.parameter_files,
+                     "TOML file with values of parameters, as identify writes it; --parameter comes before it");
     verb_.add_option("--state", options.states, "states, coordinates and velocities, as s=0.55,dot(s)=-0.3");
     verb_.add_option("--input", options.inputs, "inputs, as f_e=4.5; for simulate, expressions of t and the states");
 }
@@ -76,9 +78,14 @@ void VerbOptions::mode() {
 void VerbOptions::run(const char* doc) { verb_.add_option("--run", options.run, doc); }
 void VerbOptions::until(const char* doc) { verb_.add_option("--until", options.until, doc); }
 
+void VerbOptions::fit_integration() {
+    verb_.add_option("--tolerance", options.tolerance, "relative tolerance of a step")->check(CLI::Range(1e-16, 0.5));
+}
+void VerbOptions::no_plot() { verb_.add_flag("--no-plot", options.no_plot, "draw nothing"); }
+
 void VerbOptions::integration() {
     run();
-    verb_.add_option("--tolerance", options.tolerance, "relative tolerance of a step")->check(CLI::Range(1e-16, 0.5));
+    fit_integration();
     one_of(verb_.add_option("--method", options.method, methods_text()), method_names());
     verb_.add_option("--step", options.step, "step of a method with fixed step, in seconds")->check(CLI::PositiveNumber);
     verb_.add_option("--samples", options.samples, "number of intervals at which results are written")

@@ -52,6 +52,9 @@ public:
     void run(const char* doc = "run of the model; `reference` or the only one if left out");
     void until(const char* doc = "end of the run in seconds");
     void integration();
+    /// Of fits, whose ends and samples the data give.
+    void fit_integration();
+    void no_plot();
     /// Of runs that are drawn.
     void plots();
     void result_files();

@@ -23,6 +23,7 @@ ExitCode simulate_command(const Options& options, Streams streams);
 ExitCode equilibrium_command(const Options& options, Streams streams);
 ExitCode modal_command(const Options& options, Streams streams);
 ExitCode optimise_command(const Options& options, Streams streams);
+ExitCode identify_command(const Options& options, Streams streams);
 ExitCode study_command(const Options& options, Streams streams);
 ExitCode survey_command(const Options& options, Streams streams);
 ExitCode gallery_command(const Options& options, Streams streams);
@@ -164,6 +165,31 @@ void take_optimise(VerbOptions& o) {
     o.cache();
 }
 
+void take_identify(VerbOptions& o) {
+    o.model();
+    o.add("--data", o.options.data, "CSV file of an experiment, with titles as `phi [deg]`; once for each experiment")->required();
+    o.add("--fit", o.options.fit,
+          "what is fitted, comma separated: parameters, start(STATE) in each experiment, offset(COLUMN) of a sensor, delay(INPUT)")
+        ->required();
+    o.add("--measured", o.options.measured, "columns to compare, comma separated; if left out, all that are outputs or states")->delimiter(',');
+    o.add("--noise", o.options.noise, "standard deviations of columns, as phi=0.2deg; if left out, estimated from what is left");
+    o.add("--hold", o.options.held_inputs, "inputs whose values in the data count up to the next time, comma separated; others change linearly")
+        ->delimiter(',');
+    o.add("--prior", o.options.priors, "what is known beforehand, as d_R=normal(0.3, 5 %): mean and standard deviation");
+    o.one_of(o.add("--loss", o.options.loss, "how outliers count: none, huber or cauchy; none: as all other values")->capture_default_str(),
+             {"none", "huber", "cauchy"});
+    o.add("--starts", o.options.starts, "number of starts: the values of the model, and random ones")->capture_default_str()->check(CLI::Range(1, 10000));
+    o.add("--seed", o.options.seed, "seed of the random starts")->capture_default_str();
+    o.settings();
+    o.output();
+    o.format();
+    o.run();
+    o.fit_integration();
+    o.no_plot();
+    o.cache();
+    o.explain("print time and result of each stage, and the origin of the plant");
+}
+
 void take_study(VerbOptions& o) {
     o.model(VerbOptions::Model::optional);
     o.add("--vary", o.options.vary,
@@ -291,6 +317,8 @@ constexpr auto table = std::to_array<Verb>({
      modal_command,
      take_modal},
     {"optimise", "find the parameter that maximises or minimises an output at the end of a run", optimise_command, take_optimise},
+    {"identify", "fit parameters, start values, offsets and delays to measured data, with error bars; write a parameter file, a page and CSV",
+     identify_command, take_identify},
     {"study", "make many runs with varied parameters, start values and inputs; write a CSV with a row for each, statistics and plots",
      study_command, take_study},
     {"survey", "check, generate and simulate several models; print a table", survey_command, take_survey},

@@ -48,7 +48,8 @@
     KIND("effects", effects, Effect) \
     KIND("scenes", scenes, SceneChoice) \
     KIND("printed", printed, PrintedEquation) \
-    KIND("runs", runs, Run)
+    KIND("runs", runs, Run) \
+    KIND("measurements", measurements, Measurement)
 
 namespace dalembert {
 

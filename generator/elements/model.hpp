@@ -71,6 +71,7 @@ struct Model {
     std::string default_scene;
     std::vector<PrintedEquation> printed;
     std::vector<Run> runs;
+    std::vector<Measurement> measurements;
 };
 
 }  // namespace dalembert

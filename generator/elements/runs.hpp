@@ -169,4 +169,29 @@ void describe(Visitor& v, E& run) {
     v.item({.has_when = false});
 }
 
+/// What a column of measured data is.
+struct Measurement : Item {
+    std::string quantity;
+    std::string column;
+    std::optional<Unit> unit;
+    ExpressionPtr noise;
+    bool hold = false;
+};
+
+template <>
+inline constexpr KindSpec kind_of<Measurement>{"measurement",
+    "Columns of measured data, for `identify`, whose names or units differ from those of the model, or whose noise is known.",
+    "[measurements.phi]\ncolumn = \"encoder 1\"\nunit   = \"deg\"\nnoise  = \"0.2 deg\""};
+
+template <class Visitor, ElementOf<Measurement> E>
+void describe(Visitor& v, E& measurement) {
+    v("quantity", measurement.quantity,
+      {.doc = "t, or an output, coordinate, rate of one, state, input or parameter, as \"dot(phi)\"; the name of the entry if left out"});
+    v("column", measurement.column, {.doc = "title of the column in the data, without its unit; the quantity if left out"});
+    v("unit", measurement.unit, {.doc = "unit of the numbers in the data; if left out, the one in the title, or else the declared one"});
+    v("noise", measurement.noise, {.depends = constant_only, .doc = "standard deviation; estimated if left out"});
+    v("hold", measurement.hold, {.doc = "of an input: each value counts up to the next time; else it changes linearly"});
+    v.item({.has_when = false});
+}
+
 }  // namespace dalembert

@@ -16,7 +16,7 @@ namespace dalembert {
 namespace {
 
 /// A part of a line, [begin, end) of the source.
-struct Field {
+struct CsvField {
     std::size_t begin, end;
     std::string text;  ///< without quotes and blanks around it
 };
@@ -26,10 +26,10 @@ std::string trimmed(std::string_view text) {
     return begin == std::string_view::npos ? "" : std::string(text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1));
 }
 
-std::vector<Field> fields_of(std::string_view line, std::size_t begin, char separator) {
-    std::vector<Field> fields;
+std::vector<CsvField> fields_of(std::string_view line, std::size_t begin, char separator) {
+    std::vector<CsvField> fields;
     for (std::size_t i = 0; i <= line.size(); ++i) {
-        Field field{begin + i, 0, ""};
+        CsvField field{begin + i, 0, ""};
         std::string text;
         for (bool is_quoted = false; i < line.size() && (is_quoted || line[i] != separator); ++i) {
             if (line[i] != '"') text += line[i];
@@ -52,7 +52,7 @@ char separator_of(std::string_view titles) {
 }
 
 /// "phi [deg]"
-DataColumn column_of(const Field& title, const SourcePtr& source) {
+DataColumn column_of(const CsvField& title, const SourcePtr& source) {
     DataColumn column{title.text, "", Span{source, title.begin, title.end}, {}};
     const auto open = title.text.rfind('[');
     if (open == std::string::npos || !title.text.ends_with("]") || open == 0 || title.text[open - 1] != ' ') return column;
@@ -61,7 +61,7 @@ DataColumn column_of(const Field& title, const SourcePtr& source) {
     return column;
 }
 
-double number_of(const Field& field, const SourcePtr& source, char separator) {
+double number_of(const CsvField& field, const SourcePtr& source, char separator) {
     constexpr double missing = std::numeric_limits<double>::quiet_NaN();
     std::string text = field.text;
     if (text.starts_with("+")) text.erase(0, 1);
@@ -108,9 +108,9 @@ DataFile parse_data(const SourcePtr& source) {
         if (trimmed(line).empty() || line.front() == '#') continue;
         const bool is_title = file.columns.empty();
         if (is_title) separator = separator_of(line);
-        const std::vector<Field> fields = fields_of(line, here, separator);
+        const std::vector<CsvField> fields = fields_of(line, here, separator);
         if (is_title) {
-            for (const Field& title : fields) {
+            for (const CsvField& title : fields) {
                 if (!title.text.empty() && file.find(column_of(title, source).name) != nullptr)
                     throw Failure(Diagnostic{Id::doubly_defined, Span{source, title.begin, title.end},
                                              fmt::format("two columns are called '{}'", column_of(title, source).name)});

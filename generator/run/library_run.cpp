@@ -46,6 +46,7 @@ void refuse_options_of_models(const Options& options) {
     only_of_models(!options.choice.scene.empty(), "--scene");
     only_of_models(!options.choice.sizes.empty(), "--size");
     only_of_models(!options.run.empty(), "--run");
+    only_of_models(!options.parameter_files.empty(), "--parameters");
     only_of_models(options.periods > 0, "--periods");
     only_of_models(!options.sensitivities.empty(), "--sensitivities");
     only_of_models(options.units == "declared", "--units declared");

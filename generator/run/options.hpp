@@ -22,8 +22,17 @@ struct Options {
     std::string generated;                ///< of gallery: folder of headers and pictures, if not that of the pages
     std::string header;                   ///< file name of the header, if not the usual one
     std::vector<std::string> parameters;  ///< "m_W=1.2,g=9.81"
+    std::vector<std::string> parameter_files;
     std::vector<std::string> states;
     std::vector<std::string> inputs;
+    std::vector<std::string> data;        ///< of identify: files
+    std::string fit;                      ///< "d_R, start(phi)"
+    std::vector<std::string> measured;    ///< columns of data that are compared; all, if empty
+    std::vector<std::string> noise;       ///< of columns: "phi=0.2deg"
+    std::vector<std::string> held_inputs; ///< of data, that keep each value up to the next
+    std::vector<std::string> priors;      ///< "d_R=normal(0.3, 5 %)"
+    std::string loss = "none";
+    int starts = 1;
     std::vector<std::string> measured_inputs;  ///< that data give
     std::string mode;                     ///< of a machine that switches; empty: the first
     int digits = 17;

@@ -165,7 +165,7 @@ void RunPreparation::set_values(Values& values, const System& system) const {
         set(run_->parameters, on_parameters);
         set(run_->start, on_states);
     }
-    apply_settings(values, parse_settings(options_.parameters, "parameter"), on_parameters, system);
+    apply_settings(values, parameter_settings(options_), on_parameters, system);
     apply_settings(values, parse_settings(options_.states, "state"), on_states, system);
 }
 

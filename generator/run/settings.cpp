@@ -12,6 +12,8 @@
 #include "elements/heat.hpp"
 #include "language/parser.hpp"
 #include "check/written_values.hpp"
+#include "read/document.hpp"
+#include "text/files.hpp"
 
 namespace dalembert {
 
@@ -61,6 +63,44 @@ std::vector<Setting> parse_settings(const std::vector<std::string>& texts, const
             begin = end + 1;
         }
     }
+    return settings;
+}
+
+namespace {
+
+/// [parameters] of a file.
+void read_parameter_file(const std::string& file, std::vector<Setting>& settings) {
+    const DocumentNode root = parse_document(read_text_file(file));
+    const DocumentNode* table = nullptr;
+    for (const DocumentNode::Member& member : root.members) {
+        if (member.key != "parameters")
+            throw Failure(Diagnostic{Id::unknown_key, member.key_span,
+                                     fmt::format("a parameter file has the table [parameters] alone, and no '{}'", member.key)});
+        table = &member.value;
+    }
+    if (table == nullptr) throw Failure(Diagnostic{Id::missing_key, root.span, "a parameter file has a table [parameters], which is missing"});
+    if (table->kind != DocumentNode::Kind::table)
+        throw Failure(Diagnostic{Id::wrong_type, table->span, fmt::format("'parameters' is {}, but must be a table", describe(table->kind))});
+    for (const DocumentNode::Member& member : table->members) {
+        const DocumentNode& value = member.value;
+        const auto name = std::make_shared<const Source>("--parameters " + file, member.key);
+        if (value.kind == DocumentNode::Kind::string) settings.push_back({parse_expression(excerpt_of(name)), parse_expression(value.string)});
+        else if (value.kind == DocumentNode::Kind::number)
+            settings.push_back({parse_expression(excerpt_of(name)),
+                                parse_expression(excerpt_of(value.span.source, value.span.begin, value.span.end))});
+        else
+            throw Failure(Diagnostic{Id::wrong_type, value.span,
+                                     fmt::format("the value of '{}' is {}, but must be a number, or a text as \"5 bar\"", member.key,
+                                                 describe(value.kind))});
+    }
+}
+
+}  // namespace
+
+std::vector<Setting> parameter_settings(const Options& options) {
+    std::vector<Setting> settings;
+    for (const std::string& file : options.parameter_files) read_parameter_file(file, settings);
+    for (Setting& setting : parse_settings(options.parameters, "parameter")) settings.push_back(std::move(setting));
     return settings;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "form/system.hpp"
+#include "run/options.hpp"
 #include "scene/fix_parameters.hpp"
 #include "text/diagnostic.hpp"
 
@@ -26,6 +27,10 @@ std::vector<Setting> parse_settings(const std::vector<std::string>& texts, const
 /// "parameters", or names and values: what --fix asks for. Throws Failure (bad-option, syntax, unknown-unit, unit-mismatch,
 /// not-allowed-here).
 FixWish parse_fixed(const std::string& text, const Names& names);
+
+/// Those of parameter files, and behind them those of --parameter. A parameter file is TOML with a table of values, as "5 bar" or 0.3, by
+/// names: [parameters]. Throws Failure (unreadable-file, toml-syntax, unknown-key, missing-key, wrong-type, syntax, unknown-unit).
+std::vector<Setting> parameter_settings(const Options& options);
 
 /// Applies them. `allowed` says what may be set: bits of Dependence. Throws Failure (unknown-name, unit-mismatch, value-out-of-range).
 void apply_settings(Values& values, const std::vector<Setting>& settings, unsigned allowed, const System& system);

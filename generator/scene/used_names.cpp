@@ -22,6 +22,7 @@ std::set<std::string> names_read(const Model& model, const Names& names) {
     readers.definitions.clear();
     readers.printed.clear();
     readers.runs.clear();
+    readers.measurements.clear();
     std::set<std::string> read;
     const std::function<void(const Site&)> note = [&](const Site& site) {
         for_each(*site.expression, [&](const Expression& e) {

@@ -20,6 +20,7 @@ struct Panel {
     std::string title;
     std::string x;
     std::vector<std::string> y;
+    std::vector<std::string> points = {};  ///< drawn as points and not as lines
 };
 
 namespace detail {
@@ -124,7 +125,8 @@ inline std::string gnuplot_commands(const Recording& recording, const std::vecto
     std::vector<Panel> drawn;
     for (const Panel& panel : panels) {
         bool known = panel.x.empty() || recording.find(panel.x) < recording.columns.size();
-        for (const std::string& name : panel.y) known = known && recording.find(name) < recording.columns.size();
+        for (const auto* names : {&panel.y, &panel.points})
+            for (const std::string& name : *names) known = known && recording.find(name) < recording.columns.size();
         if (known && !panel.y.empty()) drawn.push_back(panel);
     }
     std::string text =
@@ -144,8 +146,11 @@ inline std::string gnuplot_commands(const Recording& recording, const std::vecto
         else
             text += "set size noratio\nset lmargin at screen 0.13\nset rmargin at screen 0.96\nset xtics autofreq\n";
         text += detail::range_command(y);
-        text += panel.y.size() > 1 ? "set key on\n" : "set key off\n";
+        text += panel.y.size() + panel.points.size() > 1 ? "set key on\n" : "set key off\n";
         text += "plot ";
+        for (const std::string& name : panel.points)
+            text += "$data using " + std::to_string(column_x + 1) + ":" + std::to_string(recording.find(name) + 1) +
+                    " with points pt 7 ps 0.35 lc rgb '#909090' title " + detail::gnuplot_string(name) + ", ";
         for (std::size_t i = 0; i < panel.y.size(); ++i) {
             const std::string columns = std::to_string(column_x + 1) + ":" + std::to_string(recording.find(panel.y[i]) + 1);
             text += std::string(i == 0 ? "" : ", ") + "$data using " + columns + " with lines lw 1.5 lc rgb color[" +

@@ -19,7 +19,7 @@ namespace {
 const std::vector<std::string> order{"text",      "plant",   "language", "elements", "check",    "read",  "scene",
                                      "printed",   "symbolic", "mechanics", "balance", "form",    "prove", "graph",
                                      "program",   "cpp",     "c",        "emit",     "pipeline", "book",  "run",
-                                     "export",    "study",   "report",  "reference", "command", "main"};
+                                     "export",    "identify", "study",   "report",  "reference", "command", "main"};
 
 std::size_t rank(const std::string& layer) {
     return std::size_t(std::find(order.begin(), order.end(), layer) - order.begin());
