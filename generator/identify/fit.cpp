@@ -31,6 +31,8 @@ public:
 
     void PrepareForEvaluation(bool with_slopes, bool is_new) override {
         if (!is_new && (has_slopes_ || !with_slopes)) return;
+        // Most steps are taken, and then their derivatives are asked for: they come with the run for less than a second run costs.
+        with_slopes = with_slopes || !by_differences_;
         const std::vector<double> x = in_si();
         comparisons.clear();
         const auto work = [&](std::size_t e) { return compare(e, x, with_slopes); };

@@ -204,7 +204,20 @@ PlantRun FitRun::prepared(std::size_t experiment, const std::vector<double>& x) 
         run.varied.push_back({Varied::parameter(number), one.name, "s", std::vector<double>(run.start.size()), std::vector<double>(run.kinks.size())});
     }
     add_experiment(run, experiment);
+    run.inputs_of_time_alone = are_of_time_alone(settings.inputs);
     return run;
+}
+
+bool FitRun::are_of_time_alone(const std::vector<ex>& inputs) const {
+    const Symbols& symbols = machine_.system->symbols;
+    const std::vector<const Variable*> states = symbols.state_variables();
+    for (const ex& input : inputs) {
+        const ex written = symbols.without_definitions(input);
+        const auto has = [&](const Variable* variable) { return variable != nullptr && written.has(variable->symbol); };
+        if (std::any_of(states.begin(), states.end(), has)) return false;
+        if (std::any_of(fitted_.begin(), fitted_.end(), [&](const Fitted& one) { return has(one.variable); })) return false;
+    }
+    return std::none_of(fitted_.begin(), fitted_.end(), [](const Fitted& one) { return one.what == Fitted::What::delay; });
 }
 
 /// Its end, its times, and its inputs with their jumps, which are kinks that delays move.
@@ -217,6 +230,7 @@ void FitRun::add_experiment(PlantRun& run, std::size_t experiment) const {
     run.sampled = own.inputs;
     run.parameters.resize(parameters + (own.inputs.empty() ? 0 : machine_.system->symbols.count(SymbolKind::input)), 0.0);
     run.steps_freely = run.steps_freely && own.inputs.empty();
+    run.is_for_fit = true;
     run.is_of_heat = false;  // nobody asks for the step of Euler's method
 }
 

@@ -63,6 +63,7 @@ private:
     void add_experiment(PlantRun& run, std::size_t experiment) const;
     double first_value(const FitUnknown& unknown) const;
     bool follows_nothing(std::size_t experiment) const;
+    bool are_of_time_alone(const std::vector<GiNaC::ex>& inputs) const;
     PlantRun run_at(std::size_t experiment, const std::vector<double>& x) const;
     std::optional<std::size_t> place_of(std::size_t fitted, std::size_t experiment) const;
 

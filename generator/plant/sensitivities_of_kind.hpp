@@ -18,6 +18,46 @@ inline std::vector<Varied> varied_of(const PlantRun& run) {
     return varied;
 }
 
+/// States and outputs as the run records them, by each that is varied, at one point. slopes_of_inputs(c) says how inputs follow that.
+template <class System, class Slopes>
+std::vector<double> sensitivity_row(const PlantRun& run, const System& system, const std::vector<Varied>& varied,
+                                    const typename System::Input& u, const typename System::State& x, double t, unsigned mode,
+                                    const std::vector<typename System::State>& S, const Slopes& slopes_of_inputs) {
+    const dalembert_plant& plant = *dalembert::detail::plant_in_use;
+    std::vector<double> row;
+    std::vector<double> by_states(plant.outputs * plant.states), by_inputs(plant.outputs * plant.inputs),
+        by_parameters(plant.outputs * plant.parameters);
+    const auto fill = [&](auto function, std::vector<double>& entries) {
+        if (function != nullptr && !entries.empty()) function(system.self(), mode, x.data(), u.data(), t, entries.data());
+    };
+    fill(plant.output_jacobian_x, by_states);
+    fill(plant.output_jacobian_u, by_inputs);
+    fill(plant.output_jacobian_p, by_parameters);
+    for (std::size_t c = 0; c < varied.size(); ++c) {
+        const typename System::State& s = S[c];
+        for (const RecordedState& state : run.states) row.push_back(s[state.place] * (state.is_root ? 2 * x[state.place] : 1));
+        if (!has_slopes_of_outputs(plant) || plant.outputs == 0) continue;
+        const auto of_inputs = slopes_of_inputs(c);
+        const bool has_column = varied[c].of == Varied::Of::parameter && varied[c].number < plant.parameters;  // delays have none
+        for (std::size_t i = 0; i < plant.outputs; ++i) {
+            double sum = has_column ? by_parameters[varied[c].number * plant.outputs + i] : 0;
+            for (std::size_t j = 0; j < plant.states; ++j) sum += by_states[j * plant.outputs + i] * s[j];
+            for (std::size_t j = 0; j < plant.inputs; ++j) sum += by_inputs[j * plant.outputs + i] * of_inputs[j];
+            row.push_back(sum);
+        }
+    }
+    return row;
+}
+
+/// dx/d(varied) at the start. Cells of rods begin as the plant says, the others as the run does.
+template <class System>
+std::vector<typename System::State> sensitivities_at_start_of(const PlantRun& run, const System& system, const std::vector<Varied>& varied) {
+    auto S = sensitivities_at_start(system, varied);
+    for (std::size_t c = 0; c < varied.size(); ++c)
+        for (std::size_t i = 0; i < run.places.size(); ++i) S[c][run.places[i]] = run.varied[c].start[i];
+    return S;
+}
+
 template <class System>
 class Sensitivities : public SensitivitiesOfRun<System> {
     using State = typename System::State;
@@ -31,7 +71,7 @@ public:
           inputs_(inputs),
           varied_(varied_of(run)),
           columns_(varied_.size()),
-          replay_(system, inputs, varied_, x, at_start(), 0.0, run.until, options) {
+          replay_(system, inputs, varied_, x, sensitivities_at_start_of(run, system, varied_), 0.0, run.until, options) {
         for (std::size_t k = 0; k < run.kinks.size(); ++k) {
             kinks_.push_back({run.kinks[k], {}});
             for (const VariedOfRun& one : run.varied) kinks_.back().slope.push_back(one.kinks[k]);
@@ -62,44 +102,11 @@ public:
     const Outcome& outcome() const override { return replay_.outcome(); }
 
     std::vector<double> row() const override {
-        const dalembert_plant& plant = *dalembert::detail::plant_in_use;
-        std::vector<double> row;
-        std::vector<double> by_states(plant.outputs * plant.states), by_inputs(plant.outputs * plant.inputs),
-            by_parameters(plant.outputs * plant.parameters);
-        const auto u = inputs_(x_, t_);
-        const auto fill = [&](auto function, std::vector<double>& entries) {
-            if (function != nullptr && !entries.empty()) function(system_.self(), mode_, x_.data(), u.data(), t_, entries.data());
-        };
-        fill(plant.output_jacobian_x, by_states);
-        fill(plant.output_jacobian_u, by_inputs);
-        fill(plant.output_jacobian_p, by_parameters);
-        for (std::size_t c = 0; c < varied_.size(); ++c) {
-            const State& s = replay_.S()[c];
-            for (const RecordedState& state : run_.states) row.push_back(s[state.place] * (state.is_root ? 2 * x_[state.place] : 1));
-            if (!has_slopes_of_outputs(plant)) continue;
-            const auto of_inputs = replay_.slopes_of_inputs(c);
-            for (std::size_t i = 0; i < plant.outputs; ++i) {
-                double sum = has_column(c) ? by_parameters[varied_[c].number * plant.outputs + i] : 0;
-                for (std::size_t j = 0; j < plant.states; ++j) sum += by_states[j * plant.outputs + i] * s[j];
-                for (std::size_t j = 0; j < plant.inputs; ++j) sum += by_inputs[j * plant.outputs + i] * of_inputs[j];
-                row.push_back(sum);
-            }
-        }
-        return row;
+        return sensitivity_row(run_, system_, varied_, inputs_(x_, t_), x_, t_, mode_, replay_.S(),
+                               [this](std::size_t c) { return replay_.slopes_of_inputs(c); });
     }
 
 private:
-    bool has_column(std::size_t c) const {
-        return varied_[c].of == Varied::Of::parameter && varied_[c].number < dalembert::detail::plant_in_use->parameters;
-    }
-    /// Cells of rods begin as the plant says, the others as the run does.
-    typename Following::Sensitivities at_start() const {
-        auto S = sensitivities_at_start(system_, varied_);
-        for (std::size_t c = 0; c < varied_.size(); ++c)
-            for (std::size_t i = 0; i < run_.places.size(); ++i) S[c][run_.places[i]] = run_.varied[c].start[i];
-        return S;
-    }
-
     const PlantRun& run_;
     const System& system_;
     const InputsOfPlant& inputs_;

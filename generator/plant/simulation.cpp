@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "plant/sensitivities_together.hpp"
 #include "plant/simulation_of_kind.hpp"
 
 namespace dalembert {
 
 PlantRunResult simulate_plant(const dalembert_plant& plant, const PlantRun& run) {
+    if (run.is_for_fit && can_simulate_together(plant, run)) return simulate_together(plant, run);
     switch (kind_of(plant)) {
         case PlantKind::free: return simulate_kind<PlantKind::free>(plant, run);
         case PlantKind::normed: return simulate_kind<PlantKind::normed>(plant, run);

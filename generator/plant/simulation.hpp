@@ -50,6 +50,8 @@ struct PlantRun {
     bool steps_freely = false;       ///< nothing acts in between that steps could miss
     bool keeps_all = true;           ///< else only the last row
     std::vector<VariedOfRun> varied = {};  ///< derivatives are recorded of plants that have those by parameters
+    bool inputs_of_time_alone = false;  ///< they follow neither the state nor what is varied
+    bool is_for_fit = false;         ///< energies and the error of derivatives are not asked for: as fast as it can be
     bool is_of_heat = false;         ///< the largest step of the explicit Euler method is asked for
 };
 

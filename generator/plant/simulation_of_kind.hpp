@@ -39,6 +39,40 @@ inline std::string quotient_of_units(const std::string& unit, const std::string&
     return (unit.empty() ? "1" : unit) + "/" + below;
 }
 
+inline detail::PlantBase::Input held_inputs(const PlantRun& run) {
+    detail::PlantBase::Input u;
+    std::copy(run.held_inputs.begin(), run.held_inputs.end(), u.begin());
+    return u;
+}
+
+/// Time, states, outputs and inputs.
+template <class System>
+std::vector<Column> recorded_columns(const PlantRun& run) {
+    std::vector<Column> columns{{"t", "s"}};
+    for (const RecordedState& state : run.states) columns.push_back({state.name, state.unit});
+    for (const auto& quantity : System::output_table()) columns.push_back({quantity.name, quantity.unit});
+    for (const auto& quantity : System::input_table()) columns.push_back({quantity.name, quantity.unit});
+    return columns;
+}
+
+/// Time, and states and outputs by each that is varied.
+template <class System>
+std::vector<Column> sensitivity_columns(const PlantRun& run) {
+    std::vector<Column> columns{{"t", "s"}};
+    for (const VariedOfRun& one : run.varied) {
+        const auto add = [&](const std::string& name, const std::string& unit) {
+            columns.push_back({"d(" + name + ")/d(" + one.name + ")", quotient_of_units(unit, one.unit)});
+        };
+        for (const RecordedState& state : run.states) add(state.name, state.unit);
+        if (has_slopes_of_outputs(*dalembert::detail::plant_in_use))
+            for (const auto& quantity : System::output_table()) add(quantity.name, quantity.unit);
+    }
+    return columns;
+}
+
+/// Methods of fixed steps, and those that need more than rates, do not take S.
+inline bool takes_sensitivities(Method method) { return method == Method::dopri5 || method == Method::dop853 || method == Method::rodas5p; }
+
 template <class System>
 class Runner {
     using State = typename System::State;
@@ -46,7 +80,7 @@ class Runner {
     static constexpr bool switches = dalembert::detail::is_switching<System>;
 
 public:
-    explicit Runner(const PlantRun& run) : run_(run), system_(run.parameters), inputs_(system_, held_inputs(run), &run.sampled) {}
+    explicit Runner(const PlantRun& run) : run_(run), system_(run.parameters), inputs_(system_, held_inputs(run), &run.sampled, run.inputs_of_time_alone) {}
 
     PlantRunResult operator()() {
         State x = system_.start_state();
@@ -82,12 +116,6 @@ public:
     }
 
 private:
-    static typename System::Input held_inputs(const PlantRun& run) {
-        typename System::Input u;
-        std::copy(run.held_inputs.begin(), run.held_inputs.end(), u.begin());
-        return u;
-    }
-
     double energy(const State& x) const {
         const auto of = [&](auto... mode) {
             return system_.kinetic_energy(mode..., x, 0.0) + std::fabs(system_.potential_energy(mode..., x, 0.0)) +
@@ -102,10 +130,7 @@ private:
     Recording empty_recording() const {
         Recording recording;
         auto& columns = recording.columns;
-        columns.push_back({"t", "s"});
-        for (const RecordedState& state : run_.states) columns.push_back({state.name, state.unit});
-        for (const auto& quantity : System::output_table()) columns.push_back({quantity.name, quantity.unit});
-        for (const auto& quantity : System::input_table()) columns.push_back({quantity.name, quantity.unit});
+        columns = recorded_columns<System>(run_);
         for (const char* each : {"kinetic_energy", "potential_energy", "internal_energy", "work"}) columns.push_back({each, "J"});
         if (switches) columns.push_back({"mode", ""});
         return recording;
@@ -113,28 +138,12 @@ private:
 
     template <class Options>
     void begin_sensitivities(const Options& options, const State& x) {
-        result_.sensitivities = empty_sensitivities();
+        result_.sensitivities.columns = sensitivity_columns<System>(run_);
         IntegrationOptions<State> of_states;
         dalembert::detail::copy_options(of_states, options);
-        // Methods of fixed steps, and those that need more than rates, do not take S.
-        const bool takes = options.method == Method::dopri5 || options.method == Method::dop853 || options.method == Method::rodas5p;
-        if (!takes) of_states.method = Method::automatic;
+        if (!takes_sensitivities(options.method)) of_states.method = Method::automatic;
         of_states.step = 0;
         sensitivities_ = sensitivities_of(run_, system_, inputs_, x, of_states);
-    }
-
-    Recording empty_sensitivities() const {
-        Recording recording;
-        recording.columns.push_back({"t", "s"});
-        for (const VariedOfRun& one : run_.varied) {
-            const auto add = [&](const std::string& name, const std::string& unit) {
-                recording.columns.push_back({"d(" + name + ")/d(" + one.name + ")", quotient_of_units(unit, one.unit)});
-            };
-            for (const RecordedState& state : run_.states) add(state.name, state.unit);
-            if (has_slopes_of_outputs(*dalembert::detail::plant_in_use))
-                for (const auto& quantity : System::output_table()) add(quantity.name, quantity.unit);
-        }
-        return recording;
     }
 
     template <class Sample>

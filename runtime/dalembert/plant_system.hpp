@@ -334,11 +334,13 @@ private:
 class InputsOfPlant {
 public:
     static constexpr std::size_t series_rows = 0;
-    /// Refers to the system and to what was measured.
-    InputsOfPlant(const detail::PlantBase& system, detail::PlantBase::Input held, const std::vector<SampledInput>* sampled = nullptr)
-        : system_(system), held_(std::move(held)), sampled_(sampled) {}
+    /// Refers to the system and to what was measured. `of_time_alone`: they follow neither the state nor parameters nor delays that are varied.
+    InputsOfPlant(const detail::PlantBase& system, detail::PlantBase::Input held, const std::vector<SampledInput>* sampled = nullptr,
+                  bool of_time_alone = false)
+        : system_(system), held_(std::move(held)), sampled_(sampled), of_time_alone_(of_time_alone) {}
+    bool of_time_alone() const { return of_time_alone_; }
     /// The same with the parameters and delays of another system.
-    InputsOfPlant of(const detail::PlantBase& system) const { return {system, held_, sampled_}; }
+    InputsOfPlant of(const detail::PlantBase& system) const { return {system, held_, sampled_, of_time_alone_}; }
     detail::PlantBase::Input operator()(const detail::PlantBase::State& x, double t) const {
         detail::PlantBase::Input u = held_;
         if (detail::plant_in_use->inputs_of_run != nullptr) detail::plant_in_use->inputs_of_run(system_.self(), x.data(), t, u.data());
@@ -351,6 +353,7 @@ private:
     const detail::PlantBase& system_;
     detail::PlantBase::Input held_;
     const std::vector<SampledInput>* sampled_;
+    bool of_time_alone_;
 };
 
 }  // namespace v1

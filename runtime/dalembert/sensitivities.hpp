@@ -23,14 +23,16 @@ inline namespace v1 {
 template <class System, std::size_t count>
 using Sensitivities = std::array<typename System::State, count>;  ///< a column dx/d(varied) for each; in units of x by units of that
 
-/// One point of a run. References: copy what is to be kept.
-template <class System, std::size_t count>
-struct SensitivitySample {
+/// One point of a run. References: copy what is to be kept. `Columns` holds a column dx/d(varied) for each that is varied.
+template <class System, class Columns>
+struct SensitivityPoint {
     typename System::scalar_type t;
     const typename System::State& x;
     const typename System::Input& u;
-    const Sensitivities<System, count>& S;
+    const Columns& S;
 };
+template <class System, std::size_t count>
+using SensitivitySample = SensitivityPoint<System, Sensitivities<System, count>>;
 
 namespace detail {
 
@@ -43,37 +45,38 @@ constexpr bool needs_rates_alone() {
         return !may_have_entries<typename System::Guards>;
 }
 
-/// S with the state, in one integration.
-template <std::size_t count, class System, class Inputs, class Observer>
-Outcome integrate_together(const System& system, const Inputs& inputs, const std::array<Varied, count>& varied, typename System::State& x,
-                           Sensitivities<System, count>& S, typename System::scalar_type from, typename System::scalar_type to,
-                           const IntegrationOptions<typename System::State>& options, Observer& observe, bool controls) {
+/// S with the state, in one integration. `List` is an array or a vector of Varied.
+template <class List, class System, class Inputs, class Observer>
+Outcome integrate_together(const System& system, const Inputs& inputs, const List& varied, typename System::State& x,
+                           typename Columns<List>::template Of<typename System::State>& S, typename System::scalar_type from,
+                           typename System::scalar_type to, const IntegrationOptions<typename System::State>& options, Observer& observe,
+                           bool controls) {
     using Scalar = typename System::scalar_type;
-    using List = std::array<Varied, count>;
     using Motion = Variational<System, Inputs, List>;
     using State = typename Motion::State;
+    using Point = SensitivityPoint<System, typename Columns<List>::template Of<typename System::State>>;
     const std::size_t n = size_of<typename System::State>();
     IntegrationOptions<State> whole;
     copy_options(whole, options);
     const auto size = [&](const Varied& one) {
         return one.of == Varied::Of::start ? options.scale[one.number] : size_of_parameter(system, one.number);
     };
-    for (std::size_t c = 0; c < count; ++c)
+    for (std::size_t c = 0; c < varied.size(); ++c)
         for (std::size_t i = 0; i < n; ++i)
             whole.scale[(c + 1) * n + i] = controls ? options.scale[i] / size(varied[c]) : std::numeric_limits<Scalar>::max();
     const MovedSystems<System, List> moved(system, varied);
     Motion motion(system, inputs, varied, moved, options.scale);
     State all;
     Motion::put(all, 0, x);
-    for (std::size_t c = 0; c < count; ++c) Motion::put(all, c + 1, S[c]);
+    for (std::size_t c = 0; c < varied.size(); ++c) Motion::put(all, c + 1, S[c]);
     const auto take = [&](const State& now) {
         x = Motion::part(now, 0);
-        for (std::size_t c = 0; c < count; ++c) S[c] = Motion::part(now, c + 1);
+        for (std::size_t c = 0; c < varied.size(); ++c) S[c] = Motion::part(now, c + 1);
     };
     const auto watch = [&](Scalar t, const State& now) {
         take(now);
         const auto u = inputs(x, t);
-        observe(SensitivitySample<System, count>{t, x, u, S});
+        observe(Point{t, x, u, S});
     };
     const auto rates = [&](const State& now, Scalar t, State& derivative) { motion.rates(now, t, derivative); };
     const Outcome outcome = integrate(rates, motion, all, from, to, whole, watch);

@@ -162,6 +162,7 @@ public:
             put(derivative, c + 1, rate);
         }
         if constexpr (may_have_entries<typename System::Input>) {
+            if (are_of_time_alone(inputs_, 0)) return;
             if (on_the_way_.have_feedback(x, u, t)) add_feedback(all, x, t, derivative);
             if constexpr (follow_parameters<Inputs, System>) add_parameters_of_inputs(x, u, t, derivative);
         }

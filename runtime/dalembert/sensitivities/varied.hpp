@@ -144,6 +144,15 @@ inline constexpr bool follow_parameters = false;
 template <class Inputs, class System>
 inline constexpr bool
     follow_parameters<Inputs, System, std::void_t<decltype(std::declval<const Inputs&>().of(std::declval<const System&>()))>> = true;
+/// Whether they are known to follow the time alone.
+template <class Inputs>
+auto are_of_time_alone(const Inputs& inputs, int) -> decltype(inputs.of_time_alone()) {
+    return inputs.of_time_alone();
+}
+template <class Inputs>
+bool are_of_time_alone(const Inputs&, long) {
+    return false;
+}
 template <class Inputs, class System>
 decltype(auto) inputs_with(const Inputs& inputs, const System& system) {
     if constexpr (follow_parameters<Inputs, System>)

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A run with its derivatives in one integration, whose steps follow the error of the state alone: what a fit needs.
+#pragma once
+
+#include "plant/simulation.hpp"
+
+namespace dalembert {
+
+/// Of a run that is varied, where nothing but the rates is needed: no events, constraints or kinks that move.
+bool can_simulate_together(const dalembert_plant& plant, const PlantRun& run);
+/// Energies, events and their errors are not in the result.
+PlantRunResult simulate_together(const dalembert_plant& plant, const PlantRun& run);
+
+}  // namespace dalembert
