@@ -9,6 +9,7 @@
 
 #include "command/write_result.hpp"
 #include "run/repeated_run.hpp"
+#include "run/settings.hpp"
 #include "run/shared.hpp"
 
 namespace dalembert {

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "elements/model.hpp"
-#include "form/input_kinks.hpp"
 #include "form/state_places.hpp"
 #include "prove/constraint_validity.hpp"
 #include "prove/value_checks.hpp"
@@ -164,13 +163,15 @@ void FitRun::check(std::size_t experiment) const {
 /// Whether neither start values nor kinks at known times follow parameters that are fitted, and constraints determine nothing.
 bool FitRun::follows_nothing(std::size_t experiment) const {
     const System& system = *machine_.system;
+    if (!system.constraints.empty() || !system.symbols.attitudes().empty() || !machine_.other_modes.empty()) return false;
     Values values = values_at(experiment, start_);
-    const SimulationSettings settings = preparation_.make_settings(values, system);
-    if (!system.constraints.empty() || !system.symbols.attitudes().empty() || !machine_.other_modes.empty() ||
-        may_have_kinks(system, settings.inputs, values))
-        return false;
-    for (const Fitted& one : fitted_)
-        if (one.what == Fitted::What::parameter) values.find(SymbolKind::parameter, one.variable->position, one.variable->symbol);
+    GiNaC::exset letters;
+    for (const Fitted& one : fitted_) {
+        if (one.what != Fitted::What::parameter) continue;
+        values.find(SymbolKind::parameter, one.variable->position, one.variable->symbol);
+        letters.insert(one.variable->symbol);
+    }
+    if (preparation_.settings_move(values, system, letters)) return false;
     const std::vector<ex> state = values.state();
     return std::none_of(fitted_.begin(), fitted_.end(), [&](const Fitted& one) {
         return one.what == Fitted::What::parameter &&

@@ -77,6 +77,11 @@ std::vector<std::vector<std::string>> column_rows(const IdentifyResult& result) 
     return rows;
 }
 
+bool has_shares(const IdentifyResult& result) {
+    return result.experiments.size() > 1 &&
+           std::any_of(result.values.begin(), result.values.end(), [](const IdentifiedValue& one) { return one.is_common; });
+}
+
 /// Of which it is worth to speak.
 std::vector<std::string> correlation_sentences(const IdentifyResult& result) {
     constexpr double worth = 0.95;
@@ -113,10 +118,12 @@ std::vector<std::string> remarks(const IdentifyResult& result) {
 
 std::vector<std::vector<std::string>> share_rows(const IdentifyResult& result) {
     std::vector<std::vector<std::string>> rows{{"data"}};
-    for (const IdentifiedValue& one : result.values) rows.front().push_back(one.name);
+    for (const IdentifiedValue& one : result.values)
+        if (one.is_common) rows.front().push_back(one.name);
     for (std::size_t e = 0; e < result.experiments.size(); ++e) {
         rows.push_back({result.experiments[e]});
-        for (const double share : result.shares[e]) rows.back().push_back(fmt::format("{:.0f} %", 100 * share));
+        for (std::size_t k = 0; k < result.values.size(); ++k)
+            if (result.values[k].is_common) rows.back().push_back(fmt::format("{:.0f} %", 100 * result.shares[e][k]));
     }
     return rows;
 }
@@ -148,7 +155,7 @@ IdentifyResult result_of(const FitRun& run, const Fit& fit, const FitStatistics&
     for (std::size_t k = 0; k < fit.x.size(); ++k) {
         const Fitted& one = run.fitted(run.unknowns()[k]);
         result.values.push_back({run.name(run.unknowns()[k]), one.shown, fit.x[k], run.start()[k], one.low, one.high, statistics.errors[k],
-                                 statistics.low[k], statistics.high[k], statistics.at_bound[k]});
+                                 statistics.low[k], statistics.high[k], statistics.at_bound[k], !run.unknowns()[k].experiment});
     }
     for (const ResidualReport& report : statistics.residuals) {
         const Measured& measured = run.experiments()[report.experiment].measured[report.column];
@@ -176,7 +183,7 @@ std::string as_text(const IdentifyResult& result) {
                                    result.iterations, result.runs);
     text += table(value_rows(result));
     text += "what is left, measured - simulated:\n" + table(column_rows(result));
-    if (result.experiments.size() > 1) text += "what each experiment tells of each value:\n" + table(share_rows(result));
+    if (has_shares(result)) text += "what each experiment tells of each value:\n" + table(share_rows(result));
     if (result.unweighted > 0) text += fmt::format("{} values count less than half\n", result.unweighted);
     for (const std::string& remark : remarks(result)) text += "note: " + remark + "\n";
     for (const std::filesystem::path& file : result.files) text += file.string() + "\n";
@@ -249,7 +256,7 @@ std::string identify_page(const IdentifyResult& result, const std::vector<std::s
                           {"LEAD", html_text(fmt::format("{} unknowns fitted to {} measured values.", result.values.size(), result.count))},
                           {"VALUES", html_table(value_rows(result))},
                           {"COLUMNS", html_table(column_rows(result))},
-                          {"SHARES", result.experiments.size() > 1 ? "<h2>What each experiment tells of each value</h2>\n" + html_table(share_rows(result)) : ""},
+                          {"SHARES", has_shares(result) ? "<h2>What each experiment tells of each value</h2>\n" + html_table(share_rows(result)) : ""},
                           {"REMARKS", remarks_text.empty() ? "" : "<h2>Notes</h2>\n<ul>\n" + remarks_text + "</ul>\n"},
                           {"PICTURES", pictures_text}});
 }

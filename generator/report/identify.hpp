@@ -21,6 +21,7 @@ struct IdentifiedValue {
     double error;              ///< standard error; infinite where the data do not tell
     double low_95, high_95;
     int at_bound;              ///< -1, 0, 1
+    bool is_common;            ///< to all experiments
 };
 
 struct ComparedColumn {

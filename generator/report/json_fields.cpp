@@ -327,6 +327,7 @@ constexpr auto schemas = std::to_array<JsonSchema>({
     {"equilibrium", of_equilibrium},
     {"modal", of_modal},
     {"optimise", of_optimise},
+    {"identify", of_identify},
     {"study", of_study},
     {"survey", of_survey},
     {"effects", of_effects},
