@@ -105,6 +105,8 @@ TEST_CASE("the JSON fields are the documented ones") {
         << "[model]\nformat = 1\nname = \"waves\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\nw = { value = 1, unit = \"1/s\" }\n"
            "[coordinates]\nq = { unit = \"m\", start_rate = 1 }\n[bodies.b]\nmass = \"m\"\nposition = [\"q\", 0, 0]\n"
            "[outputs]\ny = { value = \"q*sin(w*t)\", unit = \"m\" }\n[runs.reference]\nuntil = 1\n";
+    const std::string data = folder / "run.csv";
+    std::ofstream(data) << "t,q[1]\n0,1\n0.1,0.99\n0.2,0.96\n0.3,0.91\n0.4,0.84\n0.5,0.76\n";
     const std::map<std::string, std::vector<std::vector<std::string>>> calls{
         {"new", {{"crane", "-o", folder}}},
         {"derive",
@@ -147,7 +149,8 @@ TEST_CASE("the JSON fields are the documented ones") {
         {"accuracy", {{model, "--points", "20"}, {waves, "--points", "20"}}},
         {"identify",
          {{systems + "cart_pendulum.toml", "--data", SOURCE_DIR "/systems/data/cart_pendulum_1.csv", "--fit", "d_R,rho_S,h_S", "--no-plot", "-o",
-           folder}}},
+           folder},
+          {model, "--data", data, "--fit", "m", "--state", "q[1]=1", "--no-plot", "-o", folder}}},
         {"study",
          {{model, "--vary", "m=uniform(1, 2)", "--runs", "9", "--indices", "--until", "0.1", "--state", "q[1]=1", "--no-plot", "-o", folder},
           {model, "--vary", "m=uniform(1, 2)", "--runs", "9", "--indices", "--until", "0.1", "--only", "3", "-o", folder}}},
