@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every generated header, every function of it, in float, double and long double, without a warning, exceptions or type information.
+# "each": of each model one header.
 set -euo pipefail
 compiler=$1
 command -v "$compiler" >/dev/null || { echo "$compiler is missing"; exit 1; }
@@ -8,7 +9,11 @@ here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
 flags=(-std=c++17 -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Wfloat-conversion -Werror -fno-exceptions -fno-rtti)
 count=0
+last=
 while read -r header; do
+  model=$(sed -n 's/^namespace \(.*\)::.* {$/\1/p' "$header" | head -1)
+  [ "${2:-all}" = all ] || [ "$model" != "$last" ] || continue
+  last=$model
   name_space=$(sed -n 's/^namespace \(.*::.*\) {$/\1/p' "$header" | head -1)
   {
     echo "#include \"$header\""
