@@ -163,15 +163,29 @@ void FitRun::check(std::size_t experiment) const {
 /// Whether neither start values nor kinks at known times follow parameters that are fitted, and constraints determine nothing.
 bool FitRun::follows_nothing(std::size_t experiment) const {
     const System& system = *machine_.system;
-    if (!system.constraints.empty() || !system.symbols.attitudes().empty() || !machine_.other_modes.empty()) return false;
-    Values values = values_at(experiment, start_);
+    if (!system.constraints.empty() || !system.symbols.attitudes().empty()) return false;
+    const auto with_letters = [&](const System& mode, GiNaC::exset& letters) {
+        Values values(mode.scene, mode.translate);
+        preparation_.set_values(values, mode);
+        set(values, mode, experiment, start_);
+        for (const Fitted& one : fitted_) {
+            if (one.what != Fitted::What::parameter) continue;
+            const ex& letter = mode.symbols.get(SymbolKind::parameter, one.variable->position);
+            values.find(SymbolKind::parameter, one.variable->position, letter);
+            letters.insert(letter);
+        }
+        return values;
+    };
+    const auto moves = [&](const System& mode) {
+        GiNaC::exset letters;
+        const Values values = with_letters(mode, letters);
+        return preparation_.settings_move(values, mode, letters);
+    };
+    if (moves(system)) return false;
+    for (const Machine& other : machine_.other_modes)
+        if (moves(*other.system)) return false;
     GiNaC::exset letters;
-    for (const Fitted& one : fitted_) {
-        if (one.what != Fitted::What::parameter) continue;
-        values.find(SymbolKind::parameter, one.variable->position, one.variable->symbol);
-        letters.insert(one.variable->symbol);
-    }
-    if (preparation_.settings_move(values, system, letters)) return false;
+    const Values values = with_letters(system, letters);
     const std::vector<ex> state = values.state();
     return std::none_of(fitted_.begin(), fitted_.end(), [&](const Fitted& one) {
         return one.what == Fitted::What::parameter &&

@@ -46,6 +46,7 @@ nlohmann::ordered_json description(const Study& study, const Options& options, c
     if (options.samples != 0) json["samples"] = options.samples;
     for (const auto& [name, texts] : {std::pair{"parameter", &options.parameters}, {"state", &options.states}, {"input", &options.inputs}})
         if (!texts->empty()) json[name] = *texts;
+    for (const std::string& file : options.parameter_files) json["parameters"].push_back(digest_of(read_file(file)));
     json["vary"] = nlohmann::ordered_json::array();
     for (const VariedQuantity& one : varied) json["vary"].push_back(one.place.text());
     json["observe"] = nlohmann::ordered_json::array();
