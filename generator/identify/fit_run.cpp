@@ -59,6 +59,12 @@ FitRun::FitRun(const std::shared_ptr<const LoadedModel>& model, const Options& o
                 throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("the output '{}' cannot be compared: {}", measured.column, without_outputs)});
     }
     for (const Fitted& one : fitted_) {
+        for (const Experiment& experiment : experiments_)
+            for (const auto* settings : {&experiment.parameters, &experiment.starts})
+                for (const Setting& given : *settings)
+                    if (one.variable != nullptr && given.variable->written() == one.variable->recorded_name())
+                        throw Failure(Diagnostic{Id::bad_option, one.place,
+                                                 fmt::format("{} cannot be fitted: '{}' has a column with its value", one.name, experiment.name)});
         const auto measures = [&](const Experiment& e) {
             return std::any_of(e.measured.begin(), e.measured.end(), [&](const Measured& m) { return m.column == one.of; });
         };

@@ -91,6 +91,27 @@ std::string data_of_step(const std::shared_ptr<const LoadedModel>& model, double
     return text;
 }
 
+/// Derivatives are those of differences.
+void check_slopes(const FitRun& run, const std::vector<double>& x) {
+    const RunBesideData here = run.compare(0, x, true);
+    REQUIRE(here.failure.empty());
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        const double step = 1e-5 * x[k];
+        std::vector<double> ahead = x, behind = x;
+        ahead[k] += step;
+        behind[k] -= step;
+        const auto a = run.compare(0, ahead, false), b = run.compare(0, behind, false);
+        double error = 0, size = 0;
+        for (std::size_t i = 0; i < a.columns[0].simulated.size(); ++i) {
+            const double slope = (a.columns[0].simulated[i] - b.columns[0].simulated[i]) / (2 * step);
+            error = std::max(error, std::fabs(slope - here.columns[0].slopes[k][i]));
+            size = std::max(size, std::fabs(slope));
+        }
+        CAPTURE(k);
+        CHECK(error < 2e-5 * size);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("data files are read with their units, missing values and places") {
@@ -138,24 +159,13 @@ TEST_CASE("delays, units and names of columns: exact data lead back to the value
     for (std::size_t k = 0; k < truth.size(); ++k) CHECK(found.x[k] == doctest::Approx(truth[k]).epsilon(1e-5));
     CHECK(found.given_noise == std::vector<std::string>{"x"});
     CHECK(found.noise.at("x") == doctest::Approx(1e-4));
-    // Derivatives are those of differences, also by the delay of an input that jumps.
-    const RunBesideData here = run.compare(0, truth, true);
-    REQUIRE(here.failure.empty());
-    for (std::size_t k = 0; k < truth.size(); ++k) {
-        const double step = 1e-5 * truth[k];
-        std::vector<double> ahead = truth, behind = truth;
-        ahead[k] += step;
-        behind[k] -= step;
-        const auto a = run.compare(0, ahead, false), b = run.compare(0, behind, false);
-        double error = 0, size = 0;
-        for (std::size_t i = 0; i < a.columns[0].simulated.size(); ++i) {
-            const double slope = (a.columns[0].simulated[i] - b.columns[0].simulated[i]) / (2 * step);
-            error = std::max(error, std::fabs(slope - here.columns[0].slopes[k][i]));
-            size = std::max(size, std::fabs(slope));
-        }
-        CAPTURE(k);
-        CHECK(error < 2e-5 * size);
-    }
+    // Also by the delay of an input that jumps, and of one that does not.
+    check_slopes(run, truth);
+    std::string straight = oscillator;
+    straight.erase(straight.find("hold = true"), 11);
+    options.tolerance = 1e-13;  // of the differences
+    const FitRun linear(model_of(folder, straight), options, "m, c, d, x_0, delay(f)", files_of(text));
+    check_slopes(linear, truth);
 }
 
 TEST_CASE("what a free oscillation does not tell is named") {
@@ -245,6 +255,7 @@ TEST_CASE("data that do not fit the model are refused with a sentence") {
     CHECK(says(refusal("t,twice,current\n0,1,0\n1,2,0\n", "x"), "for its value at the start write start(x)"));
     CHECK(says(refusal("t,twice,current\n0,1,0\n1,2,0\n", "c, offset(x)"), "no data have a column 'x'"));
     CHECK(says(refusal("t,twice,current\n0,1,0\n1,2,0\n", "c, c"), "'c' is named twice"));
+    CHECK(says(refusal("t,twice,current,c\n0,1,0,2\n1,2,0,2\n", "c"), "c cannot be fitted: 'run.csv' has a column with its value"));
     CHECK(says(problem_of([&] { model_of(folder, std::string(oscillator) + "[measurements.y]\nunit = \"m\"\n"); }),
                "measurement 'y': 'y' is no output, coordinate"));
 }
