@@ -55,7 +55,8 @@ private:
             priors.push_back(prior);
         }
         if (!found)
-            throw Failure(Diagnostic{Id::unknown_name, part.whole(), fmt::format("'{}' is not fitted, so it has no prior; --fit names what is", name)});
+            throw Failure(Diagnostic{Id::unknown_name, part.whole(),
+                                     fmt::format("'{}' is not fitted, so it has no prior; --fit names what is", name)});
     }
     double number_alone(const Span& place) const {
         const ExpressionPtr e = parse_expression(excerpt_of(place.source, place.begin, place.end));
@@ -122,7 +123,8 @@ ExitCode identify_command(const Options& options, Streams streams) {
     for (std::size_t e = 0; e < run.experiments().size(); ++e) {
         const Experiment& experiment = run.experiments()[e];
         const std::string stem = std::filesystem::path(experiment.name).stem().string();
-        contents.emplace_back(folder / fmt::format("{}_fit_{}_{}.csv", name, e + 1, stem), csv_text(comparison_table(experiment, found->comparisons[e])));
+        contents.emplace_back(folder / fmt::format("{}_fit_{}_{}.csv", name, e + 1, stem),
+                              csv_text(comparison_table(experiment, found->comparisons[e])));
         pictures.push_back(options.no_plot ? "" : picture_of(experiment, found->comparisons[e], system));
     }
     contents.emplace_back(folder / (name + "_identified.html"), identify_page(result, pictures));
@@ -130,9 +132,11 @@ ExitCode identify_command(const Options& options, Streams streams) {
     result.files = paths_of(contents);
     write_result(result, options, streams);
     explain(run.machine().stages, run.plant(), options, streams);
-    const bool lacks_picture = !options.no_plot && std::any_of(pictures.begin(), pictures.end(), [](const std::string& p) { return p.empty(); });
+    const bool lacks_picture =
+        !options.no_plot && std::any_of(pictures.begin(), pictures.end(), [](const std::string& p) { return p.empty(); });
     if (lacks_picture) {
-        streams.err << "dalembert: no plot: gnuplot is missing or failed (on Debian: apt-get install gnuplot-nox); --no-plot leaves it out\n";
+        streams.err
+            << "dalembert: no plot: gnuplot is missing or failed (on Debian: apt-get install gnuplot-nox); --no-plot leaves it out\n";
         return ExitCode::tool_missing;
     }
     return result.converged ? ExitCode::good : ExitCode::check_failed;

@@ -32,9 +32,12 @@ std::vector<CsvField> fields_of(std::string_view line, std::size_t begin, char s
         CsvField field{begin + i, 0, ""};
         std::string text;
         for (bool is_quoted = false; i < line.size() && (is_quoted || line[i] != separator); ++i) {
-            if (line[i] != '"') text += line[i];
-            else if (is_quoted && i + 1 < line.size() && line[i + 1] == '"') text += line[i++];
-            else is_quoted = !is_quoted;
+            if (line[i] != '"')
+                text += line[i];
+            else if (is_quoted && i + 1 < line.size() && line[i + 1] == '"')
+                text += line[i++];
+            else
+                is_quoted = !is_quoted;
         }
         field.end = begin + i;
         field.text = trimmed(text);
@@ -70,10 +73,10 @@ double number_of(const CsvField& field, const SourcePtr& source, char separator)
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool is_number = error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
     if (!is_number)
-        throw Failure(Diagnostic{Id::wrong_type, Span{source, field.begin, field.end},
-                                 fmt::format("'{}' is no number{}; a missing value is an empty field, NA or nan", field.text,
-                                             separator != ',' && field.text.find(',') != std::string::npos ? ", which has a decimal point and no comma"
-                                                                                                          : "")});
+        throw Failure(Diagnostic{
+            Id::wrong_type, Span{source, field.begin, field.end},
+            fmt::format("'{}' is no number{}; a missing value is an empty field, NA or nan", field.text,
+                        separator != ',' && field.text.find(',') != std::string::npos ? ", which has a decimal point and no comma" : "")});
     return value;
 }
 
@@ -126,7 +129,8 @@ DataFile parse_data(const SourcePtr& source) {
         file.lines.push_back(number);
     }
     if (file.lines.empty())
-        throw Failure(Diagnostic{Id::missing_key, Span{source, 0, 0}, "there are no data: a line of titles, as t [s],phi [deg], and lines of numbers"});
+        throw Failure(Diagnostic{Id::missing_key, Span{source, 0, 0},
+                                 "there are no data: a line of titles, as t [s],phi [deg], and lines of numbers"});
     return file;
 }
 

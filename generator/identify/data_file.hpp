@@ -12,8 +12,8 @@ namespace dalembert {
 
 struct DataColumn {
     std::string name;
-    std::string unit;  ///< as it is written; empty where none is
-    Span place;        ///< of the title
+    std::string unit;            ///< as it is written; empty where none is
+    Span place;                  ///< of the title
     std::vector<double> values;  ///< as they are written; NaN where one is missing
 };
 
@@ -29,8 +29,9 @@ struct DataFile {
     Span place(std::size_t row) const;
 };
 
-/// Fields are separated by commas, semicolons or tabs: by what the line of titles has most of. A title is a name with a unit: "phi [deg]". Lines that begin
-/// with '#' are comments. An empty field, NA and nan are missing values. Throws Failure (unreadable-file, wrong-type, doubly-defined, missing-key).
+/// Fields are separated by commas, semicolons or tabs: by what the line of titles has most of. A title is a name with a unit: "phi [deg]".
+/// Lines that begin with '#' are comments. An empty field, NA and nan are missing values. Throws Failure (unreadable-file, wrong-type,
+/// doubly-defined, missing-key).
 DataFile read_data_file(const std::filesystem::path& path);
 /// The same of a text.
 DataFile parse_data(const SourcePtr& source);

@@ -51,8 +51,9 @@ private:
         for (const char* name : {"t", "time", "Time"})
             if (time_ == nullptr) time_ = file_.find(name);
         if (time_ == nullptr)
-            throw Failure(Diagnostic{Id::missing_key, file_.columns.front().place,
-                                     fmt::format("the data have no column 't' with the time; their columns are {}", quoted_list(file_.names()))});
+            throw Failure(
+                Diagnostic{Id::missing_key, file_.columns.front().place,
+                           fmt::format("the data have no column 't' with the time; their columns are {}", quoted_list(file_.names()))});
         const Unit second{Dimension::time(), 1, 0, 0, "s"};
         const std::vector<double> t = in_si(*time_, second);
         for (std::size_t i = 0; i < t.size(); ++i) {
@@ -63,7 +64,8 @@ private:
             result_.t.push_back(t[i] - t.front());
         }
         if (t.size() < 2)
-            throw Failure(Diagnostic{Id::missing_key, file_.place(0), "there is one line of numbers alone, and a run has a begin and an end"});
+            throw Failure(
+                Diagnostic{Id::missing_key, file_.place(0), "there is one line of numbers alone, and a run has a begin and an end"});
     }
 
     /// What the model says of a column; null where it says nothing.
@@ -151,9 +153,10 @@ private:
     void constant(const DataColumn& column, const Variable& variable, std::vector<Setting>& settings) const {
         for (std::size_t i = 0; i < column.values.size(); ++i)
             if (!(column.values[i] == column.values.front()))
-                throw Failure(Diagnostic{Id::value_out_of_range, file_.place(i),
-                                         fmt::format("'{}' must have one value in an experiment, but has {:.9g} here and {:.9g} in the first line",
-                                                     column.name, column.values[i], column.values.front())});
+                throw Failure(
+                    Diagnostic{Id::value_out_of_range, file_.place(i),
+                               fmt::format("'{}' must have one value in an experiment, but has {:.9g} here and {:.9g} in the first line",
+                                           column.name, column.values[i], column.values.front())});
         const std::string name = variable.recorded_name();
         const double value = in_si(column, *unit_of(name)).front();
         const std::string unit = unit_of(name)->si();
@@ -166,17 +169,17 @@ private:
         SampledInput one;
         one.input = input.position;
         const Measurement* said = measurement_of(column);
-        one.is_held = (said != nullptr && said->hold) ||
-                      std::find(options_.held.begin(), options_.held.end(), input.name) != options_.held.end();
+        one.is_held =
+            (said != nullptr && said->hold) || std::find(options_.held.begin(), options_.held.end(), input.name) != options_.held.end();
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (std::isnan(values[i])) continue;
             one.times.push_back(result_.t[i]);
             one.values.push_back(values[i]);
         }
         if (std::isnan(values.front()) || std::isnan(values.back()))
-            throw Failure(Diagnostic{Id::missing_key, column.place,
-                                     fmt::format("the input '{}' is missing where the data {}", input.name,
-                                                 std::isnan(values.front()) ? "begin" : "end")});
+            throw Failure(Diagnostic{
+                Id::missing_key, column.place,
+                fmt::format("the input '{}' is missing where the data {}", input.name, std::isnan(values.front()) ? "begin" : "end")});
         result_.inputs.push_back(std::move(one));
     }
 

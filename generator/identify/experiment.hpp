@@ -12,15 +12,15 @@ namespace dalembert {
 
 /// What is compared with the run.
 struct Measured {
-    std::string column;           ///< of the recording
+    std::string column;  ///< of the recording
     ShownNumber shown;
-    std::vector<double> values;   ///< in SI, one a time; NaN where one is missing
-    double noise = 0;             ///< standard deviation in SI; 0: not known
+    std::vector<double> values;  ///< in SI, one a time; NaN where one is missing
+    double noise = 0;            ///< standard deviation in SI; 0: not known
 };
 
 struct Experiment {
-    std::string name;             ///< of its file
-    std::vector<double> t;        ///< s, rising from 0: from the first time of the file
+    std::string name;       ///< of its file
+    std::vector<double> t;  ///< s, rising from 0: from the first time of the file
     std::vector<Measured> measured;
     std::vector<SampledInput> inputs;
     std::vector<Setting> parameters, starts;  ///< values of constant columns

@@ -13,7 +13,7 @@ namespace dalembert {
 /// What an experiment and its run differ by, and how that follows what is fitted.
 struct RunBesideData {
     struct Column {
-        std::vector<double> simulated;  ///< in SI, one a time of the experiment, with the offset of its sensor
+        std::vector<double> simulated;            ///< in SI, one a time of the experiment, with the offset of its sensor
         std::vector<std::vector<double>> slopes;  ///< by each that is fitted, likewise; empty where they were not asked for
     };
     std::vector<Column> columns;  ///< as Experiment::measured
@@ -26,7 +26,8 @@ struct FitUnknown {
     std::optional<std::size_t> experiment;  ///< of a start value
 };
 
-/// Where a fit begins, and the runs it is made of. Derives, generates and compiles when it is made. Several threads may ask for comparisons.
+/// Where a fit begins, and the runs it is made of. Derives, generates and compiles when it is made. Several threads may ask for
+/// comparisons.
 class FitRun {
 public:
     /// Throws Failure.
@@ -56,6 +57,11 @@ public:
     RunBesideData compare(std::size_t experiment, const std::vector<double>& x, bool with_slopes) const;
 
 private:
+    void take_data(const std::vector<DataFile>& files);
+    void refuse_missing_slopes(const std::string& why) const;
+    void refuse_without_data(const Fitted& one) const;
+    void compile();
+    void add_jumps(PlantRun& run) const;
     void set(Values& values, const System& system, std::size_t experiment, const std::vector<double>& x) const;
     Values values_at(std::size_t experiment, const std::vector<double>& x) const;
     PlantRun prepared(std::size_t experiment, const std::vector<double>& x) const;
@@ -65,7 +71,6 @@ private:
     bool follows_nothing(std::size_t experiment) const;
     bool are_of_time_alone(const std::vector<GiNaC::ex>& inputs) const;
     PlantRun run_at(std::size_t experiment, const std::vector<double>& x) const;
-    std::optional<std::size_t> place_of(std::size_t fitted, std::size_t experiment) const;
 
     Options options_;
     RunPreparation preparation_;
@@ -78,7 +83,7 @@ private:
     std::optional<PlantLibrary> library_;
     std::vector<std::optional<PlantRun>> ready_;  ///< one an experiment, where all but the numbers themselves stays as it is
     std::string doubts_;
-    mutable std::mutex symbolic_;                 ///< GiNaC knows one thread
+    mutable std::mutex symbolic_;  ///< GiNaC knows one thread
 };
 
 }  // namespace dalembert

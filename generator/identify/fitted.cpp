@@ -19,7 +19,6 @@ namespace dalembert {
 
 namespace {
 
-
 struct FitWord {
     const char* name;
     Fitted::What what;
@@ -44,9 +43,12 @@ public:
     void read(const Excerpt& part, std::vector<Fitted>& all) const {
         const auto [what, name] = read_part(part);
         switch (what) {
-            case Fitted::What::offset: return offsets(*name, all);
-            case Fitted::What::delay: return delays(*name, all);
-            default: break;
+            case Fitted::What::offset:
+                return offsets(*name, all);
+            case Fitted::What::delay:
+                return delays(*name, all);
+            default:
+                break;
         }
         for (const Variable* variable : variables_to_vary(*name, system_)) {
             const bool is_parameter = variable->kind == SymbolKind::parameter;
@@ -86,8 +88,9 @@ private:
     void offsets(const Expression& name, std::vector<Fitted>& all) const {
         const std::vector<std::string> columns = recorded_names(name.written(), system_);
         if (columns.empty() || columns.front() == "t")
-            throw Failure(Diagnostic{Id::unknown_name, name.span,
-                                     fmt::format("scene '{}' records no '{}' that could have an offset", system_.scene.name, name.written())});
+            throw Failure(
+                Diagnostic{Id::unknown_name, name.span,
+                           fmt::format("scene '{}' records no '{}' that could have an offset", system_.scene.name, name.written())});
         for (const std::string& column : columns) {
             Fitted one = named(Fitted::What::offset, fmt::format("offset({})", column), name.span);
             one.of = column;
@@ -112,9 +115,9 @@ private:
             add(std::move(one), all);
         }
         if (!found)
-            throw Failure(Diagnostic{Id::unknown_name, name.span,
-                                     fmt::format("scene '{}' has no input '{}'{}", system_.scene.name, name.written(),
-                                                 did_you_mean(name.written(), known))});
+            throw Failure(Diagnostic{
+                Id::unknown_name, name.span,
+                fmt::format("scene '{}' has no input '{}'{}", system_.scene.name, name.written(), did_you_mean(name.written(), known))});
     }
 
     const System& system_;

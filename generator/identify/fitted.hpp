@@ -15,9 +15,9 @@ inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// A value with its unit, as results show it.
 struct ShownNumber {
-    std::string unit;            ///< in SI
-    std::string declared_unit = {};   ///< empty where it is that of SI
-    double of_declared = 1;      ///< SI over declared
+    std::string unit;                ///< in SI
+    std::string declared_unit = {};  ///< empty where it is that of SI
+    double of_declared = 1;          ///< SI over declared
     double offset = 0;
 };
 
@@ -28,8 +28,8 @@ struct Fitted {
     std::string of;                      ///< of an offset: the column of the recording
     std::string name;                    ///< as it is written: "start(phi)"
     ShownNumber shown;
-    double low, high;                    ///< bounds in SI; infinite where there are none
-    std::optional<double> start = {};    ///< where the fit begins, in SI; none: where the run does
+    double low, high;                  ///< bounds in SI; infinite where there are none
+    std::optional<double> start = {};  ///< where the fit begins, in SI; none: where the run does
     Span place;
 };
 

@@ -29,7 +29,8 @@ Matrix weighted_slopes(const Fit& fit, const FitSettings& settings) {
     Matrix J = Matrix::Zero(index(rows + settings.priors.size()), index(unknowns));
     for (std::size_t i = 0; i < rows; ++i)
         for (std::size_t k = 0; k < unknowns; ++k) J(index(i), index(k)) = std::sqrt(fit.residuals[i].weight) * fit.slopes[i][k];
-    for (std::size_t i = 0; i < settings.priors.size(); ++i) J(index(rows + i), index(settings.priors[i].unknown)) = 1 / settings.priors[i].deviation;
+    for (std::size_t i = 0; i < settings.priors.size(); ++i)
+        J(index(rows + i), index(settings.priors[i].unknown)) = 1 / settings.priors[i].deviation;
     return J;
 }
 
@@ -37,7 +38,8 @@ std::vector<int> bounds_met(const FitRun& run, const Fit& fit) {
     std::vector<int> met;
     for (std::size_t k = 0; k < fit.x.size(); ++k) {
         const Fitted& one = run.fitted(run.unknowns()[k]);
-        const double width = std::isfinite(one.high - one.low) ? one.high - one.low : std::max(std::fabs(fit.x[k]), std::fabs(run.start()[k]));
+        const double width =
+            std::isfinite(one.high - one.low) ? one.high - one.low : std::max(std::fabs(fit.x[k]), std::fabs(run.start()[k]));
         const double room = 1e-9 * width;
         met.push_back(fit.x[k] <= one.low + room ? -1 : fit.x[k] >= one.high - room ? 1 : 0);
     }
@@ -102,7 +104,8 @@ private:
         for (Eigen::Index i = 0; i < V.cols(); ++i) (i < s.size() && s[i] > unseen_limit * s[0] ? seen : unseen).push_back(i);
         Matrix covariance = Matrix::Zero(V.rows(), V.rows());
         for (const Eigen::Index i : seen) covariance += V.col(i) * V.col(i).transpose() / (s[i] * s[i]);
-        for (std::size_t i = 0; i < free_.size(); ++i) result_.errors[free_[i]] = std::sqrt(covariance(index(i), index(i))) / norms[index(i)];
+        for (std::size_t i = 0; i < free_.size(); ++i)
+            result_.errors[free_[i]] = std::sqrt(covariance(index(i), index(i))) / norms[index(i)];
         for (std::size_t i = 0; i < free_.size(); ++i)
             for (std::size_t j = 0; j < free_.size(); ++j) {
                 const double product = covariance(index(i), index(i)) * covariance(index(j), index(j));
@@ -127,9 +130,13 @@ private:
             largest = std::max(largest, std::fabs(part.change));
         }
         if (!(largest > 0)) return;
-        const double sign = std::find_if(unseen.parts.begin(), unseen.parts.end(), [&](const Unseen::Part& p) {
-                                return std::fabs(p.change) > 1e-3 * largest;
-                            })->change > 0 ? 1 : -1;
+        const double sign = std::find_if(
+                                unseen.parts.begin(), unseen.parts.end(),
+                                [&](const Unseen::Part& p) {
+                                    return std::fabs(p.change) > 1e-3 * largest;
+                                })->change > 0
+                                ? 1
+                                : -1;
         for (Unseen::Part& part : unseen.parts) part.change *= sign / largest;
         std::erase_if(unseen.parts, [](const Unseen::Part& part) { return std::fabs(part.change) < 1e-3; });
         for (const Unseen::Part& part : unseen.parts) result_.errors[part.unknown] = infinite;
@@ -218,18 +225,22 @@ std::string in_words(const Unseen& unseen, const FitRun& run) {
     if (unseen.parts.size() == 1) return fmt::format("the data do not depend on '{}'", name(0));
     const bool are_two = unseen.parts.size() == 2 && unseen.parts[0].is_relative && unseen.parts[1].is_relative;
     if (are_two && std::fabs(unseen.parts[0].change - unseen.parts[1].change) < 1e-3)
-        return fmt::format("the data do not tell '{0}' and '{1}' apart: they stay the same where both grow by the same factor, and show {0}/{1} alone",
-                           name(0), name(1));
+        return fmt::format(
+            "the data do not tell '{0}' and '{1}' apart: they stay the same where both grow by the same factor, and show {0}/{1} alone",
+            name(0), name(1));
     if (are_two && std::fabs(unseen.parts[0].change + unseen.parts[1].change) < 1e-3)
-        return fmt::format("the data do not tell '{0}' and '{1}' apart: they stay the same where one grows by the factor by which the other falls, and show {0}*{1} alone",
-                           name(0), name(1));
+        return fmt::format(
+            "the data do not tell '{0}' and '{1}' apart: they stay the same where one grows by the factor by which the other falls, and "
+            "show {0}*{1} alone",
+            name(0), name(1));
     std::string names, changes;
     for (std::size_t i = 0; i < unseen.parts.size(); ++i) {
         const Unseen::Part& part = unseen.parts[i];
         const char* before = i == 0 ? "" : i + 1 == unseen.parts.size() ? " and " : ", ";
         names += fmt::format("{}'{}'", before, name(i));
         changes += part.is_relative ? fmt::format("{}'{}' by {:+.3g} %", before, name(i), part.change)
-                                    : fmt::format("{}'{}' by {:+.3g} {}", before, name(i), part.change / 100, run.fitted(run.unknowns()[part.unknown]).shown.unit);
+                                    : fmt::format("{}'{}' by {:+.3g} {}", before, name(i), part.change / 100,
+                                                  run.fitted(run.unknowns()[part.unknown]).shown.unit);
     }
     return fmt::format("the data do not tell {} apart: they stay the same where {} change together", names, changes);
 }

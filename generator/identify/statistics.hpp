@@ -10,7 +10,7 @@ namespace dalembert {
 struct Unseen {
     struct Part {
         std::size_t unknown;
-        double change;     ///< of the value, relative to it; in SI where the value is zero
+        double change;  ///< of the value, relative to it; in SI where the value is zero
         bool is_relative;
     };
     std::vector<Part> parts;  ///< the largest change is 1
@@ -18,23 +18,23 @@ struct Unseen {
 
 struct ResidualReport {
     std::size_t experiment, column;
-    std::size_t count;         ///< of values
-    double rms;                ///< in SI
-    double largest;            ///< in SI, with its sign
-    double at;                 ///< s, of the largest
-    std::size_t outliers;      ///< beyond four times the noise
-    double white;              ///< probability of residuals that are correlated as much in white noise (Ljung-Box); NaN of too few
+    std::size_t count;     ///< of values
+    double rms;            ///< in SI
+    double largest;        ///< in SI, with its sign
+    double at;             ///< s, of the largest
+    std::size_t outliers;  ///< beyond four times the noise
+    double white;          ///< probability of residuals that are correlated as much in white noise (Ljung-Box); NaN of too few
 };
 
 struct FitStatistics {
-    std::vector<double> errors;               ///< standard errors in SI; infinite where the data do not tell; 0 at a bound
-    std::vector<double> low, high;            ///< 95 % intervals
-    std::vector<int> at_bound;                ///< -1 at the lower one, 1 at the upper one, else 0
+    std::vector<double> errors;     ///< standard errors in SI; infinite where the data do not tell; 0 at a bound
+    std::vector<double> low, high;  ///< 95 % intervals
+    std::vector<int> at_bound;      ///< -1 at the lower one, 1 at the upper one, else 0
     std::vector<std::vector<double>> correlations;
     std::vector<Unseen> unseen;
     std::vector<std::vector<double>> shares;  ///< of each experiment (row) in what the data tell of each unknown; sums are 1
     std::vector<ResidualReport> residuals;
-    double freedom = 0;                       ///< values less unknowns
+    double freedom = 0;  ///< values less unknowns
 };
 
 FitStatistics statistics_of(const FitRun& run, const Fit& fit, const FitSettings& settings);

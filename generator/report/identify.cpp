@@ -25,7 +25,8 @@ std::string with_error(const IdentifiedValue& one) {
     if (one.at_bound != 0) return fmt::format("{:.6g}", value);
     if (!std::isfinite(error)) return fmt::format("{:.6g}", value);
     if (!(error > 0)) return fmt::format("{:.10g}", value);
-    const int digits = static_cast<int>(std::floor(std::log10(std::max(std::fabs(value), error)))) - static_cast<int>(std::floor(std::log10(error))) + 2;
+    const int digits =
+        static_cast<int>(std::floor(std::log10(std::max(std::fabs(value), error)))) - static_cast<int>(std::floor(std::log10(error))) + 2;
     return fmt::format("{:#.{}g}", value, std::clamp(digits, 2, 15));
 }
 
@@ -63,11 +64,14 @@ std::vector<std::vector<std::string>> value_rows(const IdentifyResult& result) {
 }
 
 std::string white_text(double probability) {
-    return std::isnan(probability) ? "too few values" : probability < 0.01 ? fmt::format("no ({:.1g})", probability) : fmt::format("yes ({:.2f})", probability);
+    return std::isnan(probability) ? "too few values"
+           : probability < 0.01    ? fmt::format("no ({:.1g})", probability)
+                                   : fmt::format("yes ({:.2f})", probability);
 }
 
 std::vector<std::vector<std::string>> column_rows(const IdentifyResult& result) {
-    std::vector<std::vector<std::string>> rows{{"data", "column", "values", "rms", "noise", "largest", "at t", "beyond 4 noise", "white", "unit"}};
+    std::vector<std::vector<std::string>> rows{
+        {"data", "column", "values", "rms", "noise", "largest", "at t", "beyond 4 noise", "white", "unit"}};
     for (const ComparedColumn& one : result.columns)
         rows.push_back({one.experiment, one.column, std::to_string(one.residuals.count),
                         fmt::format("{:.3g}", difference_in(one.residuals.rms, one.shown)),
@@ -88,7 +92,8 @@ std::vector<std::string> correlation_sentences(const IdentifyResult& result) {
     std::vector<std::string> sentences;
     for (std::size_t i = 0; i < result.values.size(); ++i)
         for (std::size_t j = i + 1; j < result.values.size(); ++j)
-            if (std::fabs(result.correlations[i][j]) > worth && std::isfinite(result.values[i].error) && std::isfinite(result.values[j].error))
+            if (std::fabs(result.correlations[i][j]) > worth && std::isfinite(result.values[i].error) &&
+                std::isfinite(result.values[j].error))
                 sentences.push_back(fmt::format("'{}' and '{}' are hard to tell apart: their correlation is {:.3f}", result.values[i].name,
                                                 result.values[j].name, result.correlations[i][j]));
     return sentences;
@@ -102,16 +107,18 @@ std::vector<std::string> remarks(const IdentifyResult& result) {
     for (std::string& one : correlation_sentences(result)) all.push_back(std::move(one));
     for (const ComparedColumn& one : result.columns) {
         if (one.residuals.white < 0.01)
-            all.push_back(fmt::format("what is left of '{}' in '{}' is not white noise: the model lacks an effect, or the noise is correlated; "
-                                      "then the standard errors are too small",
-                                      one.column, one.experiment));
+            all.push_back(
+                fmt::format("what is left of '{}' in '{}' is not white noise: the model lacks an effect, or the noise is correlated; "
+                            "then the standard errors are too small",
+                            one.column, one.experiment));
         if (one.residuals.outliers > 0)
             all.push_back(fmt::format("'{}' in '{}' has {} beyond four times the noise; --loss cauchy counts such values less", one.column,
-                                      one.experiment, one.residuals.outliers == 1 ? "a value" : fmt::format("{} values", one.residuals.outliers)));
+                                      one.experiment,
+                                      one.residuals.outliers == 1 ? "a value" : fmt::format("{} values", one.residuals.outliers)));
     }
-    if (!result.converged) all.push_back("the search ended after its largest number of iterations; begin nearer with --parameter, or use --starts");
-    if (result.starts > 1)
-        all.push_back(fmt::format("{} of {} starts led to this fit", result.agreeing, result.starts));
+    if (!result.converged)
+        all.push_back("the search ended after its largest number of iterations; begin nearer with --parameter, or use --starts");
+    if (result.starts > 1) all.push_back(fmt::format("{} of {} starts led to this fit", result.agreeing, result.starts));
     for (const std::string& note : result.notes) all.push_back(note);
     return all;
 }
@@ -160,7 +167,8 @@ IdentifyResult result_of(const FitRun& run, const Fit& fit, const FitStatistics&
     for (const ResidualReport& report : statistics.residuals) {
         const Measured& measured = run.experiments()[report.experiment].measured[report.column];
         const bool is_given = std::count(fit.given_noise.begin(), fit.given_noise.end(), measured.column) > 0;
-        result.columns.push_back({result.experiments[report.experiment], measured.column, measured.shown, fit.noise.at(measured.column), is_given, report});
+        result.columns.push_back(
+            {result.experiments[report.experiment], measured.column, measured.shown, fit.noise.at(measured.column), is_given, report});
         result.columns.back().shown.offset = 0;
     }
     for (const Unseen& unseen : statistics.unseen) result.unseen.push_back(in_words(unseen, run));
@@ -178,9 +186,9 @@ IdentifyResult result_of(const FitRun& run, const Fit& fit, const FitStatistics&
 }
 
 std::string as_text(const IdentifyResult& result) {
-    std::string text = fmt::format("{}: {} unknowns fitted to {} values of {} experiment{}, in {} iterations with {} runs\n", result.subject.title(),
-                                   result.values.size(), result.count, result.experiments.size(), result.experiments.size() == 1 ? "" : "s",
-                                   result.iterations, result.runs);
+    std::string text = fmt::format("{}: {} unknowns fitted to {} values of {} experiment{}, in {} iterations with {} runs\n",
+                                   result.subject.title(), result.values.size(), result.count, result.experiments.size(),
+                                   result.experiments.size() == 1 ? "" : "s", result.iterations, result.runs);
     text += table(value_rows(result));
     text += "what is left, measured - simulated:\n" + table(column_rows(result));
     if (has_shares(result)) text += "what each experiment tells of each value:\n" + table(share_rows(result));
@@ -202,17 +210,31 @@ nlohmann::ordered_json as_json(const IdentifyResult& result) {
     json["experiments"] = result.experiments;
     json["values"] = nlohmann::ordered_json::array();
     for (const IdentifiedValue& one : result.values)
-        json["values"].push_back({{"name", one.name}, {"unit", one.shown.unit}, {"value", one.value}, {"standard_error", finite(one.error)},
-                                  {"low", finite(one.low_95)}, {"high", finite(one.high_95)}, {"begin", one.begin},
-                                  {"at_bound", one.at_bound == 0 ? "" : one.at_bound < 0 ? "lower" : "upper"}});
+        json["values"].push_back({{"name", one.name},
+                                  {"unit", one.shown.unit},
+                                  {"value", one.value},
+                                  {"standard_error", finite(one.error)},
+                                  {"low", finite(one.low_95)},
+                                  {"high", finite(one.high_95)},
+                                  {"begin", one.begin},
+                                  {"at_bound", one.at_bound == 0  ? ""
+                                               : one.at_bound < 0 ? "lower"
+                                                                  : "upper"}});
     json["correlations"] = result.correlations;
     json["shares"] = result.shares;
     json["unseen"] = result.unseen;
     json["columns"] = nlohmann::ordered_json::array();
     for (const ComparedColumn& one : result.columns)
-        json["columns"].push_back({{"experiment", one.experiment}, {"column", one.column}, {"unit", one.shown.unit}, {"count", one.residuals.count},
-                                   {"rms", one.residuals.rms}, {"noise", one.noise}, {"noise_is_given", one.noise_is_given},
-                                   {"largest", one.residuals.largest}, {"largest_at", one.residuals.at}, {"outliers", one.residuals.outliers},
+        json["columns"].push_back({{"experiment", one.experiment},
+                                   {"column", one.column},
+                                   {"unit", one.shown.unit},
+                                   {"count", one.residuals.count},
+                                   {"rms", one.residuals.rms},
+                                   {"noise", one.noise},
+                                   {"noise_is_given", one.noise_is_given},
+                                   {"largest", one.residuals.largest},
+                                   {"largest_at", one.residuals.at},
+                                   {"outliers", one.residuals.outliers},
                                    {"white", finite(one.residuals.white)}});
     json["notes"] = remarks(result);
     json["files"] = json_list(result.files);
@@ -220,12 +242,16 @@ nlohmann::ordered_json as_json(const IdentifyResult& result) {
 }
 
 std::string parameter_file(const IdentifyResult& result) {
-    std::string text = fmt::format("# Parameters of {}, fitted to data. Use: dalembert simulate MODEL --parameters FILE\n[parameters]\n", result.subject.title());
+    std::string text = fmt::format("# Parameters of {}, fitted to data. Use: dalembert simulate MODEL --parameters FILE\n[parameters]\n",
+                                   result.subject.title());
     std::string others;
     for (const IdentifiedValue& one : result.values) {
-        const std::string line = fmt::format("\"{}\" = \"{}{}\"  # standard error {}\n", one.name, one.value, with_space(one.shown.unit), error_text(one));
-        if (one.name.find('(') == std::string::npos) text += line;
-        else others += "# " + line;
+        const std::string line =
+            fmt::format("\"{}\" = \"{}{}\"  # standard error {}\n", one.name, one.value, with_space(one.shown.unit), error_text(one));
+        if (one.name.find('(') == std::string::npos)
+            text += line;
+        else
+            others += "# " + line;
     }
     return text + (others.empty() ? "" : "# Not parameters:\n" + others);
 }
@@ -250,15 +276,17 @@ std::string identify_page(const IdentifyResult& result, const std::vector<std::s
     std::string remarks_text, pictures_text;
     for (const std::string& remark : remarks(result)) remarks_text += "<li>" + html_text(remark) + "</li>\n";
     for (std::size_t e = 0; e < pictures.size(); ++e)
-        if (!pictures[e].empty()) pictures_text += fmt::format("<h2>{}</h2>\n<figure>{}</figure>\n", html_text(result.experiments[e]), pictures[e]);
-    return fill_template(embedded_file("identify.html.in"),
-                         {{"TITLE", html_text(result.subject.title())},
-                          {"LEAD", html_text(fmt::format("{} unknowns fitted to {} measured values.", result.values.size(), result.count))},
-                          {"VALUES", html_table(value_rows(result))},
-                          {"COLUMNS", html_table(column_rows(result))},
-                          {"SHARES", has_shares(result) ? "<h2>What each experiment tells of each value</h2>\n" + html_table(share_rows(result)) : ""},
-                          {"REMARKS", remarks_text.empty() ? "" : "<h2>Notes</h2>\n<ul>\n" + remarks_text + "</ul>\n"},
-                          {"PICTURES", pictures_text}});
+        if (!pictures[e].empty())
+            pictures_text += fmt::format("<h2>{}</h2>\n<figure>{}</figure>\n", html_text(result.experiments[e]), pictures[e]);
+    return fill_template(
+        embedded_file("identify.html.in"),
+        {{"TITLE", html_text(result.subject.title())},
+         {"LEAD", html_text(fmt::format("{} unknowns fitted to {} measured values.", result.values.size(), result.count))},
+         {"VALUES", html_table(value_rows(result))},
+         {"COLUMNS", html_table(column_rows(result))},
+         {"SHARES", has_shares(result) ? "<h2>What each experiment tells of each value</h2>\n" + html_table(share_rows(result)) : ""},
+         {"REMARKS", remarks_text.empty() ? "" : "<h2>Notes</h2>\n<ul>\n" + remarks_text + "</ul>\n"},
+         {"PICTURES", pictures_text}});
 }
 
 }  // namespace dalembert

@@ -14,20 +14,20 @@
 namespace dalembert {
 
 struct IdentifiedValue {
-    std::string name;          ///< "d_R", "start(phi) of run1.csv"
+    std::string name;  ///< "d_R", "start(phi) of run1.csv"
     ShownNumber shown;
-    double value, begin;       ///< in SI; where the fit began
-    double low, high;          ///< its bounds; infinite where there are none
-    double error;              ///< standard error; infinite where the data do not tell
+    double value, begin;  ///< in SI; where the fit began
+    double low, high;     ///< its bounds; infinite where there are none
+    double error;         ///< standard error; infinite where the data do not tell
     double low_95, high_95;
-    int at_bound;              ///< -1, 0, 1
-    bool is_common;            ///< to all experiments
+    int at_bound;    ///< -1, 0, 1
+    bool is_common;  ///< to all experiments
 };
 
 struct ComparedColumn {
     std::string experiment, column;
     ShownNumber shown;
-    double noise;              ///< in SI
+    double noise;  ///< in SI
     bool noise_is_given;
     ResidualReport residuals;
 };
@@ -37,12 +37,12 @@ struct IdentifyResult {
     std::vector<std::string> experiments;
     std::vector<IdentifiedValue> values;
     std::vector<ComparedColumn> columns;
-    std::vector<std::string> unseen;             ///< sentences
+    std::vector<std::string> unseen;  ///< sentences
     std::vector<std::vector<double>> correlations;
-    std::vector<std::vector<double>> shares;     ///< of experiments (rows) in what is known of each value
-    std::vector<std::string> notes;              ///< sentences about columns that were not used
-    std::size_t count = 0;                       ///< of measured values
-    std::size_t unweighted = 0;                  ///< of them those that a robust loss counts by less than a half
+    std::vector<std::vector<double>> shares;  ///< of experiments (rows) in what is known of each value
+    std::vector<std::string> notes;           ///< sentences about columns that were not used
+    std::size_t count = 0;                    ///< of measured values
+    std::size_t unweighted = 0;               ///< of them those that a robust loss counts by less than a half
     int starts = 1, agreeing = 1;
     int iterations = 0;
     std::size_t runs = 0;

@@ -76,7 +76,8 @@ std::shared_ptr<const LoadedModel> model_of(const ScratchFolder& folder, const s
 }
 
 /// x of the oscillator for a step of the force at 0.5 s + delay, exactly sampled.
-std::string data_of_step(const std::shared_ptr<const LoadedModel>& model, double delay, const std::string& parameters, bool has_input = true) {
+std::string data_of_step(const std::shared_ptr<const LoadedModel>& model, double delay, const std::string& parameters,
+                         bool has_input = true) {
     Options options;
     options.no_plot = true;
     options.parameters = {parameters};
@@ -198,7 +199,8 @@ TEST_CASE("what a free oscillation does not tell is named") {
     const FitRun pair(without, undamped, "m, c", files_of(free));
     const FitStatistics of_pair = statistics_of(pair, fit(pair, {}), {});
     REQUIRE(of_pair.unseen.size() == 1);
-    CHECK(says(in_words(of_pair.unseen[0], pair), "do not tell 'm' and 'c' apart: they stay the same where both grow by the same factor, and show m/c alone"));
+    CHECK(says(in_words(of_pair.unseen[0], pair),
+               "do not tell 'm' and 'c' apart: they stay the same where both grow by the same factor, and show m/c alone"));
     // What is known beforehand tells them apart.
     FitSettings prior;
     prior.priors = {{0, 2.0, 0.02}};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fits to synthetic data of all domains: runs with hidden values and 1 % of noise. The true values lie in the 95 % intervals as often as these
-// say, fits begun a factor of 3 away come back, and derivatives by differences cost more. DALEMBERT_FULL takes all problems with 200 draws of
-// noise each, DALEMBERT_TABLE prints a row each.
+// Fits to synthetic data of all domains: runs with hidden values and 1 % of noise. The true values lie in the 95 % intervals as often as
+// these say, fits begun a factor of 3 away come back, and derivatives by differences cost more. DALEMBERT_FULL takes all problems with 200
+// draws of noise each, DALEMBERT_TABLE prints a row each.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -21,10 +21,10 @@ struct Problem {
     const char* model;
     const char* run;
     const char* fit;
-    const char* truth;                    ///< parameters
+    const char* truth;  ///< parameters
     const char* measured;
     std::vector<const char*> starts = {""};  ///< of states, one an experiment
-    const char* begin = "";               ///< parameters where the fit begins, where the model's own will not do
+    const char* begin = "";                  ///< parameters where the fit begins, where the model's own will not do
 };
 
 const std::vector<Problem>& problems() {
@@ -34,7 +34,11 @@ const std::vector<Problem>& problems() {
         {"heat/fin", "reference", "alpha,lambda", "alpha=35,lambda=180", ""},
         {"pneumatics/reservoir_discharge", "reference", "alpha_d", "alpha_d=0.7", ""},
         {"mechanics/cart_pendulum", "reference", "m_W,c_W,d_R,g", "m_W=1.2,d_R=0.7,c_W=44", "s,phi", {"phi=0.3", "phi=0.9", "s=0.3"}},
-        {"mechanics/cart_pendulum", "reference", "m_W,c_W,d_R,g,rho_S,s_W0", "m_W=1.2,d_R=0.7,c_W=44,s_W0=0.01", "s,phi",
+        {"mechanics/cart_pendulum",
+         "reference",
+         "m_W,c_W,d_R,g,rho_S,s_W0",
+         "m_W=1.2,d_R=0.7,c_W=44,s_W0=0.01",
+         "s,phi",
          {"phi=0.3", "phi=0.9", "s=0.3", "dot(phi)=2", "dot(s)=0.5"}},
         {"mechanics/stick_slip", "reference", "mu_C,c", "mu_C=0.32,c=45", ""},
         {"mechanics/bouncing_ball", "reference", "e", "e=0.75", ""},
@@ -85,9 +89,9 @@ Options options_of(const Problem& problem) {
 /// A problem with its data, without noise.
 struct Posed {
     std::unique_ptr<FitRun> run;
-    std::vector<double> truth;                              ///< of the unknowns
-    std::vector<std::vector<std::vector<double>>> exact;   ///< of an experiment, a column
-    std::vector<double> noise;                              ///< of the columns
+    std::vector<double> truth;                            ///< of the unknowns
+    std::vector<std::vector<std::vector<double>>> exact;  ///< of an experiment, a column
+    std::vector<double> noise;                            ///< of the columns
 };
 
 std::vector<std::string> columns_of(const Problem& problem, const System& system) {
@@ -121,7 +125,11 @@ Posed posed(const Problem& problem) {
         REQUIRE(made.outcome.status == Status::success);
         std::string text = "t";
         const std::string of_start = start;
-        for (const std::string& name : names) text += fmt::format(",{} [{}]", name, made.recording.columns.at(made.recording.find(name)).unit.empty() ? "1" : made.recording.columns[made.recording.find(name)].unit);
+        for (const std::string& name : names)
+            text += fmt::format(",{} [{}]", name,
+                                made.recording.columns.at(made.recording.find(name)).unit.empty()
+                                    ? "1"
+                                    : made.recording.columns[made.recording.find(name)].unit);
         if (!of_start.empty()) text += ",start(" + of_start.substr(0, of_start.find('=')) + ")";
         auto& exact = result.exact.emplace_back(names.size());
         for (const auto& row : made.recording.rows) {
@@ -238,9 +246,9 @@ TEST_CASE("fits find hidden values, with error bars that are true") {
             }
         }
         if (prints)
-            fmt::print("{:34} {:24} {:2} {:2}  inside {:5.1f} %  back {:5.1f} %  time {:.2f} ms, by differences {:.2f}\n", problem.model, problem.fit,
-                       run.unknowns().size(), run.experiments().size(), 100.0 * own_inside / std::max(1, own_count), 100.0 * own_back / far_starts,
-                       1e3 * exactly, by_differences / exactly);
+            fmt::print("{:34} {:24} {:2} {:2}  inside {:5.1f} %  back {:5.1f} %  time {:.2f} ms, by differences {:.2f}\n", problem.model,
+                       problem.fit, run.unknowns().size(), run.experiments().size(), 100.0 * own_inside / std::max(1, own_count),
+                       100.0 * own_back / far_starts, 1e3 * exactly, by_differences / exactly);
         std::fflush(stdout);
         inside += own_inside;
         count += own_count;
