@@ -61,9 +61,8 @@ private:
             const std::string hint = did_you_mean(to.name, names_.names_of(referred.kinds));
             const std::vector<OfKind>& others = names_.elements(to.name);
             if (others.empty())
-                return diagnostics_.error(
-                    Id::unknown_name, to.span,
-                    fmt::format("there is no {} '{}' for '{}' of {}{}", wanted, to.name, referred.key, owner, hint));
+                return diagnostics_.error(Id::unknown_name, to.span,
+                                          fmt::format("there is no {} '{}' for '{}' of {}{}", wanted, to.name, referred.key, owner, hint));
             const std::string is = with_article(others.front().kind->word);
             return diagnostics_.error(Id::unknown_name, to.span,
                                       fmt::format("'{}' is {}, but '{}' of {} takes the name of {}{}", to.name, is, referred.key, owner,
@@ -79,12 +78,12 @@ private:
         else if (to.index && !is_several)
             diagnostics_.error(Id::not_indexed, to.span, fmt::format("{} is not a family and has no index", it), defined);
         else if (!to.index && is_several && !referred.all_members)
-            diagnostics_.error(Id::index_missing, to.span,
-                               fmt::format("{} {}, as in '{}[1]'", it,
-                                           found.kind->facts.has_cells ? "consists of cells and needs the index of one"
-                                                                       : "is a family and needs an index",
-                                           to.name),
-                               defined);
+            diagnostics_.error(
+                Id::index_missing, to.span,
+                fmt::format("{} {}, as in '{}[1]'", it,
+                            found.kind->facts.has_cells ? "consists of cells and needs the index of one" : "is a family and needs an index",
+                            to.name),
+                defined);
     }
 
     void has_position(const std::optional<Reference>& reference) {
@@ -159,9 +158,7 @@ private:
                 if (item.is_made) return;  // by an item that says the same
             condition(item.when, !std::is_same_v<std::remove_cvref_t<decltype(item)>, PrintedEquation>);
         };
-        for_each_kind(model_, [&](const char*, const auto& items) {
-            for_each_item(items, conditions);
-        });
+        for_each_kind(model_, [&](const char*, const auto& items) { for_each_item(items, conditions); });
         const auto listed = [&](const std::vector<std::pair<std::string, Span>>& names) {
             for (const auto& [name, span] : names) effect(name, span);
         };
@@ -191,12 +188,13 @@ private:
     void measured(const Measurement& measurement) {
         const std::string& name = measurement.quantity.empty() ? measurement.name : measurement.quantity;
         try {
-            if (name == "t" || declared_unit(*parse_expression(excerpt_of(std::make_shared<const Source>("quantity", name))), names_)) return;
+            if (name == "t" || declared_unit(*parse_expression(excerpt_of(std::make_shared<const Source>("quantity", name))), names_))
+                return;
         } catch (const Failure&) {  // told below
         }
-        diagnostics_.error(Id::unknown_name, measurement.span,
-                           fmt::format("measurement '{}': '{}' is no output, coordinate, rate of one, state, input or parameter",
-                                       measurement.name, name));
+        diagnostics_.error(
+            Id::unknown_name, measurement.span,
+            fmt::format("measurement '{}': '{}' is no output, coordinate, rate of one, state, input or parameter", measurement.name, name));
     }
 
     void plots(const Run& run) {

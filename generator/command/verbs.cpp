@@ -171,14 +171,17 @@ void take_identify(VerbOptions& o) {
     o.add("--fit", o.options.fit,
           "what is fitted, comma separated: parameters, start(STATE) in each experiment, offset(COLUMN) of a sensor, delay(INPUT)")
         ->required();
-    o.add("--measured", o.options.measured, "columns to compare, comma separated; if left out, all that are outputs or states")->delimiter(',');
+    o.add("--measured", o.options.measured, "columns to compare, comma separated; if left out, all that are outputs or states")
+        ->delimiter(',');
     o.add("--noise", o.options.noise, "standard deviations of columns, as phi=0.2deg; if left out, estimated from what is left");
-    o.add("--hold", o.options.held_inputs, "inputs whose values in the data count up to the next time, comma separated; others change linearly")
+    o.add("--hold", o.options.held_inputs,
+          "inputs whose values in the data count up to the next time, comma separated; others change linearly")
         ->delimiter(',');
     o.add("--prior", o.options.priors, "what is known beforehand, as d_R=normal(0.3, 5 %): mean and standard deviation");
     o.one_of(o.add("--loss", o.options.loss, "how outliers count: none, huber or cauchy; none: as all other values")->capture_default_str(),
              {"none", "huber", "cauchy"});
-    o.add("--starts", o.options.starts, "number of starts: the values of the model, and random ones")->capture_default_str()->check(CLI::Range(1, 10000));
+    o.add("--starts", o.options.starts, "number of starts: the values of the model, and random ones")
+        ->capture_default_str()->check(CLI::Range(1, 10000));
     o.add("--seed", o.options.seed, "seed of the random starts")->capture_default_str();
     o.settings();
     o.output();
@@ -198,7 +201,8 @@ void take_study(VerbOptions& o) {
     o.add("--runs", o.options.runs, "number of runs, where distributions are varied");
     o.one_of(o.add("--sampling", o.options.sampling, "points of distributions: random, or of a Sobol sequence; the latter with --indices"),
              {"random", "sobol"});
-    o.flag("--indices", o.options.indices, "compute first-order and total Sobol indices; the runs are in groups of two more than what is varied");
+    o.flag("--indices", o.options.indices,
+           "compute first-order and total Sobol indices; the runs are in groups of two more than what is varied");
     o.add("--seed", o.options.seed, "seed of the points")->capture_default_str();
     o.add("--observe", o.options.observe,
           "what is kept of a run, as \"max(phi), end(s)^2, time(EVENT)\"; if left out, states and outputs at the end");
@@ -317,7 +321,8 @@ constexpr auto table = std::to_array<Verb>({
      modal_command,
      take_modal},
     {"optimise", "find the parameter that maximises or minimises an output at the end of a run", optimise_command, take_optimise},
-    {"identify", "fit parameters, start values, offsets and delays to measured data, with error bars; write a parameter file, a page and CSV",
+    {"identify",
+     "fit parameters, start values, offsets and delays to measured data, with error bars; write a parameter file, a page and CSV",
      identify_command, take_identify},
     {"study", "make many runs with varied parameters, start values and inputs; write a CSV with a row for each, statistics and plots",
      study_command, take_study},

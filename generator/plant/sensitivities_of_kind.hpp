@@ -51,7 +51,8 @@ std::vector<double> sensitivity_row(const PlantRun& run, const System& system, c
 
 /// dx/d(varied) at the start. Cells of rods begin as the plant says, the others as the run does.
 template <class System>
-std::vector<typename System::State> sensitivities_at_start_of(const PlantRun& run, const System& system, const std::vector<Varied>& varied) {
+std::vector<typename System::State> sensitivities_at_start_of(const PlantRun& run, const System& system,
+                                                              const std::vector<Varied>& varied) {
     auto S = sensitivities_at_start(system, varied);
     for (std::size_t c = 0; c < varied.size(); ++c)
         for (std::size_t i = 0; i < run.places.size(); ++i) S[c][run.places[i]] = run.varied[c].start[i];

@@ -80,7 +80,8 @@ class Runner {
     static constexpr bool switches = dalembert::detail::is_switching<System>;
 
 public:
-    explicit Runner(const PlantRun& run) : run_(run), system_(run.parameters), inputs_(system_, held_inputs(run), &run.sampled, run.inputs_of_time_alone) {}
+    explicit Runner(const PlantRun& run)
+        : run_(run), system_(run.parameters), inputs_(system_, held_inputs(run), &run.sampled, run.inputs_of_time_alone) {}
 
     PlantRunResult operator()() {
         State x = system_.start_state();

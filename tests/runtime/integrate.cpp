@@ -311,3 +311,31 @@ TEST_CASE("a run whose pace leads nowhere ends after 2 million steps, not after 
     CHECK(outcome.steps + outcome.rejected <= 2000001);
     CHECK(x[0] == doctest::Approx(1));
 }
+
+TEST_CASE("the observer sees the run at given times") {
+    const std::vector<double> times{0.1, 0.25, 0.2500001, 1.7, 2.9};
+    for (const Method method : {Method::euler, Method::rk4, Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78,
+                                Method::bulirsch_stoer, Method::automatic}) {
+        CAPTURE(static_cast<int>(method));
+        IntegrationOptions<State> options;
+        options.method = method;
+        options.step = method == Method::euler || method == Method::rk4 ? 1e-4 : 0;
+        options.tolerance = 1e-11;
+        options.output_times = times;
+        options.kinks = {0.25, 1.0};
+        std::vector<double> seen;
+        State x{1, 0};
+        const auto watch = [&](double t, const State& at) {
+            seen.push_back(t);
+            CHECK(std::abs(at[0] - std::cos(t)) < (method == Method::euler ? 1e-3 : 1e-9));
+        };
+        REQUIRE(integrate(oscillator, x, 0.0, 3.0, options, watch).status == Status::success);
+        CHECK(seen == std::vector<double>{0, 0.1, 0.25, 0.2500001, 1.7, 2.9, 3});
+    }
+    for (const std::vector<double>& wrong : {std::vector<double>{0, 1}, {1, 1}, {2, 1}, {1, 3}, {std::nan("")}}) {
+        IntegrationOptions<State> options;
+        options.output_times = wrong;
+        State x{1, 0};
+        CHECK(integrate(oscillator, x, 0.0, 3.0, options, [](double, const State&) {}).status == Status::bad_options);
+    }
+}
