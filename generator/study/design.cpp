@@ -46,7 +46,7 @@ struct Points::Sequence {
     std::uint64_t next;
 };
 
-Points::Points(Sampling sampling, std::size_t dimensions, std::uint64_t seed) : sampling_(sampling), dimensions_(dimensions), seed_(seed) {
+Points::Points(Sampling sampling, std::size_t dimensions, std::uint64_t seed) : dimensions_(dimensions), seed_(seed) {
     if (sampling == Sampling::sobol && dimensions > 0)
         sequence_ = std::make_unique<Sequence>(Sequence{boost::random::sobol(dimensions), 1});
 }

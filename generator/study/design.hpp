@@ -46,7 +46,6 @@ public:
 private:
     struct Sequence;
     std::unique_ptr<Sequence> sequence_;
-    Sampling sampling_;
     std::size_t dimensions_;
     std::uint64_t seed_;
 };
