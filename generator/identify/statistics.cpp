@@ -71,8 +71,7 @@ public:
         result_.freedom = static_cast<double>(J_.rows()) - static_cast<double>(unknowns);
         result_.at_bound = bounds_met(run_, fit_);
         result_.errors.assign(unknowns, 0);
-        for (std::size_t k = 0; k < unknowns; ++k)
-            if (result_.at_bound[k] == 0) free_.push_back(k);
+        for (std::size_t k = 0; k < unknowns; ++k) free_.push_back(k);
         covariance();
         intervals();
         shares();
@@ -147,9 +146,11 @@ private:
         const bool is_known = fit_.given_noise.size() == fit_.noise.size();
         const double quantile = is_known || !(result_.freedom > 0) ? boost::math::quantile(boost::math::normal(), 0.975)
                                                                    : boost::math::quantile(boost::math::students_t(result_.freedom), 0.975);
+        // What lies outside of the range is known to be wrong, also of a value at its bound.
         for (std::size_t k = 0; k < fit_.x.size(); ++k) {
-            result_.low.push_back(fit_.x[k] - quantile * result_.errors[k]);
-            result_.high.push_back(fit_.x[k] + quantile * result_.errors[k]);
+            const Fitted& one = run_.fitted(run_.unknowns()[k]);
+            result_.low.push_back(std::max(one.low, fit_.x[k] - quantile * result_.errors[k]));
+            result_.high.push_back(std::min(one.high, fit_.x[k] + quantile * result_.errors[k]));
         }
     }
 

@@ -27,8 +27,8 @@ struct ResidualReport {
 };
 
 struct FitStatistics {
-    std::vector<double> errors;     ///< standard errors in SI; infinite where the data do not tell; 0 at a bound
-    std::vector<double> low, high;  ///< 95 % intervals
+    std::vector<double> errors;     ///< standard errors in SI, as if there were no bounds; infinite where the data do not tell
+    std::vector<double> low, high;  ///< 95 % intervals, within the range
     std::vector<int> at_bound;      ///< -1 at the lower one, 1 at the upper one, else 0
     std::vector<std::vector<double>> correlations;
     std::vector<Unseen> unseen;

@@ -37,7 +37,7 @@ std::string error_text(const IdentifiedValue& one) {
 }
 
 std::string interval_text(const IdentifiedValue& one) {
-    if (one.at_bound != 0 || !std::isfinite(one.error)) return "";
+    if (!std::isfinite(one.error)) return "";
     return fmt::format("{:.6g} to {:.6g}", value_in(one.low_95, one.shown), value_in(one.high_95, one.shown));
 }
 
