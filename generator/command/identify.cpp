@@ -3,80 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <dalembert/plot.hpp>
 
-#include "check/written_values.hpp"
 #include "command/write_result.hpp"
-#include "language/parser.hpp"
+#include "identify/priors.hpp"
 #include "run/shared.hpp"
 
 namespace dalembert {
 
 namespace {
-
-/// "d_R=normal(0.3, 5 %)"
-class PriorReader {
-public:
-    explicit PriorReader(const FitRun& run) : run_(run), system_(*run.machine().system) {}
-
-    std::vector<Prior> read(const std::vector<std::string>& lists) const {
-        std::vector<Prior> priors;
-        for (const std::string& list : lists)
-            for (const Excerpt& part : parts_of_list(std::make_shared<const Source>("--prior", list))) read(part, priors);
-        return priors;
-    }
-
-private:
-    void read(const Excerpt& part, std::vector<Prior>& priors) const {
-        constexpr std::string_view head = "=normal(";
-        const auto begin = part.text.find(head), comma = part.text.rfind(',');
-        if (begin == std::string::npos || comma == std::string::npos || comma < begin || !part.text.ends_with(")"))
-            throw Failure(Diagnostic{Id::bad_option, part.whole(),
-                                     fmt::format("'--prior {}' is not of the form NAME=normal(MEAN, DEVIATION)", part.text)});
-        const std::string name = part.text.substr(0, begin);
-        const Span mean = part.span(begin + head.size(), comma);
-        Span deviation = part.span(comma + 1, part.text.size() - 1);
-        bool found = false;
-        for (std::size_t k = 0; k < run_.unknowns().size(); ++k) {
-            const Fitted& one = run_.fitted(run_.unknowns()[k]);
-            if (one.name != name && run_.name(run_.unknowns()[k]) != name) continue;
-            found = true;
-            const double middle = number(mean, one, false);
-            const auto percent = deviation.text().find('%');
-            Prior prior{k, middle, 0};
-            if (percent != std::string_view::npos) {
-                deviation.end = deviation.begin + percent;
-                prior.deviation = std::fabs(middle) * number_alone(deviation) / 100;
-            } else {
-                prior.deviation = number(deviation, one, true);
-            }
-            if (!(prior.deviation > 0))
-                throw Failure(Diagnostic{Id::value_out_of_range, deviation, fmt::format("the deviation of '{}' must be above zero", name)});
-            priors.push_back(prior);
-        }
-        if (!found)
-            throw Failure(Diagnostic{Id::unknown_name, part.whole(),
-                                     fmt::format("'{}' is not fitted, so it has no prior; --fit names what is", name)});
-    }
-    double number_alone(const Span& place) const {
-        const ExpressionPtr e = parse_expression(excerpt_of(place.source, place.begin, place.end));
-        return double_of(system_.translate(*e, {}), place);
-    }
-    double number(const Span& place, const Fitted& one, bool is_difference) const {
-        const ShownNumber& shown = one.shown;
-        ExpressionPtr e = parse_expression(excerpt_of(place.source, place.begin, place.end));
-        const std::string text = shown.declared_unit.empty() ? shown.unit : shown.declared_unit;
-        Unit unit = text.empty() ? Unit{} : parse_unit(excerpt_of(std::make_shared<const Source>("unit", text)));
-        if (is_difference) unit.offset = 0;
-        e = in_si(e, unit, fmt::format("the prior of '{}'", one.name), system_.names);
-        return double_of(system_.translate(*e, {}), place);
-    }
-
-    const FitRun& run_;
-    const System& system_;
-};
-
-Loss loss_named(const std::string& name) { return name == "huber" ? Loss::huber : name == "cauchy" ? Loss::cauchy : Loss::none; }
 
 /// Simulated values as lines, measured ones as points, in declared units.
 std::string picture_of(const Experiment& experiment, const RunBesideData& comparison, const System& system) {
@@ -102,8 +39,8 @@ ExitCode identify_command(const Options& options, Streams streams) {
     show_warnings(run.machine(), streams);
     streams.err << run.doubts();
     FitSettings settings;
-    settings.loss = loss_named(options.loss);
-    settings.priors = PriorReader(run).read(options.priors);
+    settings.loss = static_cast<Loss>(std::find(loss_names.begin(), loss_names.end(), options.loss) - loss_names.begin());
+    settings.priors = read_priors(options.priors, run);
     settings.starts = options.starts;
     settings.seed = options.seed;
     std::optional<Fit> found;

@@ -57,7 +57,7 @@ Subject subject_of_table(const RunTable& table) {
     return subject;
 }
 
-/// Statistics and plots of what is in a file.
+/// Statistics and plots of the runs in a file.
 ExitCode finish(const RunTable& table, const fs::path& file, std::size_t found, const Options& options, Streams streams) {
     StudyResult result{.subject = subject_of_table(table), .found = found, .files = {file}};
     enter_stage("the statistics of a study");

@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "command/installed_texts.hpp"
+#include "identify/fit.hpp"
 #include "plant/methods.hpp"
 
 namespace dalembert {
@@ -173,13 +174,13 @@ void take_identify(VerbOptions& o) {
         ->required();
     o.add("--measured", o.options.measured, "columns to compare, comma separated; if left out, all that are outputs or states")
         ->delimiter(',');
-    o.add("--noise", o.options.noise, "standard deviations of columns, as phi=0.2deg; if left out, estimated from what is left");
+    o.add("--noise", o.options.noise, "standard deviations of columns, as phi=0.2deg; if left out, estimated from the residuals");
     o.add("--hold", o.options.held_inputs,
           "inputs whose values in the data count up to the next time, comma separated; others change linearly")
         ->delimiter(',');
     o.add("--prior", o.options.priors, "what is known beforehand, as d_R=normal(0.3, 5 %): mean and standard deviation");
     o.one_of(o.add("--loss", o.options.loss, "how outliers count: none, huber or cauchy; none: as all other values")->capture_default_str(),
-             {"none", "huber", "cauchy"});
+             {loss_names.begin(), loss_names.end()});
     o.add("--starts", o.options.starts, "number of starts: the values of the model, and random ones")
         ->capture_default_str()->check(CLI::Range(1, 10000));
     o.add("--seed", o.options.seed, "seed of the random starts")->capture_default_str();
@@ -206,7 +207,7 @@ void take_study(VerbOptions& o) {
     o.add("--seed", o.options.seed, "seed of the points")->capture_default_str();
     o.add("--observe", o.options.observe,
           "what is kept of a run, as \"max(phi), end(s)^2, time(EVENT)\"; if left out, states and outputs at the end");
-    o.add("--worst", o.options.worst, "number of runs with the smallest and largest values that are told")
+    o.add("--worst", o.options.worst, "how many runs with the smallest and with the largest values are listed")
         ->capture_default_str()->check(CLI::Range(0, 1000));
     o.add("--only", o.options.only, "number of a run that is made again; its CSV is that of simulate");
     o.add("--shard", o.options.shard,

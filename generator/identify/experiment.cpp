@@ -18,8 +18,6 @@ namespace dalembert {
 
 namespace {
 
-constexpr const char* energies[] = {"kinetic_energy", "potential_energy", "internal_energy", "work"};
-
 class ExperimentReader {
 public:
     ExperimentReader(const DataFile& file, const DataOptions& options, const System& system)
@@ -48,7 +46,7 @@ private:
     void times() {
         for (const DataColumn& column : file_.columns)
             if (name_of(column) == "t" && measurement_of(column) != nullptr) time_ = &column;
-        for (const char* name : {"t", "time", "Time"})
+        for (const char* name : {"t", "time"})
             if (time_ == nullptr) time_ = file_.find(name);
         if (time_ == nullptr)
             throw Failure(
@@ -82,6 +80,11 @@ private:
 
     void take(const DataColumn& column) {
         const std::string name = name_of(column);
+        for (const DataColumn& other : file_.columns)
+            if (&other < &column && name_of(other) == name)
+                throw Failure(Diagnostic{Id::doubly_defined, column.place,
+                                         fmt::format("the columns '{}' and '{}' are both '{}'", other.name, column.name, name)});
+        refuse_useless(column, name);
         const bool is_start = name.starts_with("start(") && name.ends_with(")");
         const std::string inside = is_start ? name.substr(6, name.size() - 7) : name;
         if (const Variable* parameter = find(SymbolKind::parameter, name)) return constant(column, *parameter, result_.parameters);
@@ -90,9 +93,9 @@ private:
                 if (const Variable* state = find(kind, inside)) return constant(column, *state, result_.starts);
         if (const Variable* input = find(SymbolKind::input, name)) return sampled(column, *input);
         const auto recorded = recorded_names(name, system_);
-        const bool is_energy = std::find(std::begin(energies), std::end(energies), name) != std::end(energies);
         const bool is_asked_for = std::find(options_.measured.begin(), options_.measured.end(), name) != options_.measured.end();
-        if (recorded.size() != 1 || recorded.front() != name || (is_energy && !is_asked_for)) {
+        // Energies are recorded, but not declared: hardly anybody measures them.
+        if (recorded.size() != 1 || recorded.front() != name || (!is_asked_for && !unit_of(name))) {
             result_.unused.push_back(name);
             return;
         }
@@ -102,6 +105,20 @@ private:
         if (std::all_of(measured.values.begin(), measured.values.end(), [](double v) { return std::isnan(v); }))
             throw Failure(Diagnostic{Id::missing_key, column.place, fmt::format("the column '{}' has no value at all", name)});
         result_.measured.push_back(std::move(measured));
+    }
+
+    /// What the model says of a column that has no use of it.
+    void refuse_useless(const DataColumn& column, const std::string& name) const {
+        const Measurement* said = measurement_of(column);
+        if (said == nullptr) return;
+        const bool is_input = find(SymbolKind::input, name) != nullptr, is_parameter = find(SymbolKind::parameter, name) != nullptr;
+        if (said->hold && !is_input)
+            throw Failure(Diagnostic{Id::not_allowed_here, said->span,
+                                     fmt::format("measurement '{}' has hold = true, but '{}' is no input of the scene", said->name, name)});
+        if (said->noise && (is_input || is_parameter))
+            throw Failure(Diagnostic{Id::not_allowed_here, said->span,
+                                     fmt::format("measurement '{}' has a noise, but '{}' is {}, which is not compared with the run",
+                                                 said->name, name, is_input ? "an input" : "a parameter")});
     }
 
     const Variable* find(SymbolKind kind, const std::string& name) const {
@@ -191,13 +208,8 @@ private:
         if (said == nullptr || !said->noise) return 0;
         return noise_in_si(said->noise, name, said->unit ? *said->unit : unit_of(name).value_or(Unit{}));
     }
-    double noise_in_si(const ExpressionPtr& written, const std::string& name, Unit unit) const {
-        unit.offset = 0;  // of a difference
-        const ExpressionPtr value = dalembert::in_si(written, unit, fmt::format("the noise of '{}'", name), system_.names);
-        const double noise = double_of(system_.translate(*value, {}), value->span);
-        if (!(noise > 0))
-            throw Failure(Diagnostic{Id::value_out_of_range, value->span, fmt::format("the noise of '{}' must be above zero", name)});
-        return noise;
+    double noise_in_si(const ExpressionPtr& written, const std::string& name, const Unit& unit) const {
+        return deviation_in_si(written, unit, fmt::format("the noise of '{}'", name), system_);
     }
 
     const DataFile& file_;

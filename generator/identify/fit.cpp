@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <tuple>
 
@@ -93,12 +94,14 @@ private:
 /// How large residuals of each column are, in SI; `unknowns` are shared out among the columns.
 Noise noise_of_residuals(const FitRun& run, const std::vector<RunBesideData>& comparisons, Loss loss, Noise noise) {
     std::map<std::string, std::vector<double>> residuals;
+    Noise largest;
     std::size_t all = 0;
     for (std::size_t e = 0; e < comparisons.size(); ++e)
         for (std::size_t c = 0; c < comparisons[e].columns.size(); ++c) {
             const Measured& measured = run.experiments()[e].measured[c];
             for (const std::size_t i : samples_of(measured)) {
                 residuals[measured.column].push_back(measured.values[i] - comparisons[e].columns[c].simulated[i]);
+                largest[measured.column] = std::max(largest[measured.column], std::fabs(measured.values[i]));
                 ++all;
             }
         }
@@ -113,7 +116,8 @@ Noise noise_of_residuals(const FitRun& run, const std::vector<RunBesideData>& co
             std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
             size = 1.4826 * values[values.size() / 2] / std::sqrt(left);
         }
-        if (size > 0) noise[column] = size;
+        // Data without noise leave roundings at least.
+        noise[column] = std::max(size, std::numeric_limits<double>::epsilon() * (largest[column] > 0 ? largest[column] : 1));
     }
     return noise;
 }

@@ -2,6 +2,7 @@
 // Nonlinear least squares with exact derivatives: Levenberg-Marquardt by Ceres.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 
@@ -16,6 +17,8 @@ struct Prior {
 };
 
 enum class Loss { none, huber, cauchy };
+/// As the command line names them, in this order.
+inline constexpr std::array<const char*, 3> loss_names{"none", "huber", "cauchy"};
 
 struct FitSettings {
     Loss loss = Loss::none;

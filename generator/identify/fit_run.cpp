@@ -25,8 +25,13 @@ FitRun::FitRun(const std::shared_ptr<const LoadedModel>& model, const Options& o
     header_ = generate_with_slopes(machine_, without_outputs);
     fitted_ = fitted_of(fitted, system);
     take_data(files);
+    refuse_unknown_columns();
     refuse_missing_slopes(without_outputs);
-    for (const Fitted& one : fitted_) refuse_without_data(one);
+    for (Fitted& one : fitted_) {
+        refuse_without_data(one);
+        // At zero two jumps may fall together, of which delays move one alone.
+        if (one.what == Fitted::What::delay) one.low = 1e-6 * shortest_sample(*one.variable);
+    }
     for (std::size_t i = 0; i < fitted_.size(); ++i) {
         if (fitted_[i].what != Fitted::What::start)
             unknowns_.push_back({i, std::nullopt});
@@ -48,6 +53,9 @@ void FitRun::take_data(const std::vector<DataFile>& files) {
     const DataOptions data{options_.measured, parse_settings(options_.noise, "noise"), options_.held_inputs};
     double until = 0;
     for (const DataFile& file : files) {
+        const auto same = [&](const DataFile& other) { return &other < &file && other.source->name() == file.source->name(); };
+        if (std::any_of(files.begin(), files.end(), same))
+            throw Failure(Diagnostic{Id::bad_option, {}, fmt::format("'{}' is named twice by --data", file.source->name())});
         experiments_.push_back(experiment_of(file, data, system));
         until = std::max(until, experiments_.back().end());
     }
@@ -58,11 +66,33 @@ void FitRun::take_data(const std::vector<DataFile>& files) {
         };
         if (std::none_of(experiments_.begin(), experiments_.end(), has)) continue;
         options_.measured_inputs.push_back(input.name);
+        for (const Setting& given : parse_settings(options_.inputs, "input"))
+            if (given.variable->written() == input.name)
+                throw Failure(Diagnostic{Id::bad_option, given.variable->span,
+                                         fmt::format("the input '{}' has a column in the data; leave out one of both", input.name)});
         const auto lacks = std::find_if_not(experiments_.begin(), experiments_.end(), has);
         if (lacks != experiments_.end())
             throw Failure(Diagnostic{
                 Id::missing_key, {}, fmt::format("'{}' has no column '{}', which the other data have", lacks->name, input.name)});
     }
+}
+
+/// Words of the command line about columns that no data have.
+void FitRun::refuse_unknown_columns() const {
+    for (const Setting& noise : parse_settings(options_.noise, "noise")) {
+        const auto has = [&](const Experiment& e) {
+            return std::any_of(e.measured.begin(), e.measured.end(),
+                               [&](const Measured& m) { return m.column == noise.variable->written(); });
+        };
+        if (std::none_of(experiments_.begin(), experiments_.end(), has))
+            throw Failure(Diagnostic{Id::unknown_name, noise.variable->span,
+                                     fmt::format("no column '{}' is compared with a run, so it has no noise", noise.variable->written())});
+    }
+    const auto& inputs = options_.measured_inputs;
+    for (const std::string& held : options_.held_inputs)
+        if (std::find(inputs.begin(), inputs.end(), held) == inputs.end())
+            throw Failure(Diagnostic{Id::unknown_name, Span{std::make_shared<const Source>("--hold", held), 0, held.size()},
+                                     fmt::format("no data have a column '{}' that is an input", held)});
 }
 
 void FitRun::refuse_missing_slopes(const std::string& why) const {
@@ -97,16 +127,21 @@ void FitRun::compile() {
     const Values values = values_at(0, start_);
     const SimulationSettings settings = preparation_.make_settings(values, *machine_.system);
     library_.emplace(source_of_plant(*machine_.code, header_, settings), plant_cache(options_));
-    if (library_->table().constraint_rank > 0)
-        throw Failure(Diagnostic{Id::bad_option,
-                                 {},
-                                 "--fit: the run chooses which of its constraints are solved for, since some follow from others; leave out "
-                                 "those that do"});
+    refuse_choice_of_constraints(library_->table(), "--fit");
 }
 
 std::string FitRun::name(const FitUnknown& unknown) const {
     const std::string& own = fitted(unknown).name;
     return unknown.experiment && experiments_.size() > 1 ? fmt::format("{} of {}", own, experiments_[*unknown.experiment].name) : own;
+}
+
+double FitRun::shortest_sample(const Variable& input) const {
+    double shortest = infinite;
+    for (const Experiment& experiment : experiments_)
+        for (const SampledInput& one : experiment.inputs)
+            for (std::size_t i = 1; one.input == input.position && i < one.times.size(); ++i)
+                shortest = std::min(shortest, one.times[i] - one.times[i - 1]);
+    return shortest;
 }
 
 /// Start values that are measured, too, begin as the first measured value.
@@ -115,11 +150,8 @@ double FitRun::first_value(const FitUnknown& unknown) const {
     const System& system = *machine_.system;
     if (one.start) return *one.start;
     if (one.what == Fitted::What::delay) {
-        // Not zero, where inputs that are sampled together jump at once.
-        const SampledInput* input = nullptr;
-        for (const SampledInput& each : experiments_.front().inputs)
-            if (each.input == one.variable->position) input = &each;
-        return input->times.size() > 1 ? (input->times[1] - input->times[0]) / 3 : 0;
+        // Apart from each other, and from zero, where inputs that are sampled together jump at once.
+        return shortest_sample(*one.variable) / (3 + static_cast<double>(one.variable->position) / 10);
     }
     Values values(system.scene, system.translate);
     preparation_.set_values(values, system);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs of a machine beside experiments, with values of what is fitted.
+// Runs of the model for each experiment, with given values of the unknowns.
 #pragma once
 
 #include <mutex>
@@ -58,10 +58,12 @@ public:
 
 private:
     void take_data(const std::vector<DataFile>& files);
+    void refuse_unknown_columns() const;
+    double shortest_sample(const Variable& input) const;  ///< s, of its data
     void refuse_missing_slopes(const std::string& why) const;
     void refuse_without_data(const Fitted& one) const;
     void compile();
-    void add_jumps(PlantRun& run) const;
+    void add_kinks(PlantRun& run) const;
     void set(Values& values, const System& system, std::size_t experiment, const std::vector<double>& x) const;
     Values values_at(std::size_t experiment, const std::vector<double>& x) const;
     PlantRun prepared(std::size_t experiment, const std::vector<double>& x) const;

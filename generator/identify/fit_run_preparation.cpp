@@ -2,6 +2,7 @@
 // How the run beside an experiment follows what is fitted: the part of FitRun that knows GiNaC.
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "identify/fit_run.hpp"
 #include "prove/constraint_validity.hpp"
@@ -130,30 +131,34 @@ void FitRun::add_experiment(PlantRun& run, std::size_t experiment) const {
     run.is_of_heat = false;  // nobody asks for the step of Euler's method
 }
 
-/// Jumps of inputs that keep their values are kinks, which delays move.
-void FitRun::add_jumps(PlantRun& run) const {
+/// Those of measured inputs, which delays move.
+void FitRun::add_kinks(PlantRun& run) const {
     const std::size_t parameters = machine_.system->symbols.count(SymbolKind::parameter);
     struct Kink {
         double t;
+        bool rests;
         std::vector<double> slopes;
     };
     std::vector<Kink> kinks;
-    for (std::size_t i = 0; i < run.kinks.size(); ++i) {
-        if (!(run.kinks[i] < run.until)) continue;
-        kinks.push_back({run.kinks[i], {}});
-        for (const VariedOfRun& varied : run.varied) kinks.back().slopes.push_back(varied.kinks[i]);
-    }
+    const auto add = [&](double t, const auto& slope) {
+        if (!(t > 0 && t < run.until)) return;
+        Kink kink{t, true, {}};
+        for (const VariedOfRun& varied : run.varied) {
+            kink.slopes.push_back(slope(varied));
+            kink.rests = kink.rests && kink.slopes.back() == 0;
+        }
+        kinks.push_back(std::move(kink));
+    };
+    for (std::size_t i = 0; i < run.kinks.size(); ++i) add(run.kinks[i], [i](const VariedOfRun& varied) { return varied.kinks[i]; });
     for (const SampledInput& input : run.sampled) {
         const std::size_t number = parameters + input.input;
-        for (const double jump : input.jumps()) {
-            const double t = jump + run.parameters[number];
-            if (!(t > 0 && t < run.until)) continue;
-            kinks.push_back({t, {}});
-            for (const VariedOfRun& varied : run.varied)
-                kinks.back().slopes.push_back(varied.what.of == Varied::Of::parameter && varied.what.number == number ? 1 : 0);
-        }
+        const auto slope = [&](const VariedOfRun& varied) {
+            return varied.what.of == Varied::Of::parameter && varied.what.number == number ? 1.0 : 0.0;
+        };
+        for (const double kink : input.kinks()) add(kink + run.parameters[number], slope);
     }
-    std::stable_sort(kinks.begin(), kinks.end(), [](const Kink& a, const Kink& b) { return a.t < b.t; });
+    std::stable_sort(kinks.begin(), kinks.end(),
+                     [](const Kink& a, const Kink& b) { return std::tie(a.t, a.rests) < std::tie(b.t, b.rests); });
     kinks.erase(std::unique(kinks.begin(), kinks.end(), [](const Kink& a, const Kink& b) { return a.t == b.t; }), kinks.end());
     run.kinks.clear();
     for (VariedOfRun& varied : run.varied) varied.kinks.clear();
@@ -189,7 +194,7 @@ PlantRun FitRun::run_at(std::size_t experiment, const std::vector<double>& x) co
     for (std::size_t k = 0; k < unknowns_.size(); ++k)
         if (const Fitted& one = fitted(unknowns_[k]); one.what == Fitted::What::delay)
             run.parameters[parameters + one.variable->position] = x[k];
-    add_jumps(run);
+    add_kinks(run);
     return run;
 }
 

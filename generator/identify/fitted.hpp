@@ -37,7 +37,7 @@ struct Fitted {
 /// Throws Failure (syntax, unknown-name, bad-option).
 std::vector<Fitted> fitted_of(const std::string& list, const System& system);
 
-/// The value in SI of what the model or the command line says. Throws Failure (division-by-zero).
+/// A symbolic value as a number. Throws Failure (division-by-zero).
 double double_of(const GiNaC::ex& value, const Span& place);
 /// How values of a unit are shown.
 ShownNumber shown_in(const Unit& unit);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a fit tells: how well each value is known, what the data do not tell apart, whether what is left is noise.
+// What a fit tells: how well each value is known, what the data do not tell apart, whether residuals are noise.
 #pragma once
 
 #include "identify/fit.hpp"

@@ -32,7 +32,7 @@ std::string with_error(const IdentifiedValue& one) {
 
 std::string error_text(const IdentifiedValue& one) {
     if (one.at_bound != 0) return fmt::format("at its {} bound", one.at_bound < 0 ? "lower" : "upper");
-    if (!std::isfinite(one.error)) return "not seen";
+    if (!std::isfinite(one.error)) return "not identifiable";
     return fmt::format("{:.2g}", difference_in(one.error, one.shown));
 }
 
@@ -71,7 +71,7 @@ std::string white_text(double probability) {
 
 std::vector<std::vector<std::string>> column_rows(const IdentifyResult& result) {
     std::vector<std::vector<std::string>> rows{
-        {"data", "column", "values", "rms", "noise", "largest", "at t", "beyond 4 noise", "white", "unit"}};
+        {"data", "column", "values", "rms", "noise", "largest", "at t", "> 4 noise", "white", "unit"}};
     for (const ComparedColumn& one : result.columns)
         rows.push_back({one.experiment, one.column, std::to_string(one.residuals.count),
                         fmt::format("{:.3g}", difference_in(one.residuals.rms, one.shown)),
@@ -108,7 +108,7 @@ std::vector<std::string> remarks(const IdentifyResult& result) {
     for (const ComparedColumn& one : result.columns) {
         if (one.residuals.white < 0.01)
             all.push_back(
-                fmt::format("what is left of '{}' in '{}' is not white noise: the model lacks an effect, or the noise is correlated; "
+                fmt::format("the residuals of '{}' in '{}' are not white noise: the model lacks an effect, or the noise is correlated; "
                             "then the standard errors are too small",
                             one.column, one.experiment));
         if (one.residuals.outliers > 0)
@@ -153,6 +153,7 @@ nlohmann::ordered_json finite(double value) { return std::isfinite(value) ? nloh
 IdentifyResult result_of(const FitRun& run, const Fit& fit, const FitStatistics& statistics, const FitSettings& settings) {
     IdentifyResult result;
     result.subject = subject_of(run.machine().system->scene);
+    result.subject.mode.clear();  // a run goes through all of them
     for (const Experiment& experiment : run.experiments()) {
         result.experiments.push_back(experiment.name);
         std::string unused;
@@ -190,8 +191,8 @@ std::string as_text(const IdentifyResult& result) {
                                    result.subject.title(), result.values.size(), result.count, result.experiments.size(),
                                    result.experiments.size() == 1 ? "" : "s", result.iterations, result.runs);
     text += table(value_rows(result));
-    text += "what is left, measured - simulated:\n" + table(column_rows(result));
-    if (has_shares(result)) text += "what each experiment tells of each value:\n" + table(share_rows(result));
+    text += "residuals, measured - simulated:\n" + table(column_rows(result));
+    if (has_shares(result)) text += "part of each experiment in what is known of each value:\n" + table(share_rows(result));
     if (result.unweighted > 0) text += fmt::format("{} values count less than half\n", result.unweighted);
     for (const std::string& remark : remarks(result)) text += "note: " + remark + "\n";
     for (const std::filesystem::path& file : result.files) text += file.string() + "\n";
@@ -260,7 +261,7 @@ Recording comparison_table(const Experiment& experiment, const RunBesideData& co
     Recording recording;
     recording.columns.push_back({"t", "s"});
     for (const Measured& measured : experiment.measured)
-        for (const char* part : {"", " measured", " left"}) recording.columns.push_back({measured.column + part, measured.shown.unit});
+        for (const char* part : {"", " measured", " residual"}) recording.columns.push_back({measured.column + part, measured.shown.unit});
     for (std::size_t i = 0; i < experiment.t.size(); ++i) {
         std::vector<double> row{experiment.t[i]};
         for (std::size_t c = 0; c < experiment.measured.size(); ++c) {
@@ -284,7 +285,8 @@ std::string identify_page(const IdentifyResult& result, const std::vector<std::s
          {"LEAD", html_text(fmt::format("{} unknowns fitted to {} measured values.", result.values.size(), result.count))},
          {"VALUES", html_table(value_rows(result))},
          {"COLUMNS", html_table(column_rows(result))},
-         {"SHARES", has_shares(result) ? "<h2>What each experiment tells of each value</h2>\n" + html_table(share_rows(result)) : ""},
+         {"SHARES",
+          has_shares(result) ? "<h2>Part of each experiment in what is known of each value</h2>\n" + html_table(share_rows(result)) : ""},
          {"REMARKS", remarks_text.empty() ? "" : "<h2>Notes</h2>\n<ul>\n" + remarks_text + "</ul>\n"},
          {"PICTURES", pictures_text}});
 }

@@ -58,7 +58,7 @@ nlohmann::ordered_json as_json(const IdentifyResult& result);
 /// What `--parameters FILE` reads.
 std::string parameter_file(const IdentifyResult& result);
 
-/// The values of an experiment beside its run, in SI: t, and for each column simulated, measured, and what is left.
+/// The values of an experiment beside its run, in SI: t, and for each column simulated, measured and residual.
 Recording comparison_table(const Experiment& experiment, const RunBesideData& comparison);
 
 /// A page with tables, and a picture for each experiment; `pictures` are SVG texts, empty where there are none.

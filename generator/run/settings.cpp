@@ -128,6 +128,24 @@ ExpressionPtr value_of(const Setting& setting, unsigned may_depend, const Names&
     return unit ? in_si(setting.value, *unit, what, names) : setting.value;
 }
 
+double deviation_in_si(const ExpressionPtr& written, Unit unit, const std::string& what, const System& system) {
+    check_dependence(*written, nothing, what, system.names);
+    unit.offset = 0;
+    const auto number = value_at(system.translate(*in_si(written, unit, what, system.names), {}), {}, 40);
+    if (!number || !cln::plusp(*number))
+        throw Failure(Diagnostic{Id::value_out_of_range, written->span, fmt::format("{} must be above zero", what)});
+    return cln::double_approx(*number);
+}
+
+double deviation_in_si(const Span& written, double mean, const Unit& unit, const std::string& what, const System& system) {
+    const auto percent = written.text().rfind('%');
+    const auto parsed = [&](std::size_t end) { return parse_expression(excerpt_of(written.source, written.begin, end)); };
+    if (percent == std::string_view::npos) return deviation_in_si(parsed(written.end), unit, what, system);
+    const double deviation = deviation_in_si(parsed(written.begin + percent), Unit{}, what, system) * std::fabs(mean) / 100;
+    if (!(deviation > 0)) throw Failure(Diagnostic{Id::value_out_of_range, written, fmt::format("{} must be above zero", what)});
+    return deviation;
+}
+
 void check_dependence(const Expression& value, unsigned may_depend, const std::string& what, const Names& names) {
     for_each(value, [&](const Expression& part) {
         const bool is_leaf =

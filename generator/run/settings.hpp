@@ -49,6 +49,12 @@ std::string doubts_of_start(const Values& values, const System& system, bool kno
 /// absolute zero, pressures below a vacuum. `x` and `u` are in the order of the state variables and inputs.
 std::string doubts_of_found(const Values& values, const System& system, const std::vector<double>& x, const std::vector<double>& u);
 
+/// A standard deviation in SI, above zero: of a difference, so that degC count as K. A number alone counts in `unit`. `what` stands in the
+/// sentence: "the noise of 'phi'". Throws Failure (unit-mismatch, not-allowed-here, value-out-of-range).
+double deviation_in_si(const ExpressionPtr& written, Unit unit, const std::string& what, const System& system);
+/// The same as it is written, also as "5 %" of a mean in SI.
+double deviation_in_si(const Span& written, double mean, const Unit& unit, const std::string& what, const System& system);
+
 void check_dependence(const Expression& value, unsigned may_depend, const std::string& what, const Names& names);
 
 }  // namespace dalembert

@@ -301,13 +301,18 @@ void add_sensitivities(SimulationReport& report, const PlantRunResult& run, cons
 
 }  // namespace
 
+void refuse_choice_of_constraints(const dalembert_plant& plant, const char* option) {
+    if (plant.constraint_rank == 0) return;
+    throw Failure(Diagnostic{Id::bad_option,
+                             {},
+                             fmt::format("{}: the run chooses which of its constraints are solved for, since some follow from others; leave "
+                                         "out those that do",
+                                         option)});
+}
+
 SimulationReport run_simulation(const PreparedSimulation& prepared, const std::filesystem::path& folder) {
     const PlantLibrary library(prepared.plant, prepared.cache);
-    if (!prepared.run.varied.empty() && library.table().constraint_rank > 0)
-        throw Failure(Diagnostic{Id::bad_option,
-                                 {},
-                                 "--sensitivities: the run chooses which of its constraints are solved for, since some follow from others; "
-                                 "leave out those that do"});
+    if (!prepared.run.varied.empty()) refuse_choice_of_constraints(library.table(), "--sensitivities");
     const PlantRunResult run = simulate_plant(library.table(), prepared.run);
     SimulationReport report = report_of_run(run, library.table(), prepared.settings);
     report.plant = library.origin();

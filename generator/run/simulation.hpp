@@ -121,6 +121,8 @@ SimulationReport report_of_run(const PlantRunResult& run, const dalembert_plant&
 void add_results(SimulationReport& report, const PlantRunResult& run, const dalembert_plant& plant, const SimulationSettings& settings,
                  const std::vector<ShownUnit>& units, const std::string& title, const std::filesystem::path& folder,
                  const std::string& name);
+/// What is differentiated must not choose its constraints. Throws Failure (bad-option); `option` is what asks for derivatives.
+void refuse_choice_of_constraints(const dalembert_plant& plant, const char* option);
 /// Compiles and runs it. Throws Failure.
 SimulationReport run_simulation(const PreparedSimulation& prepared, const std::filesystem::path& folder);
 

@@ -129,24 +129,6 @@ private:
         return number;
     }
 
-    /// A standard deviation in SI: of a quantity in degC, in K.
-    double deviation(const Span& place, double mean) const {
-        double result = 0;
-        if (place.text().ends_with('%')) {
-            result = std::fabs(mean) * number_of(parse_expression(excerpt_of(source_, place.begin, place.end - 1))) / 100;
-        } else {
-            const ExpressionPtr written = parse_expression(excerpt_of(source_, place.begin, place.end));
-            const auto unit = declared_unit(*name_, system_.names);
-            if (unit && !is_zero(unit->offset) && is_plain_number(*written))
-                result = number_of(written) * cln::double_approx(unit->factor);
-            else
-                result = value(place);
-        }
-        if (!(result > 0) || !std::isfinite(result))
-            refuse(place, fmt::format("the standard deviation of '{}' is {:.6g}, but must be positive", name_->written(), result));
-        return result;
-    }
-
     GridAxis axis() const {
         const std::vector<Span> parts = pieces(value_place_.begin, value_place_.end, ':');
         if (parts.size() != 3)
@@ -181,7 +163,8 @@ private:
         result.kind = kind;
         result.a = allowed(of[0]);
         if (kind == Distribution::Kind::normal || kind == Distribution::Kind::lognormal) {
-            result.b = deviation(of[1], result.a);
+            result.b = deviation_in_si(of[1], result.a, declared_unit(*name_, system_.names).value_or(Unit{}),
+                                       fmt::format("the standard deviation of '{}'", name_->written()), system_);
             if (kind == Distribution::Kind::lognormal && !(result.a > 0))
                 refuse(of[0], fmt::format("the mean of a lognormal distribution is positive, not {:.6g}", result.a));
         } else {

@@ -23,11 +23,15 @@ struct SampledInput {
         if (is_held || behind == times.end()) return values[i];
         return values[i] + (t - times[i]) / (times[i + 1] - times[i]) * (values[i + 1] - values[i]);
     }
-    /// s; times at which it jumps.
-    std::vector<double> jumps() const {
+    /// s; times at which it jumps, or its slope does: a step that reaches across one may miss a pulse.
+    std::vector<double> kinks() const {
         std::vector<double> found;
-        for (std::size_t i = 1; is_held && i < times.size(); ++i)
-            if (values[i] != values[i - 1]) found.push_back(times[i]);
+        const auto slope = [this](std::size_t i) { return (values[i] - values[i - 1]) / (times[i] - times[i - 1]); };
+        for (std::size_t i = 1; i < times.size(); ++i) {
+            const bool is_last = i + 1 == times.size();
+            const bool is_kink = is_held ? values[i] != values[i - 1] : is_last ? slope(i) != 0 : slope(i) != slope(i + 1);
+            if (is_kink) found.push_back(times[i]);
+        }
         return found;
     }
 };

@@ -141,11 +141,14 @@ TEST_CASE("inputs that were measured hold their values, or change linearly") {
     CHECK(input(0.5) == 3);
     CHECK(input(2) == 2);
     CHECK(input(5) == 0);
-    CHECK(input.jumps().empty());
+    CHECK(input.kinks() == std::vector<double>{1, 3});
     input.is_held = true;
     CHECK(input(0.5) == 2);
     CHECK(input(1) == 4);
-    CHECK(input.jumps() == std::vector<double>{1, 3});
+    CHECK(input.kinks() == std::vector<double>{1, 3});
+    input.is_held = false;
+    input.values = {1, 2, 4};
+    CHECK(input.kinks() == std::vector<double>{3});
 }
 
 TEST_CASE("delays, units and names of columns: exact data lead back to the values that made them") {
@@ -167,6 +170,44 @@ TEST_CASE("delays, units and names of columns: exact data lead back to the value
     options.tolerance = 1e-13;  // of the differences
     const FitRun linear(model_of(folder, straight), options, "m, c, d, x_0, delay(f)", files_of(text));
     check_slopes(linear, truth);
+}
+
+TEST_CASE("a pulse between samples that are far apart is not missed") {
+    const ScratchFolder folder;
+    std::string straight = oscillator;
+    straight.erase(straight.find("hold = true"), 11);
+    const auto model = model_of(folder, straight);
+    // At rest up to a pulse of 4 ms in a run whose other samples are a second apart.
+    const std::string coarse = "t,twice,current\n0,0,0\n1,0,0\n2,0,0\n2.001,,900\n2.003,,900\n2.004,0,0\n3,0,0\n4,0,0\n";
+    std::string fine = "t,twice,current\n";
+    for (int i = 0; i <= 4000; ++i) {
+        const double t = 0.001 * i;
+        fine += fmt::format("{},{},{}\n", t, i % 1000 == 0 ? "0" : "", t > 2.0005 && t < 2.0035 ? 900 : 0);
+    }
+    Options options;
+    options.parameters = {"x_0=0"};
+    const FitRun few(model, options, "c", files_of(coarse)), many(model, options, "c", files_of(fine));
+    const double end = many.compare(0, {50}, false).columns[0].simulated.back();
+    CHECK(std::fabs(end) > 0.01);
+    CHECK(few.compare(0, {50}, false).columns[0].simulated.back() == doctest::Approx(end).epsilon(1e-6));
+    CHECK(few.compare(0, {50}, true).columns[0].simulated.back() == doctest::Approx(end).epsilon(1e-6));
+}
+
+TEST_CASE("two held inputs that jump together have delays of their own") {
+    const ScratchFolder folder;
+    std::string two = oscillator;
+    two.replace(two.find("f = { unit = \"N\" }"), 18, "f = { unit = \"N\" }\ng = { unit = \"N\" }");
+    two.replace(two.find("force = [\"f\""), 12, "force = [\"f + 2*g\"");
+    const auto model = model_of(folder, two);
+    std::string text = "t,encoder 1,current,g\n";
+    for (int i = 0; i <= 80; ++i) text += fmt::format("{},{},{},{}\n", 0.05 * i, 0.1 * i, i % 20 < 10 ? 1 : 3, i % 20 < 10 ? 2 : -1);
+    Options options;
+    options.held_inputs = {"g"};
+    options.tolerance = 1e-13;  // of the differences
+    const FitRun run(model, options, "c, delay(f), delay(g)", files_of(text));
+    CHECK(run.start()[1] != run.start()[2]);
+    check_slopes(run, run.start());
+    check_slopes(run, {50, 1e-3, 0.05});
 }
 
 TEST_CASE("what a free oscillation does not tell is named") {
@@ -258,6 +299,20 @@ TEST_CASE("data that do not fit the model are refused with a sentence") {
     CHECK(says(refusal("t,twice,current\n0,1,0\n1,2,0\n", "c, offset(x)"), "no data have a column 'x'"));
     CHECK(says(refusal("t,twice,current\n0,1,0\n1,2,0\n", "c, c"), "'c' is named twice"));
     CHECK(says(refusal("t,twice,current,c\n0,1,0,2\n1,2,0,2\n", "c"), "c cannot be fitted: 'run.csv' has a column with its value"));
+    CHECK(says(refusal("t,x,encoder 1,current\n0,1,1,0\n1,2,2,0\n"), "the columns 'x' and 'encoder 1' are both 'x'"));
+    const auto with = [&](const std::function<void(Options&)>& set) {
+        Options options;
+        set(options);
+        return problem_of([&] { FitRun(model, options, "c", files_of("t,twice,current\n0,1,0\n1,2,0\n")); });
+    };
+    CHECK(says(with([](Options& o) { o.noise = {"phi=1"}; }), "no column 'phi' is compared with a run"));
+    CHECK(says(with([](Options& o) { o.held_inputs = {"g"}; }), "no data have a column 'g' that is an input"));
+    CHECK(says(with([](Options& o) { o.inputs = {"f=3"}; }), "the input 'f' has a column in the data"));
+    CHECK(says(with([](Options& o) { o.noise = {"twice=0"}; }), "the noise of 'twice' must be above zero"));
+    CHECK(says(problem_of([&] {
+                   FitRun(model, {}, "c", {data("t,twice,current\n0,1,0\n1,2,0\n"), data("t,twice,current\n0,1,0\n1,2,0\n")});
+               }),
+               "'run.csv' is named twice"));
     CHECK(says(problem_of([&] { model_of(folder, std::string(oscillator) + "[measurements.y]\nunit = \"m\"\n"); }),
                "measurement 'y': 'y' is no output, coordinate"));
 }

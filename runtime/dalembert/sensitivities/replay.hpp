@@ -79,7 +79,7 @@ public:
         }
     }
 
-    /// Those of the options that move. They must stay where they are until the run has ended.
+    /// Those of the options that move, rising. They must stay where they are until the run has ended.
     template <class MovingKinks>
     void take_moving_kinks(const MovingKinks& kinks) {
         kinks_begin_ = kinks.data();
@@ -110,7 +110,8 @@ public:
         if (!knows_sides_ || mode != mode_) find_sides(mode);
         while (t_ < t && outcome_.status == Status::success) {
             // No step sees the instant around a kink at a known time.
-            const auto next = std::find_if(known_kinks_.begin(), known_kinks_.end(), [&](const Scalar& k) { return k + instant(k) > t_; });
+            const auto next =
+                std::partition_point(known_kinks_.begin(), known_kinks_.end(), [&](const Scalar& k) { return k + instant(k) <= t_; });
             if (next == known_kinks_.end() || t <= *next - instant(*next)) {
                 go_on(t);
             } else if (t_ < *next - instant(*next)) {
@@ -317,7 +318,9 @@ private:
     }
     int side(std::size_t c, const Scalar& t) const {
         using std::abs;
-        for (const MovingKink* kink = kinks_begin_; kink != kinks_end_; ++kink) {
+        const MovingKink* behind = first_kink_from(t);
+        for (const MovingKink* kink : {behind == kinks_begin_ ? kinks_end_ : behind - 1, behind}) {
+            if (kink == kinks_end_) continue;
             const Scalar way = Scalar(2) * kink->slope[c] * moved_.distance[c];
             if (abs(t - kink->t) <= abs(way) && way != Scalar(0)) return (t < kink->t) == (way > Scalar(0)) ? 1 : -1;
         }
@@ -331,8 +334,11 @@ private:
     /// None where what is varied does not move it.
     const MovingKink* moving_kink(const Scalar& t) const {
         using std::abs;
-        const auto found = std::find_if(kinks_begin_, kinks_end_, [&](const MovingKink& kink) { return abs(t - kink.t) <= instant(t); });
-        return found != kinks_end_ ? found : nullptr;
+        const MovingKink* found = first_kink_from(t - instant(t));
+        return found != kinks_end_ && abs(t - found->t) <= instant(t) ? found : nullptr;
+    }
+    const MovingKink* first_kink_from(const Scalar& t) const {
+        return std::partition_point(kinks_begin_, kinks_end_, [&](const MovingKink& kink) { return kink.t < t; });
     }
 
     // Over an event.
