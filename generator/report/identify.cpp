@@ -19,15 +19,15 @@ std::string with_space(const std::string& unit) { return unit.empty() ? "" : " "
 double value_in(double value, const ShownNumber& shown) { return value / shown.of_declared - shown.offset; }
 double difference_in(double value, const ShownNumber& shown) { return value / shown.of_declared; }
 
-/// The error to two digits, and the value to the last of them.
+/// As many digits as an error has that is shown with two.
+std::string to_digits_of(double value, double error) {
+    if (!(error > 0) || !std::isfinite(error)) return fmt::format("{:.6g}", value);
+    const auto decade = [](double x) { return static_cast<int>(std::floor(std::log10(x))); };
+    return fmt::format("{:#.{}g}", value, std::clamp(decade(std::max(std::fabs(value), error)) - decade(error) + 2, 2, 15));
+}
+
 std::string with_error(const IdentifiedValue& one) {
-    const double value = value_in(one.value, one.shown), error = difference_in(one.error, one.shown);
-    if (one.at_bound != 0) return fmt::format("{:.6g}", value);
-    if (!std::isfinite(error)) return fmt::format("{:.6g}", value);
-    if (!(error > 0)) return fmt::format("{:.10g}", value);
-    const int digits =
-        static_cast<int>(std::floor(std::log10(std::max(std::fabs(value), error)))) - static_cast<int>(std::floor(std::log10(error))) + 2;
-    return fmt::format("{:#.{}g}", value, std::clamp(digits, 2, 15));
+    return to_digits_of(value_in(one.value, one.shown), difference_in(one.error, one.shown));
 }
 
 std::string error_text(const IdentifiedValue& one) {
@@ -38,8 +38,12 @@ std::string error_text(const IdentifiedValue& one) {
 
 std::string interval_text(const IdentifiedValue& one) {
     if (!std::isfinite(one.error)) return "";
-    return fmt::format("{:.6g} to {:.6g}", value_in(one.low_95, one.shown), value_in(one.high_95, one.shown));
+    const double error = difference_in(one.error, one.shown);
+    return fmt::format("{} to {}", to_digits_of(value_in(one.low_95, one.shown), error),
+                       to_digits_of(value_in(one.high_95, one.shown), error));
 }
+
+std::string counted(std::size_t count, const char* word) { return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s"); }
 
 /// Rows of texts as columns of one width, but for the last.
 std::string table(const std::vector<std::vector<std::string>>& rows) {
@@ -113,8 +117,7 @@ std::vector<std::string> remarks(const IdentifyResult& result) {
                             one.column, one.experiment));
         if (one.residuals.outliers > 0)
             all.push_back(fmt::format("'{}' in '{}' has {} beyond four times the noise; --loss cauchy counts such values less", one.column,
-                                      one.experiment,
-                                      one.residuals.outliers == 1 ? "a value" : fmt::format("{} values", one.residuals.outliers)));
+                                      one.experiment, counted(one.residuals.outliers, "value")));
     }
     if (!result.converged)
         all.push_back("the search ended after its largest number of iterations; begin nearer with --parameter, or use --starts");
@@ -187,9 +190,10 @@ IdentifyResult result_of(const FitRun& run, const Fit& fit, const FitStatistics&
 }
 
 std::string as_text(const IdentifyResult& result) {
-    std::string text = fmt::format("{}: {} unknowns fitted to {} values of {} experiment{}, in {} iterations with {} runs\n",
-                                   result.subject.title(), result.values.size(), result.count, result.experiments.size(),
-                                   result.experiments.size() == 1 ? "" : "s", result.iterations, result.runs);
+    std::string text =
+        fmt::format("{}: {} fitted to {} of {}, in {} with {}\n", result.subject.title(), counted(result.values.size(), "unknown"),
+                    counted(result.count, "value"), counted(result.experiments.size(), "experiment"),
+                    counted(static_cast<std::size_t>(result.iterations), "iteration"), counted(result.runs, "run"));
     text += table(value_rows(result));
     text += "residuals, measured - simulated:\n" + table(column_rows(result));
     if (has_shares(result)) text += "part of each experiment in what is known of each value:\n" + table(share_rows(result));
@@ -282,7 +286,7 @@ std::string identify_page(const IdentifyResult& result, const std::vector<std::s
     return fill_template(
         embedded_file("identify.html.in"),
         {{"TITLE", html_text(result.subject.title())},
-         {"LEAD", html_text(fmt::format("{} unknowns fitted to {} measured values.", result.values.size(), result.count))},
+         {"LEAD", html_text(counted(result.values.size(), "unknown") + " fitted to " + counted(result.count, "measured value") + ".")},
          {"VALUES", html_table(value_rows(result))},
          {"COLUMNS", html_table(column_rows(result))},
          {"SHARES",

@@ -8,10 +8,10 @@
 #include <set>
 
 #include "check/checks.hpp"
+#include "check/written_values.hpp"
 #include "elements/fluids.hpp"
 #include "elements/heat.hpp"
 #include "language/parser.hpp"
-#include "check/written_values.hpp"
 #include "read/document.hpp"
 #include "text/files.hpp"
 
@@ -78,20 +78,23 @@ void read_parameter_file(const std::string& file, std::vector<Setting>& settings
                                      fmt::format("a parameter file has the table [parameters] alone, and no '{}'", member.key)});
         table = &member.value;
     }
-    if (table == nullptr) throw Failure(Diagnostic{Id::missing_key, root.span, "a parameter file has a table [parameters], which is missing"});
+    if (table == nullptr)
+        throw Failure(Diagnostic{Id::missing_key, root.span, "a parameter file has a table [parameters], which is missing"});
     if (table->kind != DocumentNode::Kind::table)
-        throw Failure(Diagnostic{Id::wrong_type, table->span, fmt::format("'parameters' is {}, but must be a table", describe(table->kind))});
+        throw Failure(
+            Diagnostic{Id::wrong_type, table->span, fmt::format("'parameters' is {}, but must be a table", describe(table->kind))});
     for (const DocumentNode::Member& member : table->members) {
         const DocumentNode& value = member.value;
         const auto name = std::make_shared<const Source>("--parameters " + file, member.key);
-        if (value.kind == DocumentNode::Kind::string) settings.push_back({parse_expression(excerpt_of(name)), parse_expression(value.string)});
+        if (value.kind == DocumentNode::Kind::string)
+            settings.push_back({parse_expression(excerpt_of(name)), parse_expression(value.string)});
         else if (value.kind == DocumentNode::Kind::number)
-            settings.push_back({parse_expression(excerpt_of(name)),
-                                parse_expression(excerpt_of(value.span.source, value.span.begin, value.span.end))});
+            settings.push_back(
+                {parse_expression(excerpt_of(name)), parse_expression(excerpt_of(value.span.source, value.span.begin, value.span.end))});
         else
-            throw Failure(Diagnostic{Id::wrong_type, value.span,
-                                     fmt::format("the value of '{}' is {}, but must be a number, or a text as \"5 bar\"", member.key,
-                                                 describe(value.kind))});
+            throw Failure(Diagnostic{
+                Id::wrong_type, value.span,
+                fmt::format("the value of '{}' is {}, but must be a number, or a text as \"5 bar\"", member.key, describe(value.kind))});
     }
 }
 

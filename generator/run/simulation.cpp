@@ -10,16 +10,16 @@
 
 #include "elements/fluids.hpp"
 #include "elements/runs.hpp"
+#include "form/state_places.hpp"
+#include "program/function_bodies.hpp"
+#include "prove/constraint_validity.hpp"
+#include "prove/value_checks.hpp"
 #include "run/result_files.hpp"
 #include "run/run_header.hpp"
 #include "run/run_preparation.hpp"
 #include "run/settings.hpp"
-#include "run/varied.hpp"
 #include "run/shared.hpp"
-#include "program/function_bodies.hpp"
-#include "form/state_places.hpp"
-#include "prove/constraint_validity.hpp"
-#include "prove/value_checks.hpp"
+#include "run/varied.hpp"
 
 namespace dalembert {
 
@@ -142,7 +142,8 @@ PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const s
                             : preparation.method() == "taylor" ? SeriesWish::wanted
                                                                : SeriesWish::none;
     std::string without_slopes_of_outputs;
-    Header header = options.sensitivities.empty() ? generate(machine, wish) : generate_with_slopes(machine, without_slopes_of_outputs, wish);
+    Header header =
+        options.sensitivities.empty() ? generate(machine, wish) : generate_with_slopes(machine, without_slopes_of_outputs, wish);
     Values values(system.scene, system.translate);
     preparation.set_values(values, system);
     const Values unmet = values;
@@ -154,8 +155,9 @@ PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const s
     std::vector<VariedOfRun> varied = varied_of_run(options.sensitivities, system, unmet, kinks_of);
     settings.series = has_series(machine) && (!tries_series || have_series(*machine.code, settings.inputs));
     std::string name = fmt::format("{}_{}", system.scene.sized_name(), system.scene.name);
-    return {std::move(machine), std::move(header), std::move(values), std::move(settings), std::move(varied),
-            std::move(without_slopes_of_outputs), std::move(name)};
+    return {std::move(machine),  std::move(header), std::move(values),
+            std::move(settings), std::move(varied), std::move(without_slopes_of_outputs),
+            std::move(name)};
 }
 
 PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options) {
@@ -290,8 +292,8 @@ void add_sensitivities(SimulationReport& report, const PlantRunResult& run, cons
     report.sensitivities->without_outputs = prepared.without_slopes_of_outputs;
     report.sensitivities->t = run.sensitivities.rows.empty() ? 0 : run.sensitivities.rows.back()[0];
     if (outcome.status == Status::not_finite && outcome.guard < system.events.size())
-        report.sensitivities->reason = fmt::format("event '{}' only touches its zero there, and has no derivative behind it",
-                                                   system.events[outcome.guard].name);
+        report.sensitivities->reason =
+            fmt::format("event '{}' only touches its zero there, and has no derivative behind it", system.events[outcome.guard].name);
     else if (outcome.status == Status::not_finite)
         report.sensitivities->reason = "a derivative of the rates is not finite there, as of a root at zero";
     else if (outcome.status != Status::success)
@@ -303,11 +305,12 @@ void add_sensitivities(SimulationReport& report, const PlantRunResult& run, cons
 
 void refuse_choice_of_constraints(const dalembert_plant& plant, const char* option) {
     if (plant.constraint_rank == 0) return;
-    throw Failure(Diagnostic{Id::bad_option,
-                             {},
-                             fmt::format("{}: the run chooses which of its constraints are solved for, since some follow from others; leave "
-                                         "out those that do",
-                                         option)});
+    throw Failure(
+        Diagnostic{Id::bad_option,
+                   {},
+                   fmt::format("{}: the run chooses which of its constraints are solved for, since some follow from others; leave "
+                               "out those that do",
+                               option)});
 }
 
 SimulationReport run_simulation(const PreparedSimulation& prepared, const std::filesystem::path& folder) {
@@ -321,8 +324,7 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
     if (run.outcome.status == Status::no_start_mode) return report;  // no motion to record
     report.files.emplace_back(folder / prepared.header.file_name, prepared.header.text);
     add_results(report, run, library.table(), prepared.settings, prepared.units, prepared.title, folder, prepared.name);
-    if (!prepared.run.varied.empty())
-        add_sensitivities(report, run, prepared, folder / (prepared.name + "_sensitivities.csv"));
+    if (!prepared.run.varied.empty()) add_sensitivities(report, run, prepared, folder / (prepared.name + "_sensitivities.csv"));
     return report;
 }
 

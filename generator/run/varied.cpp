@@ -78,9 +78,10 @@ private:
         if (ahead.size() != kinks_now_.size() || behind.size() != kinks_now_.size())
             throw Failure(Diagnostic{
                 Id::bad_option, place,
-                fmt::format("the run has no derivative by '{}': it has {} kinks and jumps at known times, but {} with a larger value and {} "
-                            "with a smaller one, since some fall together or lie at the end of the run",
-                            variable.recorded_name(), kinks_now_.size(), ahead.size(), behind.size())});
+                fmt::format(
+                    "the run has no derivative by '{}': it has {} kinks and jumps at known times, but {} with a larger value and {} "
+                    "with a smaller one, since some fall together or lie at the end of the run",
+                    variable.recorded_name(), kinks_now_.size(), ahead.size(), behind.size())});
         std::vector<double> slopes;
         for (std::size_t k = 0; k < kinks_now_.size(); ++k) {
             slopes.push_back((ahead[k] - behind[k]) / distance);
@@ -98,10 +99,11 @@ private:
     void refuse_quaternion(const Variable& variable, const Span& place) const {
         for (const Symbols::AttitudeSymbols& attitude : system_.symbols.attitudes())
             if (variable.kind == SymbolKind::state && std::count(attitude.parts.begin(), attitude.parts.end(), variable.position) > 0)
-                throw Failure(Diagnostic{Id::bad_option, place,
-                                         fmt::format("the start of '{}' cannot be varied alone: it is a part of a quaternion, whose norm is "
-                                                     "one; vary a parameter that the attitude at the start is made of",
-                                                     variable.name)});
+                throw Failure(
+                    Diagnostic{Id::bad_option, place,
+                               fmt::format("the start of '{}' cannot be varied alone: it is a part of a quaternion, whose norm is "
+                                           "one; vary a parameter that the attitude at the start is made of",
+                                           variable.name)});
     }
 
     std::size_t state_number(const Variable& variable) const {
@@ -143,8 +145,8 @@ std::vector<const Variable*> variables_to_vary(const Expression& name, const Sys
         }
     if (found.empty())
         throw Failure(Diagnostic{Id::unknown_name, name.span,
-                                 fmt::format("scene '{}' has no parameter, coordinate, velocity or state '{}'{}", system.scene.name, written,
-                                             did_you_mean(written, known))});
+                                 fmt::format("scene '{}' has no parameter, coordinate, velocity or state '{}'{}", system.scene.name,
+                                             written, did_you_mean(written, known))});
     return found;
 }
 

@@ -17,13 +17,15 @@ namespace detail {
 template <class StateOfRun, class Rhs, class Observer, class Guards, class Values>
 class Integration : WatchedRun<StateOfRun, Rhs, Observer, Guards, Values> {
     using Run = WatchedRun<StateOfRun, Rhs, Observer, Guards, Values>;
+    using Run::evaluate, Run::end, Run::end_at, Run::end_not_finite, Run::stop, Run::observe, Run::here, Run::try_step, Run::accept,
+        Run::is_cut, Run::keeps_rest, Run::pass_event, Run::pass_kink;
+    using Run::x_, Run::dxdt_, Run::t_, Run::from_, Run::to_, Run::options_, Run::control_, Run::outcome_, Run::events_, Run::observe_,
+        Run::stepper_, Run::is_anew_;
     using typename Run::Try;
-    using Run::x_, Run::dxdt_, Run::t_, Run::from_, Run::to_, Run::options_, Run::control_, Run::outcome_, Run::events_, Run::observe_, Run::stepper_, Run::is_anew_;
-    using Run::evaluate, Run::end, Run::end_at, Run::end_not_finite, Run::stop, Run::observe, Run::here, Run::try_step, Run::accept, Run::is_cut, Run::keeps_rest, Run::pass_event, Run::pass_kink;
 
 public:
-    using typename Run::State;
     using typename Run::Scalar;
+    using typename Run::State;
 
     using Run::Run;
 
@@ -69,9 +71,12 @@ public:
         if (to_ == from_) return end(Status::success);
         if constexpr (may_have_entries<Values>) this->leave_zero();
         switch (options_.has_fixed_steps() ? Steps::fixed : steps) {
-            case Steps::fixed: return fixed_steps();
-            case Steps::to_outputs: return controlled_steps(false);
-            case Steps::dense: return controlled_steps(true);
+            case Steps::fixed:
+                return fixed_steps();
+            case Steps::to_outputs:
+                return controlled_steps(false);
+            case Steps::dense:
+                return controlled_steps(true);
         }
         return refuse();
     }
@@ -119,7 +124,8 @@ private:
     /// Observes output points within a step that at(t) knows the states of.
     auto outputs_inside(std::size_t& next) {
         return [this, &next](const Scalar& until, const auto& at) {
-            for (; next <= options_.output_count() && control_.output_time(next) < until; ++next) observe_(control_.output_time(next), at(control_.output_time(next)));
+            for (; next <= options_.output_count() && control_.output_time(next) < until; ++next)
+                observe_(control_.output_time(next), at(control_.output_time(next)));
         };
     }
 
@@ -193,7 +199,8 @@ private:
         }
     }
 
-    /// Whether the rest of the run takes more than max_steps at the pace of the last 2 million, so that it ends in seconds and not in minutes.
+    /// Whether the rest of the run takes more than max_steps at the pace of the last 2 million, so that it ends in seconds and not in
+    /// minutes.
     bool is_hopeless() {
         constexpr std::size_t looked_at = 2000000;
         const std::size_t tries = outcome_.steps + outcome_.rejected;

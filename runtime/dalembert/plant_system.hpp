@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// A plant (plant.h) as a system for integration, equilibria and linearisation: the same code as for generated headers, on arrays whose sizes
-// are known when the plant is loaded: note [in use] in plant_arrays.hpp.
+// A plant (plant.h) as a system for integration, equilibria and linearisation: the same code as for generated headers, on arrays whose
+// sizes are known when the plant is loaded: note [in use] in plant_arrays.hpp.
 #pragma once
 
 #include <cstddef>
@@ -101,8 +101,8 @@ public:
     static auto mode_table() { return TableOfPlant<const char*>{now().mode_names, now().modes}; }
     static auto event_table() { return TableOfPlant<const char*>{now().event_names, now().events}; }
 
-    /// Of the plant in use, with these parameters in SI, in the order of its table. Behind them there may stand a delay in s for each input,
-    /// by which the machine gets it later where it was measured: see SampledInput.
+    /// Of the plant in use, with these parameters in SI, in the order of its table. Behind them there may stand a delay in s for each
+    /// input, by which the machine gets it later where it was measured: see SampledInput.
     explicit PlantBase(std::vector<double> parameters) : parameters_(std::move(parameters)), self_(make(parameters_)) {}
     PlantBase(const PlantBase& other) : parameters_(other.parameters_), self_(make(parameters_)) {}
     PlantBase& operator=(const PlantBase&) = delete;
@@ -166,8 +166,10 @@ public:
         if (now().jacobian_u != nullptr) now().jacobian_u(self(), mode_, x.data(), u.data(), t, J.data());
     }
     void jacobian_t(const State& x, const Input& u, double t, JacobianT& dfdt) const {
-        if (now().jacobian_t != nullptr) now().jacobian_t(self(), mode_, x.data(), u.data(), t, dfdt.data());
-        else dfdt.fill(0);
+        if (now().jacobian_t != nullptr)
+            now().jacobian_t(self(), mode_, x.data(), u.data(), t, dfdt.data());
+        else
+            dfdt.fill(0);
     }
     void output(const State& x, const Input& u, double t, Output& y) const {
         if (now().output != nullptr) now().output(self(), mode_, x.data(), u.data(), t, y.data());
@@ -267,8 +269,10 @@ public:
         if (now().jacobian_u != nullptr) now().jacobian_u(self(), number(mode), x.data(), u.data(), t, J.data());
     }
     void jacobian_t(Mode mode, const State& x, const Input& u, double t, JacobianT& dfdt) const {
-        if (now().jacobian_t != nullptr) now().jacobian_t(self(), number(mode), x.data(), u.data(), t, dfdt.data());
-        else dfdt.fill(0);
+        if (now().jacobian_t != nullptr)
+            now().jacobian_t(self(), number(mode), x.data(), u.data(), t, dfdt.data());
+        else
+            dfdt.fill(0);
     }
     void output(Mode mode, const State& x, const Input& u, double t, Output& y) const {
         if (now().output != nullptr) now().output(self(), number(mode), x.data(), u.data(), t, y.data());
@@ -334,7 +338,8 @@ private:
 class InputsOfPlant {
 public:
     static constexpr std::size_t series_rows = 0;
-    /// Refers to the system and to what was measured. `of_time_alone`: they follow neither the state nor parameters nor delays that are varied.
+    /// Refers to the system and to what was measured. `of_time_alone`: they follow neither the state nor parameters nor delays that are
+    /// varied.
     InputsOfPlant(const detail::PlantBase& system, detail::PlantBase::Input held, const std::vector<SampledInput>* sampled = nullptr,
                   bool of_time_alone = false)
         : system_(system), held_(std::move(held)), sampled_(sampled), of_time_alone_(of_time_alone) {}

@@ -9,7 +9,8 @@
 #include "text/files.hpp"
 #include "tier.hpp"
 
-/// Calls visit(verdicts, entry) for all entries of systems/book; in the quick tier not for those of two catalogues that take as long as all others.
+/// Calls visit(verdicts, entry) for all entries of systems/book; in the quick tier not for those of two catalogues that take as long as all
+/// others.
 template <class Visit>
 void for_each_entry(Visit visit) {
     using namespace dalembert;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A checker that calls everything proven would prove nothing: slips in proven equations have to be seen. Of every proven entry of every
-// catalogue a slip at a random place, with a fixed seed; three with DALEMBERT_FULL. What is proven equal to the original is no slip, as a factor of a term that is
-// zero, and another one is taken instead; all of them are listed.
+// catalogue a slip at a random place, with a fixed seed; three with DALEMBERT_FULL. What is proven equal to the original is no slip, as a
+// factor of a term that is zero, and another one is taken instead; all of them are listed.
 #include <doctest/doctest.h>
 
 #include <iostream>
@@ -53,8 +53,10 @@ bool mutate(const System& system, const PrintedEquation& entry, std::mt19937& ra
         }
         ++made;
         ++count.mutations;
-        if (*verdict == Verdict::wrong || *verdict == Verdict::dimensionally_wrong) ++count.caught;
-        else count.survivors.push_back(entry.name + ": " + slip.words + ": equal by numbers, but not proven to be");
+        if (*verdict == Verdict::wrong || *verdict == Verdict::dimensionally_wrong)
+            ++count.caught;
+        else
+            count.survivors.push_back(entry.name + ": " + slip.words + ": equal by numbers, but not proven to be");
     }
     return true;
 }

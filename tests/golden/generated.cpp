@@ -29,8 +29,10 @@ void generate_all(const fs::path& to) {
     for (const fs::path& path : system_models()) {
         const fs::path folder = to / fs::relative(path.parent_path(), source / "systems");
         std::vector<std::string> common{"generate", path.string(), "-o", folder.string()};
-        if (takes_everything()) common.emplace_back("--every-scene");
-        else common.insert(common.end(), {"--scene", TextModel(content(path)).scenes().front()});
+        if (takes_everything())
+            common.emplace_back("--every-scene");
+        else
+            common.insert(common.end(), {"--scene", TextModel(content(path)).scenes().front()});
         const auto sizes = kept_sizes.find(path.stem().string());
         std::vector<std::string> kept = sizes == kept_sizes.end() ? std::vector<std::string>{""} : sizes->second;
         if (!takes_everything()) kept.erase(kept.begin(), kept.end() - 1);
@@ -64,10 +66,12 @@ TEST_CASE("generated/ is what the program generates") {
         const Result result = run({"simulate", (source / "systems/mechanics/cart_pendulum.toml").string(), "-o", fresh.path().string()});
         CHECK(result.exit_code == 0);
         fs::copy_file(fresh.path() / "cart_pendulum_lab.svg", source / "generated" / path_plot);
-        const Result effects = run({"effects", (source / "systems/hydraulics/hydraulic_cylinder.toml").string(), "-o", fresh.path().string()});
+        const Result effects =
+            run({"effects", (source / "systems/hydraulics/hydraulic_cylinder.toml").string(), "-o", fresh.path().string()});
         CHECK(effects.exit_code == 0);
         fs::copy_file(fresh.path() / "hydraulic_cylinder_effects.svg", source / "generated" / effects_plot);
-        const Result cost = run({"cost", (source / "systems/hydraulics/hydraulic_cylinder.toml").string(), "--scene", "real", "--arithmetics", "float,double", "--limit", "1", "-o", fresh.path().string()});
+        const Result cost = run({"cost", (source / "systems/hydraulics/hydraulic_cylinder.toml").string(), "--scene", "real",
+                                 "--arithmetics", "float,double", "--limit", "1", "-o", fresh.path().string()});
         CHECK(cost.exit_code == 0);
         fs::copy_file(fresh.path() / "hydraulic_cylinder_real_cost.svg", source / "generated" / cost_plot);
         return;
@@ -80,8 +84,10 @@ TEST_CASE("generated/ is what the program generates") {
     CHECK(expected.erase(effects_plot) == 1);
     CHECK(expected.erase(cost_plot) == 1);
     const auto made = files_below(fresh.path());
-    if (takes_everything()) CHECK(expected == made);
-    else CHECK(made.size() == system_models().size());
+    if (takes_everything())
+        CHECK(expected == made);
+    else
+        CHECK(made.size() == system_models().size());
     CHECK(std::includes(expected.begin(), expected.end(), made.begin(), made.end()));
     for (const std::string& file : made) {
         INFO(file, "; ./dev accept writes generated/ anew");
@@ -136,8 +142,8 @@ TEST_CASE("the gallery has every system, as its model and its header are") {
         int operations = 0;
         std::istringstream counts(matched(header, "\n//   rhs +([0-9 ]+)\n"));
         for (int count = 0; counts >> count;) operations += count;
-        CHECK(row.find(" " + matched(header, "degrees_of_freedom = ([0-9]+);") + " | " + matched(header, "[^_]state_count = ([0-9]+);") + " | " +
-                       std::to_string(operations) + " |") != std::string::npos);
+        CHECK(row.find(" " + matched(header, "degrees_of_freedom = ([0-9]+);") + " | " + matched(header, "[^_]state_count = ([0-9]+);") +
+                       " | " + std::to_string(operations) + " |") != std::string::npos);
         CHECK(count_of(html, "<article id=\"" + path.stem().string() + "\"") == 1);
         const std::string picture = content(source / "generated/gallery" / (path.stem().string() + ".svg"));
         CHECK(count_of(picture, "<path ") >= 2);

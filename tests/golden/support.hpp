@@ -56,7 +56,8 @@ inline std::set<fs::path> system_models() {
 
 /// Models and catalogues that take seconds each: of the full tier, but for one header a model.
 inline bool is_slow(const fs::path& model) {
-    static const std::set<std::string> slow{"enclosure", "arm_6r", "block", "pneumatic_cylinder", "3_3_mass_and_momentum", "4_1_heat_transfer"};
+    static const std::set<std::string> slow{"enclosure",        "arm_6r", "block", "pneumatic_cylinder", "3_3_mass_and_momentum",
+                                            "4_1_heat_transfer"};
     return slow.contains(model.stem().string());
 }
 

@@ -316,3 +316,32 @@ TEST_CASE("data that do not fit the model are refused with a sentence") {
     CHECK(says(problem_of([&] { model_of(folder, std::string(oscillator) + "[measurements.y]\nunit = \"m\"\n"); }),
                "measurement 'y': 'y' is no output, coordinate"));
 }
+
+TEST_CASE("parameter files are read, and what is wrong in them has its place") {
+    const ScratchFolder folder;
+    const std::string file = (std::filesystem::path(folder.path()) / "fitted.toml").string();
+    const auto values = [&](const std::string& text, const std::string& given = "") {
+        std::ofstream(file) << text;
+        const auto model = model_of(folder, oscillator);
+        Options options;
+        options.parameter_files = {file};
+        if (!given.empty()) options.parameters = {given};
+        const PreparedSimulation prepared = prepare_simulation(model, "", options);
+        return prepared.run.parameters;
+    };
+    CHECK(values("[parameters]\nm = 3\n\"c\" = \"0.07 N/mm\"\n") == std::vector<double>{3, 70, 1, 0.1});
+    CHECK(values("[parameters]\nm = 3\n", "m=4") == std::vector<double>{4, 50, 1, 0.1});
+    const auto refusal = [&](const std::string& text) { return problem_of([&] { values(text); }); };
+    CHECK(says(refusal("[parameter]\nm = 3\n"), "has the table [parameters] alone, and no 'parameter'"));
+    CHECK(says(refusal("# nothing\n"), "[parameters], which is missing"));
+    CHECK(says(refusal("[parameters]\nm = true\n"), "the value of 'm' is true or false, but must be a number"));
+    CHECK(says(refusal("[parameters]\nmm = 3\n"), "mm"));
+    CHECK(says(refusal("[parameters]\nm = \"3 N\"\n"), "fitted.toml:2:"));
+    CHECK(says(refusal("[parameters]\nm = 1e9\n"), "fitted.toml:2:"));
+    CHECK(says(problem_of([&] {
+                   Options options;
+                   options.parameter_files = {"nowhere.toml"};
+                   parameter_settings(options);
+               }),
+               "there is no file 'nowhere.toml'"));
+}

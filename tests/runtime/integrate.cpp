@@ -11,14 +11,10 @@ namespace {
 using State = std::array<double, 2>;
 
 /// Oscillator with an exact solution: x = cos(t), v = -sin(t).
-const auto oscillator = [](const State& x, double, State& dxdt) {
-    dxdt = {x[1], -x[0]};
-};
+const auto oscillator = [](const State& x, double, State& dxdt) { dxdt = {x[1], -x[0]}; };
 
 /// A problem that depends on time and is not linear: dx/dt = x*cos(t), x = exp(sin(t)).
-const auto growth = [](const State& x, double t, State& dxdt) {
-    dxdt = {x[0] * std::cos(t), -std::sin(t)};
-};
+const auto growth = [](const State& x, double t, State& dxdt) { dxdt = {x[0] * std::cos(t), -std::sin(t)}; };
 
 double error_of(const IntegrationOptions<State>& options) {
     State x{1, 1};
@@ -68,9 +64,14 @@ TEST_CASE("a largest step does not step over a pulse, and bad options are refuse
 TEST_CASE("no controlled step reaches across a kink that is known, and output points on it are observed once") {
     using One = std::array<double, 1>;
     // A pulse of cos t from 0.3 to 0.7, where output points lie, and a corner at 0.55, where none lies.
-    const auto pulse = [](const One&, double t, One& dxdt) { dxdt[0] = (t > 0.3 && t < 0.7 ? std::cos(t) : 0.0) + std::max(t - 0.55, 0.0); };
-    const auto exact = [](double t) { return std::sin(std::clamp(t, 0.3, 0.7)) - std::sin(0.3) + (t > 0.55 ? (t - 0.55) * (t - 0.55) / 2 : 0.0); };
-    for (const Method method : {Method::automatic, Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78, Method::bulirsch_stoer}) {
+    const auto pulse = [](const One&, double t, One& dxdt) {
+        dxdt[0] = (t > 0.3 && t < 0.7 ? std::cos(t) : 0.0) + std::max(t - 0.55, 0.0);
+    };
+    const auto exact = [](double t) {
+        return std::sin(std::clamp(t, 0.3, 0.7)) - std::sin(0.3) + (t > 0.55 ? (t - 0.55) * (t - 0.55) / 2 : 0.0);
+    };
+    for (const Method method :
+         {Method::automatic, Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78, Method::bulirsch_stoer}) {
         CAPTURE(static_cast<int>(method));
         std::size_t steps = 0;
         for (const bool is_known : {false, true}) {
@@ -114,7 +115,8 @@ TEST_CASE("measured order of the steppers") {
 }
 
 TEST_CASE("with fixed steps nothing is rejected, whatever the method and its tolerance") {
-    for (const auto& [method, order] : {std::pair(Method::euler, 1), std::pair(Method::rk4, 4), std::pair(Method::dopri5, 5), std::pair(Method::dop853, 8)}) {
+    for (const auto& [method, order] :
+         {std::pair(Method::euler, 1), std::pair(Method::rk4, 4), std::pair(Method::dopri5, 5), std::pair(Method::dop853, 8)}) {
         CAPTURE(order);
         const auto error = [method = method](double step) {
             IntegrationOptions<State> options;
@@ -197,9 +199,7 @@ TEST_CASE("dense output and steps on output points take the same solution") {
 
 TEST_CASE("what is not finite is rejected, and the run stops before it") {
     // x has a pole at t = 1: dx/dt = x^2. odeint's own controlled steppers step over it.
-    const auto pole = [](const State& x, double, State& dxdt) {
-        dxdt = {0, x[1] * x[1]};
-    };
+    const auto pole = [](const State& x, double, State& dxdt) { dxdt = {0, x[1] * x[1]}; };
     for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78}) {
         IntegrationOptions<State> options;
         options.method = method;
@@ -212,9 +212,7 @@ TEST_CASE("what is not finite is rejected, and the run stops before it") {
         CHECK(std::isfinite(x[1]));
     }
     // Beyond t = 1 the derivative has no value: NaN is found, named, and the last good state is kept.
-    const auto edge = [](const State& x, double t, State& dxdt) {
-        dxdt = {1, std::sqrt(1 - t) * x[0]};
-    };
+    const auto edge = [](const State& x, double t, State& dxdt) { dxdt = {1, std::sqrt(1 - t) * x[0]}; };
     const std::array<Name, 2> names{{{"position"}, {"charge"}}};
     for (const Method method : {Method::dopri5, Method::dopri5_controlled, Method::dop853, Method::fehlberg78}) {
         IntegrationOptions<State> options;
@@ -264,14 +262,15 @@ TEST_CASE("options that make no sense are refused") {
     CHECK(status([](Options& o) { o.method = Method::rk4; }) == Status::bad_options);  // without a step
     CHECK(status([](Options&) {}, -1.0) == Status::bad_options);
     CHECK(status([](Options&) {}, std::numeric_limits<double>::infinity()) == Status::bad_options);
-    CHECK(status([](Options& o) { o.max_steps = 3; o.tolerance = 1e-12; }) == Status::too_many_steps);
+    CHECK(status([](Options& o) {
+              o.max_steps = 3;
+              o.tolerance = 1e-12;
+          }) == Status::too_many_steps);
     CHECK(status([](Options&) {}, 0.0) == Status::success);
 }
 
 TEST_CASE("a right-hand side that jumps is integrated across the jump") {
-    const auto jump = [](const State&, double t, State& dxdt) {
-        dxdt = {t < 0.7 ? 1.0 : -1.0, 0};
-    };
+    const auto jump = [](const State&, double t, State& dxdt) { dxdt = {t < 0.7 ? 1.0 : -1.0, 0}; };
     IntegrationOptions<State> options;
     options.tolerance = 1e-9;
     State x{0, 0};
@@ -289,14 +288,16 @@ TEST_CASE("float and long double") {
     IntegrationOptions<Float> low;
     low.tolerance = 1e-5f;
     Float a{1.0f};
-    CHECK(integrate([](const Float& x, float, Float& dxdt) { dxdt[0] = -x[0]; }, a, 0.0f, 1.0f, low, [](float, const Float&) {}).status == Status::success);
+    CHECK(integrate([](const Float& x, float, Float& dxdt) { dxdt[0] = -x[0]; }, a, 0.0f, 1.0f, low, [](float, const Float&) {}).status ==
+          Status::success);
     CHECK(a[0] == doctest::Approx(std::exp(-1.0)).epsilon(1e-4));
     using Long = std::array<long double, 1>;
     IntegrationOptions<Long> high;
     high.method = Method::fehlberg78;
     high.tolerance = 1e-17L;
     Long b{1.0L};
-    CHECK(integrate([](const Long& x, long double, Long& dxdt) { dxdt[0] = -x[0]; }, b, 0.0L, 1.0L, high, [](long double, const Long&) {}).status == Status::success);
+    CHECK(integrate([](const Long& x, long double, Long& dxdt) { dxdt[0] = -x[0]; }, b, 0.0L, 1.0L, high, [](long double, const Long&) {})
+              .status == Status::success);
     CHECK(std::abs(b[0] - std::exp(-1.0L)) < 1e-17L);
 }
 
@@ -306,7 +307,8 @@ TEST_CASE("a run whose pace leads nowhere ends after 2 million steps, not after 
     IntegrationOptions<One> options;
     options.method = Method::dopri5;
     One x{1.5};
-    const auto outcome = integrate([](const One& y, double, One& dxdt) { dxdt[0] = -1e9 * (y[0] - 1); }, x, 0.0, 1000.0, options, [](double, const One&) {});
+    const auto outcome =
+        integrate([](const One& y, double, One& dxdt) { dxdt[0] = -1e9 * (y[0] - 1); }, x, 0.0, 1000.0, options, [](double, const One&) {});
     CHECK(outcome.status == Status::too_many_steps);
     CHECK(outcome.steps + outcome.rejected <= 2000001);
     CHECK(x[0] == doctest::Approx(1));

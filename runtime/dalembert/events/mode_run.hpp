@@ -5,8 +5,8 @@
 #include <array>
 #include <cstddef>
 
-#include "dalembert/integrate.hpp"
 #include "dalembert/events/modes.hpp"
+#include "dalembert/integrate.hpp"
 #include "dalembert/singular_positions.hpp"
 
 namespace dalembert {
@@ -23,9 +23,19 @@ public:
     static constexpr std::size_t event_count() noexcept { return size_of<typename System::Events>(); }
     static constexpr std::size_t none = Outcome::none;
 
-    ModeRun(const System& system, const Inputs& inputs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options, Observer& observer)
-        : system_(system), inputs_(inputs), x_(x), t_(from), to_(to), options_(options), control_(options, from, to), outputs_(options_, from, to), observe_(observer),
-          here_(system, Mode{}), derivatives_(here_, inputs, options_.scale) {}
+    ModeRun(const System& system, const Inputs& inputs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options,
+            Observer& observer)
+        : system_(system),
+          inputs_(inputs),
+          x_(x),
+          t_(from),
+          to_(to),
+          options_(options),
+          control_(options, from, to),
+          outputs_(options_, from, to),
+          observe_(observer),
+          here_(system, Mode{}),
+          derivatives_(here_, inputs, options_.scale) {}
 
 protected:
     bool is_finite() {
@@ -58,7 +68,9 @@ protected:
             if constexpr (needs_projection<System>) {
                 const auto back = [this](State& at, Scalar t) { return project(system_, at, t, here_.mode).broken; };
                 if constexpr (can_be_singular<System>) {
-                    const auto measure = [this, &measure_of](const State& at, Scalar t, bool learns) { return measure_of(system_, at, t, learns, here_.mode); };
+                    const auto measure = [this, &measure_of](const State& at, Scalar t, bool learns) {
+                        return measure_of(system_, at, t, learns, here_.mode);
+                    };
                     return ProjectedRhs{plain_rhs, back, measure};
                 } else {
                     return ProjectedRhs{plain_rhs, back};
@@ -79,7 +91,8 @@ protected:
         options.output_times.clear();
         if (to < to_)
             for (options.intervals = next_; outputs_.time(options.intervals) < to;) ++options.intervals;
-        Integration<State, decltype(rhs), decltype(observe), decltype(guards), typename Here::Guards> run(rhs, x, t_, to, options, observe, guards, ends);
+        Integration<State, decltype(rhs), decltype(observe), decltype(guards), typename Here::Guards> run(rhs, x, t_, to, options, observe,
+                                                                                                          guards, ends);
         run.be_part(outputs_, next_);
         const auto steps_before = choice_.steps;
         const Outcome part = integrate_by_method(run);
@@ -102,7 +115,8 @@ protected:
     template <class Run>
     Outcome integrate_by_method(Run& run) {
         if constexpr (can_make_series<Here, Inputs>())
-            if (options_.method == Method::taylor && has_series_in_run<Here>()) return run_taylor(run, SystemSeries<Here, Inputs>(here_, inputs_));
+            if (options_.method == Method::taylor && has_series_in_run<Here>())
+                return run_taylor(run, SystemSeries<Here, Inputs>(here_, inputs_));
         return run_by_method(run, derivatives_, options_, choice_);
     }
 

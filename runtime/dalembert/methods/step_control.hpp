@@ -19,7 +19,10 @@ struct OutputPoints {
     using Scalar = typename State::value_type;
     /// Refers to the options.
     OutputPoints(const IntegrationOptions<State>& options, Scalar begin, Scalar end)
-        : from(begin), to(end), intervals(options.output_count()), times(options.output_times.empty() ? nullptr : options.output_times.data()) {}
+        : from(begin),
+          to(end),
+          intervals(options.output_count()),
+          times(options.output_times.empty() ? nullptr : options.output_times.data()) {}
     Scalar from, to;  ///< s
     std::size_t intervals;
     const Scalar* times;  ///< s; null: equal parts
@@ -35,12 +38,14 @@ class StepControl {
     using Scalar = typename State::value_type;
 
 public:
-    StepControl(const IntegrationOptions<State>& options, Scalar from, Scalar to) : options_(options), from_(from), to_(to), outputs_(options, from, to) {}
+    StepControl(const IntegrationOptions<State>& options, Scalar from, Scalar to)
+        : options_(options), from_(from), to_(to), outputs_(options, from, to) {}
 
     bool are_options_good() const {
         using std::isfinite;
-        return to_ >= from_ && isfinite(from_) && isfinite(to_) && options_.intervals > 0 && are_output_times_good() && options_.tolerance > Scalar(0) && options_.step >= Scalar(0) &&
-               options_.max_step >= Scalar(0) && std::all_of(options_.scale.begin(), options_.scale.end(), [](const Scalar& scale) { return scale > Scalar(0); }) &&
+        return to_ >= from_ && isfinite(from_) && isfinite(to_) && options_.intervals > 0 && are_output_times_good() &&
+               options_.tolerance > Scalar(0) && options_.step >= Scalar(0) && options_.max_step >= Scalar(0) &&
+               std::all_of(options_.scale.begin(), options_.scale.end(), [](const Scalar& scale) { return scale > Scalar(0); }) &&
                (!options_.has_fixed_steps() || options_.step > Scalar(0));
     }
 
@@ -56,7 +61,8 @@ public:
     }
     /// One so short that it does no harm when its stages lie on both sides of a jump.
     Scalar tiny(Scalar t) const { return Scalar(64) * smallest(t); }
-    /// The next time at which the right-hand side is known to have a kink, with room before and behind it; the end of the run where there is none.
+    /// The next time at which the right-hand side is known to have a kink, with room before and behind it; the end of the run where there
+    /// is none.
     struct Kink {
         Scalar before, behind;
     };
@@ -122,8 +128,8 @@ public:
         return min(Scalar(pow(options_.tolerance, Scalar(1) / Scalar(order + 1)) * guess), to_ - from_);
     }
 
-    /// The factor for the next step after one with this error (Gustafsson's PI controller): 0.9 e^(-0.7/k) e_last^(0.4/k), by logarithms, which
-    /// cost less than powers.
+    /// The factor for the next step after one with this error (Gustafsson's PI controller): 0.9 e^(-0.7/k) e_last^(0.4/k), by logarithms,
+    /// which cost less than powers.
     Scalar factor(Scalar error, int order) {
         using std::exp;
         using std::log;
@@ -148,7 +154,8 @@ private:
     bool are_output_times_good() const {
         const auto& times = options_.output_times;
         const auto falls = [](const Scalar& a, const Scalar& b) { return !(a < b); };
-        return times.empty() || (times.front() > from_ && times.back() < to_ && std::adjacent_find(times.begin(), times.end(), falls) == times.end());
+        return times.empty() ||
+               (times.front() > from_ && times.back() < to_ && std::adjacent_find(times.begin(), times.end(), falls) == times.end());
     }
 
     static Scalar least_error() { return Scalar(1) / Scalar(10000); }

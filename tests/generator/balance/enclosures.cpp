@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "balance/net_radiation.hpp"
-#include "generator/machine.hpp"
 #include "elements/verdict.hpp"
+#include "generator/machine.hpp"
 #include "symbolic/functions.hpp"
 #include "tier.hpp"
 
@@ -17,8 +17,9 @@ using GiNaC::numeric;
 
 namespace {
 
-const std::string any_state = "[parameters]\nC = { value = 1, unit = \"J/K\", range = [0.1, 10] }\none = { value = 1, unit = \"m\", range = [0.1, 10] }\n"
-                              "K = { value = 1, unit = \"K\", range = [0.1, 10] }\n[states]\nT = { unit = \"K\", start = 300, range = [1, 1000] }\n";
+const std::string any_state =
+    "[parameters]\nC = { value = 1, unit = \"J/K\", range = [0.1, 10] }\none = { value = 1, unit = \"m\", range = [0.1, 10] }\n"
+    "K = { value = 1, unit = \"K\", range = [0.1, 10] }\n[states]\nT = { unit = \"K\", start = 300, range = [1, 1000] }\n";
 
 /// n surfaces: one stores heat, the others are held at temperatures that differ.
 std::string nodes(std::size_t n) {
@@ -34,11 +35,14 @@ std::string list(std::size_t n, const Part& part) {
     return text + "]";
 }
 
-Machine prism(const std::vector<std::array<std::string, 2>>& corners, const std::string& emissivity = "0.5", const std::string& parameters = "") {
+Machine prism(const std::vector<std::array<std::string, 2>>& corners, const std::string& emissivity = "0.5",
+              const std::string& parameters = "") {
     const std::size_t n = corners.size();
-    return machine_from(any_state + parameters + nodes(n) + "[enclosures.room]\nheight = \"2*one\"\nsurfaces = " + list(n, [](std::size_t i) { return fmt::format("\"n{}\"", i + 1); }) +
-                        "\nemissivities = " + list(n, [&](std::size_t) { return emissivity; }) +
-                        "\npolygon = " + list(n, [&](std::size_t i) { return fmt::format("[\"({})*one\", \"({})*one\"]", corners[i][0], corners[i][1]); }) + "\n");
+    return machine_from(
+        any_state + parameters + nodes(n) +
+        "[enclosures.room]\nheight = \"2*one\"\nsurfaces = " + list(n, [](std::size_t i) { return fmt::format("\"n{}\"", i + 1); }) +
+        "\nemissivities = " + list(n, [&](std::size_t) { return emissivity; }) + "\npolygon = " +
+        list(n, [&](std::size_t i) { return fmt::format("[\"({})*one\", \"({})*one\"]", corners[i][0], corners[i][1]); }) + "\n");
 }
 
 GiNaC::exmap start_of(const Machine& machine) {
@@ -133,7 +137,8 @@ TEST_CASE("two parallel plates exchange eps_1*eps_2/(eps_1 + eps_2 - eps_1*eps_2
     const auto letter = [&](const char* name) { return system.symbols.find(SymbolKind::parameter, name, 0)->symbol; };
     const ex a = letter("eps_1");
     const ex b = letter("eps_2");
-    CHECK(Prover(system).equal(system.heat.enclosures.at(0).radiation.exchange[0][1], letter("A") * a * b / (a + b - a * b)).verdict == Verdict::proven);
+    CHECK(Prover(system).equal(system.heat.enclosures.at(0).radiation.exchange[0][1], letter("A") * a * b / (a + b - a * b)).verdict ==
+          Verdict::proven);
 }
 
 TEST_CASE("the exchange factors of two and three surfaces are both forms of (4.51), for all view factors and emissivities") {
@@ -179,7 +184,10 @@ TEST_CASE("three to six surfaces with random view factors and emissivities: both
             std::vector<ex> emissivities;
             for (unsigned i = 0; i < n; ++i) {
                 // A black one, and one that re-radiates, now and then.
-                emissivities.push_back(repeat == 1 && i == 0 ? numeric(0) : repeat == 2 && i + 1 == n ? numeric(1) : repeat == 3 && i == 1 ? numeric(0) : random());
+                emissivities.push_back(repeat == 1 && i == 0       ? numeric(0)
+                                       : repeat == 2 && i + 1 == n ? numeric(1)
+                                       : repeat == 3 && i == 1     ? numeric(0)
+                                                                   : random());
                 for (unsigned j = i; j < n; ++j) direct[i][j] = direct[j][i] = random();
             }
             const Surroundings s = surroundings_of(direct, emissivities);
@@ -199,7 +207,8 @@ TEST_CASE("perfect mirrors exchange nothing") {
     const auto& exchange = machine.system->heat.enclosures.at(0).radiation.exchange;
     for (const auto& row : exchange)
         for (const ex& factor : row) CHECK(factor.is_zero());
-    const Machine by_parameter = prism({{"0", "0"}, {"1", "0"}, {"0", "1"}}, "\"e\"", "[parameters.e]\nvalue = 0\nunit = \"1\"\nrange = [0, 1]\n");
+    const Machine by_parameter =
+        prism({{"0", "0"}, {"1", "0"}, {"0", "1"}}, "\"e\"", "[parameters.e]\nvalue = 0\nunit = \"1\"\nrange = [0, 1]\n");
     const GiNaC::exmap start = start_of(by_parameter);
     for (const auto& row : by_parameter.system->heat.enclosures.at(0).radiation.exchange)
         for (const ex& factor : row) CHECK(number(factor, start) == 0);
@@ -207,7 +216,9 @@ TEST_CASE("perfect mirrors exchange nothing") {
 
 TEST_CASE("view factors of a square and of a triangle with equal sides") {
     const Machine square = prism({{"0", "0"}, {"1", "0"}, {"1", "1"}, {"0", "1"}});
-    const auto F = [](const Machine& machine, std::size_t i, std::size_t j) { return number(machine.system->heat.enclosures.at(0).view_factors[i][j], start_of(machine)); };
+    const auto F = [](const Machine& machine, std::size_t i, std::size_t j) {
+        return number(machine.system->heat.enclosures.at(0).view_factors[i][j], start_of(machine));
+    };
     CHECK(F(square, 0, 2) == doctest::Approx(std::sqrt(2.0) - 1).epsilon(1e-15));
     CHECK(F(square, 0, 1) == doctest::Approx(1 - std::sqrt(0.5)).epsilon(1e-15));
     CHECK(F(square, 0, 0) == 0);
@@ -216,7 +227,8 @@ TEST_CASE("view factors of a square and of a triangle with equal sides") {
         for (std::size_t j = 0; j < 3; ++j) CHECK(F(triangle, i, j) == doctest::Approx(i == j ? 0 : 0.5).epsilon(1e-15));
 }
 
-TEST_CASE("view factors of polygons that are not convex: (4.56) by integration, and rows that add up to 1" * doctest::skip(!is_full_tier())) {
+TEST_CASE("view factors of polygons that are not convex: (4.56) by integration, and rows that add up to 1" *
+          doctest::skip(!is_full_tier())) {
     const std::vector<std::vector<std::array<double, 2>>> shapes{
         {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 3}, {0, 3}},                          // an L
         {{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 0.5}, {1, 0.75}, {1, 2.25}, {0, 2}},  // a U with a crooked wall
@@ -256,20 +268,24 @@ TEST_CASE("all heat that leaves a surface arrives at others, and none flows at e
     CHECK(sum.is_zero());
     for (const LinkState& link : system.heat.links) {
         CHECK(link.from.node->name != link.to.node->name);
-        if (link.from.node->name == "n1") CHECK(link.heat.subs(system.symbols.get(SymbolKind::state, 0) == link.to.node->warmth.temperature).is_zero());
+        if (link.from.node->name == "n1")
+            CHECK(link.heat.subs(system.symbols.get(SymbolKind::state, 0) == link.to.node->warmth.temperature).is_zero());
     }
 }
 
 TEST_CASE("derivatives of exchange factors by parameters: closed forms against differences with 60 digits") {
     const std::string parameters =
-        "[parameters.a]\nvalue = 2\nunit = \"m\"\n[parameters.e]\nvalue = 0.3\nunit = \"1\"\n[parameters.A]\nvalue = 1.5\nunit = \"m^2\"\n[parameters.F]\nvalue = 0.4\nunit = \"1\"\n";
+        "[parameters.a]\nvalue = 2\nunit = \"m\"\n[parameters.e]\nvalue = 0.3\nunit = \"1\"\n[parameters.A]\nvalue = 1.5\nunit = "
+        "\"m^2\"\n[parameters.F]\nvalue = 0.4\nunit = \"1\"\n";
     const std::vector<std::string> enclosures{
         "height = \"a/2\"\npolygon = [[0, 0], [\"a\", 0], [\"2*a/3\", \"a/2\"], [0, \"one\"]]\nemissivities = [\"e\", 0.5, \"e^2\", 1]\n",
         "areas = [\"A\", \"2*one^2\", \"a^2\", \"A\"]\nemissivities = [\"e\", 0.5, \"1 - e\", 1]\n"
-        "view_factors = [[\"?\", \"F/2\", \"F/3\", 0.1], [\"?\", \"?\", \"F/2\", 0.2], [\"?\", \"?\", \"?\", 0.05], [\"?\", \"?\", \"?\", \"?\"]]\n",
+        "view_factors = [[\"?\", \"F/2\", \"F/3\", 0.1], [\"?\", \"?\", \"F/2\", 0.2], [\"?\", \"?\", \"?\", 0.05], [\"?\", \"?\", \"?\", "
+        "\"?\"]]\n",
     };
     for (const std::string& enclosure : enclosures) {
-        const Machine machine = machine_from(any_state + parameters + nodes(4) + "[enclosures.room]\nsurfaces = [\"n1\", \"n2\", \"n3\", \"n4\"]\n" + enclosure);
+        const Machine machine = machine_from(any_state + parameters + nodes(4) +
+                                             "[enclosures.room]\nsurfaces = [\"n1\", \"n2\", \"n3\", \"n4\"]\n" + enclosure);
         const Symbols& symbols = machine.system->symbols;
         const GiNaC::exmap start = Values(machine.system->scene, machine.system->translate).substitution();
         const auto at = [&](const ex& e, const ex& letter, const numeric& step) {

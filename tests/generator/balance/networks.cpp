@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
+#include "elements/verdict.hpp"
 #include "generator/audits.hpp"
 #include "generator/machine.hpp"
 #include "graph/code.hpp"
 #include "graph/verify.hpp"
-#include "elements/verdict.hpp"
 #include "symbolic/network_functions.hpp"
 #include "tier.hpp"
 
@@ -30,12 +30,15 @@ std::string nodes(int count, const std::string& links) {
                "[states]\nT = {{ unit = \"K\", start = 300, range = [200, 1000] }}\n"
                "[nodes]\nroom = {{ temperature = \"T\", capacity = \"C\" }}\nair = {{ temperature = \"T_0\" }}\n"
                "foil = {{ for = \"i = 1..{}\", heat = \"P*i\" }}\n[links]\n"
-               "in = {{ from = \"room\", to = \"foil[1]\", resistance = \"R\" }}\nout = {{ from = \"foil[{}]\", to = \"air\", resistance = \"2*R\" }}\n",
+               "in = {{ from = \"room\", to = \"foil[1]\", resistance = \"R\" }}\nout = {{ from = \"foil[{}]\", to = \"air\", resistance = "
+               "\"2*R\" }}\n",
                count, count) +
            links;
 }
 
-std::string chain(const char* name, int last, const char* law) { return fmt::format("{} = {{ for = \"i = 1..{}\", from = \"foil[i]\", to = \"foil[i+1]\", {} }}\n", name, last, law); }
+std::string chain(const char* name, int last, const char* law) {
+    return fmt::format("{} = {{ for = \"i = 1..{}\", from = \"foil[i]\", to = \"foil[i+1]\", {} }}\n", name, last, law);
+}
 const char* const conducts = "resistance = \"R*i\"";
 const char* const radiates = "law = \"radiation\", emissivity = \"eps\", area = \"A\"";
 
@@ -61,7 +64,9 @@ TEST_CASE("short chains have a closed form, rings and long chains do not") {
         CHECK(proven(machine));
         CHECK(has_network_function(machine.system->state_rates[0]));
     }
-    const Machine ring = machine_from(nodes(4, chain("a", 3, conducts) + "back = { from = \"foil[4]\", to = \"foil[1]\", resistance = \"5*R\" }\n" + "side = { from = \"foil[2]\", to = \"air\", resistance = \"7*R\" }\n"));
+    const Machine ring =
+        machine_from(nodes(4, chain("a", 3, conducts) + "back = { from = \"foil[4]\", to = \"foil[1]\", resistance = \"5*R\" }\n" +
+                                  "side = { from = \"foil[2]\", to = \"air\", resistance = \"7*R\" }\n"));
     CHECK(proven(ring));
 }
 
@@ -74,7 +79,8 @@ TEST_CASE("nodes that conduct and radiate to each other") {
 
 TEST_CASE("a network of nodes that store nothing is passive where its links are") {
     CHECK_FALSE(machine_from(nodes(6, chain("a", 5, conducts))).audit.eigenvalues.empty());
-    CHECK(machine_from(nodes(6, chain("a", 5, conducts) + "b = { from = \"foil[2]\", to = \"foil[5]\", conductance = \"1/R - P/T_0\" }\n")).audit.eigenvalues.empty());
+    CHECK(machine_from(nodes(6, chain("a", 5, conducts) + "b = { from = \"foil[2]\", to = \"foil[5]\", conductance = \"1/R - P/T_0\" }\n"))
+              .audit.eigenvalues.empty());
 }
 
 TEST_CASE("the balance that defines a temperature is that of its node") {

@@ -2,9 +2,9 @@
 // Motions that are solved for from body to body.
 #include <algorithm>
 
+#include "elements/verdict.hpp"
 #include "generator/machine.hpp"
 #include "graph/verify.hpp"
-#include "elements/verdict.hpp"
 #include "tier.hpp"
 
 using namespace dalembert;
@@ -16,7 +16,9 @@ Machine chain_of(const std::string& name, const std::map<std::string, int>& size
     return derive_machine(load(std::string(SOURCE_DIR) + "/tests/physics/chains/" + name + ".toml", diagnostics), "", sizes);
 }
 
-std::unique_ptr<Code> body_to_body(const System& system) { return make_code(system, {.passes = {.rewriting = false}, .chain = ChainUse::wherever_possible}); }
+std::unique_ptr<Code> body_to_body(const System& system) {
+    return make_code(system, {.passes = {.rewriting = false}, .chain = ChainUse::wherever_possible});
+}
 
 Verdict worst_of(const Code& code) {
     Verdict worst = Verdict::proven;
@@ -43,7 +45,8 @@ TEST_CASE("operations of a chain grow with its links") {
 }
 
 TEST_CASE("chains and trees in the plane and in space are proven") {
-    for (const auto& [name, sizes] : std::vector<std::pair<std::string, std::map<std::string, int>>>{{"rods", {{"N", 4}}}, {"two_arms", {}}}) {
+    for (const auto& [name, sizes] :
+         std::vector<std::pair<std::string, std::map<std::string, int>>>{{"rods", {{"N", 4}}}, {"two_arms", {}}}) {
         CAPTURE(name);
         const Machine machine = chain_of(name, sizes);
         REQUIRE(machine.system->chain);
@@ -55,7 +58,8 @@ TEST_CASE("chains and trees in the plane and in space are proven") {
 }
 
 TEST_CASE("a chain whose masses do not change with its motion is proven, too" * doctest::skip(!is_full_tier())) {
-    const Machine machine = machine_from(six_coordinates + "[bodies.block]\nfor = \"k = 1..6\"\non = \"block[k-1]\"\nmass = \"m\"\nposition = [\"a[k]\", 0, 0]\n");
+    const Machine machine = machine_from(
+        six_coordinates + "[bodies.block]\nfor = \"k = 1..6\"\non = \"block[k-1]\"\nmass = \"m\"\nposition = [\"a[k]\", 0, 0]\n");
     const auto code = body_to_body(*machine.system);
     CHECK((*code)[Function::rhs].chain);
     CHECK(worst_of(*code) == Verdict::proven);

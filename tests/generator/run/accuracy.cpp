@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The digits of generated functions: losses that are known by hand are told, what is good is told to be good, and every kind of point is what it says.
+// The digits of generated functions: losses that are known by hand are told, what is good is told to be good, and every kind of point is
+// what it says.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -7,9 +8,9 @@
 #include <map>
 #include <set>
 
-#include "run/accuracy_measurement.hpp"
 #include "generator/command/verb.hpp"
 #include "generator/machine.hpp"
+#include "run/accuracy_measurement.hpp"
 #include "tier.hpp"
 
 using namespace dalembert;
@@ -18,7 +19,9 @@ namespace {
 
 /// One body; y is what is looked at.
 std::string model_with(const std::string& output, const std::string& range = "[0.0001, 1]") {
-    return "[model]\nformat = 1\nname = \"digits\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\nl = { value = 1, unit = \"m\" }\n[coordinates]\nx = { unit = \"1\", start = 0.5, range = " + range + " }\nz = { unit = \"1\", start = 0.5, range = " + range +
+    return "[model]\nformat = 1\nname = \"digits\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\nl = { value = 1, unit = \"m\" "
+           "}\n[coordinates]\nx = { unit = \"1\", start = 0.5, range = " +
+           range + " }\nz = { unit = \"1\", start = 0.5, range = " + range +
            " }\n[bodies.b]\nmass = \"m\"\nposition = [\"l*x\", \"l*z\", 0]\n[outputs]\ny = { value = \"" + output + "\", unit = \"1\" }\n";
 }
 
@@ -48,12 +51,14 @@ TEST_CASE("1 - cos(x) loses 1/x^2, and that is above the limit") {
         CAPTURE(arithmetic);
         const nlohmann::json worst = function(told.json(), "output")[arithmetic];
         const double x = worst["worst"]["at"]["x"], largest = worst["largest"];
-        // cos(x) is rounded by up to 2^-p/2 below one; of x^2/2 an ulp is 2^-p times it at most and half of that at least, and half an ulp of x moves
-        // it by as much as two of its own.
+        // cos(x) is rounded by up to 2^-p/2 below one; of x^2/2 an ulp is 2^-p times it at most and half of that at least, and half an ulp
+        // of x moves it by as much as two of its own.
         CHECK(largest * x * x < 2);
         const bool all_is_lost = worst["worst"]["computed"] == 0.0;
-        if (!all_is_lost) CHECK(largest * x * x > 0.02);
-        else CHECK(largest > 1e6);
+        if (!all_is_lost)
+            CHECK(largest * x * x > 0.02);
+        else
+            CHECK(largest > 1e6);
         CHECK(x < 0.01);
         const double expected = std::stod(worst["worst"]["exact"].get<std::string>());
         CHECK(std::fabs(expected / (2 * std::pow(std::sin(x / 2), 2)) - 1) < 1e-14);
@@ -99,9 +104,11 @@ TEST_CASE("the limit decides the exit code, and the seed the points") {
 }
 
 TEST_CASE("every kind of point is what it says") {
-    const Machine machine = machine_from("[parameters]\nm = { value = 2, unit = \"kg\", range = [0.1, 10] }\nk = { value = 1, unit = \"kg\", range = [0.1, 10] }\n"
-                                         "[coordinates]\nx = { unit = \"m\", range = [-1, 3] }\nz = { unit = \"m\", range = [0, 2] }\nphi = { unit = \"rad\" }\n"
-                                         "[bodies.a]\nmass = \"m\"\nposition = [\"x\", \"z\", 0]\n[bodies.b]\nmass = \"k\"\nposition = [\"cos(phi)*x\", \"sin(phi)*x\", 0]\n");
+    const Machine machine = machine_from(
+        "[parameters]\nm = { value = 2, unit = \"kg\", range = [0.1, 10] }\nk = { value = 1, unit = \"kg\", range = [0.1, 10] }\n"
+        "[coordinates]\nx = { unit = \"m\", range = [-1, 3] }\nz = { unit = \"m\", range = [0, 2] }\nphi = { unit = \"rad\" }\n"
+        "[bodies.a]\nmass = \"m\"\nposition = [\"x\", \"z\", 0]\n[bodies.b]\nmass = \"k\"\nposition = [\"cos(phi)*x\", \"sin(phi)*x\", "
+        "0]\n");
     const std::vector<const Variable*> inputs = ExactCode::inputs(*machine.system);
     for (const Arithmetic* arithmetic : {&float_arithmetic(), &double_arithmetic()}) {
         EdgePoints points(*machine.system, inputs, *arithmetic, 7);
@@ -125,7 +132,8 @@ TEST_CASE("every kind of point is what it says") {
             if (kind == "signs of zero") seen[std::signbit(x) ? "-0" : "+0"] += x == 0;
             if (kind == "quarter turns") seen[kind] += phi != 0 && std::fabs(std::remainder(phi, std::acos(-1.0) / 2)) < 1e-6;
         }
-        for (const char* kind : {"near zero", "tiny to huge", "equal values", "next to each other", "ends of ranges", "-0", "+0", "quarter turns"}) {
+        for (const char* kind :
+             {"near zero", "tiny to huge", "equal values", "next to each other", "ends of ranges", "-0", "+0", "quarter turns"}) {
             CAPTURE(kind);
             CHECK(seen[kind] >= 5);
         }
@@ -133,8 +141,11 @@ TEST_CASE("every kind of point is what it says") {
 }
 
 TEST_CASE("an ulp is the distance of numbers") {
-    for (const double value : {1.0, 1.5, 0.75, 3e-310, 1e300, 0.0}) CHECK(double_arithmetic().ulp(value) == std::nextafter(value, std::numeric_limits<double>::infinity()) - value);
-    for (const float value : {1.0F, 1.5F, 0.75F, 1e-40F, 0.0F}) CHECK(float_arithmetic().ulp(value) == static_cast<double>(std::nextafter(value, std::numeric_limits<float>::infinity())) - static_cast<double>(value));
+    for (const double value : {1.0, 1.5, 0.75, 3e-310, 1e300, 0.0})
+        CHECK(double_arithmetic().ulp(value) == std::nextafter(value, std::numeric_limits<double>::infinity()) - value);
+    for (const float value : {1.0F, 1.5F, 0.75F, 1e-40F, 0.0F})
+        CHECK(float_arithmetic().ulp(value) ==
+              static_cast<double>(std::nextafter(value, std::numeric_limits<float>::infinity())) - static_cast<double>(value));
     CHECK(exact(0x1p-1074) == cln::expt(cln::cl_RA(2), -1074));
     CHECK(exact(-0.375) == Rational(-3) / 8);
 }
@@ -157,7 +168,9 @@ TEST_CASE("exact numbers have slopes") {
 
 TEST_CASE("nodes that are eliminated, enthalpies, and powers of flows that come and go keep their digits") {
     int seen = 0;
-    for (const auto& one : {std::pair("heat/immersion_heater", "heating"), std::pair("heat/block", "steady"), std::pair("heat/layered_wall", "gaps"), std::pair("heat/glazing", "mirrors"), std::pair("hydraulics/hydraulic_cylinder", "real"), std::pair("hydraulics/torricelli", "book")}) {
+    for (const auto& one : {std::pair("heat/immersion_heater", "heating"), std::pair("heat/block", "steady"),
+                            std::pair("heat/layered_wall", "gaps"), std::pair("heat/glazing", "mirrors"),
+                            std::pair("hydraulics/hydraulic_cylinder", "real"), std::pair("hydraulics/torricelli", "book")}) {
         if (!is_full_tier() && ++seen > 2) break;
         CAPTURE(one.first);
         const std::filesystem::path path = std::filesystem::path(SOURCE_DIR) / "systems" / (std::string(one.first) + ".toml");
