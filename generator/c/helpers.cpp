@@ -56,31 +56,36 @@ std::string replaced(std::string text, const std::string& word, const std::strin
 
 class Collector {
 public:
-    Collector(const Library& library, std::string name) : library_(library), name_(std::move(name)) {}
+    explicit Collector(const Library& library) : library_(library) {}
 
     void add(const Section& section, std::size_t size) {
         const std::size_t own = section.has_size ? size : 0;
         if (!done_.insert({section.marked.name, own}).second) return;
         for (const std::string& need : section.marked.needs) add(library_.section(need), own);
-        text_ += replaced(replaced(section.marked.text, "SIZE", std::to_string(own)), "NAME", name_) + "\n";
+        sections_.push_back({section.marked.name, replaced(section.marked.text, "SIZE", std::to_string(own))});
     }
-    std::string text() && { return std::move(text_); }
+    std::vector<CHelperSection> sections() && { return std::move(sections_); }
 
 private:
     const Library& library_;
-    std::string name_;
     std::set<CHelper> done_;
-    std::string text_;
+    std::vector<CHelperSection> sections_;
 };
 
 }  // namespace
 
-std::string c_helper_source(const std::set<CHelper>& helpers, const std::string& name) {
+std::vector<CHelperSection> c_helper_sections(const std::set<CHelper>& helpers) {
     static const Library library;
-    Collector collector(library, name);
+    Collector collector(library);
     collector.add(library.section("real"), 0);
     for (const CHelper& helper : helpers) collector.add(library.of_function(helper.function), helper.size);
-    return std::move(collector).text();
+    return std::move(collector).sections();
+}
+
+std::string c_helper_source(const std::set<CHelper>& helpers, const std::string& name) {
+    std::string text;
+    for (const CHelperSection& section : c_helper_sections(helpers)) text += replaced(section.text, "NAME", name) + "\n";
+    return text;
 }
 
 }  // namespace dalembert

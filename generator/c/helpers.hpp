@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 namespace dalembert {
 
@@ -14,7 +15,15 @@ struct CHelper {
     friend auto operator<=>(const CHelper&, const CHelper&) = default;
 };
 
-/// The texts of the functions and of all that they need, each behind those that it calls. `name` stands before their names.
+/// A section of runtime/c, for a size. Names begin with NAME.
+struct CHelperSection {
+    std::string name, text;
+};
+
+/// The sections of the functions and of all that they need, each behind those that it calls.
+std::vector<CHelperSection> c_helper_sections(const std::set<CHelper>& helpers);
+
+/// Their texts. `name` stands before their names.
 std::string c_helper_source(const std::set<CHelper>& helpers, const std::string& name);
 
 }  // namespace dalembert

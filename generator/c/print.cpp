@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <map>
-#include <stdexcept>
 
 #include "text/wrap.hpp"
 
@@ -17,25 +15,6 @@ constexpr std::size_t column_of_body = 4;
 const std::string indent_of_body(column_of_body, ' ');
 
 }  // namespace
-
-std::size_t size_of(const Plant& plant, const std::string& vector) {
-    const std::size_t states = plant.states.size(), inputs = plant.inputs.size(), outputs = plant.outputs.size(),
-                      guards = plant.guards.size(), n = plant.degrees;
-    const std::size_t constraints = plant.constraints ? plant.constraints->list.size() : 0;
-    const std::map<std::string, std::size_t> sizes{
-        {"State", states},        {"Input", inputs},           {"Output", outputs},
-        {"Generalised", n},       {"MassMatrix", n * n},       {"Guards", guards},
-        {"Kinks", guards},        {"Events", plant.modes ? plant.modes->events.size() : 0},
-        {"JacobianX", plant.by_state.size()},                  {"JacobianU", plant.by_input.size()},
-        {"JacobianP", plant.by_parameter.size()},              {"JacobianT", states},
-        {"OutputJacobianX", outputs * states},                 {"OutputJacobianU", outputs * inputs},
-        {"Constraints", constraints},                          {"ConstraintJacobian", constraints * n},
-        {"OutputJacobianP", outputs * plant.parameters.size()}, {"OutputJacobianT", outputs},
-        {"Hessian", (states + inputs) * (states + inputs)}};
-    const auto found = sizes.find(vector);
-    if (found == sizes.end()) throw std::logic_error("a vector that plants do not have: " + vector);
-    return found->second;
-}
 
 std::string CPrinter::operand(const Value& value, int least_precedence) {
     return precedence(value) < least_precedence ? "(" + text(value) + ")" : text(value);

@@ -8,9 +8,6 @@
 
 namespace dalembert {
 
-/// The number of values of a vector of the interface: "State", "JacobianX", ...
-std::size_t size_of(const Plant& plant, const std::string& vector);
-
 class CPrinter {
 public:
     /// `name` stands before every name that the header defines.

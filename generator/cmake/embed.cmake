@@ -4,7 +4,7 @@
 set(entries "")
 foreach(file IN LISTS FILES)
   file(READ ${ROOT}/${file} content)
-  string(REGEX REPLACE "^(templates|runtime/dalembert|runtime/c|runtime/export)/" "" name ${file})
+  string(REGEX REPLACE "^(templates|runtime/dalembert|runtime/c|runtime/js|runtime/export)/" "" name ${file})
   string(APPEND entries "    {\"${name}\", R\"embedded(${content})embedded\"sv},\n")
 endforeach()
 file(WRITE ${OUTPUT}

@@ -49,6 +49,7 @@ set(embedded
     templates/meet_constraints.h.in
     templates/plant.h.in
     templates/header.h.in
+    templates/module.js.in
     templates/series.h.in
     templates/fields.h.in
     templates/field_sums.h.in
@@ -65,6 +66,13 @@ set(embedded
     templates/gallery.html.in
     templates/identify.html.in
     templates/reference.html.in
+    templates/report.html.in
+    templates/report.css
+    templates/report_player.html
+    templates/report_numbers.js
+    templates/report_plot.js
+    templates/report_drawing.js
+    templates/report_player.js
     runtime/dalembert/compiler.h
     runtime/dalembert/scalar_functions.hpp
     runtime/dalembert/angle_functions.hpp
@@ -92,7 +100,7 @@ set(embedded
     runtime/c/series_functions.h.in
     runtime/c/ldlt.h.in)
 # And what exports carry: runs and modes over a plant, the adapters of FMI, and packages.
-file(GLOB exported RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS runtime/export/*.h runtime/export/fmi*.c runtime/export/python/* runtime/export/octave/*)
+file(GLOB exported RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS runtime/js/*.js runtime/export/*.h runtime/export/fmi*.c runtime/export/python/* runtime/export/octave/*)
 list(APPEND embedded ${exported})
 # And the projects that `dalembert new` writes.
 file(GLOB projects RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS templates/new/*/*.in)

@@ -56,32 +56,11 @@ private:
         show_warnings(machine, streams_);
         show_doubts(machine, streams_);
         generate(machine);
-        file_.scenes.push_back(proven(machine, name));
+        file_.scenes.push_back(checked_scene(machine));
         file_.failed = file_.failed || file_.scenes.back().failed();
         write_(as_text(file_.scenes.back()));
         verdicts_.add(*machine.system);
         for (const Machine& other : machine.other_modes) verdicts_.add(*other.system);
-    }
-
-    static CheckedScene proven(const Machine& machine, const std::string& name) {
-        CheckedScene scene{machine.system->scene.sized_name(), name, {}};
-        const auto add = [&](const std::string& title, const std::vector<AuditEntry>& entries) {
-            if (entries.empty()) return;
-            scene.groups.push_back({title, {}});
-            for (const AuditEntry& entry : entries) scene.groups.back().proofs.push_back({entry.name, entry.result.verdict});
-        };
-        const Proofs proofs = proofs_of(machine);
-        add("d'Alembert = Euler-Lagrange", proofs.derivation.derivations);
-        add("force = -d(energy)/dq", proofs.derivation.potentials);
-        add("media: (3.11), (3.21), (3.31), (3.41), (3.43)", proofs.derivation.media);
-        add("balances of mass and energy", proofs.derivation.balances);
-        add("forces of constraints do no virtual work", proofs.derivation.constraints);
-        add("solids: integrals, and Steiner's theorem", proofs.derivation.solids);
-        add("loads: equilibrium with the solution inserted", proofs.derivation.loads);
-        add(Audit::power_balance_name(*machine.system), {proofs.derivation.power_balance});
-        add("passive network: eigenvalues real, not positive", proofs.derivation.eigenvalues);
-        add("emitted code = derivation", proofs.emitted);
-        return scene;
     }
 
     void judge_printed() {

@@ -28,6 +28,7 @@ ExitCode identify_command(const Options& options, Streams streams);
 ExitCode study_command(const Options& options, Streams streams);
 ExitCode survey_command(const Options& options, Streams streams);
 ExitCode gallery_command(const Options& options, Streams streams);
+ExitCode report_command(const Options& options, Streams streams);
 ExitCode effects_command(const Options& options, Streams streams);
 ExitCode cost_command(const Options& options, Streams streams);
 ExitCode accuracy_command(const Options& options, Streams streams);
@@ -90,6 +91,13 @@ void take_export(VerbOptions& o) {
     o.add("--mode", o.options.mode, "mode of a machine with modes, for a target that cannot switch");
     o.format();
     o.rewriting();
+}
+
+void take_report(VerbOptions& o) {
+    o.model();
+    o.output();
+    o.run("run of the page; `reference` or the only one if left out");
+    o.format();
 }
 
 void take_check(VerbOptions& o) {
@@ -330,6 +338,8 @@ constexpr auto table = std::to_array<Verb>({
     {"survey", "check, generate and simulate several models; print a table", survey_command, take_survey},
     {"gallery", "write gallery.html and GALLERY.md: a small plot, numbers, traits, verdicts and links for each of several models",
      gallery_command, take_gallery},
+    {"report", "write NAME.html: a page that shows the machine, its equations and proofs, and runs it; it needs nothing else", report_command,
+     take_report},
     {"effects", "measure the cost of each scene and effect, and the error of leaving it out; write CSV and a plot", effects_command,
      take_effects},
     {"cost", "measure time against accuracy: every method in every number type, compared with a reference; write CSV and plots",

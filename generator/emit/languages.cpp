@@ -10,6 +10,8 @@
 #include "c/header.hpp"
 #include "cpp/fields.hpp"
 #include "cpp/header.hpp"
+#include "elements/model.hpp"
+#include "js/module.hpp"
 #include "text/template.hpp"
 
 namespace dalembert {
@@ -40,9 +42,19 @@ std::string file_in_c(const Plant& plant, const PlantFields* fields, const Scene
     return c_file(compiler_check() + (fields == nullptr ? c_plant(plant, name) : c_fields(plant, *fields, name)), name, banner);
 }
 
+std::string file_in_javascript(const Plant& plant, const PlantFields* fields, const Scene& scene, const std::string& banner) {
+    if (fields != nullptr)
+        throw Failure(Diagnostic{Id::bad_option, scene.model->name_span,
+                                 fmt::format("scene '{}' has a rod whose cells are computed in loops, which JavaScript does not express yet; "
+                                             "--language c and c++ do, and so does a rod of fewer cells",
+                                             scene.name)});
+    return js_module(plant, prefix_of(scene), banner);
+}
+
 constexpr Language all_languages[]{
     {"c++", ".hpp", "a class for any scalar type, C++17", name_of_space, file_in_cpp},
     {"c", ".h", "functions for float or double, C99", prefix_of, file_in_c},
+    {"javascript", ".js", "a module of functions for doubles, ECMAScript 2020", prefix_of, file_in_javascript},
 };
 
 }  // namespace

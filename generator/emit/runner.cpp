@@ -8,6 +8,7 @@
 
 #include "elements/model.hpp"
 #include "elements/runs.hpp"
+#include "emit/value_statements.hpp"
 #include "program/function_bodies.hpp"
 #include "cpp/helpers.hpp"
 #include "cpp/print.hpp"
@@ -55,24 +56,7 @@ std::string joined(const std::vector<Number>& values) {
 }
 
 /// u[i] = ... for every input that is not zero.
-std::string input_statements(Code& code, const std::vector<ex>& inputs) {
-    std::vector<ex> written;
-    for (const ex& input : inputs) written.push_back(code.system.symbols.without_definitions(input));
-    const std::vector<Polynomial> polynomials = lower_in_order(written, code.atoms);
-    FunctionCode f;
-    ProgramBuilder builder(code.atoms, code.cache, ParameterParts::in_place, f.program, code.passes);
-    builder.prepare(polynomials);
-    for (std::size_t i = 0; i < polynomials.size(); ++i) f.results.push_back(builder.root(i));
-    const CachedValues none;
-    StatementMaker cpp(code, f, none, {"x", "t", "u", "p_"});
-    Statements statements = cpp.compute(f.results);
-    for (std::size_t i = 0; i < f.results.size(); ++i) {
-        if (f.is_zero(f.results[i])) continue;
-        const Value value = cpp.value(f.results[i], statements);
-        statements.push_back(Assignment{Value::element(Value::name("u"), i), value});
-    }
-    return cpp_body(statements);
-}
+std::string input_statements(Code& code, const std::vector<ex>& inputs) { return cpp_body(value_statements(code, inputs, "u")); }
 
 /// What makes inputs of a function, given as a lambda, and series of them: texts that stand before and behind it.
 struct InputSeriesTexts {

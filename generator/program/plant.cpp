@@ -2,6 +2,8 @@
 #include "program/plant.hpp"
 
 #include <algorithm>
+#include <map>
+#include <stdexcept>
 
 namespace dalembert {
 
@@ -68,6 +70,25 @@ Plant whole_plant(const Plant& core, const PlantFields& fields) {
     whole.by_input = full_pattern(fields.states, core.inputs.size());
     whole.by_parameter = full_pattern(fields.states, core.parameters.size());
     return whole;
+}
+
+std::size_t size_of(const Plant& plant, const std::string& vector) {
+    const std::size_t states = plant.states.size(), inputs = plant.inputs.size(), outputs = plant.outputs.size(),
+                      guards = plant.guards.size(), n = plant.degrees;
+    const std::size_t constraints = plant.constraints ? plant.constraints->list.size() : 0;
+    const std::map<std::string, std::size_t> sizes{
+        {"State", states},        {"Input", inputs},           {"Output", outputs},
+        {"Generalised", n},       {"MassMatrix", n * n},       {"Guards", guards},
+        {"Kinks", guards},        {"Events", plant.modes ? plant.modes->events.size() : 0},
+        {"JacobianX", plant.by_state.size()},                  {"JacobianU", plant.by_input.size()},
+        {"JacobianP", plant.by_parameter.size()},              {"JacobianT", states},
+        {"OutputJacobianX", outputs * states},                 {"OutputJacobianU", outputs * inputs},
+        {"Constraints", constraints},                          {"ConstraintJacobian", constraints * n},
+        {"OutputJacobianP", outputs * plant.parameters.size()}, {"OutputJacobianT", outputs},
+        {"Hessian", (states + inputs) * (states + inputs)}};
+    const auto found = sizes.find(vector);
+    if (found == sizes.end()) throw std::logic_error("a vector that plants do not have: " + vector);
+    return found->second;
 }
 
 }  // namespace dalembert

@@ -179,4 +179,7 @@ struct PlantFields {
 /// What users see of a plant with such rods: all states, and the pattern of df/dx. Functions are those of the core.
 Plant whole_plant(const Plant& core, const PlantFields& fields);
 
+/// The number of values of a vector of the interface: "State", "JacobianX", ...
+std::size_t size_of(const Plant& plant, const std::string& vector);
+
 }  // namespace dalembert

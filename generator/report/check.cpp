@@ -82,6 +82,27 @@ bool CheckResult::is_whole() const {
     return std::all_of(files.begin(), files.end(), [](const CheckedFile& file) { return file.unreadable.empty(); });
 }
 
+CheckedScene checked_scene(const Machine& machine) {
+    CheckedScene scene{machine.system->scene.sized_name(), machine.system->scene.name, {}};
+    const auto add = [&](const std::string& title, const std::vector<AuditEntry>& entries) {
+        if (entries.empty()) return;
+        scene.groups.push_back({title, {}});
+        for (const AuditEntry& entry : entries) scene.groups.back().proofs.push_back({entry.name, entry.result.verdict});
+    };
+    const Proofs proofs = proofs_of(machine);
+    add("d'Alembert = Euler-Lagrange", proofs.derivation.derivations);
+    add("force = -d(energy)/dq", proofs.derivation.potentials);
+    add("media: (3.11), (3.21), (3.31), (3.41), (3.43)", proofs.derivation.media);
+    add("balances of mass and energy", proofs.derivation.balances);
+    add("forces of constraints do no virtual work", proofs.derivation.constraints);
+    add("solids: integrals, and Steiner's theorem", proofs.derivation.solids);
+    add("loads: equilibrium with the solution inserted", proofs.derivation.loads);
+    add(Audit::power_balance_name(*machine.system), {proofs.derivation.power_balance});
+    add("passive network: eigenvalues real, not positive", proofs.derivation.eigenvalues);
+    add("emitted code = derivation", proofs.emitted);
+    return scene;
+}
+
 CheckError check_error(const std::string& id, const Diagnostic& d) {
     CheckError error{id, name_of(d.id), d.message};
     if (!d.span) return error;

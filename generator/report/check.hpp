@@ -4,6 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "pipeline.hpp"
 #include "report/book_page.hpp"
 
 namespace dalembert {
@@ -54,6 +55,9 @@ struct CheckResult {
     /// Every file and entry could be read.
     bool is_whole() const;
 };
+
+/// What was proven of a machine. After generate.
+CheckedScene checked_scene(const Machine& machine);
 
 CheckError check_error(const std::string& id, const Diagnostic& diagnostic);
 

@@ -100,7 +100,7 @@ static inline void dalembert_band_solve(const dalembert_band* m, double* b) {
         const double* const column = dalembert_band_at(m, k, k);
         b[k] *= column[0];
         const size_t above = m->lower + m->upper;
-        for (size_t r = k > above ? k - above : 0; r < k; ++r) b[r] -= *(column - (k - r)) * b[k];
+        for (size_t r = k > above ? k - above : 0; r < k; ++r) b[r] -= *dalembert_band_at(m, r, k) * b[k];
     }
 }
 

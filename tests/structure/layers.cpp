@@ -18,7 +18,7 @@ namespace {
 /// From below. A layer is a folder of `generator` with all its subfolders, or a file beside them.
 const std::vector<std::string> order{"text",      "plant",   "language", "elements", "check",    "read",  "scene",
                                      "printed",   "symbolic", "mechanics", "balance", "form",    "prove", "graph",
-                                     "program",   "cpp",     "c",        "emit",     "pipeline", "book",  "run",
+                                     "program",   "cpp",     "c",        "js",       "emit",  "pipeline", "book",  "run",
                                      "export",    "identify", "study",   "report",  "reference", "command", "main"};
 
 std::size_t rank(const std::string& layer) {

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+
+#include "book/printed_verdicts.hpp"
+#include "command/write_result.hpp"
+#include "elements/model.hpp"
+#include "report/machine_page.hpp"
+#include "run/shared.hpp"
+
+namespace dalembert {
+
+namespace {
+
+/// The scene with the run that `simulate` would make of it, or without one and the reason.
+ScenePage prepare_scene(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options) {
+    ScenePage page;
+    try {
+        page.run.emplace(prepare_run(model, scene, options, "report"));
+        if (page.run->machine.fields) {
+            page.reason = "the cells of its rods are computed in loops, which the JavaScript of a page does not have yet.";
+            page.machine = std::move(page.run->machine);
+            page.run.reset();
+        }
+    } catch (const Failure& failure) {
+        page.reason = failure.diagnostics().front().message + ".";
+        page.machine = derive_machine(model, scene, options.choice.sizes);
+        generate(*page.machine);
+    }
+    page.proofs = checked_scene(page.derived());
+    return page;
+}
+
+}  // namespace
+
+ExitCode report_command(const Options& options, Streams streams) {
+    const auto model = loaded(options, streams);
+    const std::vector<std::string> names =
+        options.choice.scene.empty() ? scene_names(model->model) : std::vector<std::string>{resolve_scene(model->model, options.choice.scene)};
+    std::vector<ScenePage> scenes;
+    PrintedVerdicts printed(true);
+    for (const std::string& name : names) {
+        scenes.push_back(prepare_scene(model, name, options));
+        const Machine& machine = scenes.back().derived();
+        show_warnings(machine, streams);
+        printed.add(*machine.system);
+        for (const Machine& other : machine.other_modes) printed.add(*other.system);
+    }
+    ReportResult result;
+    result.model = model->model.name;
+    result.page = std::filesystem::path(options.output) / (model->model.name + ".html");
+    const std::string file = std::filesystem::path(options.choice.model).filename().string();
+    write_files({{result.page, machine_page(model->model, file, scenes, printed.rows(), result)}});
+    write_result(result, options, streams);
+    return ExitCode::good;
+}
+
+}  // namespace dalembert

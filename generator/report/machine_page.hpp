@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The result of `dalembert report`: a page that shows a machine, its equations and proofs, and runs it.
+#pragma once
+
+#include "report/check.hpp"
+#include "run/simulation.hpp"
+
+namespace dalembert {
+
+/// A scene, ready for the page.
+struct ScenePage {
+    std::optional<PreparedRun> run;  ///< nothing: the page does not run it
+    std::optional<Machine> machine;  ///< of one that is not run
+    std::string reason;              ///< why not, a sentence
+    CheckedScene proofs;
+
+    const Machine& derived() const { return run ? run->machine : *machine; }
+};
+
+struct ReportResult {
+    struct Scene {
+        std::string name;
+        bool runs;
+        std::string reason;       ///< why it does not
+        std::size_t drawn;        ///< bodies of the drawing
+        VerdictCounts proofs;
+    };
+    std::string model;
+    std::filesystem::path page;
+    std::size_t bytes = 0;
+    std::vector<Scene> scenes;
+    VerdictCounts printed;
+};
+
+/// Writes the page and what is to be told of it. `file`: the name of the model file, for commands. The code of the machines grows.
+std::string machine_page(const Model& model, const std::string& file, std::vector<ScenePage>& scenes, const std::vector<PrintedRow>& printed,
+                         ReportResult& result);
+
+std::string as_text(const ReportResult& result);
+nlohmann::ordered_json as_json(const ReportResult& result);
+
+}  // namespace dalembert

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/machine_script.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "elements/model.hpp"
+#include "elements/item.hpp"
+#include "emit/value_statements.hpp"
+#include "form/state_places.hpp"
+#include "graph/notation.hpp"
+#include "js/module.hpp"
+#include "js/print.hpp"
+#include "run/plant_run.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON in a script: nothing in it ends the script.
+std::string script_json(const Json& json) {
+    std::string text;
+    for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace)) text += c == '<' ? std::string("\\u003c") : std::string(1, c);
+    return text;
+}
+
+Json unit_json(const std::string& unit, double factor, double offset) { return {{"unit", unit}, {"factor", factor}, {"offset", offset}}; }
+
+Json unit_json(const Unit& unit) {
+    return unit_json(unit.written, cln::double_approx(unit.factor) * std::pow(std::numbers::pi, unit.pi_power), cln::double_approx(unit.offset));
+}
+
+/// A function with the parameters $p that writes into `target`; null where there is nothing to write.
+std::string written_function(Code& code, const Plant& plant, const std::vector<GiNaC::ex>& values, const std::string& target,
+                             const char* arguments) {
+    if (values.empty()) return "null";
+    JsPrinter print(plant);
+    const std::string body = print.text(value_statements(code, values, target));
+    return fmt::format("(() => {{\n{}return ($p) => ({}) => {{\n        {}.fill(0);\n{}}};\n}})()", js_helper_source(print.called()), arguments,
+                       target, body);
+}
+
+class ScriptMaker {
+public:
+    ScriptMaker(ScenePage& scene, const MachineDrawing& drawing) : run_(*scene.run), system_(*run_.machine.system), drawing_(drawing) {
+        for (const ShownUnit& shown : shown_units(system_)) units_[shown.column] = unit_json(shown.unit, shown.factor, shown.offset);
+    }
+
+    SceneScript operator()(const std::string& file) {
+        const std::string name = system_.scene.sized_name() + "_" + system_.scene.name;
+        Json json;
+        json["name"] = system_.scene.name;
+        json["command"] = fmt::format("dalembert simulate {} --scene {}", file, system_.scene.name);
+        add_run(json);
+        add_quantities(json);
+        json["bodies"] = drawing_.bodies;
+        for (const MachineDrawing::Bar& bar : drawing_.bars) json["bars"].push_back({bar.from, bar.to});
+        json["points"] = drawing_.coordinates.size() / 3;
+        json["is_planar"] = drawing_.is_planar;
+        const std::string inputs = written_function(*run_.machine.code, run_.header.plant, run_.settings.inputs, "u", "t, x, u");
+        return {js_module(run_.header.plant, name, "// SPDX-License-Identifier: BSL-1.0"),
+                fmt::format("{{ ...{}, make: {}, inputs: {}, place: {} }}", script_json(json), name, inputs, place())};
+    }
+
+private:
+    /// What the drawing needs; nothing where JavaScript cannot have it.
+    std::string place() {
+        return written_function(*run_.machine.code, run_.header.plant, drawing_.coordinates, "points", "t, x, points");
+    }
+
+    void add_run(Json& json) {
+        const SimulationSettings& s = run_.settings;
+        json["until"] = s.until;
+        json["tolerance"] = s.tolerance;
+        json["intervals"] = s.intervals;
+        // Nothing: steps are as long as their errors allow.
+        json["longest_step"] = steps_freely(system_, s.inputs) ? Json() : Json(s.until / s.intervals);
+        json["stops"] = s.kinks;
+        const std::vector<double> values = numbers_of(run_.values.state());
+        const StatePlaces places = place_states(system_);
+        std::vector<double> start = run_.header.plant.start_values;
+        for (std::size_t i = 0; i < values.size(); ++i) start[places.positions[i]] = values[i];
+        json["start"] = start;
+        json["parameters"] = parameter_numbers(system_, run_.values);
+        const Notation write(system_.symbols, Style::text);
+        json["input_texts"] = Json::array();
+        for (const GiNaC::ex& input : s.inputs) json["input_texts"].push_back(write(input));
+        json["plots"] = Json::array();
+        for (const Plot& plot : s.plots) json["plots"].push_back({{"x", plot.x}, {"y", plot.y}});
+    }
+
+    Json unit_of(const std::string& name, const std::string& si) const {
+        const auto found = units_.find(name);
+        return found == units_.end() ? unit_json(si, 1, 0) : found->second;
+    }
+
+    void add_quantities(Json& json) {
+        json["states"] = Json::array();
+        for (const Variable* variable : system_.symbols.state_variables()) {
+            const std::string name = variable->recorded_name();
+            Json one = unit_of(name, variable->unit);
+            one["name"] = name;
+            one["is_root"] = variable->is_root;
+            json["states"].push_back(std::move(one));
+        }
+        json["outputs"] = Json::array();
+        for (const OutputEquation& output : system_.outputs) {
+            Json one = unit_of(output.name, output.unit);
+            one["name"] = output.name;
+            json["outputs"].push_back(std::move(one));
+        }
+        for (const auto& [key, kind] : {std::pair{"input_units", SymbolKind::input}, std::pair{"parameter_units", SymbolKind::parameter}}) {
+            json[key] = Json::array();
+            for (const Variable& variable : system_.symbols.all(kind))
+                json[key].push_back(variable.declared != nullptr ? unit_json(variable.declared->unit) : unit_json(variable.unit, 1, 0));
+        }
+    }
+
+    PreparedRun& run_;
+    const System& system_;
+    const MachineDrawing& drawing_;
+    std::map<std::string, Json> units_;
+};
+
+}  // namespace
+
+SceneScript scene_script(ScenePage& scene, const MachineDrawing& drawing, const std::string& file) {
+    return ScriptMaker(scene, drawing)(file);
+}
+
+}  // namespace dalembert

@@ -1,0 +1,127 @@
+// The machine as it moves: bodies at their positions, bars between points; of what has no places, its states as levels.
+
+/// `places`: for each row of the run the coordinates of all points. Returns { node, show(i) }.
+function make_drawing(scene, places) {
+    const width = 640, height = 480, room = 36;
+    const svg = element("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Drawing of ${scene.bodies.join(", ")}` });
+    const count = scene.points;
+    let turn = scene.is_planar ? 0 : -0.6, tilt = scene.is_planar ? 0 : 0.45, shown = 0;
+    // A look along z at the plane, or from aside and above with z upwards.
+    const project = (p, k) => {
+        const [x, y, z] = [p[3 * k], p[3 * k + 1], p[3 * k + 2]];
+        if (scene.is_planar) return [x, y];
+        const across = x * Math.cos(turn) + y * Math.sin(turn), away = y * Math.cos(turn) - x * Math.sin(turn);
+        return [across, z * Math.cos(tilt) + away * Math.sin(tilt)];
+    };
+    let view;
+    const frame = () => {
+        let [x_low, x_high, y_low, y_high] = [Infinity, -Infinity, Infinity, -Infinity];
+        for (const p of places)
+            for (let k = 0; k < count; ++k) {
+                const [x, y] = project(p, k);
+                if (!Number.isFinite(x) || !Number.isFinite(y)) continue;
+                x_low = Math.min(x_low, x); x_high = Math.max(x_high, x);
+                y_low = Math.min(y_low, y); y_high = Math.max(y_high, y);
+            }
+        if (!(x_low <= x_high)) [x_low, x_high, y_low, y_high] = [-1, 1, -1, 1];
+        const span = Math.max((x_high - x_low) / (width - 2 * room), (y_high - y_low) / (height - 2 * room)) || 1 / width;
+        view = { x: (x_low + x_high) / 2, y: (y_low + y_high) / 2, span };
+    };
+    const on_paper = (p, k) => {
+        const [x, y] = project(p, k);
+        return [width / 2 + (x - view.x) / view.span, height / 2 - (y - view.y) / view.span];
+    };
+    const ground = element("g", { stroke: "currentColor", "stroke-opacity": 0.25 });
+    const trails = element("g", { fill: "none", "stroke-opacity": 0.45, "stroke-width": 1.5 });
+    const bars = element("g", { stroke: "currentColor", "stroke-width": 7, "stroke-linecap": "round", "stroke-opacity": 0.55 });
+    const bodies = element("g");
+    const label = element("g");
+    svg.append(ground, trails, bars, bodies, label);
+    const bar_lines = (scene.bars || []).map(() => bars.appendChild(element("line")));
+    const colour = (k) => `${plot_colours[k % plot_colours.length]}`;
+    const trail_lines = scene.bodies.map((name, k) => trails.appendChild(element("polyline", { style: `stroke: ${colour(k)}` })));
+    const discs = scene.bodies.map((name, k) => bodies.appendChild(element("circle", { r: count > 60 ? 4 : 9, style: `fill: ${colour(k)}` })));
+    const joints = [];
+    for (let k = scene.bodies.length; k < count; ++k) joints.push(bodies.appendChild(element("circle", { r: 3, fill: "currentColor" })));
+    const names = scene.bodies.length > 12 ? [] : scene.bodies.map((name) => label.appendChild(element("text", {}, name)));
+    const draw_ground = () => {
+        const [x, y] = [width / 2 - view.x / view.span, height / 2 + view.y / view.span];
+        ground.replaceChildren();
+        if (!scene.is_planar) return;
+        if (y > 0 && y < height) ground.append(element("line", { x1: 0, x2: width, y1: y, y2: y, "stroke-dasharray": "3 5" }));
+        if (x > 0 && x < width) ground.append(element("line", { x1: x, x2: x, y1: 0, y2: height, "stroke-dasharray": "3 5" }));
+        const metres = [1, 2, 5, 10].map((one) => one * 10 ** Math.floor(Math.log10(view.span * 120))).reverse().find((one) => one / view.span < 160);
+        ground.append(element("line", { x1: 14, x2: 14 + metres / view.span, y1: height - 12, y2: height - 12, "stroke-width": 3, "stroke-opacity": 0.8 }),
+                      element("text", { x: 14, y: height - 18, stroke: "none" }, `${number_text(metres)} m`));
+    };
+    const show = (i) => {
+        shown = Math.max(0, Math.min(i, places.length - 1));
+        const p = places[shown];
+        if (!p) return;
+        const at = [];
+        for (let k = 0; k < count; ++k) at.push(on_paper(p, k));
+        bar_lines.forEach((line, b) => {
+            const [from, to] = scene.bars[b].map((k) => at[k]);
+            for (const [key, value] of [["x1", from[0]], ["y1", from[1]], ["x2", to[0]], ["y2", to[1]]]) line.setAttribute(key, value.toFixed(2));
+        });
+        [...discs, ...joints].forEach((disc, k) => {
+            disc.setAttribute("cx", at[k][0].toFixed(2));
+            disc.setAttribute("cy", at[k][1].toFixed(2));
+        });
+        names.forEach((name, k) => {
+            const is_right = at[k][0] > width - 130;
+            name.setAttribute("x", at[k][0] + (is_right ? -14 : 14));
+            name.setAttribute("text-anchor", is_right ? "end" : "start");
+            name.setAttribute("y", at[k][1] - 10);
+        });
+        trail_lines.forEach((line, k) => {
+            let text = "";
+            for (let j = Math.max(0, shown - 120); j <= shown; ++j) {
+                const [x, y] = on_paper(places[j], k);
+                text += `${x.toFixed(1)},${y.toFixed(1)} `;
+            }
+            line.setAttribute("points", text);
+        });
+    };
+    const redraw = () => { frame(); draw_ground(); show(shown); };
+    redraw();
+    const caption = element("figcaption", {}, scene.is_planar ? "Bodies at their positions, to scale." : "Bodies at their positions, to scale; drag, or use the arrow keys, to look from elsewhere.");
+    if (!scene.is_planar) {
+        let from = null;
+        svg.setAttribute("tabindex", "0");
+        const turn_by = (across, up) => { turn += across; tilt = Math.max(-1.5, Math.min(1.5, tilt + up)); redraw(); };
+        svg.addEventListener("pointerdown", (e) => { from = [e.clientX, e.clientY]; svg.setPointerCapture(e.pointerId); });
+        svg.addEventListener("pointermove", (e) => { if (from) { turn_by((e.clientX - from[0]) / 150, (e.clientY - from[1]) / 150); from = [e.clientX, e.clientY]; } });
+        svg.addEventListener("pointerup", () => { from = null; });
+        svg.addEventListener("keydown", (e) => {
+            const step = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[e.key];
+            if (step) { turn_by(...step); e.preventDefault(); }
+        });
+    }
+    return { node: element("figure", {}, svg, caption), show };
+}
+
+/// Levels of at most twelve columns between the least and the largest value of the run.
+function make_levels(columns) {
+    const list = columns.slice(0, 12), width = 640, height = 480;
+    const svg = element("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Levels of ${list.map((one) => one.name).join(", ")}` });
+    const step = (height - 20) / Math.max(list.length, 4), thick = Math.min(26, step * 0.42);
+    const parts = list.map((column, k) => {
+        const good = column.values.filter(Number.isFinite);
+        const low = good.reduce((a, b) => Math.min(a, b), Infinity), high = good.reduce((a, b) => Math.max(a, b), -Infinity);
+        const y = 14 + k * step;
+        const text = element("text", { x: 14, y: y + 10 });
+        const bar = element("rect", { x: 14, y: y + 16, height: thick, rx: 3, style: `fill: ${plot_colours[k % plot_colours.length]}` });
+        svg.append(text, element("rect", { x: 14, y: y + 16, width: width - 28, height: thick, rx: 3, fill: "currentColor", "fill-opacity": 0.1 }), bar);
+        return { column, low, high, text, bar };
+    });
+    const show = (i) => {
+        for (const { column, low, high, text, bar } of parts) {
+            const value = column.values[i], share = high > low ? (value - low) / (high - low) : 0.5;
+            text.textContent = `${column.name} = ${number_text(value)} ${column.unit}   (${number_text(low, 4)} ... ${number_text(high, 4)})`;
+            bar.setAttribute("width", Number.isFinite(share) ? Math.max(0, share) * (width - 28) : 0);
+        }
+    };
+    show(0);
+    return { node: element("figure", {}, svg, element("figcaption", {}, "No body has a place to draw: states, between their least and largest value of this run.")), show };
+}

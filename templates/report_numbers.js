@@ -1,0 +1,34 @@
+// Numbers as people read and write them.
+
+/// At most `digits` significant digits, without zeros behind them.
+function number_text(value, digits = 5) {
+    if (!Number.isFinite(value)) return String(value);
+    return String(Number(value.toPrecision(digits)));
+}
+
+/// "0.5" and "0,5"; NaN for what is no number.
+function read_number(text) {
+    const plain = text.trim().replace(/\u2212/g, "-").replace(",", ".");
+    return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(plain) ? Number(plain) : NaN;
+}
+
+const in_unit = (value, unit) => value / unit.factor - unit.offset;
+const in_si = (value, unit) => (value + unit.offset) * unit.factor;
+const unit_text = (unit) => unit.unit === "1" ? "" : unit.unit;
+
+/// Between three and seven round numbers from low to high.
+function ticks(low, high) {
+    const rough = (high - low) / 5, power = 10 ** Math.floor(Math.log10(rough));
+    const step = [1, 2, 5, 10].find((one) => one * power >= rough) * power;
+    const result = [];
+    for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) result.push(k * step);
+    return result;
+}
+
+function element(name, attributes = {}, ...children) {
+    const is_svg = ["svg", "g", "path", "line", "circle", "rect", "text", "polyline"].includes(name);
+    const made = is_svg ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
+    for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+    made.append(...children);
+    return made;
+}

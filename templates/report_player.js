@@ -1,0 +1,263 @@
+// Runs scenes with settings, and shows them.
+
+/// Settings as the model has them: `start` holds only values that were changed, by their place; a held input is a number.
+function settings_of(scene) {
+    return { until: scene.until, tolerance: scene.tolerance, parameters: scene.parameters.slice(), start: {}, held: scene.input_texts.map(() => null) };
+}
+
+/// The recording of a scene; see dalembert_record().
+function run_scene(scene, settings) {
+    const made = scene.make();
+    const n = made.states.length;
+    const usual = new Float64Array(n), start = new Float64Array(n);
+    made.start_state(usual);
+    made.set_parameters(settings.parameters);
+    const is_as_written = settings.parameters.every((value, i) => value === scene.parameters[i]);
+    if (is_as_written) start.set(scene.start);
+    else {
+        made.start_state(start);  // parameters may move it; what the run says of it stays
+        scene.start.forEach((value, i) => { if (value !== usual[i]) start[i] = value; });
+    }
+    for (const [place, value] of Object.entries(settings.start)) start[place] = value;
+    const written = scene.inputs === null ? null : scene.inputs(made.parameter_values);
+    const inputs = (t, x, u) => {
+        if (written) written(t, x, u);
+        else u.fill(0);
+        settings.held.forEach((value, i) => { if (value !== null) u[i] = value; });
+    };
+    const recording = dalembert_record(made, {
+        until: settings.until, tolerance: settings.tolerance, intervals: scene.intervals, start, stops: scene.stops,
+        longest_step: scene.longest_step === null ? Infinity : settings.until / scene.intervals, inputs: made.inputs.length > 0 ? inputs : null,
+    });
+    return { ...recording, made };
+}
+
+/// Columns of a recording in declared units: { name, unit, values }.
+function columns_of(scene, recording) {
+    const column = (name, unit, of) => ({ name, unit: unit_text(unit), values: recording.rows.map((row) => in_unit(of(row), unit)) });
+    const joule = { unit: "J", factor: 1, offset: 0 };
+    return [
+        { name: "t", unit: "s", is_time: true, values: recording.rows.map((row) => row.t) },
+        ...scene.states.map((one, i) => column(one.name, one, (row) => one.is_root ? row.x[i] ** 2 : row.x[i])),
+        ...scene.outputs.map((one, i) => column(one.name, one, (row) => row.y[i])),
+        ...recording.made.inputs.map((one, i) => column(one.name, scene.input_units[i], (row) => row.u[i])),
+        column("kinetic_energy", joule, (row) => row.kinetic), column("potential_energy", joule, (row) => row.potential),
+        column("internal_energy", joule, (row) => row.internal),
+        ...(recording.made.modes.length > 0 ? [{ name: "mode", unit: "", values: recording.rows.map((row) => row.mode) }] : []),
+    ];
+}
+
+/// What reproduces a run at a shell.
+function command_of(scene, settings) {
+    const plant = scene.make();
+    const list = (option, values) => values.length === 0 ? "" : ` ${option} "${values.join(",")}"`;
+    const number = (value, unit) => String(Number(in_unit(value, unit).toPrecision(15)));
+    const changed = (values, of) => values.flatMap((value, i) => value === of[i] ? [] : [i]);
+    return scene.command +
+        list("--parameter", changed(settings.parameters, scene.parameters).map((i) => `${plant.parameters[i].name}=${number(settings.parameters[i], scene.parameter_units[i])}`)) +
+        list("--state", Object.entries(settings.start).map(([i, value]) => `${scene.states[i].name}=${number(value, scene.states[i])}`)) +
+        list("--input", settings.held.flatMap((value, i) => value === null ? [] : [`${plant.inputs[i].name}=${number(value, scene.input_units[i])}`])) +
+        (settings.until === scene.until ? "" : ` --until ${settings.until}`) + (settings.tolerance === scene.tolerance ? "" : ` --tolerance ${settings.tolerance}`);
+}
+
+class Player {
+    constructor() {
+        this.part = (id) => document.getElementById(id);
+        for (const scene of scenes) this.part("scene").append(element("option", { value: scene.name }, scene.name));
+        for (const speed of [0.1, 0.25, 0.5, 1, 2, 5, 10, 100, 1000]) this.part("speed").append(element("option", { value: speed }, `${speed} \u00d7`));
+        this.part("scene").addEventListener("change", () => this.choose(this.part("scene").selectedIndex));
+        this.part("play").addEventListener("click", () => this.play(!this.is_playing));
+        this.part("reset").addEventListener("click", () => this.choose(this.part("scene").selectedIndex));
+        this.part("time").addEventListener("input", () => { this.play(false); this.show_time(Number(this.part("time").value)); });
+        this.part("speed").addEventListener("change", () => { this.speed = Number(this.part("speed").value); });
+        this.part("add-plot").addEventListener("change", (e) => { if (e.target.value) { this.panels.push({ x: "", y: [e.target.value] }); this.draw_plots(); } e.target.value = ""; });
+        this.part("copy-command").addEventListener("click", () => this.copy(command_of(this.scene, this.settings)));
+        this.part("copy-link").addEventListener("click", () => this.copy(this.link()));
+        const named = this.read_link();
+        this.choose(named.scene, named.settings);
+    }
+
+    choose(number, settings) {
+        this.play(false);
+        this.part("scene").selectedIndex = number;
+        this.scene = scenes[number];
+        this.settings = settings || settings_of(this.scene);
+        this.panels = this.scene.plots.slice();
+        this.plant = this.scene.make();
+        if (this.panels.length === 0) this.panels = this.scene.states.slice(0, 3).map((one) => ({ x: "", y: [one.name] }));
+        this.make_fields();
+        this.run();
+    }
+
+    run() {
+        this.part("status").textContent = "Computing ...";
+        setTimeout(() => {
+            const begin = performance.now();
+            this.recording = run_scene(this.scene, this.settings);
+            const duration = performance.now() - begin, rows = this.recording.rows;
+            this.columns = columns_of(this.scene, this.recording);
+            this.end = rows.length > 0 ? rows[rows.length - 1].t : 0;
+            this.part("time").max = this.end;
+            this.part("status").textContent = (this.recording.is_good ? "" : this.recording.message + " ") + `${this.recording.steps} steps` +
+                (this.recording.implicit_steps > 0 ? `, of which ${this.recording.implicit_steps} implicit` : "") +
+                (this.recording.events.length > 0 ? `, ${this.recording.events.length} events` : "") + `, computed in ${duration.toFixed(0)} ms.`;
+            if (this.speed === undefined || this.speed_of !== this.scene) {
+                const wanted = this.end / 10, choices = [...this.part("speed").options].map((one) => Number(one.value));
+                this.speed = this.end <= 20 && this.end >= 2 ? 1 : choices.reduce((a, b) => Math.abs(Math.log(b / wanted)) < Math.abs(Math.log(a / wanted)) ? b : a);
+                this.part("speed").value = this.speed;
+                this.speed_of = this.scene;
+            }
+            this.draw();
+            this.show_time(0);
+        }, 0);
+    }
+
+    draw() {
+        const scene = this.scene;
+        const add = this.part("add-plot");
+        add.replaceChildren(element("option", { value: "" }, "add ..."), ...this.columns.slice(1).map((one) => element("option", { value: one.name }, one.name)));
+        if (scene.place === null || scene.bodies.length === 0) this.drawing = make_levels(this.columns.slice(1, 1 + scene.states.length));
+        else {
+            const place = scene.place(this.recording.made.parameter_values);
+            this.drawing = make_drawing(scene, this.recording.rows.map((row) => {
+                const points = new Float64Array(3 * scene.points);
+                place(row.t, row.x, points);
+                return points;
+            }));
+        }
+        this.part("drawing").replaceChildren(this.drawing.node);
+        this.draw_plots();
+    }
+
+    draw_plots() {
+        const find = (name) => this.columns.find((one) => one.name === name);
+        // A family is plotted with its first members.
+        const all = (name) => find(name) ? [find(name)] : this.columns.filter((one) => one.name.startsWith(name + "[")).slice(0, 6);
+        this.plots = [];
+        for (const panel of this.panels) {
+            const x = find(panel.x || "t"), curves = panel.y.flatMap(all);
+            if (x === undefined || curves.length === 0) continue;
+            const plot = make_plot(x, curves, this.recording.events.map((event) => event.t));
+            plot.svg.addEventListener("pointermove", (e) => { if (!this.is_playing) this.show(plot.at(e)); });
+            plot.svg.addEventListener("keydown", (e) => {
+                const step = { ArrowLeft: -1, ArrowRight: 1 }[e.key];
+                if (step) { this.show(this.row + step); e.preventDefault(); }
+            });
+            this.plots.push(plot);
+        }
+        this.part("plots").replaceChildren(...this.plots.map((plot) => plot.figure));
+        this.show(this.row || 0);
+    }
+
+    show(row) {
+        const rows = this.recording.rows;
+        if (rows.length === 0) return;
+        this.row = Math.max(0, Math.min(row, rows.length - 1));
+        const now = rows[this.row];
+        for (const plot of this.plots) plot.show(this.row);
+        this.drawing.show(this.row);
+        this.part("time").value = now.t;
+        this.part("now").textContent = `t = ${number_text(now.t, 4)} s` + (this.plant.modes.length > 0 ? `, ${this.plant.modes[now.mode]}` : "");
+    }
+
+    show_time(t) {
+        const rows = this.recording.rows;
+        let low = 0, high = rows.length - 1;
+        while (low < high) {
+            const middle = (low + high + 1) >> 1;
+            if (rows[middle].t <= t) low = middle;
+            else high = middle - 1;
+        }
+        this.show(low);
+    }
+
+    play(is_playing) {
+        this.is_playing = is_playing;
+        this.part("play").textContent = is_playing ? "Pause" : "Run";
+        if (!is_playing) return;
+        let t = Number(this.part("time").value), last = performance.now();
+        if (t >= this.end) t = 0;
+        const frame = (now) => {
+            if (!this.is_playing) return;
+            t += (now - last) / 1000 * this.speed;
+            last = now;
+            this.show_time(t);
+            if (t >= this.end) this.play(false);
+            else requestAnimationFrame(frame);
+        };
+        requestAnimationFrame(frame);
+    }
+
+    /// A field for a number in a unit; `set` gets it in SI.
+    field(quantity, unit, value, doc, set) {
+        const input = element("input", { type: "text", inputmode: "decimal", value: value === null ? "" : number_text(in_unit(value, unit), 12), "aria-label": quantity.name });
+        const note = element("small", {}, doc);
+        const range = [quantity.low, quantity.high].map((bound) => in_unit(bound, unit));
+        input.addEventListener("change", () => {
+            const given = read_number(input.value), si = in_si(given, unit);
+            let bad = "";
+            if (value === null && input.value.trim() === "") { note.className = ""; note.textContent = doc; set(null); return; }
+            if (Number.isNaN(given)) bad = `"${input.value}" is not a number, such as 0.5 or 0,5.`;
+            else if (si < quantity.low || si > quantity.high)
+                bad = `${number_text(given, 12)} is outside of the declared range from ${number_text(range[0])} to ${number_text(range[1])} ${unit_text(unit)}.`;
+            input.setAttribute("aria-invalid", bad !== "");
+            note.className = bad ? "bad" : "";
+            note.textContent = bad || doc;
+            if (!bad) set(si);
+        });
+        return element("div", { class: "field" }, element("span", {}, quantity.name), input, element("span", {}, unit_text(unit)), note);
+    }
+
+    make_fields() {
+        const { scene, settings, plant } = this;
+        const changed = () => { this.play(false); this.run(); };
+        const range = (one, unit) => Number.isFinite(one.low) || Number.isFinite(one.high) ? ` (${number_text(in_unit(one.low, unit))} ... ${number_text(in_unit(one.high, unit))})` : "";
+        const group = (title, fields, is_open) => fields.length === 0 ? "" : element("details", is_open ? { open: "" } : {}, element("summary", {}, title), element("div", { class: "fields" }, ...fields));
+        const seconds = { unit: "s", factor: 1, offset: 0 }, one = { unit: "1", factor: 1, offset: 0 };
+        this.part("settings").replaceChildren(
+            group("Parameters", plant.parameters.map((p, i) => this.field(p, scene.parameter_units[i], settings.parameters[i], p.description + range(p, scene.parameter_units[i]),
+                (value) => { settings.parameters[i] = value; changed(); })), plant.parameters.length <= 12),
+            group("Inputs", plant.inputs.map((input, i) => this.field(input, scene.input_units[i], settings.held[i],
+                `${input.description}; empty: ${scene.input_texts[i] || "0"} (in SI), as in the run; else this value is held`,
+                (value) => { settings.held[i] = value; changed(); })), true),
+            group("Start values", scene.states.flatMap((state, i) => state.is_root ? [] : [this.field({ ...plant.states[i], name: state.name }, state, settings.start[i] ?? scene.start[i], plant.states[i].description + range(plant.states[i], state),
+                (value) => { settings.start[i] = value; changed(); })]), false),
+            group("Run", [this.field({ name: "until", low: 0, high: Infinity }, seconds, settings.until, "length of the run", (value) => { settings.until = value; changed(); }),
+                          this.field({ name: "tolerance", low: 1e-13, high: 0.01 }, one, settings.tolerance, "relative error of a step", (value) => { settings.tolerance = value; changed(); })], false));
+    }
+
+    link() {
+        const { scene, settings } = this;
+        return location.href.split("#")[0] + "#" + new URLSearchParams({ scene: scene.name, settings: JSON.stringify(settings) });
+    }
+
+    /// What the address says, as far as it fits the page.
+    read_link() {
+        const none = { scene: 0 };
+        try {
+            const given = new URLSearchParams(location.hash.slice(1));
+            const number = scenes.findIndex((scene) => scene.name === given.get("scene"));
+            if (number < 0) return none;
+            const usual = settings_of(scenes[number]), read = JSON.parse(given.get("settings") || "{}");
+            const is_list = (list, like) => Array.isArray(list) && list.length === like.length && list.every((one) => one === null || Number.isFinite(one));
+            for (const key of ["until", "tolerance"]) if (read[key] > 0) usual[key] = read[key];
+            for (const key of ["parameters", "held"]) if (is_list(read[key], usual[key])) usual[key] = read[key];
+            for (const [place, value] of Object.entries(read.start || {})) if (Number.isFinite(value) && place < scenes[number].start.length) usual.start[place] = value;
+            return { scene: number, settings: usual };
+        } catch (e) {
+            return none;
+        }
+    }
+
+    async copy(text) {
+        try {
+            await navigator.clipboard.writeText(text);
+            this.part("status").textContent = "Copied: " + text;
+        } catch (e) {
+            this.part("status").textContent = text;  // from disk some browsers do not let pages copy
+        }
+    }
+}
+
+globalThis.dalembert_page = { scenes, settings_of, run_scene, columns_of, command_of };
+if (typeof document !== "undefined") new Player();
