@@ -27,7 +27,7 @@ function run_scene(scene, settings) {
     };
     const recording = dalembert_record(made, {
         until: settings.until, tolerance: settings.tolerance, intervals: scene.intervals, start, stops: scene.stops,
-        longest_step: scene.longest_step === null ? Infinity : settings.until / scene.intervals, inputs: made.inputs.length > 0 ? inputs : null,
+        longest_step: scene.longest_step === null ? Infinity : settings.until / scene.intervals, inputs: made.inputs.length > 0 ? inputs : null, method: settings.method || "automatic",
     });
     return { ...recording, made };
 }

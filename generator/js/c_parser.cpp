@@ -23,14 +23,17 @@ CTree node(Kind kind, std::string text = {}, CNodes parts = {}) {
     return std::make_shared<CNode>(CNode{kind, std::move(text), std::move(parts)});
 }
 
-/// Binary operators by how tight they bind.
-int tightness(const std::string& sign) {
+}  // namespace
+
+int c_tightness(const std::string& sign) {
     static const std::map<std::string, int> all{{"||", 1}, {"&&", 2}, {"|", 3}, {"^", 4}, {"&", 5}, {"==", 6}, {"!=", 6},
                                                 {"<", 7}, {">", 7}, {"<=", 7}, {">=", 7}, {"<<", 8}, {">>", 8}, {"+", 9},
                                                 {"-", 9}, {"*", 10}, {"/", 10}, {"%", 10}};
     const auto found = all.find(sign);
     return found == all.end() ? 0 : found->second;
 }
+
+namespace {
 
 class CParser {
 public:
@@ -322,9 +325,9 @@ private:
 
     CTree binary(int least) {
         CTree left = unary();
-        while (peek().kind == CToken::Kind::sign && tightness(peek().text) >= least) {
+        while (peek().kind == CToken::Kind::sign && c_tightness(peek().text) >= least) {
             const std::string sign = tokens_[at_++].text;
-            left = node(Kind::binary, sign, {left, binary(tightness(sign) + 1)});
+            left = node(Kind::binary, sign, {left, binary(c_tightness(sign) + 1)});
         }
         return left;
     }

@@ -74,6 +74,9 @@ struct CUnit {
     std::vector<std::pair<std::string, CTree>> numbers;  ///< of enumerations, and of macros without arguments
 };
 
+/// How tight an operator between two operands binds; 0: it is none.
+int c_tightness(const std::string& sign);
+
 /// Adds what a text declares. Throws std::logic_error where it is beyond what is known.
 void parse_c(std::string_view text, CUnit& unit);
 

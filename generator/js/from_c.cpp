@@ -253,11 +253,24 @@ private:
         return fmt::format("copy_{}({})", type_of(e).structure, expression(e));
     }
 
-    std::string operand(const CTree& e) {
+    /// How tight an expression binds: operators as in C, then what has one operand, then places and calls.
+    static int tightness_of(const CTree& e) {
+        switch (e->kind) {
+            case Kind::comma:
+            case Kind::assignment:
+            case Kind::conditional: return 0;
+            case Kind::binary: return c_tightness(e->text);
+            case Kind::unary: return 11;
+            case Kind::cast: return tightness_of(e->parts[0]);
+            case Kind::call:
+                return e->parts[0]->kind == Kind::name && e->parts[0]->text == "NAME_R" ? tightness_of(e->parts[1]) : 12;
+            default: return 12;
+        }
+    }
+
+    std::string operand(const CTree& e, int least = 12) {
         const std::string text = expression(e);
-        const bool is_simple = e->kind == Kind::number || e->kind == Kind::name || e->kind == Kind::call || e->kind == Kind::member ||
-                               e->kind == Kind::index || e->kind == Kind::postfix || text.front() == '(';
-        return is_simple && !(text.front() == '(' && e->kind != Kind::cast) ? text : "(" + text + ")";
+        return tightness_of(e) < least ? "(" + text + ")" : text;
     }
 
     bool is_boxed(const CTree& e) const {
@@ -281,7 +294,8 @@ private:
             if (e.text == "-") throw std::logic_error("an array that begins before itself");
             return fmt::format("{}.subarray({})", operand(e.parts[0]), expression(e.parts[1]));
         }
-        std::string text = fmt::format("{} {} {}", operand(e.parts[0]), e.text, operand(e.parts[1]));
+        const int own = c_tightness(e.text);
+        std::string text = fmt::format("{} {} {}", operand(e.parts[0], own), e.text, operand(e.parts[1], own + 1));
         return e.text == "/" && left.is_whole() && right.is_whole() ? "Math.trunc(" + text + ")" : text;
     }
 
@@ -290,7 +304,7 @@ private:
         std::vector<std::string> arguments;
         for (std::size_t i = 1; i < e.parts.size(); ++i)
             if (e.parts[i]->kind != Kind::name || e.parts[i]->text != options_.left_out_argument) arguments.push_back(expression(e.parts[i]));
-        if (function->kind == Kind::name && function->text == "NAME_R") return "(" + arguments.at(0) + ")";
+        if (function->kind == Kind::name && function->text == "NAME_R") return arguments.at(0);
         const std::string called = function->kind != Kind::name                                     ? operand(function)
                                    : type_of_name(function->text).base == CType::Base::function ? javascript_name(function->text)
                                                                                                 : options_.name(function->text);
@@ -309,7 +323,7 @@ private:
     std::string cast(const CNode& e) {
         if (e.type.is_whole() && e.parts[0]->kind == Kind::unary && e.parts[0]->text == "-") return "Number.MAX_SAFE_INTEGER";  // (size_t)-1
         const bool cuts = e.type.is_whole() && type_of(e.parts[0]).base == CType::Base::real;
-        return cuts ? fmt::format("Math.trunc({})", expression(e.parts[0])) : operand(e.parts[0]);
+        return cuts ? fmt::format("Math.trunc({})", expression(e.parts[0])) : expression(e.parts[0]);
     }
 
     std::string assignment(const CNode& e) {
@@ -336,7 +350,7 @@ private:
             case Kind::binary: return binary(*e);
             case Kind::assignment: return assignment(*e);
             case Kind::conditional:
-                return fmt::format("{} ? {} : {}", operand(e->parts[0]), operand(e->parts[1]), operand(e->parts[2]));
+                return fmt::format("{} ? {} : {}", operand(e->parts[0], 1), operand(e->parts[1], 1), operand(e->parts[2], e->parts[2]->kind == Kind::conditional ? 0 : 1));
             case Kind::cast: return cast(*e);
             case Kind::size_of: return e->parts.empty() ? "1" : fmt::format("{}.length", operand(e->parts[0]));
             case Kind::comma: return fmt::format("{}, {}", expression(e->parts[0]), expression(e->parts[1]));

@@ -97,6 +97,17 @@ constexpr auto of_generate = std::to_array<JsonField>({
     {"seconds.<STAGE>", "time of each stage in seconds"},
 });
 
+constexpr auto of_report = std::to_array<JsonField>({
+    {"page", "path of the page"},
+    {"bytes", "size of the page in bytes"},
+    {"scenes[].scene", "name of a scene"},
+    {"scenes[].runs", "true if the page runs the scene"},
+    {"scenes[].reason", "reason why the page does not run it"},
+    {"scenes[].bodies_drawn", "number of bodies in the drawing of the scene"},
+    {"scenes[].proofs.<VERDICT>", "number of identities of the scene with this verdict; `entries` is the number of all"},
+    {"printed.<VERDICT>", "number of printed equations with this verdict; `entries` is the number of all"},
+});
+
 constexpr auto of_check = std::to_array<JsonField>({
     {"scenes[].scene", "name of a scene"},
     {"scenes[].proofs[].name", "identity of the derivation or of the generated code"},
@@ -321,6 +332,7 @@ constexpr auto schemas = std::to_array<JsonSchema>({
     {"generate", of_generate},
     {"compile", of_compile},
     {"export", of_export},
+    {"report", of_report},
     {"check", of_check},
     {"evaluate", of_evaluate},
     {"simulate", of_simulate},

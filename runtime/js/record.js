@@ -14,12 +14,14 @@ function dalembert_ending(run, status) {
     return `At t = ${Number(run.t.toPrecision(6))} s: ${dalembert_status_text(status)}${about}.`;
 }
 
-/// `made`: a generated module, with its parameters set. `wishes`: { until, tolerance, intervals, longest_step, stops, start, inputs }: inputs
-/// writes u of (t, x, u), start holds a value for each state. Rows are { t, x, y, u, mode, kinetic, potential, internal }.
+/// `made`: a generated module, with its parameters set. `wishes`: { until, tolerance, intervals, longest_step, stops, start, inputs, method }: inputs
+/// writes u of (t, x, u), start holds a value for
+/// each state, method is "dop853", "rodas5p" or "automatic". Rows are { t, x, y, u, mode, kinetic, potential, internal }.
 function dalembert_record(made, wishes) {
     const plant = dalembert_plant_of(made);
     const run = dalembert_run_new(plant, made);
     run.options.tolerance = wishes.tolerance;
+    run.options.method = wishes.method === "dop853" ? dalembert_explicit : wishes.method === "rodas5p" ? dalembert_rosenbrock : dalembert_automatic;
     run.options.longest_step = wishes.longest_step;
     run.options.stops = wishes.stops;
     run.options.stop_count = wishes.stops.length;

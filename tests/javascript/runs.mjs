@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs of a page beside those of `dalembert simulate`, by the same method at the same tolerance: node runs.mjs PROGRAM PAGE.html MODEL.toml.
+// Prints a row for each scene and method, with the largest difference of a column beside its largest value.
+import fs from "fs";
+import os from "os";
+import path from "path";
+import { spawnSync } from "child_process";
+import { script_of } from "./page.mjs";
+
+const [program, file, model] = process.argv.slice(2);
+const tolerance = 1e-10;
+// Both make the same steps with one method. A scene that needs more says why; 1e-9 else.
+const allowed = JSON.parse(fs.readFileSync(new URL("allowed.json", import.meta.url)));
+const page = await script_of(file);
+if (page === null) {
+    console.log(`${path.basename(model)}: no scene runs`);
+    process.exit(0);
+}
+
+/// The columns of a CSV file by their names without units.
+function read_csv(name) {
+    const [head, ...lines] = fs.readFileSync(name, "utf8").trim().split("\n");
+    const rows = lines.map((line) => line.split(",").map(Number));
+    return new Map(head.split(",").map((title, i) => [title.replace(/ \[[^[]*\]$/, ""), rows.map((row) => row[i])]));
+}
+
+function simulated(scene, method) {
+    const folder = fs.mkdtempSync(path.join(os.tmpdir(), "runs"));
+    try {
+        const options = ["--scene", scene.name, "--tolerance", tolerance, "--method", method, "--no-plot", "-o", folder];
+        const done = spawnSync(program, ["simulate", model, ...options], { encoding: "utf8" });
+        const csv = fs.readdirSync(folder).find((name) => name.endsWith(".csv") && !name.endsWith("_events.csv"));
+        return { code: done.status, words: done.stderr, columns: csv ? read_csv(path.join(folder, csv)) : null };
+    } finally {
+        fs.rmSync(folder, { recursive: true });
+    }
+}
+
+/// In SI, as files have them.
+function recorded(scene, run) {
+    const columns = new Map();
+    scene.states.forEach((one, i) => columns.set(one.name, run.rows.map((row) => one.is_root ? row.x[i] ** 2 : row.x[i])));
+    scene.outputs.forEach((one, i) => columns.set(one.name, run.rows.map((row) => row.y[i])));
+    run.made.inputs.forEach((one, i) => columns.set(one.name, run.rows.map((row) => row.u[i])));
+    for (const [name, key] of [["kinetic_energy", "kinetic"], ["potential_energy", "potential"], ["internal_energy", "internal"], ["mode", "mode"]])
+        columns.set(name, run.rows.map((row) => row[key]));
+    return columns;
+}
+
+let failures = 0;
+for (const scene of page.scenes)
+    for (const method of ["dop853", "rodas5p"]) {
+        const name = `${path.basename(model, ".toml")} ${scene.name} ${method}`;
+        const program_run = simulated(scene, method);
+        const run = page.run_scene(scene, { ...page.settings_of(scene), tolerance, method });
+        if (program_run.columns === null) {
+            console.log(`${name}: simulate refuses: ${program_run.words.split("\n")[0]}`);
+            continue;
+        }
+        const mine = recorded(scene, run), t = program_run.columns.get("t");
+        const rows = Math.min(t.length, run.rows.length);
+        // A row at the time of an event may be that before or behind it.
+        const is_event = run.rows.map((row) => run.events.some((event) => Math.abs(event.t - row.t) < 1e-9 * scene.until));
+        let worst = 0, where = "";
+        for (const [column, values] of program_run.columns) {
+            if (!mine.has(column)) continue;
+            const largest = values.reduce((most, value) => Math.max(most, Math.abs(value)), 0) || 1;
+            for (let i = 0; i < rows; ++i) {
+                if (is_event[i]) continue;
+                const difference = Math.abs(values[i] - mine.get(column)[i]) / largest;
+                if (!(difference <= worst)) [worst, where] = [difference, `${column} at ${t[i]} s`];
+            }
+        }
+        // The last row of a run that ends early is that of its last step.
+        const limit = (allowed[name] || { limit: 1e-9 }).limit;
+        const stops_alike = (program_run.code === 4) === (!run.is_good && !run.ends) && Math.abs(t.length - run.rows.length) <= (run.is_good ? 0 : 1);
+        const is_good = worst <= limit && stops_alike && rows > 1;
+        if (!is_good) ++failures;
+        console.log(`${is_good ? "" : "FAILED: "}${name}: ${worst.toExponential(1)} ${where}; ${run.rows.length} rows, ${run.steps} steps, ` +
+                    `${run.events.length} events${run.is_good ? "" : `; ${run.message}`}${stops_alike ? "" : `; ${t.length} rows, code ${program_run.code} of the program`}`);
+    }
+process.exit(failures > 0 ? 1 : 0);
