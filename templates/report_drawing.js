@@ -1,8 +1,8 @@
 // The machine as it moves: bodies at their positions, bars between points; of what has no places, its states as levels.
 
-/// `places`: for each row of the run the coordinates of all points. Returns { node, show(i) }.
-function make_drawing(scene, places) {
-    const width = 640, height = 480, room = 36;
+/// `places`: for each row of the run the coordinates of all points. `across`: pixels. Returns { node, show(i) }.
+function make_drawing(scene, places, across) {
+    const width = Math.max(280, Math.min(640, across)), height = Math.round(0.75 * width), room = 36;
     const svg = element("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Drawing of ${scene.bodies.join(", ")}` });
     const count = scene.points;
     let turn = scene.is_planar ? 0 : -0.6, tilt = scene.is_planar ? 0 : 0.45, shown = 0;
@@ -14,10 +14,13 @@ function make_drawing(scene, places) {
         return [across, z * Math.cos(tilt) + away * Math.sin(tilt)];
     };
     let view;
+    // In space the ground is three axes from its origin, as long as the machine is large.
+    const far = places.reduce((most, p) => { for (let k = 0; k < 3 * count; ++k) if (Math.abs(p[k]) > most) most = Math.abs(p[k]); return most; }, 0);
+    const axes = scene.is_planar ? [] : [[0, 0, 0], [far / 2, 0, 0], [0, far / 2, 0], [0, 0, far / 2]];
     const frame = () => {
         let [x_low, x_high, y_low, y_high] = [Infinity, -Infinity, Infinity, -Infinity];
-        for (const p of places)
-            for (let k = 0; k < count; ++k) {
+        for (const p of [...axes, ...places])
+            for (let k = 0; k < p.length / 3; ++k) {
                 const [x, y] = project(p, k);
                 if (!Number.isFinite(x) || !Number.isFinite(y)) continue;
                 x_low = Math.min(x_low, x); x_high = Math.max(x_high, x);
@@ -47,9 +50,16 @@ function make_drawing(scene, places) {
     const draw_ground = () => {
         const [x, y] = [width / 2 - view.x / view.span, height / 2 + view.y / view.span];
         ground.replaceChildren();
-        if (!scene.is_planar) return;
-        if (y > 0 && y < height) ground.append(element("line", { x1: 0, x2: width, y1: y, y2: y, "stroke-dasharray": "3 5" }));
-        if (x > 0 && x < width) ground.append(element("line", { x1: x, x2: x, y1: 0, y2: height, "stroke-dasharray": "3 5" }));
+        if (!scene.is_planar) {
+            const from = on_paper(axes[0], 0);
+            axes.slice(1).forEach((axis, k) => {
+                const to = on_paper(axis, 0);
+                ground.append(element("line", { x1: from[0], y1: from[1], x2: to[0], y2: to[1], "stroke-opacity": 0.6 }),
+                              element("text", { x: to[0] + 4, y: to[1] - 4, stroke: "none" }, "xyz"[k]));
+            });
+        }
+        if (scene.is_planar && y > 0 && y < height) ground.append(element("line", { x1: 0, x2: width, y1: y, y2: y, "stroke-dasharray": "3 5" }));
+        if (scene.is_planar && x > 0 && x < width) ground.append(element("line", { x1: x, x2: x, y1: 0, y2: height, "stroke-dasharray": "3 5" }));
         const metres = [1, 2, 5, 10].map((one) => one * 10 ** Math.floor(Math.log10(view.span * 120))).reverse().find((one) => one / view.span < 160);
         ground.append(element("line", { x1: 14, x2: 14 + metres / view.span, y1: height - 12, y2: height - 12, "stroke-width": 3, "stroke-opacity": 0.8 }),
                       element("text", { x: 14, y: height - 18, stroke: "none" }, `${number_text(metres)} m`));
@@ -69,6 +79,9 @@ function make_drawing(scene, places) {
             disc.setAttribute("cy", at[k][1].toFixed(2));
         });
         names.forEach((name, k) => {
+            // Bodies at one place have one label.
+            const together = scene.bodies.filter((one, j) => Math.hypot(at[j][0] - at[k][0], at[j][1] - at[k][1]) < 4);
+            name.textContent = together[0] === scene.bodies[k] ? together.join(", ") : "";
             const is_right = at[k][0] > width - 130;
             name.setAttribute("x", at[k][0] + (is_right ? -14 : 14));
             name.setAttribute("text-anchor", is_right ? "end" : "start");
@@ -102,10 +115,10 @@ function make_drawing(scene, places) {
 }
 
 /// Levels of at most twelve columns between the least and the largest value of the run.
-function make_levels(columns) {
-    const list = columns.slice(0, 12), width = 640, height = 480;
+function make_levels(columns, across) {
+    const list = columns.slice(0, 12), width = Math.max(280, Math.min(640, across)), height = 20 + 46 * list.length;
     const svg = element("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Levels of ${list.map((one) => one.name).join(", ")}` });
-    const step = (height - 20) / Math.max(list.length, 4), thick = Math.min(26, step * 0.42);
+    const step = 46, thick = 18;
     const parts = list.map((column, k) => {
         const good = column.values.filter(Number.isFinite);
         const low = good.reduce((a, b) => Math.min(a, b), Infinity), high = good.reduce((a, b) => Math.max(a, b), -Infinity);
@@ -123,5 +136,5 @@ function make_levels(columns) {
         }
     };
     show(0);
-    return { node: element("figure", {}, svg, element("figcaption", {}, "No body has a place to draw: states, between their least and largest value of this run.")), show };
+    return { node: element("figure", {}, svg, element("figcaption", {}, "No body has a place to draw: states and outputs, between their least and largest value of this run.")), show };
 }

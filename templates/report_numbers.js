@@ -3,7 +3,8 @@
 /// At most `digits` significant digits, without zeros behind them.
 function number_text(value, digits = 5) {
     if (!Number.isFinite(value)) return String(value);
-    return String(Number(value.toPrecision(digits)));
+    const rounded = Number(value.toPrecision(digits)), size = Math.abs(rounded);
+    return size >= 1e6 || (size > 0 && size < 1e-3) ? rounded.toExponential().replace("e+", "e") : String(rounded);
 }
 
 /// "0.5" and "0,5"; NaN for what is no number.
@@ -15,6 +16,12 @@ function read_number(text) {
 const in_unit = (value, unit) => value / unit.factor - unit.offset;
 const in_si = (value, unit) => (value + unit.offset) * unit.factor;
 const unit_text = (unit) => unit.unit === "1" ? "" : unit.unit;
+
+/// In which a time this long is read.
+function time_unit(seconds) {
+    for (const [unit, factor] of [["d", 86400], ["h", 3600], ["min", 60]]) if (seconds >= 3 * factor) return { unit, factor };
+    return { unit: "s", factor: 1 };
+}
 
 /// Between three and seven round numbers from low to high.
 function ticks(low, high) {

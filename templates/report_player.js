@@ -35,9 +35,9 @@ function run_scene(scene, settings) {
 /// Columns of a recording in declared units: { name, unit, values }.
 function columns_of(scene, recording) {
     const column = (name, unit, of) => ({ name, unit: unit_text(unit), values: recording.rows.map((row) => in_unit(of(row), unit)) });
-    const joule = { unit: "J", factor: 1, offset: 0 };
+    const time = time_unit(recording.t), joule = { unit: "J", factor: 1, offset: 0 };
     return [
-        { name: "t", unit: "s", is_time: true, values: recording.rows.map((row) => row.t) },
+        { name: "t", unit: time.unit, is_time: true, factor: time.factor, values: recording.rows.map((row) => row.t / time.factor) },
         ...scene.states.map((one, i) => column(one.name, one, (row) => one.is_root ? row.x[i] ** 2 : row.x[i])),
         ...scene.outputs.map((one, i) => column(one.name, one, (row) => row.y[i])),
         ...recording.made.inputs.map((one, i) => column(one.name, scene.input_units[i], (row) => row.u[i])),
@@ -116,17 +116,29 @@ class Player {
         const scene = this.scene;
         const add = this.part("add-plot");
         add.replaceChildren(element("option", { value: "" }, "add ..."), ...this.columns.slice(1).map((one) => element("option", { value: one.name }, one.name)));
-        if (scene.place === null || scene.bodies.length === 0) this.drawing = make_levels(this.columns.slice(1, 1 + scene.states.length));
+        if (scene.place === null || scene.bodies.length === 0) this.drawing = make_levels(this.columns.slice(1, 1 + scene.states.length + scene.outputs.length), this.part("drawing").clientWidth);
         else {
             const place = scene.place(this.recording.made.parameter_values);
             this.drawing = make_drawing(scene, this.recording.rows.map((row) => {
                 const points = new Float64Array(3 * scene.points);
                 place(row.t, row.x, points);
                 return points;
-            }));
+            }), this.part("drawing").clientWidth);
         }
         this.part("drawing").replaceChildren(this.drawing.node);
+        this.part("events").replaceChildren(...this.event_list());
         this.draw_plots();
+    }
+
+    /// The first events, folded.
+    event_list() {
+        const events = this.recording.events, most = 100;
+        if (events.length === 0) return [];
+        const head = element("tr", {}, ...["t [s]", "event", "mode before", "mode behind"].map((title) => element("th", { scope: "col" }, title)));
+        const rows = events.slice(0, most).map((event) => element("tr", {}, ...[number_text(event.t, 8), event.name, this.plant.modes[event.before], this.plant.modes[event.after]]
+            .map((text) => element("td", {}, text))));
+        const rest = events.length > most ? element("p", {}, `... and ${events.length - most} more.`) : "";
+        return [element("details", {}, element("summary", {}, `Events: ${events.length}`), element("div", { class: "wide", tabindex: "0" }, element("table", {}, head, ...rows)), rest)];
     }
 
     draw_plots() {
@@ -137,7 +149,7 @@ class Player {
         for (const panel of this.panels) {
             const x = find(panel.x || "t"), curves = panel.y.flatMap(all);
             if (x === undefined || curves.length === 0) continue;
-            const plot = make_plot(x, curves, this.recording.events.map((event) => event.t));
+            const plot = make_plot(x, curves, this.recording.events.map((event) => event.t / this.columns[0].factor), this.part("plots").clientWidth);
             plot.svg.addEventListener("pointermove", (e) => { if (!this.is_playing) this.show(plot.at(e)); });
             plot.svg.addEventListener("keydown", (e) => {
                 const step = { ArrowLeft: -1, ArrowRight: 1 }[e.key];
@@ -157,7 +169,7 @@ class Player {
         for (const plot of this.plots) plot.show(this.row);
         this.drawing.show(this.row);
         this.part("time").value = now.t;
-        this.part("now").textContent = `t = ${number_text(now.t, 4)} s` + (this.plant.modes.length > 0 ? `, ${this.plant.modes[now.mode]}` : "");
+        this.part("now").textContent = `t = ${number_text(now.t / this.columns[0].factor, 4)} ${this.columns[0].unit}` + (this.plant.modes.length > 0 ? `, ${this.plant.modes[now.mode]}` : "");
     }
 
     show_time(t) {

@@ -2,9 +2,10 @@
 const plot_colours = ["light-dark(#0b57a4, #7cb8ff)", "light-dark(#b3400a, #ffae70)", "light-dark(#1a7a3c, #7ddc9a)", "light-dark(#8a2b8f, #e39be8)",
                       "light-dark(#7a6a00, #e2d36b)", "light-dark(#555, #bbb)"];
 
-/// `x`: { name, unit, values }; `curves`: the same. `events`: times, where x is the time. Returns { figure, show(i) }.
-function make_plot(x, curves, events) {
-    const width = 640, height = 260, left = 66, right = 12, top = 12, bottom = 38;
+/// `x`: { name, unit, values }; `curves`: the same. `events`: times, where x is the time. `room`: pixels across. Returns { figure, show(i) }.
+function make_plot(x, curves, events, room) {
+    const width = Math.max(280, Math.min(640, room)), height = 240, left = 60, right = 12, top = 12, bottom = 38;
+    const step = width < 450 ? 2 : 1;  // of numbers below the axis
     const all = curves.flatMap((curve) => curve.values).filter(Number.isFinite);
     const bounds = (values) => {
         let low = Infinity, high = -Infinity;
@@ -23,9 +24,10 @@ function make_plot(x, curves, events) {
         svg.append(element("line", { x1: left, x2: width - right, y1: up(tick), y2: up(tick), stroke: "currentColor", "stroke-opacity": 0.15 }));
         svg.append(element("text", { x: left - 6, y: up(tick) + 4, "text-anchor": "end" }, number_text(tick, 4)));
     }
-    for (const tick of ticks(x_low, x_high)) {
+    const below = ticks(x_low, x_high), tick_step = below.length > 1 ? below[1] - below[0] : 1;
+    for (const tick of below) {
         svg.append(element("line", { x1: across(tick), x2: across(tick), y1: top, y2: height - bottom, stroke: "currentColor", "stroke-opacity": 0.15 }));
-        svg.append(element("text", { x: across(tick), y: height - bottom + 16, "text-anchor": "middle" }, number_text(tick, 4)));
+        if (Math.round(tick / tick_step) % step === 0) svg.append(element("text", { x: across(tick), y: height - bottom + 16, "text-anchor": "middle" }, number_text(tick, 4)));
     }
     svg.append(element("text", { x: width - right, y: height - 6, "text-anchor": "end" }, `${x.name} ${x.unit ? `[${x.unit}]` : ""}`));
     for (const t of x.is_time ? events.slice(0, 200) : [])

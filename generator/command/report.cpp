@@ -4,16 +4,29 @@
 #include "book/printed_verdicts.hpp"
 #include "command/write_result.hpp"
 #include "elements/model.hpp"
+#include "elements/runs.hpp"
 #include "report/machine_page.hpp"
+#include "run/run_preparation.hpp"
 #include "run/shared.hpp"
 
 namespace dalembert {
 
 namespace {
 
+/// The run of a scene where nobody asks for one: that of `simulate`, or else the first that belongs to the scene.
+std::string usual_run(const Model& model, const std::string& scene) {
+    const Run* usual = find_run(model, "");
+    if (usual == nullptr || usual->scene.empty() || usual->scene == scene) return "";
+    for (const Run& run : model.runs)
+        if (run.scene == scene) return run.name;
+    return "";
+}
+
 /// The scene with the run that `simulate` would make of it, or without one and the reason.
-ScenePage prepare_scene(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options) {
+ScenePage prepare_scene(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, Options options) {
     ScenePage page;
+    if (options.run.empty()) options.run = usual_run(model->model, scene);
+    page.named_run = options.run;
     try {
         page.run.emplace(prepare_run(model, scene, options, "report"));
         if (page.run->machine.fields) {

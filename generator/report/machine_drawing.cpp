@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "elements/bodies.hpp"
 #include "elements/fluids.hpp"
@@ -34,6 +35,8 @@ public:
         }
         for (const Point& p : points_) drawing_.is_planar = drawing_.is_planar && p[2].is_zero();
         if (drawing_.is_planar) add_bars();
+        else
+            add_bars_in_space();
         tell_rest();
         for (const Point& p : points_) drawing_.coordinates.insert(drawing_.coordinates.end(), p.begin(), p.end());
         return std::move(drawing_);
@@ -99,6 +102,49 @@ private:
             return true;
         }
         return false;
+    }
+
+    /// Bodies whose distance from the origin of the ground, or from an earlier body, no velocity changes.
+    void add_bars_in_space() {
+        std::optional<std::size_t> origin;
+        for (std::size_t b = 0; b < shown_.size(); ++b) {
+            const Point ground{0, 0, 0};
+            if (keeps_distance(b, ground, nullptr)) {
+                if (!origin) origin = add(ground);
+                drawing_.bars.push_back({*origin, b});
+                continue;
+            }
+            for (std::size_t other = 0; other < b; ++other) {
+                if (!keeps_distance(b, points_[other], shown_[other])) continue;
+                drawing_.bars.push_back({other, b});
+                break;
+            }
+        }
+    }
+
+    /// Seen by numbers at one point where no two letters are alike.
+    bool keeps_distance(std::size_t body, const Point& from, const BodyMotion* other) const {
+        GiNaC::exmap values;
+        int next = 0;
+        for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::state, SymbolKind::parameter})
+            for (const Variable& variable : system_.symbols.all(kind)) values[variable.symbol] = GiNaC::numeric(37 + 11 * next, 59 + 7 * next), ++next;
+        values[system_.symbols.time()] = GiNaC::numeric(5, 7);
+        const auto number = [&](const ex& e) {
+            const ex value = plain(e).subs(values).evalf();
+            return GiNaC::is_a<GiNaC::numeric>(value) ? std::fabs(GiNaC::ex_to<GiNaC::numeric>(value).to_double()) : 1.0;
+        };
+        ex square = 0;
+        for (std::size_t i = 0; i < 3; ++i) square += GiNaC::pow(points_[body][i] - from[i], 2);
+        const double size = number(square);
+        if (!(size > 1e-9)) return false;
+        for (std::size_t j = 0; j < system_.symbols.degrees(); ++j) {
+            const SpaceVector along = shown_[body]->along(j, system_.symbols);
+            const SpaceVector along_other = other != nullptr ? other->along(j, system_.symbols) : SpaceVector{};
+            ex change = 0;
+            for (std::size_t i = 0; i < 3; ++i) change += (points_[body][i] - from[i]) * (along[i] - along_other[i]);
+            if (number(change) > 1e-9 * size) return false;
+        }
+        return true;
     }
 
     void tell_rest() {

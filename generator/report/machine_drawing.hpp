@@ -4,7 +4,8 @@
 //
 // note [bars]: Let r(q) be the position of a body and q one of its angles. It turns about p = r + J dr/dq, J a quarter turn, where p does
 // not depend on q. That is a joint where p is fixed to the ground, or is where another body is, or where a bar ends. The bar reaches from p
-// to r, and where the body itself turns by q, to the same distance behind r: exact for uniform bars that are held at one end.
+// to r, and where the body itself turns by q, to the same distance behind r: exact for uniform bars that are held at one end. In space a bar joins a body to what it
+// keeps its distance from, whatever moves.
 #pragma once
 
 #include <string>

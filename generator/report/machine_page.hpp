@@ -11,6 +11,7 @@ namespace dalembert {
 struct ScenePage {
     std::optional<PreparedRun> run;  ///< nothing: the page does not run it
     std::optional<Machine> machine;  ///< of one that is not run
+    std::string named_run;           ///< that commands have to name; empty: the usual one
     std::string reason;              ///< why not, a sentence
     CheckedScene proofs;
 

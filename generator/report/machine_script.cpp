@@ -47,7 +47,7 @@ std::string written_function(Code& code, const Plant& plant, const std::vector<G
 
 class ScriptMaker {
 public:
-    ScriptMaker(ScenePage& scene, const MachineDrawing& drawing) : run_(*scene.run), system_(*run_.machine.system), drawing_(drawing) {
+    ScriptMaker(ScenePage& scene, const MachineDrawing& drawing) : run_(*scene.run), named_run_(scene.named_run), system_(*run_.machine.system), drawing_(drawing) {
         for (const ShownUnit& shown : shown_units(system_)) units_[shown.column] = unit_json(shown.unit, shown.factor, shown.offset);
     }
 
@@ -55,7 +55,9 @@ public:
         const std::string name = system_.scene.sized_name() + "_" + system_.scene.name;
         Json json;
         json["name"] = system_.scene.name;
-        json["command"] = fmt::format("dalembert simulate {} --scene {}", file, system_.scene.name);
+        json["run"] = named_run_;
+        json["command"] = fmt::format("dalembert simulate {} --scene {}{}", file, system_.scene.name,
+                                      named_run_.empty() ? "" : " --run " + named_run_);
         add_run(json);
         add_quantities(json);
         json["bodies"] = drawing_.bodies;
@@ -122,6 +124,7 @@ private:
     }
 
     PreparedRun& run_;
+    const std::string named_run_;
     const System& system_;
     const MachineDrawing& drawing_;
     std::map<std::string, Json> units_;

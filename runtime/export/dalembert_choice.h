@@ -18,7 +18,7 @@ static inline double dalembert_grow(dalembert_inside* in, const double* size) {
     memset(in->other, 0, J->n * sizeof(double));
     for (size_t c = 0; c < J->n; ++c)
         for (size_t r = dalembert_band_begin(J, c); r < dalembert_band_end(J, c); ++r)
-            in->other[r] += *dalembert_band_at(J, r, c) * in->radius[c];
+            in->other[r] += J->entries[dalembert_band_place(J, r, c)] * in->radius[c];
     memcpy(in->radius, in->other, J->n * sizeof(double));
     return dalembert_normalise(J->n, in->radius, size);
 }

@@ -9,8 +9,12 @@
 
 static inline size_t dalembert_band_above(const dalembert_band* m) { return m->is_factored ? m->lower + m->upper : m->upper; }
 static inline size_t dalembert_band_height(const dalembert_band* m) { return dalembert_band_above(m) + m->lower + 1; }
+/* Where an entry stands. */
+static inline size_t dalembert_band_place(const dalembert_band* m, size_t row, size_t column) {
+    return column * dalembert_band_height(m) + (dalembert_band_above(m) + row - column);
+}
 static inline double* dalembert_band_at(const dalembert_band* m, size_t row, size_t column) {
-    return m->entries + column * dalembert_band_height(m) + (dalembert_band_above(m) + row - column);
+    return m->entries + dalembert_band_place(m, row, column);
 }
 /* Rows of a column, of which the last is the one before the end. */
 static inline size_t dalembert_band_begin(const dalembert_band* m, size_t column) { return column > m->upper ? column - m->upper : 0; }
@@ -42,7 +46,7 @@ static inline int dalembert_invert_pivot(double* pivot) {
 
 /* Without row exchanges, so that what does not move keeps its value exactly. False where too many digits of a pivot cancel. */
 static inline int dalembert_band_factor_straight(dalembert_band* m) {
-    for (size_t k = 0; k < m->n; ++k) m->sizes[k] = fabs(*dalembert_band_at(m, k, k));
+    for (size_t k = 0; k < m->n; ++k) m->sizes[k] = fabs(m->entries[dalembert_band_place(m, k, k)]);
     for (size_t k = 0; k < m->n; ++k) {
         double* const column = dalembert_band_at(m, k, k);
         const size_t below = dalembert_band_reach(m, k, m->lower) - k, last_column = dalembert_band_reach(m, k, m->upper);
@@ -67,13 +71,13 @@ static inline int dalembert_band_factor(dalembert_band* m) {
         const size_t last_row = dalembert_band_reach(m, k, m->lower), below = last_row - k;
         size_t pivot = k;
         for (size_t r = k + 1; r < last_row; ++r)
-            if (fabs(*dalembert_band_at(m, r, k)) > fabs(*dalembert_band_at(m, pivot, k))) pivot = r;
+            if (fabs(m->entries[dalembert_band_place(m, r, k)]) > fabs(m->entries[dalembert_band_place(m, pivot, k)])) pivot = r;
         m->exchanges[k] = pivot;
         if (dalembert_band_reach(m, pivot, m->upper) > last_column) last_column = dalembert_band_reach(m, pivot, m->upper);
         for (size_t c = k; pivot != k && c < last_column; ++c) {
-            const double other = *dalembert_band_at(m, k, c);
-            *dalembert_band_at(m, k, c) = *dalembert_band_at(m, pivot, c);
-            *dalembert_band_at(m, pivot, c) = other;
+            const double other = m->entries[dalembert_band_place(m, k, c)];
+            m->entries[dalembert_band_place(m, k, c)] = m->entries[dalembert_band_place(m, pivot, c)];
+            m->entries[dalembert_band_place(m, pivot, c)] = other;
         }
         double* const column = dalembert_band_at(m, k, k);
         if (!dalembert_invert_pivot(column)) return 0;
@@ -100,12 +104,12 @@ static inline void dalembert_band_solve(const dalembert_band* m, double* b) {
         const double* const column = dalembert_band_at(m, k, k);
         b[k] *= column[0];
         const size_t above = m->lower + m->upper;
-        for (size_t r = k > above ? k - above : 0; r < k; ++r) b[r] -= *dalembert_band_at(m, r, k) * b[k];
+        for (size_t r = k > above ? k - above : 0; r < k; ++r) b[r] -= m->entries[dalembert_band_place(m, r, k)] * b[k];
     }
 }
 
 static inline void dalembert_add_entry(dalembert_band* m, size_t row, size_t column, double value) {
-    if (row <= column + m->lower && column <= row + m->upper) *dalembert_band_at(m, row, column) += value;
+    if (row <= column + m->lower && column <= row + m->upper) m->entries[dalembert_band_place(m, row, column)] += value;
 }
 
 /* Adds du/dx, by central differences; what lies outside the band is left out, which costs steps, not accuracy. */
@@ -154,7 +158,7 @@ static inline void dalembert_prepare_jacobian(dalembert_run* run, const double* 
     const size_t* const starts = plant->pattern_x.column_starts;
     for (size_t c = 0; c < n; ++c)
         for (size_t k = starts ? starts[c] : c * n; k < (starts ? starts[c + 1] : (c + 1) * n); ++k)
-            *dalembert_band_at(&in->J, starts ? plant->pattern_x.row_indices[k] : k % n, c) += in->J_values[k];
+            in->J.entries[dalembert_band_place(&in->J, starts ? plant->pattern_x.row_indices[k] : k % n, c)] += in->J_values[k];
     if (plant->jacobian_u == NULL || plant->inputs == 0 || run->inputs.function == NULL) return;
     plant->jacobian_u(run->self, in->modes.mode, x, in->prepared_u, t, in->J_u);
     dalembert_add_feedback(run, t);

@@ -52,11 +52,11 @@ static inline int dalembert_rodas5p_fill(dalembert_inside* in, double length) {
     memset(in->W.entries, 0, in->W.n * dalembert_band_height(&in->W) * sizeof(double));
     for (size_t c = 0; c < in->W.n; ++c) {
         for (size_t r = dalembert_band_begin(&in->W, c); r < dalembert_band_end(&in->W, c); ++r) {
-            const double entry = *dalembert_band_at(&in->J, r, c);
+            const double entry = in->J.entries[dalembert_band_place(&in->J, r, c)];
             is_finite = is_finite && !isinf(entry);
-            *dalembert_band_at(&in->W, r, c) = isinf(entry) ? 0 : -entry;
+            in->W.entries[dalembert_band_place(&in->W, r, c)] = isinf(entry) ? 0 : -entry;
         }
-        *dalembert_band_at(&in->W, c, c) += 1 / (length * dalembert_rodas5p_gamma);
+        in->W.entries[dalembert_band_place(&in->W, c, c)] += 1 / (length * dalembert_rodas5p_gamma);
     }
     return is_finite;
 }
@@ -128,7 +128,7 @@ static inline void dalembert_rodas5p_check(dalembert_run* run, const dalembert_p
         double slope = c->y[r] - from->x[r];
         for (int j = 0; j < 8; ++j)
             slope -= (dalembert_rodas5p_dense[0][j] + dalembert_rodas5p_dense[1][j] + dalembert_rodas5p_dense[2][j]) * in->k[j][r];
-        const double unfit = fabs(c->dydt[r] - rate * slope) / (rate / dalembert_rodas5p_gamma + fabs(*dalembert_band_at(&in->J, r, r)));
+        const double unfit = fabs(c->dydt[r] - rate * slope) / (rate / dalembert_rodas5p_gamma + fabs(in->J.entries[dalembert_band_place(&in->J, r, r)]));
         if (unfit > 20 * fabs(c->error[r])) c->error[r] = unfit / 20;
     }
 }

@@ -27,7 +27,7 @@ function read_csv(name) {
 function simulated(scene, method) {
     const folder = fs.mkdtempSync(path.join(os.tmpdir(), "runs"));
     try {
-        const options = ["--scene", scene.name, "--tolerance", tolerance, "--method", method, "--no-plot", "-o", folder];
+        const options = ["--scene", scene.name, ...(scene.run ? ["--run", scene.run] : []), "--tolerance", tolerance, "--method", method, "--no-plot", "-o", folder];
         const done = spawnSync(program, ["simulate", model, ...options], { encoding: "utf8" });
         const csv = fs.readdirSync(folder).find((name) => name.endsWith(".csv") && !name.endsWith("_events.csv"));
         return { code: done.status, words: done.stderr, columns: csv ? read_csv(path.join(folder, csv)) : null };
