@@ -4,28 +4,44 @@
 function make_drawing(scene, places, across) {
     const width = Math.max(280, Math.min(640, across)), height = Math.round(0.75 * width), room = 36;
     const svg = element("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Drawing of ${scene.bodies.join(", ")}` });
-    const count = scene.points;
-    let turn = scene.is_planar ? 0 : -0.6, tilt = scene.is_planar ? 0 : 0.45, shown = 0;
+    const count = scene.framed, is_planar = scene.plane.length > 0;
+    let turn = is_planar ? 0 : -0.6, tilt = is_planar ? 0 : 0.45, shown = 0;
     // A look along z at the plane, or from aside and above with z upwards.
     const project = (p, k) => {
         const [x, y, z] = [p[3 * k], p[3 * k + 1], p[3 * k + 2]];
-        if (scene.is_planar) return [x, y];
+        if (is_planar) return [p[3 * k + scene.plane[0]], p[3 * k + scene.plane[1]]];
         const across = x * Math.cos(turn) + y * Math.sin(turn), away = y * Math.cos(turn) - x * Math.sin(turn);
         return [across, z * Math.cos(tilt) + away * Math.sin(tilt)];
     };
     let view;
     // In space the ground is three axes from its origin, as long as the machine is large.
     const far = places.reduce((most, p) => { for (let k = 0; k < 3 * count; ++k) if (Math.abs(p[k]) > most) most = Math.abs(p[k]); return most; }, 0);
-    const axes = scene.is_planar ? [] : [[0, 0, 0], [far / 2, 0, 0], [0, far / 2, 0], [0, 0, far / 2]];
+    const axes = is_planar ? [] : [[0, 0, 0], [far / 2, 0, 0], [0, far / 2, 0], [0, 0, far / 2]];
+    // A wall stands behind all that its spring does, by a third of how far bodies move; the length of a spring without load is not known.
+    const springs = scene.springs || [];
+    const reach = Math.max(far * 0.1, ...[0, 1, 2].map((i) => {
+        let low = Infinity, high = -Infinity;
+        for (const p of places) for (let k = 0; k < scene.bodies.length; ++k) { low = Math.min(low, p[3 * k + i]); high = Math.max(high, p[3 * k + i]); }
+        return high - low;
+    })) || 1;
+    const walls = springs.map(([from, to, has_wall]) => {
+        if (!has_wall || places.length === 0) return null;
+        const along = (p, i) => p[3 * to + 3 + i] - p[3 * to + i];
+        let most = 0;
+        for (const p of places) most = Math.max(most, [0, 1, 2].reduce((sum, i) => sum + (p[3 * from + i] - p[3 * to + i]) * along(p, i), 0));
+        return [0, 1, 2].map((i) => places[0][3 * to + i] + (most + reach / 3) * along(places[0], i));
+    });
     const frame = () => {
         let [x_low, x_high, y_low, y_high] = [Infinity, -Infinity, Infinity, -Infinity];
-        for (const p of [...axes, ...places])
-            for (let k = 0; k < p.length / 3; ++k) {
-                const [x, y] = project(p, k);
-                if (!Number.isFinite(x) || !Number.isFinite(y)) continue;
-                x_low = Math.min(x_low, x); x_high = Math.max(x_high, x);
-                y_low = Math.min(y_low, y); y_high = Math.max(y_high, y);
-            }
+        const see = (p, k) => {
+            const [x, y] = project(p, k);
+            if (!Number.isFinite(x) || !Number.isFinite(y)) return;
+            x_low = Math.min(x_low, x); x_high = Math.max(x_high, x);
+            y_low = Math.min(y_low, y); y_high = Math.max(y_high, y);
+        };
+        for (const axis of axes) see(axis, 0);
+        for (const p of places) for (let k = 0; k < count; ++k) see(p, k);
+        for (const wall of walls) if (wall !== null) see(wall, 0);
         if (!(x_low <= x_high)) [x_low, x_high, y_low, y_high] = [-1, 1, -1, 1];
         const span = Math.max((x_high - x_low) / (width - 2 * room), (y_high - y_low) / (height - 2 * room)) || 1 / width;
         view = { x: (x_low + x_high) / 2, y: (y_low + y_high) / 2, span };
@@ -40,6 +56,8 @@ function make_drawing(scene, places, across) {
     const bodies = element("g");
     const label = element("g");
     svg.append(ground, trails, bars, bodies, label);
+    const spring_lines = springs.map(() => trails.appendChild(element("polyline", { stroke: "currentColor", "stroke-opacity": 0.8 })));
+    const wall_lines = walls.map((wall) => wall === null ? null : trails.appendChild(element("line", { stroke: "currentColor", "stroke-opacity": 0.8, "stroke-width": 3 })));
     const bar_lines = (scene.bars || []).map(() => bars.appendChild(element("line")));
     const colour = (k) => `${plot_colours[k % plot_colours.length]}`;
     const trail_lines = scene.bodies.map((name, k) => trails.appendChild(element("polyline", { style: `stroke: ${colour(k)}` })));
@@ -50,7 +68,7 @@ function make_drawing(scene, places, across) {
     const draw_ground = () => {
         const [x, y] = [width / 2 - view.x / view.span, height / 2 + view.y / view.span];
         ground.replaceChildren();
-        if (!scene.is_planar) {
+        if (!is_planar) {
             const from = on_paper(axes[0], 0);
             axes.slice(1).forEach((axis, k) => {
                 const to = on_paper(axis, 0);
@@ -58,8 +76,8 @@ function make_drawing(scene, places, across) {
                               element("text", { x: to[0] + 4, y: to[1] - 4, stroke: "none" }, "xyz"[k]));
             });
         }
-        if (scene.is_planar && y > 0 && y < height) ground.append(element("line", { x1: 0, x2: width, y1: y, y2: y, "stroke-dasharray": "3 5" }));
-        if (scene.is_planar && x > 0 && x < width) ground.append(element("line", { x1: x, x2: x, y1: 0, y2: height, "stroke-dasharray": "3 5" }));
+        if (is_planar && y > 0 && y < height) ground.append(element("line", { x1: 0, x2: width, y1: y, y2: y, "stroke-dasharray": "3 5" }));
+        if (is_planar && x > 0 && x < width) ground.append(element("line", { x1: x, x2: x, y1: 0, y2: height, "stroke-dasharray": "3 5" }));
         const metres = [1, 2, 5, 10].map((one) => one * 10 ** Math.floor(Math.log10(view.span * 120))).reverse().find((one) => one / view.span < 160);
         ground.append(element("line", { x1: 14, x2: 14 + metres / view.span, y1: height - 12, y2: height - 12, "stroke-width": 3, "stroke-opacity": 0.8 }),
                       element("text", { x: 14, y: height - 18, stroke: "none" }, `${number_text(metres)} m`));
@@ -73,6 +91,20 @@ function make_drawing(scene, places, across) {
         bar_lines.forEach((line, b) => {
             const [from, to] = scene.bars[b].map((k) => at[k]);
             for (const [key, value] of [["x1", from[0]], ["y1", from[1]], ["x2", to[0]], ["y2", to[1]]]) line.setAttribute(key, value.toFixed(2));
+        });
+        springs.forEach(([from, to], s) => {
+            const [a, b] = [at[from], walls[s] === null ? at[to] : on_paper(walls[s], 0)];
+            const length = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1, across = [(b[1] - a[1]) / length * 7, (a[0] - b[0]) / length * 7];
+            const turns = 14;
+            let text = "";
+            for (let k = 0; k <= turns; ++k) {
+                const share = k / turns, side = k < 2 || k > turns - 2 ? 0 : k % 2 === 0 ? 1 : -1;
+                text += `${(a[0] + share * (b[0] - a[0]) + side * across[0]).toFixed(1)},${(a[1] + share * (b[1] - a[1]) + side * across[1]).toFixed(1)} `;
+            }
+            spring_lines[s].setAttribute("points", text);
+            if (wall_lines[s] !== null)
+                for (const [key, value] of [["x1", b[0] - 2 * across[0]], ["y1", b[1] - 2 * across[1]], ["x2", b[0] + 2 * across[0]], ["y2", b[1] + 2 * across[1]]])
+                    wall_lines[s].setAttribute(key, value.toFixed(1));
         });
         [...discs, ...joints].forEach((disc, k) => {
             disc.setAttribute("cx", at[k][0].toFixed(2));
@@ -98,8 +130,8 @@ function make_drawing(scene, places, across) {
     };
     const redraw = () => { frame(); draw_ground(); show(shown); };
     redraw();
-    const caption = element("figcaption", {}, scene.is_planar ? "Bodies at their positions, to scale." : "Bodies at their positions, to scale; drag, or use the arrow keys, to look from elsewhere.");
-    if (!scene.is_planar) {
+    const caption = element("figcaption", {}, (is_planar ? "Bodies at their positions, to scale." : "Bodies at their positions, to scale; drag, or use the arrow keys, to look from elsewhere.") + (walls.some((wall) => wall !== null) ? " How far walls of springs are away is not." : ""));
+    if (!is_planar) {
         let from = null;
         svg.setAttribute("tabindex", "0");
         const turn_by = (across, up) => { turn += across; tilt = Math.max(-1.5, Math.min(1.5, tilt + up)); redraw(); };

@@ -161,18 +161,18 @@ class Player {
         this.show(this.row || 0);
     }
 
-    show(row) {
+    show(row, is_quick = false) {
         const rows = this.recording.rows;
         if (rows.length === 0) return;
         this.row = Math.max(0, Math.min(row, rows.length - 1));
         const now = rows[this.row];
-        for (const plot of this.plots) plot.show(this.row);
+        for (const plot of this.plots) plot.show(this.row, is_quick);
         this.drawing.show(this.row);
         this.part("time").value = now.t;
         this.part("now").textContent = `t = ${number_text(now.t / this.columns[0].factor, 4)} ${this.columns[0].unit}` + (this.plant.modes.length > 0 ? `, ${this.plant.modes[now.mode]}` : "");
     }
 
-    show_time(t) {
+    show_time(t, is_quick = false) {
         const rows = this.recording.rows;
         let low = 0, high = rows.length - 1;
         while (low < high) {
@@ -180,20 +180,22 @@ class Player {
             if (rows[middle].t <= t) low = middle;
             else high = middle - 1;
         }
-        this.show(low);
+        this.show(low, is_quick);
     }
 
     play(is_playing) {
         this.is_playing = is_playing;
         this.part("play").textContent = is_playing ? "Pause" : "Run";
         if (!is_playing) return;
-        let t = Number(this.part("time").value), last = performance.now();
+        let t = Number(this.part("time").value), last = performance.now(), words = 0;
         if (t >= this.end) t = 0;
         const frame = (now) => {
             if (!this.is_playing) return;
             t += (now - last) / 1000 * this.speed;
             last = now;
-            this.show_time(t);
+            const has_words = now - words > 100 || t >= this.end;
+            if (has_words) words = now;
+            this.show_time(t, !has_words);
             if (t >= this.end) this.play(false);
             else requestAnimationFrame(frame);
         };
@@ -245,7 +247,7 @@ class Player {
 
     /// What the address says, as far as it fits the page.
     read_link() {
-        const none = { scene: 0 };
+        const none = { scene: Math.max(0, scenes.findIndex((scene) => scene.name === first_scene)) };
         try {
             const given = new URLSearchParams(location.hash.slice(1));
             const number = scenes.findIndex((scene) => scene.name === given.get("scene"));

@@ -48,16 +48,17 @@ function make_plot(x, curves, events, room) {
     svg.append(cursor, ...dots);
     const caption = element("figcaption");
     const figure = element("figure", {}, svg, caption);
-    const show = (i) => {
+    /// `is_quick`: without the words below, which cost most of the time of a frame.
+    const show = (i, is_quick) => {
         if (i < 0 || i >= x.values.length) return;
         cursor.setAttribute("x1", across(x.values[i]));
         cursor.setAttribute("x2", across(x.values[i]));
-        caption.replaceChildren(`${x.name} = ${number_text(x.values[i])} ${x.unit}`);
+        if (!is_quick) caption.replaceChildren(`${x.name} = ${number_text(x.values[i])} ${x.unit}`);
         curves.forEach((curve, c) => {
             const good = Number.isFinite(curve.values[i]);
             dots[c].setAttribute("cx", good ? across(x.values[i]) : -10);
             dots[c].setAttribute("cy", good ? up(curve.values[i]) : -10);
-            caption.append("; ", element("span", { style: `color: ${plot_colours[c % plot_colours.length]}` }, "\u25cf "),
+            if (!is_quick) caption.append("; ", element("span", { style: `color: ${plot_colours[c % plot_colours.length]}` }, "\u25cf "),
                            `${curve.name} = ${number_text(curve.values[i])} ${curve.unit}`);
         });
     };

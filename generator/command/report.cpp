@@ -60,6 +60,8 @@ ExitCode report_command(const Options& options, Streams streams) {
     }
     ReportResult result;
     result.model = model->model.name;
+    const Run* usual = find_run(model->model, options.run);
+    result.first_scene = usual != nullptr && !usual->scene.empty() ? usual->scene : model->model.default_scene;
     result.page = std::filesystem::path(options.output) / (model->model.name + ".html");
     const std::string file = std::filesystem::path(options.choice.model).filename().string();
     write_files({{result.page, machine_page(model->model, file, scenes, printed.rows(), result)}});

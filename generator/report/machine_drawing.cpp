@@ -33,10 +33,12 @@ public:
             add({plain(body.position[0]), plain(body.position[1]), plain(body.position[2])});
             shown_.push_back(&body);
         }
-        for (const Point& p : points_) drawing_.is_planar = drawing_.is_planar && p[2].is_zero();
-        if (drawing_.is_planar) add_bars();
+        find_plane();
+        if (drawing_.plane == std::vector<std::size_t>{0, 1}) add_bars();
         else
             add_bars_in_space();
+        drawing_.framed = points_.size();
+        add_springs();
         tell_rest();
         for (const Point& p : points_) drawing_.coordinates.insert(drawing_.coordinates.end(), p.begin(), p.end());
         return std::move(drawing_);
@@ -44,6 +46,17 @@ public:
 
 private:
     ex plain(const ex& e) const { return system_.symbols.without_definitions(e); }
+
+    /// Of the ground that nothing leaves.
+    void find_plane() {
+        for (const std::vector<std::size_t>& plane : {std::vector<std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
+            const std::size_t across = 3 - plane[0] - plane[1];
+            if (std::all_of(points_.begin(), points_.end(), [&](const Point& p) { return p[across].is_zero(); })) {
+                drawing_.plane = plane;
+                return;
+            }
+        }
+    }
 
     std::size_t add(const Point& point) {
         points_.push_back(point);
@@ -147,12 +160,67 @@ private:
         return true;
     }
 
+    std::vector<ex> coordinates_in(const std::vector<ex>& values) const {
+        std::vector<ex> result;
+        for (const Variable& q : system_.symbols.all(SymbolKind::coordinate))
+            if (std::any_of(values.begin(), values.end(), [&](const ex& e) { return e.has(q.symbol); })) result.push_back(q.symbol);
+        return result;
+    }
+
+    /// See note [springs].
+    void add_springs() {
+        for (const Member<Spring>& member : system_.scene.springs) {
+            const ex elongation = plain(system_.translate(*member.item->elongation, Translator::indices_of(member)));
+            const std::vector<ex> moving = coordinates_in({elongation});
+            std::vector<std::size_t> moved;
+            for (std::size_t b = 0; b < shown_.size(); ++b) {
+                const std::vector<ex> own = coordinates_in({points_[b][0], points_[b][1], points_[b][2]});
+                const auto counts = [&](const ex& q) { return std::any_of(moving.begin(), moving.end(), [&](const ex& m) { return m.is_equal(q); }); };
+                if (!own.empty() && std::all_of(own.begin(), own.end(), counts)) moved.push_back(b);
+            }
+            const bool is_drawn = moving.size() == 1 && moved.size() == 1   ? add_spring_at_wall(moved[0], elongation, moving[0])
+                                  : moving.size() == 2 && moved.size() == 2 ? add_spring_between(moved, elongation, moving)
+                                                                            : false;
+            if (!is_drawn) ++springs_not_drawn_;
+        }
+    }
+
+    bool add_spring_between(const std::vector<std::size_t>& bodies, const ex& elongation, const std::vector<ex>& coordinates) {
+        ex sum = 0;
+        for (const ex& q : coordinates) {
+            const ex change = elongation.diff(GiNaC::ex_to<GiNaC::symbol>(q)).expand();
+            if (moves(change)) return false;
+            sum += change;
+        }
+        if (!is_zero_after_expansion(sum)) return false;
+        drawing_.springs.push_back({bodies[0], bodies[1], false});
+        return true;
+    }
+
+    bool add_spring_at_wall(std::size_t body, const ex& elongation, const ex& coordinate) {
+        const auto& q = GiNaC::ex_to<GiNaC::symbol>(coordinate);
+        const ex change = elongation.diff(q).expand();
+        if (change.is_zero() || moves(change)) return false;
+        Point fixed, behind;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const ex direction = (points_[body][i].diff(q) / change).expand();
+            if (moves(direction)) return false;
+            fixed[i] = (points_[body][i] - elongation * direction).expand();
+            behind[i] = fixed[i] - direction;
+        }
+        if (std::all_of(points_[body].begin(), points_[body].end(), [&](const ex& e) { return e.diff(q).is_zero(); })) return false;
+        const std::size_t to = add(fixed);
+        add(behind);
+        drawing_.springs.push_back({body, to, true});
+        return true;
+    }
+
     void tell_rest() {
         const Scene& scene = system_.scene;
         const auto tell = [&](std::size_t count, const char* one, const char* many) {
             if (count > 0) drawing_.not_drawn.push_back(count == 1 ? std::string("1 ") + one : fmt::format("{} {}", count, many));
         };
-        tell(scene.springs.size(), "spring", "springs");
+        tell(springs_not_drawn_, "spring", "springs");
         tell(scene.dampers.size(), "damper", "dampers");
         tell(scene.forces.size() + scene.torques.size(), "force or torque", "forces and torques");
         tell(scene.volumes.size(), "volume of a fluid", "volumes of fluids");
@@ -170,6 +238,7 @@ private:
     MachineDrawing drawing_;
     std::vector<Point> points_;
     std::vector<const BodyMotion*> shown_;
+    std::size_t springs_not_drawn_ = 0;
 };
 
 }  // namespace

@@ -6,6 +6,10 @@
 // not depend on q. That is a joint where p is fixed to the ground, or is where another body is, or where a bar ends. The bar reaches from p
 // to r, and where the body itself turns by q, to the same distance behind r: exact for uniform bars that are held at one end. In space a bar joins a body to what it
 // keeps its distance from, whatever moves.
+//
+// note [springs]: Where an elongation e and the positions of one body change with one coordinate alone, e in proportion to r, the spring
+// pulls along d = dr/de, and r - e d is fixed: the wall is somewhere behind. Where e changes with the coordinates of two bodies alone, the
+// spring is between them.
 #pragma once
 
 #include <string>
@@ -19,10 +23,17 @@ struct MachineDrawing {
     struct Bar {
         std::size_t from, to;  ///< points
     };
+    /// From a body to another, or to a wall: from point `to` on in the direction of the point behind it, a metre away.
+    struct DrawnSpring {
+        std::size_t from, to;
+        bool has_wall;
+    };
     std::vector<GiNaC::ex> coordinates;  ///< x, y, z of point after point, in m
     std::vector<std::string> bodies;     ///< names of the first points
+    std::size_t framed = 0;              ///< points that are in the picture; those behind give directions
     std::vector<Bar> bars;
-    bool is_planar = true;               ///< nothing leaves z = 0
+    std::vector<DrawnSpring> springs;
+    std::vector<std::size_t> plane;      ///< the two axes of the picture; none: in space
     std::vector<std::string> not_drawn;  ///< what the page lists
 };
 

@@ -10,6 +10,7 @@
 #include "elements/model.hpp"
 #include "elements/verdict.hpp"
 #include "emit/mathml.hpp"
+#include "js/print.hpp"
 #include "js/runtime.hpp"
 #include "report/json_output.hpp"
 #include "report/machine_equations.hpp"
@@ -163,7 +164,7 @@ std::string machine_page(const Model& model, const std::string& file, std::vecto
     if (!printed.empty()) links += "<a href=\"#printed\">printed equations</a>";
     const std::string title = model.title.empty() ? model.name : model.title;
     const std::string script = objects.empty() ? "" : "<script type=\"module\">\n" + in_script(javascript_runtime() + modules + "const scenes = [\n" + objects +
-                               "];\n" + std::string(embedded_file("report_numbers.js")) + std::string(embedded_file("report_plot.js")) +
+                               "];\nconst first_scene = " + js_string(result.first_scene) + ";\n" + std::string(embedded_file("report_numbers.js")) + std::string(embedded_file("report_plot.js")) +
                                std::string(embedded_file("report_drawing.js")) + std::string(embedded_file("report_player.js"))) + "</script>\n";
     std::string page = fill_template(embedded_file("report.html.in"),
                                      {{"STYLE", std::string(embedded_file("report.css"))},

@@ -27,6 +27,7 @@ struct ReportResult {
         VerdictCounts proofs;
     };
     std::string model;
+    std::string first_scene;  ///< that the page shows first
     std::filesystem::path page;
     std::size_t bytes = 0;
     std::vector<Scene> scenes;

@@ -62,8 +62,10 @@ public:
         add_quantities(json);
         json["bodies"] = drawing_.bodies;
         for (const MachineDrawing::Bar& bar : drawing_.bars) json["bars"].push_back({bar.from, bar.to});
+        for (const MachineDrawing::DrawnSpring& spring : drawing_.springs) json["springs"].push_back({spring.from, spring.to, spring.has_wall});
         json["points"] = drawing_.coordinates.size() / 3;
-        json["is_planar"] = drawing_.is_planar;
+        json["framed"] = drawing_.framed;
+        json["plane"] = drawing_.plane;
         const std::string inputs = written_function(*run_.machine.code, run_.header.plant, run_.settings.inputs, "u", "t, x, u");
         return {js_module(run_.header.plant, name, "// SPDX-License-Identifier: BSL-1.0"),
                 fmt::format("{{ ...{}, make: {}, inputs: {}, place: {} }}", script_json(json), name, inputs, place())};
