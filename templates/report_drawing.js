@@ -3,7 +3,7 @@
 /// `places`: for each row of the run the coordinates of all points. `across`: pixels. Returns { node, show(i) }.
 function make_drawing(scene, places, across) {
     const width = Math.max(280, Math.min(640, across)), height = Math.round(0.75 * width), room = 36;
-    const svg = element("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Drawing of ${scene.bodies.join(", ")}` });
+    const svg = element("svg", {viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Drawing of ${scene.bodies.join(", ")}`});
     const count = scene.framed, is_planar = scene.plane.length > 0;
     let turn = is_planar ? 0 : -0.6, tilt = is_planar ? 0 : 0.45, shown = 0;
     // A look along z at the plane, or from aside and above with z upwards.
@@ -15,20 +15,30 @@ function make_drawing(scene, places, across) {
     };
     let view;
     // In space the ground is three axes from its origin, as long as the machine is large.
-    const far = places.reduce((most, p) => { for (let k = 0; k < 3 * count; ++k) if (Math.abs(p[k]) > most) most = Math.abs(p[k]); return most; }, 0);
+    const far = places.reduce((most, p) => {
+        for (let k = 0; k < 3 * count; ++k)
+            if (Math.abs(p[k]) > most) most = Math.abs(p[k]);
+        return most;
+    }, 0);
     const axes = is_planar ? [] : [[0, 0, 0], [far / 2, 0, 0], [0, far / 2, 0], [0, 0, far / 2]];
     // A wall stands behind all that its spring does, by a third of how far bodies move; the length of a spring without load is not known.
     const springs = scene.springs || [];
     const reach = Math.max(far * 0.1, ...[0, 1, 2].map((i) => {
         let low = Infinity, high = -Infinity;
-        for (const p of places) for (let k = 0; k < scene.bodies.length; ++k) { low = Math.min(low, p[3 * k + i]); high = Math.max(high, p[3 * k + i]); }
+        for (const p of places)
+            for (let k = 0; k < scene.bodies.length; ++k) {
+                low = Math.min(low, p[3 * k + i]);
+                high = Math.max(high, p[3 * k + i]);
+            }
         return high - low;
-    })) || 1;
+    })) ||
+        1;
     const walls = springs.map(([from, to, has_wall]) => {
         if (!has_wall || places.length === 0) return null;
         const along = (p, i) => p[3 * to + 3 + i] - p[3 * to + i];
         let most = 0;
-        for (const p of places) most = Math.max(most, [0, 1, 2].reduce((sum, i) => sum + (p[3 * from + i] - p[3 * to + i]) * along(p, i), 0));
+        for (const p of places)
+            most = Math.max(most, [0, 1, 2].reduce((sum, i) => sum + (p[3 * from + i] - p[3 * to + i]) * along(p, i), 0));
         return [0, 1, 2].map((i) => places[0][3 * to + i] + (most + reach / 3) * along(places[0], i));
     });
     const frame = () => {
@@ -36,34 +46,41 @@ function make_drawing(scene, places, across) {
         const see = (p, k) => {
             const [x, y] = project(p, k);
             if (!Number.isFinite(x) || !Number.isFinite(y)) return;
-            x_low = Math.min(x_low, x); x_high = Math.max(x_high, x);
-            y_low = Math.min(y_low, y); y_high = Math.max(y_high, y);
+            x_low = Math.min(x_low, x);
+            x_high = Math.max(x_high, x);
+            y_low = Math.min(y_low, y);
+            y_high = Math.max(y_high, y);
         };
         for (const axis of axes) see(axis, 0);
-        for (const p of places) for (let k = 0; k < count; ++k) see(p, k);
-        for (const wall of walls) if (wall !== null) see(wall, 0);
+        for (const p of places)
+            for (let k = 0; k < count; ++k) see(p, k);
+        for (const wall of walls)
+            if (wall !== null) see(wall, 0);
         if (!(x_low <= x_high)) [x_low, x_high, y_low, y_high] = [-1, 1, -1, 1];
         const span = Math.max((x_high - x_low) / (width - 2 * room), (y_high - y_low) / (height - 2 * room)) || 1 / width;
-        view = { x: (x_low + x_high) / 2, y: (y_low + y_high) / 2, span };
+        view = {x: (x_low + x_high) / 2, y: (y_low + y_high) / 2, span};
     };
     const on_paper = (p, k) => {
         const [x, y] = project(p, k);
         return [width / 2 + (x - view.x) / view.span, height / 2 - (y - view.y) / view.span];
     };
-    const ground = element("g", { stroke: "currentColor", "stroke-opacity": 0.25 });
-    const trails = element("g", { fill: "none", "stroke-opacity": 0.45, "stroke-width": 1.5 });
-    const bars = element("g", { stroke: "currentColor", "stroke-width": 7, "stroke-linecap": "round", "stroke-opacity": 0.55 });
+    const ground = element("g", {stroke: "currentColor", "stroke-opacity": 0.25});
+    const trails = element("g", {fill: "none", "stroke-opacity": 0.45, "stroke-width": 1.5});
+    const bars = element("g", {stroke: "currentColor", "stroke-width": 7, "stroke-linecap": "round", "stroke-opacity": 0.55});
     const bodies = element("g");
     const label = element("g");
     svg.append(ground, trails, bars, bodies, label);
-    const spring_lines = springs.map(() => trails.appendChild(element("polyline", { stroke: "currentColor", "stroke-opacity": 0.8 })));
-    const wall_lines = walls.map((wall) => wall === null ? null : trails.appendChild(element("line", { stroke: "currentColor", "stroke-opacity": 0.8, "stroke-width": 3 })));
+    const spring_lines = springs.map(() => trails.appendChild(element("polyline", {stroke: "currentColor", "stroke-opacity": 0.8})));
+    const wall_lines = walls.map(
+        (wall) =>
+            wall === null ? null : trails.appendChild(element("line", {stroke: "currentColor", "stroke-opacity": 0.8, "stroke-width": 3})));
     const bar_lines = (scene.bars || []).map(() => bars.appendChild(element("line")));
     const colour = (k) => `${plot_colours[k % plot_colours.length]}`;
-    const trail_lines = scene.bodies.map((name, k) => trails.appendChild(element("polyline", { style: `stroke: ${colour(k)}` })));
-    const discs = scene.bodies.map((name, k) => bodies.appendChild(element("circle", { r: count > 60 ? 4 : 9, style: `fill: ${colour(k)}` })));
+    const trail_lines = scene.bodies.map((name, k) => trails.appendChild(element("polyline", {style: `stroke: ${colour(k)}`})));
+    const discs =
+        scene.bodies.map((name, k) => bodies.appendChild(element("circle", {r: count > 60 ? 4 : 9, style: `fill: ${colour(k)}`})));
     const joints = [];
-    for (let k = scene.bodies.length; k < count; ++k) joints.push(bodies.appendChild(element("circle", { r: 3, fill: "currentColor" })));
+    for (let k = scene.bodies.length; k < count; ++k) joints.push(bodies.appendChild(element("circle", {r: 3, fill: "currentColor"})));
     const names = scene.bodies.length > 12 ? [] : scene.bodies.map((name) => label.appendChild(element("text", {}, name)));
     const draw_ground = () => {
         const [x, y] = [width / 2 - view.x / view.span, height / 2 + view.y / view.span];
@@ -72,15 +89,19 @@ function make_drawing(scene, places, across) {
             const from = on_paper(axes[0], 0);
             axes.slice(1).forEach((axis, k) => {
                 const to = on_paper(axis, 0);
-                ground.append(element("line", { x1: from[0], y1: from[1], x2: to[0], y2: to[1], "stroke-opacity": 0.6 }),
-                              element("text", { x: to[0] + 4, y: to[1] - 4, stroke: "none" }, "xyz"[k]));
+                ground.append(
+                    element("line", {x1: from[0], y1: from[1], x2: to[0], y2: to[1], "stroke-opacity": 0.6}),
+                    element("text", {x: to[0] + 4, y: to[1] - 4, stroke: "none"}, "xyz"[k]));
             });
         }
-        if (is_planar && y > 0 && y < height) ground.append(element("line", { x1: 0, x2: width, y1: y, y2: y, "stroke-dasharray": "3 5" }));
-        if (is_planar && x > 0 && x < width) ground.append(element("line", { x1: x, x2: x, y1: 0, y2: height, "stroke-dasharray": "3 5" }));
-        const metres = [1, 2, 5, 10].map((one) => one * 10 ** Math.floor(Math.log10(view.span * 120))).reverse().find((one) => one / view.span < 160);
-        ground.append(element("line", { x1: 14, x2: 14 + metres / view.span, y1: height - 12, y2: height - 12, "stroke-width": 3, "stroke-opacity": 0.8 }),
-                      element("text", { x: 14, y: height - 18, stroke: "none" }, `${number_text(metres)} m`));
+        if (is_planar && y > 0 && y < height) ground.append(element("line", {x1: 0, x2: width, y1: y, y2: y, "stroke-dasharray": "3 5"}));
+        if (is_planar && x > 0 && x < width) ground.append(element("line", {x1: x, x2: x, y1: 0, y2: height, "stroke-dasharray": "3 5"}));
+        const metres =
+            [1, 2, 5, 10].map((one) => one * 10 ** Math.floor(Math.log10(view.span * 120))).reverse().find((one) => one / view.span < 160);
+        ground.append(
+            element(
+                "line", {x1: 14, x2: 14 + metres / view.span, y1: height - 12, y2: height - 12, "stroke-width": 3, "stroke-opacity": 0.8}),
+            element("text", {x: 14, y: height - 18, stroke: "none"}, `${number_text(metres)} m`));
     };
     const show = (i) => {
         shown = Math.max(0, Math.min(i, places.length - 1));
@@ -90,7 +111,8 @@ function make_drawing(scene, places, across) {
         for (let k = 0; k < count; ++k) at.push(on_paper(p, k));
         bar_lines.forEach((line, b) => {
             const [from, to] = scene.bars[b].map((k) => at[k]);
-            for (const [key, value] of [["x1", from[0]], ["y1", from[1]], ["x2", to[0]], ["y2", to[1]]]) line.setAttribute(key, value.toFixed(2));
+            for (const [key, value] of [["x1", from[0]], ["y1", from[1]], ["x2", to[0]], ["y2", to[1]]])
+                line.setAttribute(key, value.toFixed(2));
         });
         springs.forEach(([from, to], s) => {
             const [a, b] = [at[from], walls[s] === null ? at[to] : on_paper(walls[s], 0)];
@@ -99,11 +121,14 @@ function make_drawing(scene, places, across) {
             let text = "";
             for (let k = 0; k <= turns; ++k) {
                 const share = k / turns, side = k < 2 || k > turns - 2 ? 0 : k % 2 === 0 ? 1 : -1;
-                text += `${(a[0] + share * (b[0] - a[0]) + side * across[0]).toFixed(1)},${(a[1] + share * (b[1] - a[1]) + side * across[1]).toFixed(1)} `;
+                text += `${(a[0] + share * (b[0] - a[0]) + side * across[0]).toFixed(1)},${
+                    (a[1] + share * (b[1] - a[1]) + side * across[1]).toFixed(1)} `;
             }
             spring_lines[s].setAttribute("points", text);
             if (wall_lines[s] !== null)
-                for (const [key, value] of [["x1", b[0] - 2 * across[0]], ["y1", b[1] - 2 * across[1]], ["x2", b[0] + 2 * across[0]], ["y2", b[1] + 2 * across[1]]])
+                for (const [key, value] of [
+                         ["x1", b[0] - 2 * across[0]], ["y1", b[1] - 2 * across[1]], ["x2", b[0] + 2 * across[0]],
+                         ["y2", b[1] + 2 * across[1]]])
                     wall_lines[s].setAttribute(key, value.toFixed(1));
         });
         [...discs, ...joints].forEach((disc, k) => {
@@ -128,45 +153,80 @@ function make_drawing(scene, places, across) {
             line.setAttribute("points", text);
         });
     };
-    const redraw = () => { frame(); draw_ground(); show(shown); };
+    const redraw = () => {
+        frame();
+        draw_ground();
+        show(shown);
+    };
     redraw();
-    const caption = element("figcaption", {}, (is_planar ? "Bodies at their positions, to scale." : "Bodies at their positions, to scale; drag, or use the arrow keys, to look from elsewhere.") + (walls.some((wall) => wall !== null) ? " How far walls of springs are away is not." : ""));
+    const caption = element(
+        "figcaption", {},
+        (is_planar ? "Bodies at their positions, to scale." :
+                     "Bodies at their positions, to scale; drag, or use the arrow keys, to look from elsewhere.") +
+            (walls.some((wall) => wall !== null) ? " How far walls of springs are away is not." : ""));
     if (!is_planar) {
         let from = null;
         svg.setAttribute("tabindex", "0");
-        const turn_by = (across, up) => { turn += across; tilt = Math.max(-1.5, Math.min(1.5, tilt + up)); redraw(); };
-        svg.addEventListener("pointerdown", (e) => { from = [e.clientX, e.clientY]; svg.setPointerCapture(e.pointerId); });
-        svg.addEventListener("pointermove", (e) => { if (from) { turn_by((e.clientX - from[0]) / 150, (e.clientY - from[1]) / 150); from = [e.clientX, e.clientY]; } });
-        svg.addEventListener("pointerup", () => { from = null; });
+        const turn_by = (across, up) => {
+            turn += across;
+            tilt = Math.max(-1.5, Math.min(1.5, tilt + up));
+            redraw();
+        };
+        svg.addEventListener("pointerdown", (e) => {
+            from = [e.clientX, e.clientY];
+            svg.setPointerCapture(e.pointerId);
+        });
+        svg.addEventListener("pointermove", (e) => {
+            if (from) {
+                turn_by((e.clientX - from[0]) / 150, (e.clientY - from[1]) / 150);
+                from = [e.clientX, e.clientY];
+            }
+        });
+        svg.addEventListener("pointerup", () => {
+            from = null;
+        });
         svg.addEventListener("keydown", (e) => {
-            const step = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] }[e.key];
-            if (step) { turn_by(...step); e.preventDefault(); }
+            const step = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1]}[e.key];
+            if (step) {
+                turn_by(...step);
+                e.preventDefault();
+            }
         });
     }
-    return { node: element("figure", {}, svg, caption), show };
+    return {node: element("figure", {}, svg, caption), show};
 }
 
 /// Levels of at most twelve columns between the least and the largest value of the run.
 function make_levels(columns, across) {
     const list = columns.slice(0, 12), width = Math.max(280, Math.min(640, across)), height = 20 + 46 * list.length;
-    const svg = element("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Levels of ${list.map((one) => one.name).join(", ")}` });
+    const svg = element(
+        "svg", {viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Levels of ${list.map((one) => one.name).join(", ")}`});
     const step = 46, thick = 18;
     const parts = list.map((column, k) => {
         const good = column.values.filter(Number.isFinite);
         const low = good.reduce((a, b) => Math.min(a, b), Infinity), high = good.reduce((a, b) => Math.max(a, b), -Infinity);
         const y = 14 + k * step;
-        const text = element("text", { x: 14, y: y + 10 });
-        const bar = element("rect", { x: 14, y: y + 16, height: thick, rx: 3, style: `fill: ${plot_colours[k % plot_colours.length]}` });
-        svg.append(text, element("rect", { x: 14, y: y + 16, width: width - 28, height: thick, rx: 3, fill: "currentColor", "fill-opacity": 0.1 }), bar);
-        return { column, low, high, text, bar };
+        const text = element("text", {x: 14, y: y + 10});
+        const bar = element("rect", {x: 14, y: y + 16, height: thick, rx: 3, style: `fill: ${plot_colours[k % plot_colours.length]}`});
+        svg.append(
+            text, element("rect", {x: 14, y: y + 16, width: width - 28, height: thick, rx: 3, fill: "currentColor", "fill-opacity": 0.1}),
+            bar);
+        return {column, low, high, text, bar};
     });
     const show = (i) => {
-        for (const { column, low, high, text, bar } of parts) {
+        for (const {column, low, high, text, bar} of parts) {
             const value = column.values[i], share = high > low ? (value - low) / (high - low) : 0.5;
-            text.textContent = `${column.name} = ${number_text(value)} ${column.unit}   (${number_text(low, 4)} ... ${number_text(high, 4)})`;
+            text.textContent =
+                `${column.name} = ${number_text(value)} ${column.unit}   (${number_text(low, 4)} ... ${number_text(high, 4)})`;
             bar.setAttribute("width", Number.isFinite(share) ? Math.max(0, share) * (width - 28) : 0);
         }
     };
     show(0);
-    return { node: element("figure", {}, svg, element("figcaption", {}, "No body has a place to draw: states and outputs, between their least and largest value of this run.")), show };
+    return {
+        node: element(
+            "figure", {}, svg,
+            element(
+                "figcaption", {}, "No body has a place to draw: states and outputs, between their least and largest value of this run.")),
+        show
+    };
 }

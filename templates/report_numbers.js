@@ -19,8 +19,9 @@ const unit_text = (unit) => unit.unit === "1" ? "" : unit.unit;
 
 /// In which a time this long is read.
 function time_unit(seconds) {
-    for (const [unit, factor] of [["d", 86400], ["h", 3600], ["min", 60]]) if (seconds >= 3 * factor) return { unit, factor };
-    return { unit: "s", factor: 1 };
+    for (const [unit, factor] of [["d", 86400], ["h", 3600], ["min", 60]])
+        if (seconds >= 3 * factor) return {unit, factor};
+    return {unit: "s", factor: 1};
 }
 
 /// Between three and seven round numbers from low to high.

@@ -1,76 +1,27 @@
-// Runs scenes with settings, and shows them.
-
-/// Settings as the model has them: `start` holds only values that were changed, by their place; a held input is a number.
-function settings_of(scene) {
-    return { until: scene.until, tolerance: scene.tolerance, parameters: scene.parameters.slice(), start: {}, held: scene.input_texts.map(() => null) };
-}
-
-/// The recording of a scene; see dalembert_record().
-function run_scene(scene, settings) {
-    const made = scene.make();
-    const n = made.states.length;
-    const usual = new Float64Array(n), start = new Float64Array(n);
-    made.start_state(usual);
-    made.set_parameters(settings.parameters);
-    const is_as_written = settings.parameters.every((value, i) => value === scene.parameters[i]);
-    if (is_as_written) start.set(scene.start);
-    else {
-        made.start_state(start);  // parameters may move it; what the run says of it stays
-        scene.start.forEach((value, i) => { if (value !== usual[i]) start[i] = value; });
-    }
-    for (const [place, value] of Object.entries(settings.start)) start[place] = value;
-    const written = scene.inputs === null ? null : scene.inputs(made.parameter_values);
-    const inputs = (t, x, u) => {
-        if (written) written(t, x, u);
-        else u.fill(0);
-        settings.held.forEach((value, i) => { if (value !== null) u[i] = value; });
-    };
-    const recording = dalembert_record(made, {
-        until: settings.until, tolerance: settings.tolerance, intervals: scene.intervals, start, stops: scene.stops,
-        longest_step: scene.longest_step === null ? Infinity : settings.until / scene.intervals, inputs: made.inputs.length > 0 ? inputs : null, method: settings.method || "automatic",
-    });
-    return { ...recording, made };
-}
-
-/// Columns of a recording in declared units: { name, unit, values }.
-function columns_of(scene, recording) {
-    const column = (name, unit, of) => ({ name, unit: unit_text(unit), values: recording.rows.map((row) => in_unit(of(row), unit)) });
-    const time = time_unit(recording.t), joule = { unit: "J", factor: 1, offset: 0 };
-    return [
-        { name: "t", unit: time.unit, is_time: true, factor: time.factor, values: recording.rows.map((row) => row.t / time.factor) },
-        ...scene.states.map((one, i) => column(one.name, one, (row) => one.is_root ? row.x[i] ** 2 : row.x[i])),
-        ...scene.outputs.map((one, i) => column(one.name, one, (row) => row.y[i])),
-        ...recording.made.inputs.map((one, i) => column(one.name, scene.input_units[i], (row) => row.u[i])),
-        column("kinetic_energy", joule, (row) => row.kinetic), column("potential_energy", joule, (row) => row.potential),
-        column("internal_energy", joule, (row) => row.internal),
-        ...(recording.made.modes.length > 0 ? [{ name: "mode", unit: "", values: recording.rows.map((row) => row.mode) }] : []),
-    ];
-}
-
-/// What reproduces a run at a shell.
-function command_of(scene, settings) {
-    const plant = scene.make();
-    const list = (option, values) => values.length === 0 ? "" : ` ${option} "${values.join(",")}"`;
-    const number = (value, unit) => String(Number(in_unit(value, unit).toPrecision(15)));
-    const changed = (values, of) => values.flatMap((value, i) => value === of[i] ? [] : [i]);
-    return scene.command +
-        list("--parameter", changed(settings.parameters, scene.parameters).map((i) => `${plant.parameters[i].name}=${number(settings.parameters[i], scene.parameter_units[i])}`)) +
-        list("--state", Object.entries(settings.start).map(([i, value]) => `${scene.states[i].name}=${number(value, scene.states[i])}`)) +
-        list("--input", settings.held.flatMap((value, i) => value === null ? [] : [`${plant.inputs[i].name}=${number(value, scene.input_units[i])}`])) +
-        (settings.until === scene.until ? "" : ` --until ${settings.until}`) + (settings.tolerance === scene.tolerance ? "" : ` --tolerance ${settings.tolerance}`);
-}
-
+// Shows runs, and what a person changes.
 class Player {
     constructor() {
         this.part = (id) => document.getElementById(id);
-        for (const scene of scenes) this.part("scene").append(element("option", { value: scene.name }, scene.name));
-        for (const speed of [0.1, 0.25, 0.5, 1, 2, 5, 10, 100, 1000]) this.part("speed").append(element("option", { value: speed }, `${speed} \u00d7`));
+        for (const scene of scenes) this.part("scene").append(element("option", {value: scene.name}, scene.name));
+        for (const speed of [0.1, 0.25, 0.5, 1, 2, 5, 10, 100, 1000])
+            this.part("speed").append(element("option", {value: speed}, `${speed} \u00d7`));
         this.part("scene").addEventListener("change", () => this.choose(this.part("scene").selectedIndex));
         this.part("play").addEventListener("click", () => this.play(!this.is_playing));
         this.part("reset").addEventListener("click", () => this.choose(this.part("scene").selectedIndex));
-        this.part("time").addEventListener("input", () => { this.play(false); this.show_time(Number(this.part("time").value)); });
-        this.part("speed").addEventListener("change", () => { this.speed = Number(this.part("speed").value); });
-        this.part("add-plot").addEventListener("change", (e) => { if (e.target.value) { this.panels.push({ x: "", y: [e.target.value] }); this.draw_plots(); } e.target.value = ""; });
+        this.part("time").addEventListener("input", () => {
+            this.play(false);
+            this.show_time(Number(this.part("time").value));
+        });
+        this.part("speed").addEventListener("change", () => {
+            this.speed = Number(this.part("speed").value);
+        });
+        this.part("add-plot").addEventListener("change", (e) => {
+            if (e.target.value) {
+                this.panels.push({x: "", y: [e.target.value]});
+                this.draw_plots();
+            }
+            e.target.value = "";
+        });
         this.part("copy-command").addEventListener("click", () => this.copy(command_of(this.scene, this.settings)));
         this.part("copy-link").addEventListener("click", () => this.copy(this.link()));
         const named = this.read_link();
@@ -84,7 +35,7 @@ class Player {
         this.settings = settings || settings_of(this.scene);
         this.panels = this.scene.plots.slice();
         this.plant = this.scene.make();
-        if (this.panels.length === 0) this.panels = this.scene.states.slice(0, 3).map((one) => ({ x: "", y: [one.name] }));
+        if (this.panels.length === 0) this.panels = this.scene.states.slice(0, 3).map((one) => ({x: "", y: [one.name]}));
         this.make_fields();
         this.run();
     }
@@ -95,15 +46,25 @@ class Player {
             const begin = performance.now();
             this.recording = run_scene(this.scene, this.settings);
             const duration = performance.now() - begin, rows = this.recording.rows;
+            if (rows.length === 0) {  // nothing to show
+                this.part("status").textContent = this.recording.message;
+                for (const id of ["drawing", "plots", "events"]) this.part(id).replaceChildren();
+                this.end = 0;
+                return;
+            }
             this.columns = columns_of(this.scene, this.recording);
-            this.end = rows.length > 0 ? rows[rows.length - 1].t : 0;
+            this.end = rows[rows.length - 1].t;
             this.part("time").max = this.end;
-            this.part("status").textContent = (this.recording.is_good ? "" : this.recording.message + " ") + `${this.recording.steps} steps` +
+            this.part("status").textContent = (this.recording.is_good ? "" : this.recording.message + " ") +
+                `${this.recording.steps} steps` +
                 (this.recording.implicit_steps > 0 ? `, of which ${this.recording.implicit_steps} implicit` : "") +
-                (this.recording.events.length > 0 ? `, ${this.recording.events.length} events` : "") + `, computed in ${duration.toFixed(0)} ms.`;
+                (this.recording.events.length > 0 ? `, ${this.recording.events.length} events` : "") +
+                `, computed in ${duration.toFixed(0)} ms.`;
             if (this.speed === undefined || this.speed_of !== this.scene) {
                 const wanted = this.end / 10, choices = [...this.part("speed").options].map((one) => Number(one.value));
-                this.speed = this.end <= 20 && this.end >= 2 ? 1 : choices.reduce((a, b) => Math.abs(Math.log(b / wanted)) < Math.abs(Math.log(a / wanted)) ? b : a);
+                this.speed = this.end <= 20 && this.end >= 2 ?
+                    1 :
+                    choices.reduce((a, b) => Math.abs(Math.log(b / wanted)) < Math.abs(Math.log(a / wanted)) ? b : a);
                 this.part("speed").value = this.speed;
                 this.speed_of = this.scene;
             }
@@ -115,15 +76,21 @@ class Player {
     draw() {
         const scene = this.scene;
         const add = this.part("add-plot");
-        add.replaceChildren(element("option", { value: "" }, "add ..."), ...this.columns.slice(1).map((one) => element("option", { value: one.name }, one.name)));
-        if (scene.place === null || scene.bodies.length === 0) this.drawing = make_levels(this.columns.slice(1, 1 + scene.states.length + scene.outputs.length), this.part("drawing").clientWidth);
+        add.replaceChildren(
+            element("option", {value: ""}, "add ..."),
+            ...this.columns.slice(1).map((one) => element("option", {value: one.name}, one.name)));
+        if (scene.place === null || scene.bodies.length === 0)
+            this.drawing =
+                make_levels(this.columns.slice(1, 1 + scene.states.length + scene.outputs.length), this.part("drawing").clientWidth);
         else {
             const place = scene.place(this.recording.made.parameter_values);
-            this.drawing = make_drawing(scene, this.recording.rows.map((row) => {
-                const points = new Float64Array(3 * scene.points);
-                place(row.t, row.x, points);
-                return points;
-            }), this.part("drawing").clientWidth);
+            this.drawing = make_drawing(
+                scene, this.recording.rows.map((row) => {
+                    const points = new Float64Array(3 * scene.points);
+                    place(row.t, row.x, points);
+                    return points;
+                }),
+                this.part("drawing").clientWidth);
         }
         this.part("drawing").replaceChildren(this.drawing.node);
         this.part("events").replaceChildren(...this.event_list());
@@ -134,11 +101,17 @@ class Player {
     event_list() {
         const events = this.recording.events, most = 100;
         if (events.length === 0) return [];
-        const head = element("tr", {}, ...["t [s]", "event", "mode before", "mode behind"].map((title) => element("th", { scope: "col" }, title)));
-        const rows = events.slice(0, most).map((event) => element("tr", {}, ...[number_text(event.t, 8), event.name, this.plant.modes[event.before], this.plant.modes[event.after]]
-            .map((text) => element("td", {}, text))));
+        const head =
+            element("tr", {}, ...["t [s]", "event", "mode before", "mode behind"].map((title) => element("th", {scope: "col"}, title)));
+        const rows = events.slice(0, most).map(
+            (event) => element(
+                "tr", {},
+                ...[number_text(event.t, 8), event.name, this.plant.modes[event.before], this.plant.modes[event.after]].map(
+                    (text) => element("td", {}, text))));
         const rest = events.length > most ? element("p", {}, `... and ${events.length - most} more.`) : "";
-        return [element("details", {}, element("summary", {}, `Events: ${events.length}`), element("div", { class: "wide", tabindex: "0" }, element("table", {}, head, ...rows)), rest)];
+        return [element(
+            "details", {}, element("summary", {}, `Events: ${events.length}`),
+            element("div", {class: "wide", tabindex: "0"}, element("table", {}, head, ...rows)), rest)];
     }
 
     draw_plots() {
@@ -149,11 +122,17 @@ class Player {
         for (const panel of this.panels) {
             const x = find(panel.x || "t"), curves = panel.y.flatMap(all);
             if (x === undefined || curves.length === 0) continue;
-            const plot = make_plot(x, curves, this.recording.events.map((event) => event.t / this.columns[0].factor), this.part("plots").clientWidth);
-            plot.svg.addEventListener("pointermove", (e) => { if (!this.is_playing) this.show(plot.at(e)); });
+            const plot = make_plot(
+                x, curves, this.recording.events.map((event) => event.t / this.columns[0].factor), this.part("plots").clientWidth);
+            plot.svg.addEventListener("pointermove", (e) => {
+                if (!this.is_playing) this.show(plot.at(e));
+            });
             plot.svg.addEventListener("keydown", (e) => {
-                const step = { ArrowLeft: -1, ArrowRight: 1 }[e.key];
-                if (step) { this.show(this.row + step); e.preventDefault(); }
+                const step = {ArrowLeft: -1, ArrowRight: 1}[e.key];
+                if (step) {
+                    this.show(this.row + step);
+                    e.preventDefault();
+                }
             });
             this.plots.push(plot);
         }
@@ -169,7 +148,8 @@ class Player {
         for (const plot of this.plots) plot.show(this.row, is_quick);
         this.drawing.show(this.row);
         this.part("time").value = now.t;
-        this.part("now").textContent = `t = ${number_text(now.t / this.columns[0].factor, 4)} ${this.columns[0].unit}` + (this.plant.modes.length > 0 ? `, ${this.plant.modes[now.mode]}` : "");
+        this.part("now").textContent = `t = ${number_text(now.t / this.columns[0].factor, 4)} ${this.columns[0].unit}` +
+            (this.plant.modes.length > 0 ? `, ${this.plant.modes[now.mode]}` : "");
     }
 
     show_time(t, is_quick = false) {
@@ -177,8 +157,10 @@ class Player {
         let low = 0, high = rows.length - 1;
         while (low < high) {
             const middle = (low + high + 1) >> 1;
-            if (rows[middle].t <= t) low = middle;
-            else high = middle - 1;
+            if (rows[middle].t <= t)
+                low = middle;
+            else
+                high = middle - 1;
         }
         this.show(low, is_quick);
     }
@@ -196,68 +178,105 @@ class Player {
             const has_words = now - words > 100 || t >= this.end;
             if (has_words) words = now;
             this.show_time(t, !has_words);
-            if (t >= this.end) this.play(false);
-            else requestAnimationFrame(frame);
+            if (t >= this.end)
+                this.play(false);
+            else
+                requestAnimationFrame(frame);
         };
         requestAnimationFrame(frame);
     }
 
     /// A field for a number in a unit; `set` gets it in SI.
     field(quantity, unit, value, doc, set) {
-        const input = element("input", { type: "text", inputmode: "decimal", value: value === null ? "" : number_text(in_unit(value, unit), 12), "aria-label": quantity.name });
+        const input = element("input", {
+            type: "text",
+            inputmode: "decimal",
+            value: value === null ? "" : number_text(in_unit(value, unit), 12),
+            "aria-label": quantity.name
+        });
         const note = element("small", {}, doc);
         const range = [quantity.low, quantity.high].map((bound) => in_unit(bound, unit));
         input.addEventListener("change", () => {
             const given = read_number(input.value), si = in_si(given, unit);
             let bad = "";
-            if (value === null && input.value.trim() === "") { note.className = ""; note.textContent = doc; set(null); return; }
-            if (Number.isNaN(given)) bad = `"${input.value}" is not a number, such as 0.5 or 0,5.`;
+            if (value === null && input.value.trim() === "") {
+                note.className = "";
+                note.textContent = doc;
+                set(null);
+                return;
+            }
+            if (Number.isNaN(given))
+                bad = `"${input.value}" is not a number, such as 0.5 or 0,5.`;
             else if (si < quantity.low || si > quantity.high)
-                bad = `${number_text(given, 12)} is outside of the declared range from ${number_text(range[0])} to ${number_text(range[1])} ${unit_text(unit)}.`;
+                bad = `${number_text(given, 12)} is outside of the declared range from ${number_text(range[0])} to ${
+                    number_text(range[1])} ${unit_text(unit)}.`;
             input.setAttribute("aria-invalid", bad !== "");
             note.className = bad ? "bad" : "";
             note.textContent = bad || doc;
             if (!bad) set(si);
         });
-        return element("div", { class: "field" }, element("span", {}, quantity.name), input, element("span", {}, unit_text(unit)), note);
+        return element("div", {class: "field"}, element("span", {}, quantity.name), input, element("span", {}, unit_text(unit)), note);
     }
 
     make_fields() {
-        const { scene, settings, plant } = this;
-        const changed = () => { this.play(false); this.run(); };
-        const range = (one, unit) => Number.isFinite(one.low) || Number.isFinite(one.high) ? ` (${number_text(in_unit(one.low, unit))} ... ${number_text(in_unit(one.high, unit))})` : "";
-        const group = (title, fields, is_open) => fields.length === 0 ? "" : element("details", is_open ? { open: "" } : {}, element("summary", {}, title), element("div", { class: "fields" }, ...fields));
-        const seconds = { unit: "s", factor: 1, offset: 0 }, one = { unit: "1", factor: 1, offset: 0 };
+        const {scene, settings, plant} = this;
+        const changed = () => {
+            this.play(false);
+            this.run();
+        };
+        const range = (one, unit) => Number.isFinite(one.low) || Number.isFinite(one.high) ?
+            ` (${number_text(in_unit(one.low, unit))} ... ${number_text(in_unit(one.high, unit))})` :
+            "";
+        const group = (title, fields, is_open) => fields.length === 0 ?
+            "" :
+            element("details", is_open ? {open: ""} : {}, element("summary", {}, title), element("div", {class: "fields"}, ...fields));
+        const seconds = {unit: "s", factor: 1, offset: 0}, one = {unit: "1", factor: 1, offset: 0};
+        const parameters = plant.parameters.map((p, i) => {
+            const set = (value) => { settings.parameters[i] = value; changed(); };
+            return this.field(p, scene.parameter_units[i], settings.parameters[i], p.description + range(p, scene.parameter_units[i]), set);
+        });
+        const inputs = plant.inputs.map((input, i) => {
+            const doc = `${input.description}; empty: ${scene.input_texts[i] || "0"} (in SI), as in the run; else this value is held`;
+            return this.field(input, scene.input_units[i], settings.held[i], doc, (value) => { settings.held[i] = value; changed(); });
+        });
+        const starts = scene.states.flatMap((state, i) => {
+            if (state.is_root) return [];
+            const quantity = {...plant.states[i], name: state.name}, doc = quantity.description + range(quantity, state);
+            return [this.field(quantity, state, settings.start[i] ?? scene.start[i], doc, (value) => { settings.start[i] = value; changed(); })];
+        });
+        const until = this.field(
+            {name: "until", low: 0, high: Infinity}, seconds, settings.until, "length of the run",
+            (value) => { settings.until = value; changed(); });
+        const tolerance = this.field(
+            {name: "tolerance", low: 1e-13, high: 0.01}, one, settings.tolerance, "relative error of a step",
+            (value) => { settings.tolerance = value; changed(); });
         this.part("settings").replaceChildren(
-            group("Parameters", plant.parameters.map((p, i) => this.field(p, scene.parameter_units[i], settings.parameters[i], p.description + range(p, scene.parameter_units[i]),
-                (value) => { settings.parameters[i] = value; changed(); })), plant.parameters.length <= 12),
-            group("Inputs", plant.inputs.map((input, i) => this.field(input, scene.input_units[i], settings.held[i],
-                `${input.description}; empty: ${scene.input_texts[i] || "0"} (in SI), as in the run; else this value is held`,
-                (value) => { settings.held[i] = value; changed(); })), true),
-            group("Start values", scene.states.flatMap((state, i) => state.is_root ? [] : [this.field({ ...plant.states[i], name: state.name }, state, settings.start[i] ?? scene.start[i], plant.states[i].description + range(plant.states[i], state),
-                (value) => { settings.start[i] = value; changed(); })]), false),
-            group("Run", [this.field({ name: "until", low: 0, high: Infinity }, seconds, settings.until, "length of the run", (value) => { settings.until = value; changed(); }),
-                          this.field({ name: "tolerance", low: 1e-13, high: 0.01 }, one, settings.tolerance, "relative error of a step", (value) => { settings.tolerance = value; changed(); })], false));
+            group("Parameters", parameters, parameters.length <= 12), group("Inputs", inputs, true), group("Start values", starts, false),
+            group("Run", [until, tolerance], false));
     }
 
     link() {
-        const { scene, settings } = this;
-        return location.href.split("#")[0] + "#" + new URLSearchParams({ scene: scene.name, settings: JSON.stringify(settings) });
+        const {scene, settings} = this;
+        return location.href.split("#")[0] + "#" + new URLSearchParams({scene: scene.name, settings: JSON.stringify(settings)});
     }
 
     /// What the address says, as far as it fits the page.
     read_link() {
-        const none = { scene: Math.max(0, scenes.findIndex((scene) => scene.name === first_scene)) };
+        const none = {scene: Math.max(0, scenes.findIndex((scene) => scene.name === first_scene))};
         try {
             const given = new URLSearchParams(location.hash.slice(1));
             const number = scenes.findIndex((scene) => scene.name === given.get("scene"));
             if (number < 0) return none;
             const usual = settings_of(scenes[number]), read = JSON.parse(given.get("settings") || "{}");
-            const is_list = (list, like) => Array.isArray(list) && list.length === like.length && list.every((one) => one === null || Number.isFinite(one));
-            for (const key of ["until", "tolerance"]) if (read[key] > 0) usual[key] = read[key];
-            for (const key of ["parameters", "held"]) if (is_list(read[key], usual[key])) usual[key] = read[key];
-            for (const [place, value] of Object.entries(read.start || {})) if (Number.isFinite(value) && place < scenes[number].start.length) usual.start[place] = value;
-            return { scene: number, settings: usual };
+            const is_list = (list, like) =>
+                Array.isArray(list) && list.length === like.length && list.every((one) => one === null || Number.isFinite(one));
+            for (const key of ["until", "tolerance"])
+                if (read[key] > 0) usual[key] = read[key];
+            for (const key of ["parameters", "held"])
+                if (is_list(read[key], usual[key])) usual[key] = read[key];
+            for (const [place, value] of Object.entries(read.start || {}))
+                if (Number.isFinite(value) && place < scenes[number].start.length) usual.start[place] = value;
+            return {scene: number, settings: usual};
         } catch (e) {
             return none;
         }
@@ -273,5 +292,11 @@ class Player {
     }
 }
 
-globalThis.dalembert_page = { scenes, settings_of, run_scene, columns_of, command_of };
+globalThis.dalembert_page = {
+    scenes,
+    settings_of,
+    run_scene,
+    columns_of,
+    command_of
+};
 if (typeof document !== "undefined") new Player();

@@ -47,8 +47,9 @@ ScenePage prepare_scene(const std::shared_ptr<const LoadedModel>& model, const s
 
 ExitCode report_command(const Options& options, Streams streams) {
     const auto model = loaded(options, streams);
-    const std::vector<std::string> names =
-        options.choice.scene.empty() ? scene_names(model->model) : std::vector<std::string>{resolve_scene(model->model, options.choice.scene)};
+    const std::vector<std::string> names = options.choice.scene.empty()
+                                               ? scene_names(model->model)
+                                               : std::vector<std::string>{resolve_scene(model->model, options.choice.scene)};
     std::vector<ScenePage> scenes;
     PrintedVerdicts printed(true);
     for (const std::string& name : names) {

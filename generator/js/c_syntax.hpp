@@ -37,15 +37,41 @@ struct CVariable {
 
 struct CNode {
     enum class Kind {
-        number, string, name, call, member, index, unary, postfix, binary, assignment, conditional, cast, size_of, comma, list,
-        block, declaration, if_, for_, while_, return_, break_, continue_, switch_, case_, expression, empty, placeholder,
+        number,
+        string,
+        name,
+        call,
+        member,
+        index,
+        unary,
+        postfix,
+        binary,
+        assignment,
+        conditional,
+        cast,
+        size_of,
+        comma,
+        list,
+        block,
+        declaration,
+        if_,
+        for_,
+        while_,
+        return_,
+        break_,
+        continue_,
+        switch_,
+        case_,
+        expression,
+        empty,
+        placeholder,
     };
     Kind kind;
-    std::string text = {};                ///< a name, number or operator
-    CNodes parts = {};                    ///< may hold nulls: of a loop without a condition
+    std::string text = {};  ///< a name, number or operator
+    CNodes parts = {};      ///< may hold nulls: of a loop without a condition
     std::vector<CVariable> variables = {};
-    CType type = {};                      ///< of a cast, or of what size_of is asked for
-    bool is_table = false;                ///< a declaration of constants
+    CType type = {};        ///< of a cast, or of what size_of is asked for
+    bool is_table = false;  ///< a declaration of constants
 };
 using CTree = std::shared_ptr<CNode>;
 
@@ -69,7 +95,7 @@ struct CItem {
 struct CUnit {
     std::vector<CItem> items;
     std::map<std::string, CStructure> structures;
-    std::map<std::string, CType> results;            ///< of functions
+    std::map<std::string, CType> results;  ///< of functions
     std::map<std::string, CType> tables;
     std::vector<std::pair<std::string, CTree>> numbers;  ///< of enumerations, and of macros without arguments
 };

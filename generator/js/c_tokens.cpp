@@ -9,8 +9,8 @@ namespace dalembert {
 
 namespace {
 
-constexpr std::string_view long_signs[]{"<<=", ">>=", "...", "->", "++", "--", "<<", ">>", "<=", ">=", "==", "!=",
-                                        "&&",  "||",  "+=",  "-=", "*=", "/=", "%=", "&=", "|=", "^="};
+constexpr std::string_view long_signs[]{
+    "<<=", ">>=", "...", "->", "++", "--", "<<", ">>", "<=", ">=", "==", "!=", "&&", "||", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^="};
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
@@ -58,12 +58,18 @@ private:
         if (std::isspace(static_cast<unsigned char>(c)) != 0) {
             if (starts("\n\n")) comment_.clear();
             ++at_;
-        } else if (starts("//")) comment(line_end());
-        else if (starts("/*")) comment(text_.find("*/", at_) + 2);
-        else if (c == '#') directive();
-        else if (c == '@') add(CToken::Kind::placeholder, text_.find('@', at_ + 1) + 1 - at_);
-        else if (c == '"') add(CToken::Kind::string, text_.find('"', at_ + 1) + 1 - at_);
-        else if (std::isdigit(static_cast<unsigned char>(c)) != 0) number();
+        } else if (starts("//"))
+            comment(line_end());
+        else if (starts("/*"))
+            comment(text_.find("*/", at_) + 2);
+        else if (c == '#')
+            directive();
+        else if (c == '@')
+            add(CToken::Kind::placeholder, text_.find('@', at_ + 1) + 1 - at_);
+        else if (c == '"')
+            add(CToken::Kind::string, text_.find('"', at_ + 1) + 1 - at_);
+        else if (std::isdigit(static_cast<unsigned char>(c)) != 0)
+            number();
         else if (is_word(c)) {
             std::size_t end = at_;
             while (end < text_.size() && is_word(text_[end])) ++end;

@@ -17,7 +17,7 @@ struct FromC {
     /// The name in JavaScript of what is declared at the top of some C.
     std::function<std::string(const std::string&)> name = [](const std::string& one) { return one; };
     std::set<std::string> left_out = {};  ///< functions that stand elsewhere
-    std::string left_out_argument = {};    ///< of functions and calls
+    std::string left_out_argument = {};   ///< of functions and calls
     bool has_comments = false;
 };
 

@@ -26,7 +26,8 @@ public:
         values["UPDATE"] = print_.text(plant_.update.statements);
         values["FUNCTIONS"] = functions();
         values["STATES"] = std::to_string(plant_.states.size());
-        values["START_STATE"] = print_.text(plant_.start_state.statements) + (has_starts_to_find() ? "        $meet_constraints(x);\n" : "");
+        values["START_STATE"] =
+            print_.text(plant_.start_state.statements) + (has_starts_to_find() ? "        $meet_constraints(x);\n" : "");
         values["CONSTRAINTS"] = constraints();
         values["INTERFACE"] = interface();
         values["HELPERS"] = shifted(js_helper_source(print_.called()));  // of all that was printed so far
@@ -45,7 +46,8 @@ private:
             std::vector<std::string> defaults;
             for (const Value& value : p.defaults) defaults.push_back(print_.text(value));
             const std::string all = fmt::format("{}", fmt::join(defaults, ", "));
-            members += fmt::format("        {}: {},{}\n", p.identifier, p.is_array ? "Float64Array.of(" + all + ")" : all, comment(p.unit, p.doc));
+            members +=
+                fmt::format("        {}: {},{}\n", p.identifier, p.is_array ? "Float64Array.of(" + all + ")" : all, comment(p.unit, p.doc));
             for (std::size_t i = 0; i < p.defaults.size(); ++i)
                 setters += fmt::format("        $p.{}{} = numbers[{}];\n", p.identifier, p.is_array ? fmt::format("[{}]", i) : "", next++);
         }
@@ -91,7 +93,8 @@ private:
             assignments += fmt::format("        $c.{} = chosen[{}] ? 1 : 0;\n", member, constraint);
         functions_.push_back("solve_for");
         return "    /// Chooses the constraints to solve for, until the next call. update() takes those of the start.\n"
-               "    function $solve_for(chosen) {\n" + assignments + "    }\n\n";
+               "    function $solve_for(chosen) {\n" +
+               assignments + "    }\n\n";
     }
 
     bool has_starts_to_find() const { return plant_.constraints && !plant_.constraints->starts_to_find.empty(); }
@@ -114,15 +117,16 @@ private:
     static std::string quantities(const std::vector<PlantQuantity>& list) {
         std::string text;
         for (const PlantQuantity& q : list)
-            text += fmt::format("            {{ name: {}, identifier: {}, unit: {}, description: {}, low: {}, high: {} }},\n", js_string(q.name),
-                                js_string(q.identifier), js_string(q.unit), js_string(q.doc), range(q.low, "-Infinity"),
+            text += fmt::format("            {{ name: {}, identifier: {}, unit: {}, description: {}, low: {}, high: {} }},\n",
+                                js_string(q.name), js_string(q.identifier), js_string(q.unit), js_string(q.doc), range(q.low, "-Infinity"),
                                 range(q.high, "Infinity"));
         return text.empty() ? "[]" : "[\n" + text + "        ]";
     }
 
     static std::string pattern(const PlantPattern& p) {
         if (!p.is_sparse) return "null";
-        return fmt::format("{{ column_starts: [{}], row_indices: [{}] }}", fmt::join(p.column_starts, ", "), fmt::join(p.row_indices, ", "));
+        return fmt::format("{{ column_starts: [{}], row_indices: [{}] }}", fmt::join(p.column_starts, ", "),
+                           fmt::join(p.row_indices, ", "));
     }
 
     std::string modes() const {
@@ -130,17 +134,17 @@ private:
         std::vector<std::string> names, events, rows;
         for (const std::string& mode : plant_.modes->modes) names.push_back(js_string(mode));
         for (const PlantEvent& e : plant_.modes->events)
-            events.push_back(fmt::format("{{ name: {}, identifier: {}, at_once: {}, at_start: {} }}", js_string(e.name), js_string(e.identifier),
-                                         e.at_once, e.at_start));
+            events.push_back(fmt::format("{{ name: {}, identifier: {}, at_once: {}, at_start: {} }}", js_string(e.name),
+                                         js_string(e.identifier), e.at_once, e.at_start));
         for (const std::vector<PlantTransition>& of_event : plant_.modes->transitions) {
             std::vector<std::string> all;
             for (const PlantTransition& to : of_event)
-                all.push_back(fmt::format("{{ is_watched: {}, next: [{}], beside: [{}], rest: [{}] }}", to.is_watched, fmt::join(to.next, ", "),
-                                          fmt::join(to.beside, ", "), fmt::join(to.rest, ", ")));
+                all.push_back(fmt::format("{{ is_watched: {}, next: [{}], beside: [{}], rest: [{}] }}", to.is_watched,
+                                          fmt::join(to.next, ", "), fmt::join(to.beside, ", "), fmt::join(to.rest, ", ")));
             rows.push_back(fmt::format("[{}]", fmt::join(all, ", ")));
         }
-        return fmt::format("        modes: [{}],\n        events: [{}],\n        transitions: [\n            {},\n        ],\n", fmt::join(names, ", "),
-                           fmt::join(events, ", "), fmt::join(rows, ",\n            "));
+        return fmt::format("        modes: [{}],\n        events: [{}],\n        transitions: [\n            {},\n        ],\n",
+                           fmt::join(names, ", "), fmt::join(events, ", "), fmt::join(rows, ",\n            "));
     }
 
     std::string constraints() const {
@@ -159,20 +163,26 @@ private:
         std::string guards;
         for (const PlantGuard& g : plant_.guards)
             guards += fmt::format("            {{ name: {}, doc: {}, ends: {} }},\n", js_string(g.name), js_string(g.doc), g.ends);
-        std::string text = fmt::format("        api_version: {},\n        model: {},\n        scene: {},\n        title: {},\n", js_api_version,
-                                       js_string(plant_.model), js_string(plant_.scene), js_string(plant_.title));
-        text += fmt::format("        degrees: {},\n        plain_states: {},\n        is_separable: {},\n", plant_.degrees, plant_.plain_states,
-                            plant_.is_separable);
+        std::string text = fmt::format("        api_version: {},\n        model: {},\n        scene: {},\n        title: {},\n",
+                                       js_api_version, js_string(plant_.model), js_string(plant_.scene), js_string(plant_.title));
+        text += fmt::format("        degrees: {},\n        plain_states: {},\n        is_separable: {},\n", plant_.degrees,
+                            plant_.plain_states, plant_.is_separable);
         for (const auto& [name, list] : {std::pair{"states", &plant_.states}, std::pair{"inputs", &plant_.inputs},
                                          std::pair{"outputs", &plant_.outputs}, std::pair{"parameters", &plant_.parameters}})
             text += fmt::format("        {}: {},\n", name, quantities(*list));
         text += fmt::format("        guard_table: {},\n", guards.empty() ? "[]" : "[\n" + guards + "        ]") + modes();
-        text += "        // Constraints that hold; null where no state needs to be brought back to anything.\n        constraints: $constraints,\n";
-        text += fmt::format("        constraint_rank: {},\n", plant_.constraints && plant_.constraints->choice ? plant_.constraints->choice->rank : 0);
+        text +=
+            "        // Constraints that hold; null where no state needs to be brought back to anything.\n        constraints: "
+            "$constraints,\n";
+        text += fmt::format("        constraint_rank: {},\n",
+                            plant_.constraints && plant_.constraints->choice ? plant_.constraints->choice->rank : 0);
         text += "        // Stored entries of Jacobians in compressed columns; null: all, column by column.\n";
-        for (const auto& [letter, p] : {std::pair{'x', &plant_.by_state}, std::pair{'u', &plant_.by_input}, std::pair{'p', &plant_.by_parameter}})
+        for (const auto& [letter, p] :
+             {std::pair{'x', &plant_.by_state}, std::pair{'u', &plant_.by_input}, std::pair{'p', &plant_.by_parameter}})
             text += fmt::format("        pattern_{}: {},\n", letter, pattern(*p));
-        text += "        parameter_values: $p,\n        set_parameters: $set_parameters,\n        update: $update,\n        start_state: $start_state,\n";
+        text +=
+            "        parameter_values: $p,\n        set_parameters: $set_parameters,\n        update: $update,\n        start_state: "
+            "$start_state,\n";
         for (const std::string& one : functions_) text += fmt::format("        {0}: ${0},\n", one);
         return text;
     }

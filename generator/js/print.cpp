@@ -96,37 +96,55 @@ std::size_t JsPrinter::mode_number(const std::string& mode) const {
 
 std::size_t JsPrinter::event_number(const std::string& event) const {
     const std::vector<PlantEvent>& all = plant_.modes.value().events;
-    return static_cast<std::size_t>(
-        std::find_if(all.begin(), all.end(), [&](const PlantEvent& e) { return e.identifier == event; }) - all.begin());
+    return static_cast<std::size_t>(std::find_if(all.begin(), all.end(), [&](const PlantEvent& e) { return e.identifier == event; }) -
+                                    all.begin());
 }
 
 std::string JsPrinter::text(const Value& value) {
     switch (value.kind()) {
-        case Value::Kind::none: return {};
-        case Value::Kind::literal: return fmt::format("{}", value.number());
-        case Value::Kind::constant: return js_number(cln::double_approx(value.exact()));
-        case Value::Kind::pi: return "Math.PI";
-        case Value::Kind::whole: return std::to_string(value.number());
+        case Value::Kind::none:
+            return {};
+        case Value::Kind::literal:
+            return fmt::format("{}", value.number());
+        case Value::Kind::constant:
+            return js_number(cln::double_approx(value.exact()));
+        case Value::Kind::pi:
+            return "Math.PI";
+        case Value::Kind::whole:
+            return std::to_string(value.number());
         case Value::Kind::whole_array:
-        case Value::Kind::name: return javascript_name(value.text());
+        case Value::Kind::name:
+            return javascript_name(value.text());
         case Value::Kind::member: {
             static constexpr const char* objects[]{"$p.", "$c.", "energies."};
             return objects[static_cast<std::size_t>(value.object())] + value.text();
         }
-        case Value::Kind::element: return text(value.parts()[0]) + "[" + text(value.parts()[1]) + "]";
+        case Value::Kind::element:
+            return text(value.parts()[0]) + "[" + text(value.parts()[1]) + "]";
         case Value::Kind::room_from:
-        case Value::Kind::part_from: return fmt::format("{}.subarray({})", text(value.parts()[0]), text(value.parts()[1]));
-        case Value::Kind::list: return "Float64Array.of(" + listed(value.parts(), ", ") + ")";
-        case Value::Kind::sum: return sum(value);
-        case Value::Kind::product: return product(value);
-        case Value::Kind::parenthesised: return "(" + text(value.parts()[0]) + ")";
-        case Value::Kind::call: return call(value);
-        case Value::Kind::all_of: return value.parts().empty() ? "true" : listed(value.parts(), " && ");
-        case Value::Kind::event: return std::to_string(event_number(value.text()));
-        case Value::Kind::interface_size: throw std::logic_error("series in JavaScript");
+        case Value::Kind::part_from:
+            return fmt::format("{}.subarray({})", text(value.parts()[0]), text(value.parts()[1]));
+        case Value::Kind::list:
+            return "Float64Array.of(" + listed(value.parts(), ", ") + ")";
+        case Value::Kind::sum:
+            return sum(value);
+        case Value::Kind::product:
+            return product(value);
+        case Value::Kind::parenthesised:
+            return "(" + text(value.parts()[0]) + ")";
+        case Value::Kind::call:
+            return call(value);
+        case Value::Kind::all_of:
+            return value.parts().empty() ? "true" : listed(value.parts(), " && ");
+        case Value::Kind::event:
+            return std::to_string(event_number(value.text()));
+        case Value::Kind::interface_size:
+            throw std::logic_error("series in JavaScript");
         case Value::Kind::signed_index:
-        case Value::Kind::real: return "(" + text(value.parts()[0]) + ")";
-        case Value::Kind::comparison: return comparison(value);
+        case Value::Kind::real:
+            return "(" + text(value.parts()[0]) + ")";
+        case Value::Kind::comparison:
+            return comparison(value);
         case Value::Kind::choice:
             return fmt::format("{} ? {} : {}", text(value.parts()[0]), text(value.parts()[1]), text(value.parts()[2]));
     }
@@ -142,11 +160,15 @@ std::string JsPrinter::declaration(const Declaration& d) {
             return d.value.kind() == Value::Kind::none ? fmt::format("let {};", all)
                                                        : fmt::format("{} {} = {};", d.changes ? "let" : "const", all, text(d.value));
         case Storage::Kind::room:
-        case Storage::Kind::index: return fmt::format("const {} = {};", all, text(d.value));
-        case Storage::Kind::indices: return fmt::format("const {} = [{}];", all, fmt::join(d.numbers, ", "));
-        case Storage::Kind::vector: return fmt::format("const {} = new Float64Array({});", all, size_of(plant_, d.type.name));
+        case Storage::Kind::index:
+            return fmt::format("const {} = {};", all, text(d.value));
+        case Storage::Kind::indices:
+            return fmt::format("const {} = [{}];", all, fmt::join(d.numbers, ", "));
+        case Storage::Kind::vector:
+            return fmt::format("const {} = new Float64Array({});", all, size_of(plant_, d.type.name));
         case Storage::Kind::array:
-        case Storage::Kind::table: break;
+        case Storage::Kind::table:
+            break;
     }
     if (d.type.sizes.size() == 1) return fmt::format("const {} = new Float64Array({});", all, d.type.sizes[0]);
     return fmt::format("const {} = Array.from({{ length: {} }}, () => new Float64Array({}));", all, d.type.sizes[0], d.type.sizes[1]);
@@ -182,8 +204,8 @@ std::string JsPrinter::modes(const ByMode& by_mode) {
     for (const ByMode::Case& one : by_mode.cases) {
         for (const std::string& mode : one.modes) result += fmt::format("{}    case {}:  // {}\n", indent_of_code, mode_number(mode), mode);
         if (&one == &by_mode.cases.back()) result += indent_of_code + "    default:\n";
-        result += indent_of_code + "    {\n" + shifted(shifted(text(one.body))) + (returns(one.body) ? "" : indent_of_code + "        break;\n") +
-                  indent_of_code + "    }\n";
+        result += indent_of_code + "    {\n" + shifted(shifted(text(one.body))) +
+                  (returns(one.body) ? "" : indent_of_code + "        break;\n") + indent_of_code + "    }\n";
     }
     return result + indent_of_code + "}\n";
 }
@@ -198,9 +220,12 @@ std::string JsPrinter::one(const Statement& statement) {
         }
         std::string operator()(const Assignment& s) const { return line(print.assignment(s)); }
         std::string operator()(const Invocation& s) const { return print.invocation(s.call); }
-        std::string operator()(const Filling& s) const { return line(fmt::format("{}.fill({});", javascript_name(s.array), print.text(s.value))); }
+        std::string operator()(const Filling& s) const {
+            return line(fmt::format("{}.fill({});", javascript_name(s.array), print.text(s.value)));
+        }
         std::string operator()(const Loop& s) const {
-            return print.braced(fmt::format("for (let {0} = {1}; {0} < {2}; ++{0}) ", javascript_name(s.index), s.first, print.text(s.end)), s.body);
+            return print.braced(fmt::format("for (let {0} = {1}; {0} < {2}; ++{0}) ", javascript_name(s.index), s.first, print.text(s.end)),
+                                s.body);
         }
         std::string operator()(const OnEvent& s) const {
             return print.braced(fmt::format("if (event_number === {}) ", print.event_number(s.event)), s.body);

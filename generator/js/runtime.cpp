@@ -18,10 +18,10 @@ std::string_view plant_interface() {
 }
 
 /// In the order in which one needs the other.
-constexpr const char* parts[]{"projection", "accumulation", "modes",     "modes_logic", "modes_calls", "run",       "control",
-                              "dop853",     "jacobian",     "rodas5p",   "choice",      "guards",      "bracket",   "events",
-                              "collocation", "independence", "singular",  "steps",       "passing",     "run_memory", "run_calls",
-                              "scales"};
+constexpr const char* parts[]{"projection", "accumulation", "modes",       "modes_logic",  "modes_calls", "run",
+                              "control",    "dop853",       "jacobian",    "rodas5p",      "choice",      "guards",
+                              "bracket",    "events",       "collocation", "independence", "singular",    "steps",
+                              "passing",    "run_memory",   "run_calls",   "scales"};
 
 }  // namespace
 
@@ -30,12 +30,13 @@ std::string javascript_runtime() {
     parse_c(plant_interface(), unit);
     for (const char* part : parts) parse_c(embedded_file(fmt::format("dalembert_{}.h", part)), unit);
     // Memory is an affair of each language, and no state is saved.
-    const FromC options{.left_out = {"dalembert_take", "dalembert_numbers", "dalembert_modes_lay_kept", "dalembert_modes_lay_work",
-                                     "dalembert_modes_set", "dalembert_modes_new", "dalembert_modes_free", "dalembert_modes_note",
-                                     "dalembert_modes_recall", "dalembert_modes_saved_size", "dalembert_modes_save", "dalembert_modes_load",
-                                     "dalembert_lay_candidate", "dalembert_lay_polynomial", "dalembert_lay_run", "dalembert_run_new",
-                                     "dalembert_run_free", "dalembert_run_message", "dalembert_run_saved_size", "dalembert_run_save",
-                                     "dalembert_run_load"}};
+    const FromC options{
+        .left_out = {"dalembert_take",          "dalembert_numbers",          "dalembert_modes_lay_kept", "dalembert_modes_lay_work",
+                     "dalembert_modes_set",     "dalembert_modes_new",        "dalembert_modes_free",     "dalembert_modes_note",
+                     "dalembert_modes_recall",  "dalembert_modes_saved_size", "dalembert_modes_save",     "dalembert_modes_load",
+                     "dalembert_lay_candidate", "dalembert_lay_polynomial",   "dalembert_lay_run",        "dalembert_run_new",
+                     "dalembert_run_free",      "dalembert_run_message",      "dalembert_run_saved_size", "dalembert_run_save",
+                     "dalembert_run_load"}};
     std::string text = std::string(embedded_file("mathematics.js")) + javascript_from(unit, options);
     for (const char* file : {"memory.js", "plant.js", "record.js"}) text += embedded_file(file);
     return text;

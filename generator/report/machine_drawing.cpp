@@ -34,7 +34,8 @@ public:
             shown_.push_back(&body);
         }
         find_plane();
-        if (drawing_.plane == std::vector<std::size_t>{0, 1}) add_bars();
+        if (drawing_.plane == std::vector<std::size_t>{0, 1})
+            add_bars();
         else
             add_bars_in_space();
         drawing_.framed = points_.size();
@@ -67,7 +68,8 @@ private:
 
     std::optional<std::size_t> place_of(const Point& point, std::size_t but) const {
         for (std::size_t i = 0; i < points_.size(); ++i)
-            if (i != but && is_zero_after_expansion(points_[i][0] - point[0]) && is_zero_after_expansion(points_[i][1] - point[1])) return i;
+            if (i != but && is_zero_after_expansion(points_[i][0] - point[0]) && is_zero_after_expansion(points_[i][1] - point[1]))
+                return i;
         return std::nullopt;
     }
 
@@ -104,7 +106,8 @@ private:
             if (!joint && (moves(pivot[0]) || moves(pivot[1]))) continue;
             if (!joint) joint = add(pivot);
             const BodyMotion& motion = *shown_[body];
-            const bool turns_itself = motion.has_rotation && !is_zero_after_expansion(plain(motion.rotation).diff(GiNaC::ex_to<GiNaC::symbol>(symbol)));
+            const bool turns_itself =
+                motion.has_rotation && !is_zero_after_expansion(plain(motion.rotation).diff(GiNaC::ex_to<GiNaC::symbol>(symbol)));
             std::size_t end = body;
             if (turns_itself) {
                 const Point far{(2 * r[0] - pivot[0]).expand(), (2 * r[1] - pivot[1]).expand(), 0};
@@ -140,7 +143,8 @@ private:
         GiNaC::exmap values;
         int next = 0;
         for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::state, SymbolKind::parameter})
-            for (const Variable& variable : system_.symbols.all(kind)) values[variable.symbol] = GiNaC::numeric(37 + 11 * next, 59 + 7 * next), ++next;
+            for (const Variable& variable : system_.symbols.all(kind))
+                values[variable.symbol] = GiNaC::numeric(37 + 11 * next, 59 + 7 * next), ++next;
         values[system_.symbols.time()] = GiNaC::numeric(5, 7);
         const auto number = [&](const ex& e) {
             const ex value = plain(e).subs(values).evalf();
@@ -175,7 +179,9 @@ private:
             std::vector<std::size_t> moved;
             for (std::size_t b = 0; b < shown_.size(); ++b) {
                 const std::vector<ex> own = coordinates_in({points_[b][0], points_[b][1], points_[b][2]});
-                const auto counts = [&](const ex& q) { return std::any_of(moving.begin(), moving.end(), [&](const ex& m) { return m.is_equal(q); }); };
+                const auto counts = [&](const ex& q) {
+                    return std::any_of(moving.begin(), moving.end(), [&](const ex& m) { return m.is_equal(q); });
+                };
                 if (!own.empty() && std::all_of(own.begin(), own.end(), counts)) moved.push_back(b);
             }
             const bool is_drawn = moving.size() == 1 && moved.size() == 1   ? add_spring_at_wall(moved[0], elongation, moving[0])

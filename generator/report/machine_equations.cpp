@@ -59,11 +59,12 @@ private:
     }
 
     void add(const std::string& equation, const std::string& name = "") {
-        if (!title_.empty()) text_ += "<h4>" + html_text(title_) + "</h4>\n";
+        if (!title_.empty()) text_ += "<h3 class=\"part\">" + html_text(title_) + "</h3>\n";
         title_.clear();
         const std::string label = name.empty() ? "" : fmt::format("<span class=\"label\">{}</span>", html_text(name));
         if (equation.size() > longest_formula)
-            text_ += fmt::format("<p>{}An equation of {} characters, which <code>dalembert derive</code> prints.</p>\n", label, equation.size());
+            text_ +=
+                fmt::format("<p>{}An equation of {} characters, which <code>dalembert derive</code> prints.</p>\n", label, equation.size());
         else
             text_ += fmt::format("<div class=\"formula\" tabindex=\"0\">{}{}</div>\n", label, math_element(mathml_of_text(equation)));
     }

@@ -24,7 +24,9 @@ namespace {
 std::string text_paragraph(const std::string& text) { return text.empty() ? "" : "<p>" + html_text(text) + "</p>\n"; }
 
 std::string folded(const std::string& title, const std::string& inside, bool is_open) {
-    return inside.empty() ? "" : fmt::format("<details{}><summary>{}</summary>\n{}</details>\n", is_open ? " open" : "", html_text(title), inside);
+    return inside.empty()
+               ? ""
+               : fmt::format("<details{}><summary>{}</summary>\n{}</details>\n", is_open ? " open" : "", html_text(title), inside);
 }
 
 std::string proofs_of_scene(const CheckedScene& scene) {
@@ -34,7 +36,8 @@ std::string proofs_of_scene(const CheckedScene& scene) {
         std::string list;
         for (const CheckedScene::Proof& proof : group.proofs) {
             counts.add(proof.verdict);
-            list += fmt::format("<li>{}: <strong class=\"verdict\">{}</strong></li>\n", html_text(proof.name), html_text(to_string(proof.verdict)));
+            list += fmt::format("<li>{}: <strong class=\"verdict\">{}</strong></li>\n", html_text(proof.name),
+                                html_text(to_string(proof.verdict)));
         }
         text += folded(fmt::format("{}: {}", group.title, counts.line("identities")), "<ul>\n" + list + "</ul>\n", false);
     }
@@ -50,13 +53,16 @@ std::string operations_of(const Machine& machine) {
             rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
                                 html_text(name_of(function)), c.additions, c.multiplications, c.divisions, c.trigonometric, c.other);
     }
-    return "<div class=\"wide\" tabindex=\"0\"><table>\n<tr><th scope=\"col\">function</th><th scope=\"col\">+, &minus;</th><th scope=\"col\">&times;</th><th scope=\"col\">/</th>"
-           "<th scope=\"col\">sin, cos</th><th scope=\"col\">other</th></tr>\n" + rows + "</table></div>\n";
+    return "<div class=\"wide\" tabindex=\"0\"><table>\n<tr><th scope=\"col\">function</th><th scope=\"col\">+, &minus;</th><th "
+           "scope=\"col\">&times;</th><th scope=\"col\">/</th>"
+           "<th scope=\"col\">sin, cos</th><th scope=\"col\">other</th></tr>\n" +
+           rows + "</table></div>\n";
 }
 
 std::string effects_of(const Scene& scene) {
     std::string text;
-    for (const Effect* effect : scene.effects_in) text += fmt::format("<li><strong>{}</strong>: {}</li>\n", html_text(effect->name), html_text(effect->doc));
+    for (const Effect* effect : scene.effects_in)
+        text += fmt::format("<li><strong>{}</strong>: {}</li>\n", html_text(effect->name), html_text(effect->doc));
     for (const Effect* effect : scene.effects_out)
         text += fmt::format("<li>without <strong>{}</strong>: {}</li>\n", html_text(effect->name), html_text(effect->doc));
     return text.empty() ? "" : "<ul>\n" + text + "</ul>\n";
@@ -70,12 +76,14 @@ std::string in_declared_unit(double value, const Unit& unit) {
 
 std::string quantity_row(const std::string& name, const std::string& unit, const std::string& value, const std::string& range,
                          const std::string& doc) {
-    return fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", html_text(name), value, html_text(unit), range, html_text(doc));
+    return fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", html_text(name), value,
+                       html_text(unit), range, html_text(doc));
 }
 
 std::string range_text(const PlantQuantity& q, const Unit& unit) {
     if (!q.low && !q.high) return "";
-    return fmt::format("{} ... {}", q.low ? in_declared_unit(*q.low, unit) : "&minus;&infin;", q.high ? in_declared_unit(*q.high, unit) : "&infin;");
+    return fmt::format("{} ... {}", q.low ? in_declared_unit(*q.low, unit) : "&minus;&infin;",
+                       q.high ? in_declared_unit(*q.high, unit) : "&infin;");
 }
 
 std::string quantities_of(const ScenePage& scene) {
@@ -94,14 +102,18 @@ std::string quantities_of(const ScenePage& scene) {
     };
     add(SymbolKind::parameter, plant.parameters, true);
     add(SymbolKind::input, plant.inputs, false);
-    return rows.empty() ? "" : "<div class=\"wide\" tabindex=\"0\"><table>\n<tr><th scope=\"col\">name</th><th scope=\"col\">value</th><th scope=\"col\">unit</th><th scope=\"col\">range</th>"
-                               "<th scope=\"col\">meaning</th></tr>\n" + rows + "</table></div>\n";
+    return rows.empty() ? ""
+                        : "<div class=\"wide\" tabindex=\"0\"><table>\n<tr><th scope=\"col\">name</th><th scope=\"col\">value</th><th "
+                          "scope=\"col\">unit</th><th scope=\"col\">range</th>"
+                          "<th scope=\"col\">meaning</th></tr>\n" +
+                              rows + "</table></div>\n";
 }
 
 std::string scene_section(const ScenePage& scene, const MachineDrawing& drawing) {
     const Machine& machine = scene.derived();
     const Scene& s = machine.system->scene;
-    std::string text = fmt::format("<section class=\"scene\" id=\"scene-{0}\">\n<h2>Scene {0}</h2>\n", html_text(s.name)) + text_paragraph(s.doc) + effects_of(s);
+    std::string text = fmt::format("<section class=\"scene\" id=\"scene-{0}\">\n<h2>Scene {0}</h2>\n", html_text(s.name)) +
+                       text_paragraph(s.doc) + effects_of(s);
     if (!scene.run) text += "<p><strong>This page does not run the scene:</strong> " + html_text(scene.reason) + "</p>\n";
     if (!drawing.not_drawn.empty()) {
         std::string list;
@@ -113,7 +125,8 @@ std::string scene_section(const ScenePage& scene, const MachineDrawing& drawing)
     if (machine.system->scene.mode) title += ", mode " + s.modes[*machine.system->scene.mode].name;
     text += folded(title, equations, true);
     for (const Machine& other : machine.other_modes)
-        text += folded("Equations, mode " + other.system->scene.modes[*other.system->scene.mode].name, equations_as_html(*other.system), false);
+        text +=
+            folded("Equations, mode " + other.system->scene.modes[*other.system->scene.mode].name, equations_as_html(*other.system), false);
     text += folded("Parameters and inputs", quantities_of(scene), true);
     text += "<h3>Proofs</h3>\n" + proofs_of_scene(scene.proofs);
     return text + folded("Operations of the generated code", operations_of(machine), false) + "</section>\n";
@@ -142,8 +155,8 @@ std::string in_script(std::string text) {
 
 }  // namespace
 
-std::string machine_page(const Model& model, const std::string& file, std::vector<ScenePage>& scenes, const std::vector<PrintedRow>& printed,
-                         ReportResult& result) {
+std::string machine_page(const Model& model, const std::string& file, std::vector<ScenePage>& scenes,
+                         const std::vector<PrintedRow>& printed, ReportResult& result) {
     std::string modules, objects, sections, links;
     for (ScenePage& scene : scenes) {
         const Scene& s = scene.derived().system->scene;
@@ -163,18 +176,24 @@ std::string machine_page(const Model& model, const std::string& file, std::vecto
     for (const PrintedRow& row : printed) result.printed.add(row.verdict());
     if (!printed.empty()) links += "<a href=\"#printed\">printed equations</a>";
     const std::string title = model.title.empty() ? model.name : model.title;
-    const std::string script = objects.empty() ? "" : "<script type=\"module\">\n" + in_script(javascript_runtime() + modules + "const scenes = [\n" + objects +
-                               "];\nconst first_scene = " + js_string(result.first_scene) + ";\n" + std::string(embedded_file("report_numbers.js")) + std::string(embedded_file("report_plot.js")) +
-                               std::string(embedded_file("report_drawing.js")) + std::string(embedded_file("report_player.js"))) + "</script>\n";
-    std::string page = fill_template(embedded_file("report.html.in"),
-                                     {{"STYLE", std::string(embedded_file("report.css"))},
-                                      {"TITLE", html_text(title)},
-                                      {"NAME", html_text(model.name)},
-                                      {"DOC", text_paragraph(model.doc) + (model.reference.empty() ? "" : text_paragraph("Source: " + model.reference))},
-                                      {"LINKS", links},
-                                      {"PLAYER", objects.empty() ? "" : std::string(embedded_file("report_player.html"))},
-                                      {"BODY", sections + printed_section(printed)},
-                                      {"SCRIPT", script}});
+    std::string script;
+    if (!objects.empty()) {
+        script = javascript_runtime() + modules + "const scenes = [\n" + objects +
+                 "];\nconst first_scene = " + js_string(result.first_scene) + ";\n";
+        for (const char* part : {"numbers", "plot", "drawing", "runs", "player"})
+            script += embedded_file(fmt::format("report_{}.js", part));
+        script = "<script type=\"module\">\n" + in_script(script) + "</script>\n";
+    }
+    std::string page =
+        fill_template(embedded_file("report.html.in"),
+                      {{"STYLE", std::string(embedded_file("report.css"))},
+                       {"TITLE", html_text(title)},
+                       {"NAME", html_text(model.name)},
+                       {"DOC", text_paragraph(model.doc) + (model.reference.empty() ? "" : text_paragraph("Source: " + model.reference))},
+                       {"LINKS", links},
+                       {"PLAYER", objects.empty() ? "" : std::string(embedded_file("report_player.html"))},
+                       {"BODY", sections + printed_section(printed)},
+                       {"SCRIPT", script}});
     result.bytes = page.size();
     return page;
 }
@@ -195,7 +214,8 @@ nlohmann::ordered_json as_json(const ReportResult& result) {
     json["bytes"] = result.bytes;
     json["scenes"] = nlohmann::ordered_json::array();
     for (const ReportResult::Scene& scene : result.scenes) {
-        nlohmann::ordered_json one{{"scene", scene.name}, {"runs", scene.runs}, {"bodies_drawn", scene.drawn}, {"proofs", scene.proofs.json()}};
+        nlohmann::ordered_json one{
+            {"scene", scene.name}, {"runs", scene.runs}, {"bodies_drawn", scene.drawn}, {"proofs", scene.proofs.json()}};
         if (!scene.runs) one["reason"] = scene.reason;
         json["scenes"].push_back(std::move(one));
     }

@@ -22,8 +22,8 @@ struct ReportResult {
     struct Scene {
         std::string name;
         bool runs;
-        std::string reason;       ///< why it does not
-        std::size_t drawn;        ///< bodies of the drawing
+        std::string reason;  ///< why it does not
+        std::size_t drawn;   ///< bodies of the drawing
         VerdictCounts proofs;
     };
     std::string model;
@@ -35,8 +35,8 @@ struct ReportResult {
 };
 
 /// Writes the page and what is to be told of it. `file`: the name of the model file, for commands. The code of the machines grows.
-std::string machine_page(const Model& model, const std::string& file, std::vector<ScenePage>& scenes, const std::vector<PrintedRow>& printed,
-                         ReportResult& result);
+std::string machine_page(const Model& model, const std::string& file, std::vector<ScenePage>& scenes,
+                         const std::vector<PrintedRow>& printed, ReportResult& result);
 
 std::string as_text(const ReportResult& result);
 nlohmann::ordered_json as_json(const ReportResult& result);

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "elements/model.hpp"
 #include "elements/item.hpp"
+#include "elements/model.hpp"
 #include "emit/value_statements.hpp"
 #include "form/state_places.hpp"
 #include "graph/notation.hpp"
@@ -25,14 +25,16 @@ using Json = nlohmann::ordered_json;
 /// JSON in a script: nothing in it ends the script.
 std::string script_json(const Json& json) {
     std::string text;
-    for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace)) text += c == '<' ? std::string("\\u003c") : std::string(1, c);
+    for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace))
+        text += c == '<' ? std::string("\\u003c") : std::string(1, c);
     return text;
 }
 
 Json unit_json(const std::string& unit, double factor, double offset) { return {{"unit", unit}, {"factor", factor}, {"offset", offset}}; }
 
 Json unit_json(const Unit& unit) {
-    return unit_json(unit.written, cln::double_approx(unit.factor) * std::pow(std::numbers::pi, unit.pi_power), cln::double_approx(unit.offset));
+    return unit_json(unit.written, cln::double_approx(unit.factor) * std::pow(std::numbers::pi, unit.pi_power),
+                     cln::double_approx(unit.offset));
 }
 
 /// A function with the parameters $p that writes into `target`; null where there is nothing to write.
@@ -41,13 +43,14 @@ std::string written_function(Code& code, const Plant& plant, const std::vector<G
     if (values.empty()) return "null";
     JsPrinter print(plant);
     const std::string body = print.text(value_statements(code, values, target));
-    return fmt::format("(() => {{\n{}return ($p) => ({}) => {{\n        {}.fill(0);\n{}}};\n}})()", js_helper_source(print.called()), arguments,
-                       target, body);
+    return fmt::format("(() => {{\n{}return ($p) => ({}) => {{\n        {}.fill(0);\n{}}};\n}})()", js_helper_source(print.called()),
+                       arguments, target, body);
 }
 
 class ScriptMaker {
 public:
-    ScriptMaker(ScenePage& scene, const MachineDrawing& drawing) : run_(*scene.run), named_run_(scene.named_run), system_(*run_.machine.system), drawing_(drawing) {
+    ScriptMaker(ScenePage& scene, const MachineDrawing& drawing)
+        : run_(*scene.run), named_run_(scene.named_run), system_(*run_.machine.system), drawing_(drawing) {
         for (const ShownUnit& shown : shown_units(system_)) units_[shown.column] = unit_json(shown.unit, shown.factor, shown.offset);
     }
 
@@ -56,13 +59,14 @@ public:
         Json json;
         json["name"] = system_.scene.name;
         json["run"] = named_run_;
-        json["command"] = fmt::format("dalembert simulate {} --scene {}{}", file, system_.scene.name,
-                                      named_run_.empty() ? "" : " --run " + named_run_);
+        json["command"] =
+            fmt::format("dalembert simulate {} --scene {}{}", file, system_.scene.name, named_run_.empty() ? "" : " --run " + named_run_);
         add_run(json);
         add_quantities(json);
         json["bodies"] = drawing_.bodies;
         for (const MachineDrawing::Bar& bar : drawing_.bars) json["bars"].push_back({bar.from, bar.to});
-        for (const MachineDrawing::DrawnSpring& spring : drawing_.springs) json["springs"].push_back({spring.from, spring.to, spring.has_wall});
+        for (const MachineDrawing::DrawnSpring& spring : drawing_.springs)
+            json["springs"].push_back({spring.from, spring.to, spring.has_wall});
         json["points"] = drawing_.coordinates.size() / 3;
         json["framed"] = drawing_.framed;
         json["plane"] = drawing_.plane;
@@ -73,9 +77,7 @@ public:
 
 private:
     /// What the drawing needs; nothing where JavaScript cannot have it.
-    std::string place() {
-        return written_function(*run_.machine.code, run_.header.plant, drawing_.coordinates, "points", "t, x, points");
-    }
+    std::string place() { return written_function(*run_.machine.code, run_.header.plant, drawing_.coordinates, "points", "t, x, points"); }
 
     void add_run(Json& json) {
         const SimulationSettings& s = run_.settings;

@@ -128,7 +128,8 @@ static inline void dalembert_rodas5p_check(dalembert_run* run, const dalembert_p
         double slope = c->y[r] - from->x[r];
         for (int j = 0; j < 8; ++j)
             slope -= (dalembert_rodas5p_dense[0][j] + dalembert_rodas5p_dense[1][j] + dalembert_rodas5p_dense[2][j]) * in->k[j][r];
-        const double unfit = fabs(c->dydt[r] - rate * slope) / (rate / dalembert_rodas5p_gamma + fabs(in->J.entries[dalembert_band_place(&in->J, r, r)]));
+        const double diagonal = in->J.entries[dalembert_band_place(&in->J, r, r)];
+        const double unfit = fabs(c->dydt[r] - rate * slope) / (rate / dalembert_rodas5p_gamma + fabs(diagonal));
         if (unfit > 20 * fabs(c->error[r])) c->error[r] = unfit / 20;
     }
 }

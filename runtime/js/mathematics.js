@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // What <math.h>, <float.h> and <string.h> have for the C of this runtime, for numbers instead of bytes.
 const DBL_EPSILON = Number.EPSILON;
-const { sqrt, sin, cos, exp, log, pow, cbrt } = Math;
+const {sqrt, sin, cos, exp, log, pow, cbrt} = Math;
 const fabs = Math.abs;
 const isnan = Number.isNaN;
 const isfinite = Number.isFinite;
@@ -25,7 +25,9 @@ function memset(what, zero, count) {
         return;
     }
     for (const key of Object.keys(what)) {
-        if (typeof what[key] === "number" || typeof what[key] === "boolean") what[key] = zero;
-        else if (what[key] !== null && typeof what[key] === "object") memset(what[key], zero, what[key].length);
+        if (typeof what[key] === "number" || typeof what[key] === "boolean")
+            what[key] = zero;
+        else if (what[key] !== null && typeof what[key] === "object")
+            memset(what[key], zero, what[key].length);
     }
 }

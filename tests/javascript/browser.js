@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plays with a page as a person would, and returns what it finds. browser.mjs evaluates it in the page.
 (async () => {
-    const found = { errors: [], scenes: 0, frames: 0 };
+    const found = {errors: [], scenes: 0, frames: 0};
     window.addEventListener("error", (event) => found.errors.push(event.message));
     const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
     const part = (id) => document.getElementById(id);
@@ -18,12 +18,17 @@
             await is_ready();
             if (part("plots").querySelectorAll("path").length === 0) found.errors.push("no plot in scene " + i);
             if (part("drawing").querySelector("svg") === null) found.errors.push("no drawing in scene " + i);
-            if (/NaN|undefined|Infinity/.test(part("player").textContent)) found.errors.push("what is no number: " + /.{30}(NaN|undefined|Infinity)/.exec(part("player").textContent));
+            if (/NaN|undefined|Infinity/.test(part("player").textContent))
+                found.errors.push(
+                    "what is no number: " +
+                    /.{30}(NaN|undefined|Infinity)/.exec(part("player").textContent));
             ++found.scenes;
         }
         const before = part("time").value;
         part("play").click();
-        const count = () => { if (++found.frames < 1000) requestAnimationFrame(count); };
+        const count = () => {
+            if (++found.frames < 1000) requestAnimationFrame(count);
+        };
         requestAnimationFrame(count);
         await wait(1000);
         part("play").click();
@@ -31,14 +36,19 @@
         if (!(Number(part("time").value) > Number(before))) found.errors.push("it does not move");
         const field = part("settings").querySelector("input"), note = field.parentElement.querySelector("small");
         const usual = field.value;
-        const type = async (text) => { field.value = text; field.dispatchEvent(new Event("change")); await wait(100); };
+        const type = async (text) => {
+            field.value = text;
+            field.dispatchEvent(new Event("change"));
+            await wait(100);
+        };
         await type("not a number");
         if (note.className !== "bad") found.errors.push("takes what is no number");
         part("status").textContent = "";
         await type(usual.replace(".", ","));
         if (note.className === "bad") found.errors.push("does not take a comma: " + note.textContent);
         await is_ready();
-        for (const svg of document.querySelectorAll("#plots svg")) svg.dispatchEvent(new PointerEvent("pointermove", { clientX: 200, clientY: 100 }));
+        for (const svg of document.querySelectorAll("#plots svg"))
+            svg.dispatchEvent(new PointerEvent("pointermove", {clientX: 200, clientY: 100}));
         for (const details of document.querySelectorAll("details")) details.open = true;
         await wait(50);
         const wide = document.documentElement.scrollWidth - document.documentElement.clientWidth;

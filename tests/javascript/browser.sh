@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Pages of `dalembert report` in a browser, wide and narrow, light and dark: every scene runs and moves, nothing is outside of the window, nothing is
-# written to the console, nothing is loaded. Needs node, chromium, the program (PROGRAM) and the sources (SOURCE). Arguments: names of models of systems/.
-# SHOTS: a folder for pictures.
+# Pages of `dalembert report` in a browser, wide and narrow, light and dark: every scene runs and moves, nothing is outside of the window,
+# nothing is written to the console, nothing is loaded. Needs node, chromium, the program (PROGRAM) and the sources (SOURCE). Arguments:
+# names of models of systems/. SHOTS: a folder for pictures.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}"
 here=$(mktemp -d)

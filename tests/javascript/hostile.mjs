@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A page of hostile.toml has no element or attribute that comes of the model, and its script does nothing that the model says.
 import fs from "fs";
-import { script_of } from "./page.mjs";
+
+import {script_of} from "./page.mjs";
 
 const html = fs.readFileSync(process.argv[2], "utf8");
-const failed = (words) => { console.log("FAILED: " + words); process.exit(1); };
-const known = new Set(["html", "head", "meta", "title", "style", "body", "header", "h1", "h2", "h3", "h4", "p", "nav", "a", "main", "section", "noscript",
-                       "div", "label", "select", "button", "input", "output", "ul", "li", "strong", "details", "summary", "span", "math", "mrow", "mi", "mo",
-                       "mn", "mfrac", "msub", "msup", "msubsup", "mover", "msqrt", "mtext", "mstyle", "mspace", "mtable", "mtr", "mtd", "table", "tr", "th", "td", "footer",
-                       "script", "code"]);
+const failed = (words) => {
+    console.log("FAILED: " + words);
+    process.exit(1);
+};
+const known = new Set([
+    "html",    "head",    "meta",     "title",  "style", "body",   "header", "h1",    "h2",     "h3",   "p",       "nav",    "a",
+    "main",    "section", "noscript", "div",    "label", "select", "button", "input", "output", "ul",   "li",      "strong", "details",
+    "summary", "span",    "math",     "mrow",   "mi",    "mo",     "mn",     "mfrac", "msub",   "msup", "msubsup", "mover",  "msqrt",
+    "mtext",   "mstyle",  "mspace",   "mtable", "mtr",   "mtd",    "table",  "tr",    "th",     "td",   "footer",  "script", "code"
+]);
 const outside = html.replace(/(<script type="module">\n)[\s\S]*?(<\/script>)/, "$1$2").replace(/<style>[\s\S]*?<\/style>/, "");
 for (const [tag, name] of outside.matchAll(/<([a-zA-Z!?][^\s>/]*)[^>]*>/g)) {
     if (name === "!DOCTYPE") continue;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Pages of `dalembert report` run as `simulate` does, are the same bytes each time, load nothing, and show the text of a model as text. Needs node, the
-# program (PROGRAM) and the sources (SOURCE). Arguments: names of models of systems/; all of them if there are none.
+# Pages of `dalembert report` run as `simulate` does, are the same bytes each time, load nothing, and show the text of a model as text.
+# Needs node, the program (PROGRAM) and the sources (SOURCE). Arguments: names of models of systems/; all of them if there are none.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}"
 here=$(mktemp -d)

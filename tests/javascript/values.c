@@ -72,8 +72,8 @@ int main(int argc, char** argv) {
     p = function();
     self = p->create();
     const size_t n = p->states, stored = p->pattern_x.column_starts != NULL ? p->pattern_x.column_starts[n] : n * n;
-    const size_t room = n * n + n * (p->inputs + p->outputs + p->parameters) + p->outputs * (n + p->inputs) + p->guards + p->events + p->kinks +
-                        p->constraints * (p->degrees + 1) + p->degrees * p->degrees + 1;
+    const size_t room = n * n + n * (p->inputs + p->outputs + p->parameters) + p->outputs * (n + p->inputs) + p->guards +
+                        p->events + p->kinks + p->constraints * (p->degrees + 1) + p->degrees * p->degrees + 1;
     double* const start = calloc(n + 1, sizeof(double));
     x = calloc(n + 1, sizeof(double));
     u = calloc(p->inputs + 1, sizeof(double));

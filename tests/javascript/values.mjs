@@ -18,14 +18,16 @@ function compare(name, mine, theirs, point) {
         if (value === null ? !is_number : is_number && mine[i] === value) return;
         const error = Math.abs(mine[i] - value);
         worst = Math.max(worst, error / (largest || 1));
-        if (value !== null && error <= beside_largest * largest && (error <= beside_itself * Math.abs(value) || error <= 1e-16 * largest)) return;
-        if (++failures <= 5) console.log(`${made.model}, ${made.scene}: ${name}[${i}] is ${mine[i]}, in C++ ${value}, of ${largest} at point ${point}`);
+        if (value !== null && error <= beside_largest * largest && (error <= beside_itself * Math.abs(value) || error <= 1e-16 * largest))
+            return;
+        if (++failures <= 5)
+            console.log(`${made.model}, ${made.scene}: ${name}[${i}] is ${mine[i]}, in C++ ${value}, of ${largest} at point ${point}`);
     });
 }
 
 const lines = fs.readFileSync(value_file, "utf8").trim().split("\n");
 lines.forEach((line, point) => {
-    const given = JSON.parse(line), { t, mode } = given;
+    const given = JSON.parse(line), {t, mode} = given;
     const x = Float64Array.from(given.x), u = Float64Array.from(given.u), before = switches ? [mode] : [];
     const of_input = ["rhs", "output", "jacobian_t", "output_jacobian_x", "guards", "guard_rates", "kinks"];
     const of_state = ["mass_matrix", "constraint_positions", "constraint_rates", "constraint_jacobian"];
@@ -44,7 +46,8 @@ lines.forEach((line, point) => {
     made.rhs_and_jacobian(...before, x, u, t, dxdt, J);
     const stored = [];
     for (let c = 0; given.column_starts.length > 0 && c < n; ++c)
-        for (let i = given.column_starts[c]; i < given.column_starts[c + 1]; ++i) stored.push(made.pattern_x ? J[i] : J[n * c + given.row_indices[i]]);
+        for (let i = given.column_starts[c]; i < given.column_starts[c + 1]; ++i)
+            stored.push(made.pattern_x ? J[i] : J[n * c + given.row_indices[i]]);
     compare("jacobian_x", given.column_starts.length > 0 ? stored : J, given.jacobian_x, point);
     if (given.start === undefined) return;
     const start = new Float64Array(n);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Modules of JavaScript compute what compiled plants do. Needs node, the program (PROGRAM) and the sources (SOURCE). Arguments: names of models
-# of systems/; all of them if there are none.
+# Modules of JavaScript compute what compiled plants do. Needs node, the program (PROGRAM) and the sources (SOURCE). Arguments: names of
+# models of systems/; all of them if there are none.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}"
 here=$(mktemp -d)

@@ -1,0 +1,86 @@
+// Runs scenes with settings, and makes columns of them.
+
+/// Settings as the model has them: `start` holds only values that were changed, by their place; a held input is a number.
+function settings_of(scene) {
+    return {
+        until: scene.until,
+        tolerance: scene.tolerance,
+        parameters: scene.parameters.slice(),
+        start: {},
+        held: scene.input_texts.map(() => null)
+    };
+}
+
+/// The recording of a scene; see dalembert_record().
+function run_scene(scene, settings) {
+    const made = scene.make();
+    const n = made.states.length;
+    const usual = new Float64Array(n), start = new Float64Array(n);
+    made.start_state(usual);
+    made.set_parameters(settings.parameters);
+    const is_as_written = settings.parameters.every((value, i) => value === scene.parameters[i]);
+    if (is_as_written)
+        start.set(scene.start);
+    else {
+        made.start_state(start);  // parameters may move it; what the run says of it stays
+        scene.start.forEach((value, i) => {
+            if (value !== usual[i]) start[i] = value;
+        });
+    }
+    for (const [place, value] of Object.entries(settings.start)) start[place] = value;
+    const written = scene.inputs === null ? null : scene.inputs(made.parameter_values);
+    const inputs = (t, x, u) => {
+        if (written)
+            written(t, x, u);
+        else
+            u.fill(0);
+        settings.held.forEach((value, i) => {
+            if (value !== null) u[i] = value;
+        });
+    };
+    const recording = dalembert_record(made, {
+        until: settings.until,
+        tolerance: settings.tolerance,
+        intervals: scene.intervals,
+        start,
+        stops: scene.stops,
+        longest_step: scene.longest_step === null ? Infinity : settings.until / scene.intervals,
+        inputs: made.inputs.length > 0 ? inputs : null,
+        method: settings.method || "automatic",
+    });
+    return {...recording, made};
+}
+
+/// Columns of a recording in declared units: { name, unit, values }.
+function columns_of(scene, recording) {
+    const column = (name, unit, of) => ({name, unit: unit_text(unit), values: recording.rows.map((row) => in_unit(of(row), unit))});
+    const time = time_unit(recording.t), joule = {unit: "J", factor: 1, offset: 0};
+    return [
+        {name: "t", unit: time.unit, is_time: true, factor: time.factor, values: recording.rows.map((row) => row.t / time.factor)},
+        ...scene.states.map((one, i) => column(one.name, one, (row) => one.is_root ? row.x[i] ** 2 : row.x[i])),
+        ...scene.outputs.map((one, i) => column(one.name, one, (row) => row.y[i])),
+        ...recording.made.inputs.map((one, i) => column(one.name, scene.input_units[i], (row) => row.u[i])),
+        column("kinetic_energy", joule, (row) => row.kinetic),
+        column("potential_energy", joule, (row) => row.potential),
+        column("internal_energy", joule, (row) => row.internal),
+        ...(recording.made.modes.length > 0 ? [{name: "mode", unit: "", values: recording.rows.map((row) => row.mode)}] : []),
+    ];
+}
+
+/// What reproduces a run at a shell.
+function command_of(scene, settings) {
+    const plant = scene.make();
+    const list = (option, values) => values.length === 0 ? "" : ` ${option} "${values.join(",")}"`;
+    const number = (value, unit) => String(Number(in_unit(value, unit).toPrecision(15)));
+    const changed = (values, of) => values.flatMap((value, i) => value === of[i] ? [] : [i]);
+    return scene.command +
+        list("--parameter",
+             changed(settings.parameters, scene.parameters)
+                 .map((i) => `${plant.parameters[i].name}=${number(settings.parameters[i], scene.parameter_units[i])}`)) +
+        list("--state", Object.entries(settings.start).map(([i, value]) => `${scene.states[i].name}=${number(value, scene.states[i])}`)) +
+        list("--input",
+             settings.held.flatMap(
+                 (value, i) => value === null ? [] : [`${plant.inputs[i].name}=${number(value, scene.input_units[i])}`])) +
+        (settings.until === scene.until ? "" : ` --until ${settings.until}`) +
+        (settings.tolerance === scene.tolerance ? "" : ` --tolerance ${settings.tolerance}`);
+}
