@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -28,6 +30,15 @@ std::string script_json(const Json& json) {
     for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace))
         text += c == '<' ? std::string("\\u003c") : std::string(1, c);
     return text;
+}
+
+/// A file name as one word of a shell.
+std::string shell_word(const std::string& name) {
+    const auto is_plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.'; };
+    if (!name.empty() && name.front() != '-' && std::all_of(name.begin(), name.end(), is_plain)) return name;
+    std::string word = name.starts_with("-") ? "'./" : "'";
+    for (const char c : name) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return word + "'";
 }
 
 Json unit_json(const std::string& unit, double factor, double offset) { return {{"unit", unit}, {"factor", factor}, {"offset", offset}}; }
@@ -60,7 +71,7 @@ public:
         json["name"] = system_.scene.name;
         json["run"] = named_run_;
         json["command"] =
-            fmt::format("dalembert simulate {} --scene {}{}", file, system_.scene.name, named_run_.empty() ? "" : " --run " + named_run_);
+            fmt::format("dalembert simulate {} --scene {}{}", shell_word(file), system_.scene.name, named_run_.empty() ? "" : " --run " + named_run_);
         add_run(json);
         add_quantities(json);
         json["bodies"] = drawing_.bodies;

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Pages of `dalembert report` run as `simulate` does, are the same bytes each time, load nothing, and show the text of a model as text.
+# Pages of `dalembert report` run as `simulate` does, also with what they copy as command line. They are the same bytes each time, load
+# nothing, and show the text of a model as text.
 # Needs node, the program (PROGRAM) and the sources (SOURCE). Arguments: names of models of systems/; all of them if there are none.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}"
@@ -24,6 +25,7 @@ for path in "${models[@]}"; do
   node "$tests/runs.mjs" "$PROGRAM" "$page" "$path" || bad+=("$(basename "$path")")
 done
 [ ${#bad[@]} -eq 0 ] || failed "${bad[*]}"
+node "$tests/command.mjs" "$PROGRAM" "$here/$(basename "${models[0]}" .toml).html" "${models[0]}" || failed "copied as command line"
 mkdir "$here/again"
 "$PROGRAM" report "${models[0]}" -o "$here/again" >/dev/null 2>&1
 cmp "$here/$(basename "${models[0]}" .toml).html" "$here/again/$(basename "${models[0]}" .toml).html" || failed "other bytes"
