@@ -39,7 +39,8 @@ function make_drawing(scene, places, across) {
         let most = 0;
         for (const p of places)
             most = Math.max(most, [0, 1, 2].reduce((sum, i) => sum + (p[3 * from + i] - p[3 * to + i]) * along(p, i), 0));
-        return [0, 1, 2].map((i) => places[0][3 * to + i] + (most + reach / 3) * along(places[0], i));
+        const offset = [0, 1, 2].map((i) => (most + reach / 3) * along(places[0], i));
+        return (p) => offset.map((one, i) => p[3 * to + i] + one);  // what the spring hangs on may move
     });
     const frame = () => {
         let [x_low, x_high, y_low, y_high] = [Infinity, -Infinity, Infinity, -Infinity];
@@ -55,7 +56,7 @@ function make_drawing(scene, places, across) {
         for (const p of places)
             for (let k = 0; k < count; ++k) see(p, k);
         for (const wall of walls)
-            if (wall !== null) see(wall, 0);
+            if (wall !== null) places.forEach((p) => see(wall(p), 0));
         if (!(x_low <= x_high)) [x_low, x_high, y_low, y_high] = [-1, 1, -1, 1];
         const span = Math.max((x_high - x_low) / (width - 2 * room), (y_high - y_low) / (height - 2 * room)) || 1 / width;
         view = {x: (x_low + x_high) / 2, y: (y_low + y_high) / 2, span};
@@ -115,7 +116,7 @@ function make_drawing(scene, places, across) {
                 line.setAttribute(key, value.toFixed(2));
         });
         springs.forEach(([from, to], s) => {
-            const [a, b] = [at[from], walls[s] === null ? at[to] : on_paper(walls[s], 0)];
+            const [a, b] = [at[from], walls[s] === null ? at[to] : on_paper(walls[s](p), 0)];
             const length = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1, across = [(b[1] - a[1]) / length * 7, (a[0] - b[0]) / length * 7];
             const turns = 14;
             let text = "";

@@ -36,13 +36,18 @@ class Player {
         this.panels = this.scene.plots.slice();
         this.plant = this.scene.make();
         if (this.panels.length === 0) this.panels = this.scene.states.slice(0, 3).map((one) => ({x: "", y: [one.name]}));
+        this.shown = 0;
         this.make_fields();
         this.run();
     }
 
+    /// Where the run is at once: the next one, if settings change while it waits, is the same.
     run() {
+        if (this.is_waiting) return;
+        this.is_waiting = true;
         this.part("status").textContent = "Computing ...";
         setTimeout(() => {
+            this.is_waiting = false;
             const begin = performance.now();
             this.recording = run_scene(this.scene, this.settings);
             const duration = performance.now() - begin, rows = this.recording.rows;
@@ -69,7 +74,7 @@ class Player {
                 this.speed_of = this.scene;
             }
             this.draw();
-            this.show_time(0);
+            this.show_time(Math.min(this.shown || 0, this.end));
         }, 0);
     }
 
@@ -94,6 +99,7 @@ class Player {
         }
         this.part("drawing").replaceChildren(this.drawing.node);
         this.part("events").replaceChildren(...this.event_list());
+        this.row = 0;
         this.draw_plots();
     }
 
@@ -147,6 +153,7 @@ class Player {
         const now = rows[this.row];
         for (const plot of this.plots) plot.show(this.row, is_quick);
         this.drawing.show(this.row);
+        this.shown = now.t;
         this.part("time").value = now.t;
         this.part("now").textContent = `t = ${number_text(now.t / this.columns[0].factor, 4)} ${this.columns[0].unit}` +
             (this.plant.modes.length > 0 ? `, ${this.plant.modes[now.mode]}` : "");
@@ -186,38 +193,6 @@ class Player {
         requestAnimationFrame(frame);
     }
 
-    /// A field for a number in a unit; `set` gets it in SI.
-    field(quantity, unit, value, doc, set) {
-        const input = element("input", {
-            type: "text",
-            inputmode: "decimal",
-            value: value === null ? "" : number_text(in_unit(value, unit), 12),
-            "aria-label": quantity.name
-        });
-        const note = element("small", {}, doc);
-        const range = [quantity.low, quantity.high].map((bound) => in_unit(bound, unit));
-        input.addEventListener("change", () => {
-            const given = read_number(input.value), si = in_si(given, unit);
-            let bad = "";
-            if (value === null && input.value.trim() === "") {
-                note.className = "";
-                note.textContent = doc;
-                set(null);
-                return;
-            }
-            if (Number.isNaN(given))
-                bad = `"${input.value}" is not a number, such as 0.5 or 0,5.`;
-            else if (si < quantity.low || si > quantity.high)
-                bad = `${number_text(given, 12)} is outside of the declared range from ${number_text(range[0])} to ${
-                    number_text(range[1])} ${unit_text(unit)}.`;
-            input.setAttribute("aria-invalid", bad !== "");
-            note.className = bad ? "bad" : "";
-            note.textContent = bad || doc;
-            if (!bad) set(si);
-        });
-        return element("div", {class: "field"}, element("span", {}, quantity.name), input, element("span", {}, unit_text(unit)), note);
-    }
-
     make_fields() {
         const {scene, settings, plant} = this;
         const changed = () => {
@@ -233,21 +208,21 @@ class Player {
         const seconds = {unit: "s", factor: 1, offset: 0}, one = {unit: "1", factor: 1, offset: 0};
         const parameters = plant.parameters.map((p, i) => {
             const set = (value) => { settings.parameters[i] = value; changed(); };
-            return this.field(p, scene.parameter_units[i], settings.parameters[i], p.description + range(p, scene.parameter_units[i]), set);
+            return make_field(p, scene.parameter_units[i], settings.parameters[i], p.description + range(p, scene.parameter_units[i]), set);
         });
         const inputs = plant.inputs.map((input, i) => {
             const doc = `${input.description}; empty: ${scene.input_texts[i] || "0"} (in SI), as in the run; else this value is held`;
-            return this.field(input, scene.input_units[i], settings.held[i], doc, (value) => { settings.held[i] = value; changed(); });
+            return make_field(input, scene.input_units[i], settings.held[i], doc, (value) => { settings.held[i] = value; changed(); }, true);
         });
         const starts = scene.states.flatMap((state, i) => {
             if (state.is_root) return [];
             const quantity = {...plant.states[i], name: state.name}, doc = quantity.description + range(quantity, state);
-            return [this.field(quantity, state, settings.start[i] ?? scene.start[i], doc, (value) => { settings.start[i] = value; changed(); })];
+            return [make_field(quantity, state, settings.start[i] ?? scene.start[i], doc, (value) => { settings.start[i] = value; changed(); })];
         });
-        const until = this.field(
+        const until = make_field(
             {name: "until", low: 0, high: Infinity}, seconds, settings.until, "length of the run",
             (value) => { settings.until = value; changed(); });
-        const tolerance = this.field(
+        const tolerance = make_field(
             {name: "tolerance", low: 1e-13, high: 0.01}, one, settings.tolerance, "relative error of a step",
             (value) => { settings.tolerance = value; changed(); });
         this.part("settings").replaceChildren(
@@ -273,7 +248,7 @@ class Player {
             for (const key of ["until", "tolerance"])
                 if (read[key] > 0) usual[key] = read[key];
             for (const key of ["parameters", "held"])
-                if (is_list(read[key], usual[key])) usual[key] = read[key];
+                if (is_list(read[key], usual[key]) && (key === "held" || !read[key].includes(null))) usual[key] = read[key];
             for (const [place, value] of Object.entries(read.start || {}))
                 if (Number.isFinite(value) && place < scenes[number].start.length) usual.start[place] = value;
             return {scene: number, settings: usual};

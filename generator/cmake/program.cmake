@@ -72,6 +72,7 @@ set(embedded
     templates/report_numbers.js
     templates/report_plot.js
     templates/report_drawing.js
+    templates/report_field.js
     templates/report_runs.js
     templates/report_player.js
     runtime/dalembert/compiler.h

@@ -8,7 +8,8 @@
 // bar joins a body to what it keeps its distance from, whatever moves.
 //
 // note [springs]: Where an elongation e and the positions of one body change with one coordinate alone, e in proportion to r, the spring
-// pulls along d = dr/de, and r - e d is fixed: the wall is somewhere behind. Where e changes with the coordinates of two bodies alone, the
+// pulls along d = dr/de, and r - e d is fixed, or moves with the time
+// alone: what the spring hangs on is somewhere behind. Where e changes with the coordinates of two bodies alone, the
 // spring is between them.
 #pragma once
 

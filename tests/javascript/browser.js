@@ -47,6 +47,16 @@
         await type(usual.replace(".", ","));
         if (note.className === "bad") found.errors.push("does not take a comma: " + note.textContent);
         await is_ready();
+        const slider = part("settings").querySelector("input[type=range]");
+        if (slider !== null) {
+            const text = slider.parentElement.querySelector("input"), now = text.value;
+            slider.value = Number(slider.value) > 0.5 ? Number(slider.value) - 0.05 : Number(slider.value) + 0.05;
+            part("status").textContent = "";
+            slider.dispatchEvent(new Event("input"));
+            await is_ready();
+            if (text.value === now) found.errors.push("a slider changes nothing");
+            found.slider = `${now} to ${text.value}`;
+        }
         for (const svg of document.querySelectorAll("#plots svg"))
             svg.dispatchEvent(new PointerEvent("pointermove", {clientX: 200, clientY: 100}));
         for (const details of document.querySelectorAll("details")) details.open = true;
