@@ -4,7 +4,9 @@
 
 #include <dalembert/plant_system.hpp>
 
+#include <functional>
 #include <memory>
+#include <vector>
 
 #include "plant/simulation.hpp"
 
@@ -13,7 +15,7 @@ namespace dalembert {
 /// Else those of outputs are not recorded.
 inline bool has_slopes_of_outputs(const dalembert_plant& plant) { return plant.output_jacobian_p != nullptr; }
 
-/// Asked with the points of the run in order. `mode` counts only where the plant switches.
+/// Told of the points of the run in order. `mode` counts only where the plant switches.
 template <class System>
 class SensitivitiesOfRun {
 public:
@@ -22,15 +24,19 @@ public:
     virtual void advance(double t, const State& x, PlantMode mode) = 0;
     virtual void change(double t, std::size_t event, PlantMode from, PlantMode to, const State& before, const State& after,
                         bool is_accumulation) = 0;
-    /// At the point that they are at: states and outputs as PlantRun records them, by each that is varied.
-    virtual std::vector<double> row() const = 0;
+    /// Behind the last point.
+    virtual void finish() = 0;
     virtual const Outcome& outcome() const = 0;
 };
+
+/// Takes rows in order: time, and states and outputs as PlantRun records them, by each that is varied.
+using TakeRow = std::function<void(std::vector<double>)>;
 
 /// Refers to the run, the system and its inputs. `options` are those of the run.
 template <PlantKind kind>
 std::unique_ptr<SensitivitiesOfRun<PlantSystem<kind>>> sensitivities_of(
     const PlantRun& run, const PlantSystem<kind>& system, const InputsOfPlant& inputs,
-    const detail::PlantArray<detail::of_plant::states>& x, const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>& options);
+    const detail::PlantArray<detail::of_plant::states>& x, const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>& options,
+    const TakeRow& take);
 
 }  // namespace dalembert

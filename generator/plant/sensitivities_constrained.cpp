@@ -5,6 +5,6 @@ namespace dalembert {
 
 template std::unique_ptr<SensitivitiesOfRun<PlantSystem<PlantKind::constrained>>> sensitivities_of<PlantKind::constrained>(
     const PlantRun&, const PlantSystem<PlantKind::constrained>&, const InputsOfPlant&, const detail::PlantArray<detail::of_plant::states>&,
-    const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>&);
+    const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>&, const TakeRow&);
 
 }  // namespace dalembert

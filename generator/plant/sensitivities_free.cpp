@@ -5,9 +5,9 @@ namespace dalembert {
 
 template std::unique_ptr<SensitivitiesOfRun<PlantSystem<PlantKind::free>>> sensitivities_of<PlantKind::free>(
     const PlantRun&, const PlantSystem<PlantKind::free>&, const InputsOfPlant&, const detail::PlantArray<detail::of_plant::states>&,
-    const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>&);
+    const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>&, const TakeRow&);
 template std::unique_ptr<SensitivitiesOfRun<PlantSystem<PlantKind::normed>>> sensitivities_of<PlantKind::normed>(
     const PlantRun&, const PlantSystem<PlantKind::normed>&, const InputsOfPlant&, const detail::PlantArray<detail::of_plant::states>&,
-    const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>&);
+    const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>&, const TakeRow&);
 
 }  // namespace dalembert

@@ -66,10 +66,11 @@ class Sensitivities : public SensitivitiesOfRun<System> {
 
 public:
     Sensitivities(const PlantRun& run, const System& system, const InputsOfPlant& inputs, const State& x,
-                  const IntegrationOptions<State>& options)
+                  const IntegrationOptions<State>& options, const TakeRow& take)
         : run_(run),
           system_(system),
           inputs_(inputs),
+          take_(take),
           varied_(varied_of(run)),
           columns_(varied_.size()),
           replay_(system, inputs, varied_, x, sensitivities_at_start_of(run, system, varied_), 0.0, run.until, options) {
@@ -85,39 +86,48 @@ public:
     }
 
     void advance(double t, const State& x, PlantMode mode) override {
-        if constexpr (dalembert::detail::is_switching<System>)
-            replay_.advance(t, x, mode);
-        else
-            (void)mode, replay_.advance(t, x);
-        t_ = t;
-        x_ = x;
-        mode_ = static_cast<unsigned>(mode);
+        if (points_.size() == points_at_once || (!points_.empty() && mode != mode_)) finish();
+        mode_ = mode;
+        points_.push_back({t, x});
     }
     void change(double t, std::size_t event, PlantMode from, PlantMode to, const State& before, const State& after,
                 bool is_accumulation) override {
+        finish();
         if constexpr (dalembert::detail::is_switching<System>)
             replay_.change(t, event, from, to, before, after, is_accumulation);
         else
             (void)t, (void)event, (void)from, (void)to, (void)before, (void)after, (void)is_accumulation;
     }
+    void finish() override {
+        typename Following::Mode mode{};
+        if constexpr (dalembert::detail::is_switching<System>) mode = mode_;
+        replay_.advance_along(points_.data(), points_.data() + points_.size(), mode, [this](const auto& point) { record(point.t); });
+        points_.clear();
+    }
     const Outcome& outcome() const override { return replay_.outcome(); }
 
-    std::vector<double> row() const override {
-        return sensitivity_row(run_, system_, varied_, inputs_(x_, t_), x_, t_, mode_, replay_.S(),
-                               [this](std::size_t c) { return replay_.slopes_of_inputs(c); });
+private:
+    /// Constraints hold where S begins anew from the run.
+    static constexpr std::size_t points_at_once = dalembert::detail::needs_projection<System> ? 1 : 1024;
+
+    void record(double t) {
+        const State& x = replay_.x();
+        std::vector<double> row = sensitivity_row(run_, system_, varied_, inputs_(x, t), x, t, static_cast<unsigned>(mode_), replay_.S(),
+                                                  [this](std::size_t c) { return replay_.slopes_of_inputs(c); });
+        row.insert(row.begin(), t);
+        take_(std::move(row));
     }
 
-private:
     const PlantRun& run_;
     const System& system_;
     const InputsOfPlant& inputs_;
+    TakeRow take_;
     std::vector<Varied> varied_;
     dalembert::detail::UseColumns columns_;
     Following replay_;
     std::vector<typename Following::MovingKink> kinks_;
-    double t_ = 0;
-    State x_;
-    unsigned mode_ = 0;
+    std::vector<typename Following::Point> points_;  ///< behind the last event, in one mode
+    PlantMode mode_{};
 };
 
 }  // namespace plant_run
@@ -126,8 +136,8 @@ template <PlantKind kind>
 std::unique_ptr<SensitivitiesOfRun<PlantSystem<kind>>> sensitivities_of(
     const PlantRun& run, const PlantSystem<kind>& system, const InputsOfPlant& inputs,
     const detail::PlantArray<detail::of_plant::states>& x,
-    const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>& options) {
-    return std::make_unique<plant_run::Sensitivities<PlantSystem<kind>>>(run, system, inputs, x, options);
+    const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>& options, const TakeRow& take) {
+    return std::make_unique<plant_run::Sensitivities<PlantSystem<kind>>>(run, system, inputs, x, options, take);
 }
 
 }  // namespace dalembert

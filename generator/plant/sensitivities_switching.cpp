@@ -5,6 +5,6 @@ namespace dalembert {
 
 template std::unique_ptr<SensitivitiesOfRun<PlantSystem<PlantKind::switching>>> sensitivities_of<PlantKind::switching>(
     const PlantRun&, const PlantSystem<PlantKind::switching>&, const InputsOfPlant&, const detail::PlantArray<detail::of_plant::states>&,
-    const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>&);
+    const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>&, const TakeRow&);
 
 }  // namespace dalembert

@@ -112,7 +112,10 @@ public:
             result_.outcome = ended.outcome;
             result_.energy_error = ended.energy.relative_error();
         }
-        if (sensitivities_) result_.of_sensitivities = sensitivities_->outcome();
+        if (sensitivities_) {
+            sensitivities_->finish();
+            result_.of_sensitivities = sensitivities_->outcome();
+        }
         return result_;
     }
 
@@ -144,25 +147,20 @@ private:
         dalembert::detail::copy_options(of_states, options);
         if (!takes_sensitivities(options.method)) of_states.method = Method::automatic;
         of_states.step = 0;
-        sensitivities_ = sensitivities_of(run_, system_, inputs_, x, of_states);
-    }
-
-    template <class Sample>
-    void record_sensitivities(const Sample& sample) {
-        PlantMode mode{};
-        if constexpr (switches) mode = sample.mode;
-        sensitivities_->advance(sample.t, sample.x, mode);
-        if (sensitivities_->outcome().status != Status::success) return;
-        std::vector<double> row = sensitivities_->row();
-        row.insert(row.begin(), sample.t);
-        auto& rows = result_.sensitivities.rows;
-        if (!run_.keeps_all) rows.clear();
-        rows.push_back(std::move(row));
+        sensitivities_ = sensitivities_of(run_, system_, inputs_, x, of_states, [this](std::vector<double> row) {
+            auto& rows = result_.sensitivities.rows;
+            if (!run_.keeps_all) rows.clear();
+            rows.push_back(std::move(row));
+        });
     }
 
     template <class Sample>
     void record(const Sample& sample) {
-        if (sensitivities_) record_sensitivities(sample);
+        if (sensitivities_) {
+            PlantMode mode{};
+            if constexpr (switches) mode = sample.mode;
+            sensitivities_->advance(sample.t, sample.x, mode);
+        }
         std::vector<double> row{sample.t};
         for (const RecordedState& state : run_.states)
             row.push_back(state.is_root ? sample.x[state.place] * sample.x[state.place] : sample.x[state.place]);

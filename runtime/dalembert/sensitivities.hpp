@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 
 #include "dalembert/api.hpp"
 #include "dalembert/sensitivities/replay.hpp"
@@ -55,15 +54,10 @@ Outcome integrate_together(const System& system, const Inputs& inputs, const Lis
     using Motion = Variational<System, Inputs, List>;
     using State = typename Motion::State;
     using Point = SensitivityPoint<System, typename Columns<List>::template Of<typename System::State>>;
-    const std::size_t n = size_of<typename System::State>();
     IntegrationOptions<State> whole;
     copy_options(whole, options);
-    const auto size = [&](const Varied& one) {
-        return one.of == Varied::Of::start ? options.scale[one.number] : size_of_parameter(system, one.number);
-    };
-    for (std::size_t c = 0; c < varied.size(); ++c)
-        for (std::size_t i = 0; i < n; ++i)
-            whole.scale[(c + 1) * n + i] = controls ? options.scale[i] / size(varied[c]) : std::numeric_limits<Scalar>::max();
+    set_scales_of_columns(whole.scale, options.scale, varied.size(),
+                          [&](std::size_t c) { return size_of_varied(system, varied[c], options.scale); }, controls);
     const MovedSystems<System, List> moved(system, varied);
     Motion motion(system, inputs, varied, moved, options.scale);
     State all;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 
 #include "dalembert/integration_options.hpp"
 
@@ -25,6 +26,18 @@ void copy_options(IntegrationOptions<State>& to, const IntegrationOptions<Other>
     to.max_steps = from.max_steps;
     to.max_events = from.max_events;
     std::copy_n(from.scale.begin(), std::min(from.scale.size(), to.scale.size()), to.scale.begin());
+}
+
+/// The scales of S behind those of the state. Not to be controlled is to be small beside any error: not infinitely, as products of a
+/// Jacobian and scales are made too.
+template <class All, class Plain, class Sizes>
+void set_scales_of_columns(All& scale, const Plain& of_state, std::size_t columns, const Sizes& size_of_column, bool controls) {
+    using Scalar = typename Plain::value_type;
+    constexpr double beside_errors = 1e30;
+    const std::size_t n = of_state.size();
+    for (std::size_t c = 0; c < columns; ++c)
+        for (std::size_t i = 0; i < n; ++i)
+            scale[(c + 1) * n + i] = of_state[i] / size_of_column(c) * (controls ? Scalar(1) : Scalar(beside_errors));
 }
 
 }  // namespace detail

@@ -68,15 +68,8 @@ public:
         copy_options(options_, options);
         options_.kinks.clear();
         options_.intervals = 1;
-        options_.output_times.clear();
-        const std::size_t n = size_of<Plain>();
-        for (std::size_t i = 0; i < n; ++i) {
-            for (std::size_t c = 0; c < varied.size(); ++c) {
-                const Scalar size =
-                    varied[c].of == Varied::Of::start ? scale_[varied[c].number] : size_of_parameter(system, varied[c].number);
-                options_.scale[(c + 1) * n + i] = controls ? scale_[i] / size : std::numeric_limits<Scalar>::max();
-            }
-        }
+        set_scales_of_columns(options_.scale, scale_, varied.size(), [&](std::size_t c) { return size_of_varied(system, varied[c], scale_); },
+                              controls);
     }
 
     /// Those of the options that move, rising. They must stay where they are until the run has ended.
@@ -87,6 +80,8 @@ public:
     }
 
     const Sensitivities& S() const { return S_; }
+    /// The state that comes with it.
+    const Plain& x() const { return x_; }
     /// How the integration went; with Status::not_finite and a guard, that event or kink only touches zero, and S has no value behind it.
     const Outcome& outcome() const { return outcome_; }
 
@@ -104,26 +99,48 @@ public:
                      });
     }
 
+    /// A point of the run.
+    struct Point {
+        Scalar t;
+        Plain x;
+    };
+
     /// To the point (t, x) of the run.
     void advance(Scalar t, const Plain& x, Mode mode = {}) {
-        if (outcome_.status != Status::success) return;
+        const Point point{t, x};
+        advance_along(&point, &point + 1, mode, [](const Point&) {});
+    }
+
+    /// To the last of some points of the run, between which nothing happens. Calls seen(point) at each of them, when S is that there: in
+    /// one integration, whose steps do not end on the points. The state that comes with S is that of the run at the last point; at the
+    /// others it is as near to it as the error of the steps.
+    template <class Seen>
+    void advance_along(const Point* points, const Point* end, Mode mode, const Seen& seen) {
+        if (outcome_.status != Status::success || points == end) return;
         if (!knows_sides_ || mode != mode_) find_sides(mode);
-        while (t_ < t && outcome_.status == Status::success) {
+        next_ = points;
+        end_ = end;
+        const Scalar last = end[-1].t;
+        while (outcome_.status == Status::success) {
+            for (; next_ != end_ && next_->t <= t_; ++next_) {
+                t_ = next_->t;
+                x_ = next_->x;
+                seen(*next_);
+            }
+            if (next_ == end_) return;
             // No step sees the instant around a kink at a known time.
-            const auto next =
+            const auto kink =
                 std::partition_point(known_kinks_.begin(), known_kinks_.end(), [&](const Scalar& k) { return k + instant(k) <= t_; });
-            if (next == known_kinks_.end() || t <= *next - instant(*next)) {
-                go_on(t);
-            } else if (t_ < *next - instant(*next)) {
-                go_on(*next - instant(*next));
+            if (kink == known_kinks_.end() || last <= *kink - instant(*kink)) {
+                go_on(last, seen);
+            } else if (t_ < *kink - instant(*kink)) {
+                go_on(*kink - instant(*kink), seen);
             } else {
-                if (t_ < *next && t >= *next) pass_known_kink(*next);
-                t_ = std::min(t, Scalar(*next + instant(*next)));
+                const Scalar t = next_->t;
+                if (t_ < *kink && t >= *kink) pass_known_kink(*kink);
+                t_ = std::min(t, Scalar(*kink + instant(*kink)));
             }
         }
-        if (outcome_.status != Status::success) return;
-        t_ = t;
-        x_ = x;
     }
 
     /// Over an event of the run, with the states before and behind it.
@@ -189,8 +206,9 @@ private:
         }
     }
 
-    /// To the time `to`, or over the next kink before.
-    void go_on(Scalar to) {
+    /// To the time `to`, past points on the way, or over the next kink before.
+    template <class Seen>
+    void go_on(Scalar to, const Seen& seen) {
         All all;
         Motion::put(all, 0, x_);
         for (std::size_t c = 0; c < varied_.size(); ++c) Motion::put(all, c + 1, S_[c]);
@@ -203,8 +221,15 @@ private:
             take(all, to);
             return;
         }
+        options_.output_times.clear();
+        for (const Point* p = next_; p != end_ && p->t < to; ++p) options_.output_times.push_back(p->t);
         Scalar reached = t_;
-        const auto watch = [&](Scalar t, const All&) { reached = t; };
+        const auto watch = [&](Scalar t, const All& at) {
+            reached = t;
+            if (next_ == end_ || next_->t != t || !(t < to)) return;
+            take(at, t);
+            seen(*next_++);
+        };
         Outcome part;
         if constexpr (may_have_entries<Kinks>) {
             const auto guards = [&](const All& at, Scalar t, Kinks& g) {
@@ -449,6 +474,8 @@ private:
     Scalar time_of_last_;  ///< event
     bool has_last_ = false;
     ColumnsOf<Scalar> shift_;  ///< how its time follows what is varied
+    const Point* next_ = nullptr;  ///< of the points that are passed
+    const Point* end_ = nullptr;
     const MovingKink* kinks_begin_ = nullptr;
     const MovingKink* kinks_end_ = nullptr;
     Outcome outcome_;

@@ -111,6 +111,11 @@ typename System::scalar_type size_of_parameter(const System& system, std::size_t
     const Scalar value = abs(parameter_of(system, number));
     return value > Scalar(0) ? value : Scalar(1);
 }
+/// What counts as large for one that is varied; `scale` is that of the state.
+template <class System, class State>
+typename System::scalar_type size_of_varied(const System& system, const Varied& varied, const State& scale) {
+    return varied.of == Varied::Of::start ? scale[varied.number] : size_of_parameter(system, varied.number);
+}
 
 /// Central differences lose a third of the digits of steps of this size.
 template <class Scalar>

@@ -108,7 +108,7 @@ TEST_CASE("what makes no study is refused with a sentence, and nothing is writte
     refused({"--vary", "a=1:0:3"}, "must be smaller than the last one");
     refused({"--vary", "a=gauss(0, 1)", "--runs", "5"}, "is neither a grid LOW:HIGH:COUNT nor a distribution");
     refused({"--vary", "a=normal(0)", "--runs", "5"}, "normal takes 2 numbers");
-    refused({"--vary", "a=normal(0, 5 %)", "--runs", "5"}, "the standard deviation of 'a' is 0");
+    refused({"--vary", "a=normal(0, 5 %)", "--runs", "5"}, "the standard deviation of 'a' must be above zero");
     refused({"--vary", "a=normal(1, 2)"}, "give --runs");
     refused({"--vary", "b=-1:1:3"}, "but its range begins at 0 N");
     refused({"--vary", "b=normal(0, 1), a=0:1:2, b=0:1:2", "--runs", "4"}, "'b' is varied twice");
