@@ -73,7 +73,8 @@ public:
           take_(take),
           varied_(varied_of(run)),
           columns_(varied_.size()),
-          replay_(system, inputs, varied_, x, sensitivities_at_start_of(run, system, varied_), 0.0, run.until, options) {
+          replay_(system, inputs, varied_, x, sensitivities_at_start_of(run, system, varied_), 0.0, run.until, options,
+                  !run.is_for_fit) {
         for (std::size_t k = 0; k < run.kinks.size(); ++k) {
             kinks_.push_back({run.kinks[k], {}});
             for (const VariedOfRun& one : run.varied) kinks_.back().slope.push_back(one.kinks[k]);
@@ -125,7 +126,7 @@ private:
     std::vector<Varied> varied_;
     dalembert::detail::UseColumns columns_;
     Following replay_;
-    std::vector<typename Following::MovingKink> kinks_;
+    std::vector<typename Following::KinksOfInputs::Moving> kinks_;
     std::vector<typename Following::Point> points_;  ///< behind the last event, in one mode
     PlantMode mode_{};
 };

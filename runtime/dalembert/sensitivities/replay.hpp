@@ -4,8 +4,8 @@
 // note [jumps]: Where the motion changes at a time t* that depends on what is varied, S jumps. With the rates f- before and f+ behind, and
 // the change of the state x+ = R(x-, t*, p): S+ = R_x (S- + f- t') + R_p + R_t t' - f+ t', where t' = dt*/d(varied). Where a guard g falls
 // through zero, t' = -(g_x S- + g_p)/(dg/dt along the motion). An event that another one causes happens when that one does; the last of
-// infinitely many when the one before; an event at the start, or when inputs jump, at a fixed time. R and g are differentiated by central
-// differences along (S, t', p): they cost nothing beside the run, and keep about ten digits.
+// infinitely many when the one before; an event at the start, or when inputs jump, at a fixed time. R and g are differentiated by
+// differences of order four along (S, t', p): they cost nothing beside the run, and keep about eleven digits.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +15,8 @@
 #include <vector>
 
 #include "dalembert/integrate.hpp"
+#include "dalembert/sensitivities/differences.hpp"
+#include "dalembert/sensitivities/known_kinks.hpp"
 #include "dalembert/sensitivities/moded.hpp"
 #include "dalembert/sensitivities/options.hpp"
 
@@ -43,11 +45,7 @@ public:
     using Mode = typename Asked::Mode;
     using Sensitivities = ColumnsOf<Plain>;
 
-    /// A time at which inputs have a kink or jump, in s, and how it follows what is varied.
-    struct MovingKink {
-        Scalar t;
-        ColumnsOf<Scalar> slope;
-    };
+    using KinksOfInputs = KnownKinks<Scalar, ColumnsOf<Scalar>>;
 
     /// Refers to all of them but S. `options` are those of the run; with controls = false the steps follow the error of the state alone.
     Replay(const System& system, const Inputs& inputs, const List& varied, const Plain& x, const Sensitivities& S, Scalar from, Scalar to,
@@ -57,7 +55,7 @@ public:
           varied_(varied),
           moved_(system, varied),
           scale_(options.scale),
-          known_kinks_(options.kinks),
+          known_kinks_(options.kinks, to - from),
           x_(x),
           S_(S),
           t_(from),
@@ -68,15 +66,14 @@ public:
         copy_options(options_, options);
         options_.kinks.clear();
         options_.intervals = 1;
-        set_scales_of_columns(options_.scale, scale_, varied.size(), [&](std::size_t c) { return size_of_varied(system, varied[c], scale_); },
-                              controls);
+        set_scales_of_columns(
+            options_.scale, scale_, varied.size(), [&](std::size_t c) { return size_of_varied(system, varied[c], scale_); }, controls);
     }
 
-    /// Those of the options that move, rising. They must stay where they are until the run has ended.
-    template <class MovingKinks>
-    void take_moving_kinks(const MovingKinks& kinks) {
-        kinks_begin_ = kinks.data();
-        kinks_end_ = kinks_begin_ + kinks.size();
+    /// Those of the options that move: see KnownKinks.
+    template <class Kinks>
+    void take_moving_kinks(const Kinks& kinks) {
+        known_kinks_.take_moving(kinks);
     }
 
     const Sensitivities& S() const { return S_; }
@@ -88,15 +85,15 @@ public:
     /// How inputs follow one that is varied, along the motion.
     typename System::Input slopes_of_inputs(std::size_t c) const {
         const int side = this->side(c, t_);
-        return along(c, S_[c], Scalar(0),
-                     [&](const System& a, const Plain& ahead, const Scalar& t, const System& b, const Plain& behind, const Scalar&,
-                         const Scalar& step) {
-                         auto slopes = side < 0 ? inputs_(x_, t) : inputs_with(inputs_, a)(ahead, t);
-                         const auto other = side > 0 ? inputs_(x_, t) : inputs_with(inputs_, b)(behind, t);
-                         for (std::size_t j = 0; j < slopes.size(); ++j)
-                             slopes[j] = (slopes[j] - other[j]) / (Scalar(side == 0 ? 2 : 1) * step);
-                         return slopes;
-                     });
+        return here().along(c, S_[c], Scalar(0),
+                            [&](const System& a, const Plain& ahead, const Scalar& t, const System& b, const Plain& behind, const Scalar&,
+                                const Scalar& step) {
+                                auto slopes = side < 0 ? inputs_(x_, t) : inputs_with(inputs_, a)(ahead, t);
+                                const auto other = side > 0 ? inputs_(x_, t) : inputs_with(inputs_, b)(behind, t);
+                                for (std::size_t j = 0; j < slopes.size(); ++j)
+                                    slopes[j] = (slopes[j] - other[j]) / (Scalar(side == 0 ? 2 : 1) * step);
+                                return slopes;
+                            });
     }
 
     /// A point of the run.
@@ -129,9 +126,8 @@ public:
             }
             if (next_ == end_) return;
             // No step sees the instant around a kink at a known time.
-            const auto kink =
-                std::partition_point(known_kinks_.begin(), known_kinks_.end(), [&](const Scalar& k) { return k + instant(k) <= t_; });
-            if (kink == known_kinks_.end() || last <= *kink - instant(*kink)) {
+            const Scalar* kink = known_kinks_.next(t_);
+            if (kink == nullptr || last <= *kink - instant(*kink)) {
                 go_on(last, seen);
             } else if (t_ < *kink - instant(*kink)) {
                 go_on(*kink - instant(*kink), seen);
@@ -165,21 +161,11 @@ public:
     }
 
 private:
-    /// What passes for no time at all: an event may be passed an instant later.
-    Scalar instant(const Scalar& t) const {
-        using std::abs;
-        return Scalar(4096) * std::numeric_limits<Scalar>::epsilon() * std::max(Scalar(abs(t)), Scalar(span_ / Scalar(1000)));
-    }
-
+    Scalar instant(const Scalar& t) const { return known_kinks_.instant(t); }
     Plain rate(Mode mode, const Plain& x, const Scalar& t) const {
         Plain dxdt;
         Asked::view(mode)(system_).rhs(x, inputs_(x, t), t, dxdt);
         return dxdt;
-    }
-    static Plain moved(const Plain& x, const Plain& direction, const Scalar& length) {
-        Plain result = x;
-        for (std::size_t i = 0; i < result.size(); ++i) result[i] += length * direction[i];
-        return result;
     }
     void fail(Status status, std::size_t guard = Outcome::none) {
         outcome_.status = status;
@@ -264,7 +250,7 @@ private:
         const Scalar d = instant(t_);
         Plain before;
         if (!rate_before(kink, Scalar(0), before)) {  // it is one of time
-            if (is_at_known_kink(t_)) {               // where all is done already
+            if (known_kinks_.is_at_one(t_)) {         // where all is done already
                 sides_[kink] = -sides_[kink];
                 return;
             }
@@ -284,12 +270,9 @@ private:
         const bool waits = is_past(kink, t_);
         const auto behind = [&](const Scalar& distance) { return rate(mode_, moved(x_, before, distance), waits ? t_ : t_ + distance); };
         const Plain near = behind(d), far = behind(Scalar(16) * d);
-        const Scalar step = step_of_differences<Scalar>() * span_ / Scalar(1000);
         const auto times_of = [&](std::size_t i) {
             const auto value = value_of(i);
-            const Scalar ahead = value(system_, moved(x_, before, step), t_ + step);
-            const Scalar back = value(system_, moved(x_, before, -step), t_ - step);
-            return times_of_zero(value, (ahead - back) / (Scalar(2) * step), i);
+            return times_of_zero(value, here().by_time(before, [&](const Plain& x, const Scalar& t) { return value(system_, x, t); }), i);
         };
         const bool jumps = is_jump(before, near, far);
         ColumnsOf<Scalar> shift = Columns<List>::filled(varied_, Scalar(0));
@@ -339,62 +322,24 @@ private:
         return false;
     }
     void pass_known_kink(const Scalar& t) {
-        if (const MovingKink* kink = moving_kink(t)) jump(rate(mode_, x_, t - instant(t)), rate(mode_, x_, t + instant(t)), kink->slope);
+        if (const auto* kink = known_kinks_.moving(t)) jump(rate(mode_, x_, t - instant(t)), rate(mode_, x_, t + instant(t)), kink->slope);
     }
-    int side(std::size_t c, const Scalar& t) const {
-        using std::abs;
-        const MovingKink* behind = first_kink_from(t);
-        for (const MovingKink* kink : {behind == kinks_begin_ ? kinks_end_ : behind - 1, behind}) {
-            if (kink == kinks_end_) continue;
-            const Scalar way = Scalar(2) * kink->slope[c] * moved_.distance[c];
-            if (abs(t - kink->t) <= abs(way) && way != Scalar(0)) return (t < kink->t) == (way > Scalar(0)) ? 1 : -1;
-        }
-        return 0;
-    }
-    bool is_at_known_kink(const Scalar& t) const {
-        using std::abs;
-        return std::any_of(known_kinks_.begin(), known_kinks_.end(),
-                           [&](const Scalar& kink) { return abs(t - kink) <= Scalar(2) * instant(t); });
-    }
-    /// None where what is varied does not move it.
-    const MovingKink* moving_kink(const Scalar& t) const {
-        using std::abs;
-        const MovingKink* found = first_kink_from(t - instant(t));
-        return found != kinks_end_ && abs(t - found->t) <= instant(t) ? found : nullptr;
-    }
-    const MovingKink* first_kink_from(const Scalar& t) const {
-        return std::partition_point(kinks_begin_, kinks_end_, [&](const MovingKink& kink) { return kink.t < t; });
-    }
+    int side(std::size_t c, const Scalar& t) const { return known_kinks_.side(c, t, moved_.distance[c]); }
 
     // Over an event.
 
-    /// The derivative of value(system, x, t) along (p, S, t') for what is varied.
-    template <class Value>
-    auto along(std::size_t c, const Plain& s, const Scalar& shift, const Value& value) const {
-        using std::abs;
-        Scalar longest = abs(shift) / span_;
-        for (std::size_t i = 0; i < s.size(); ++i) longest = std::max(longest, Scalar(abs(s[i]) / std::max(scale_[i], Scalar(abs(x_[i])))));
-        const bool is_parameter = varied_[c].of == Varied::Of::parameter;
-        Scalar step = is_parameter ? moved_.distance[c] : Scalar(1);
-        if (longest > Scalar(0)) step = std::min(step, step_of_differences<Scalar>() / longest);
-        System ahead = system_, behind = system_;
-        if (is_parameter) {
-            move_parameter(ahead, varied_[c].number, step);
-            move_parameter(behind, varied_[c].number, -step);
-            step = (parameter_of(ahead, varied_[c].number) - parameter_of(behind, varied_[c].number)) / Scalar(2);
-        }
-        return value(ahead, moved(x_, s, step), t_ + step * shift, behind, moved(x_, s, -step), t_ - step * shift, step);
-    }
+    DifferencesAt<System, List> here() const { return {system_, varied_, moved_, scale_, x_, t_, span_, known_kinks_.free_time(t_)}; }
 
     /// How the time follows what is varied at which a function that is zero here, and whose rate is given, is zero.
     template <class Value>
     ColumnsOf<Scalar> times_of_zero(const Value& value, const Scalar& slope, std::size_t number) {
         ColumnsOf<Scalar> shift = Columns<List>::filled(varied_, Scalar(0));
         for (std::size_t c = 0; c < varied_.size(); ++c) {
-            const Scalar by = along(
-                c, S_[c], Scalar(0),
-                [&](const System& a, const Plain& ahead, const Scalar& later, const System& b, const Plain& behind, const Scalar& earlier,
-                    const Scalar& step) { return (value(a, ahead, later) - value(b, behind, earlier)) / (Scalar(2) * step); });
+            const auto central = [&](const System& a, const Plain& ahead, const Scalar& later, const System& b, const Plain& behind,
+                                     const Scalar& earlier, const Scalar& step) {
+                return Scalar((value(a, ahead, later) - value(b, behind, earlier)) / (Scalar(2) * step));
+            };
+            const Scalar by = of_order_four<Scalar>([&](const Scalar& times) { return here().along(c, S_[c], Scalar(0), central, times); });
             if (by == Scalar(0)) continue;
             shift[c] = -by / slope;
             if (!(shift[c] - shift[c] == Scalar(0))) fail(Status::not_finite, number);
@@ -414,7 +359,7 @@ private:
             return g[event];
         };
         const Scalar d = Scalar(2) * instant(t_);
-        const bool is_at_kink = is_at_known_kink(t_);
+        const bool is_at_kink = known_kinks_.is_at_one(t_);
         // Where inputs have a kink, what counts is how they come.
         const Scalar at = is_at_kink ? t_ - d : t_;
         Events slopes;
@@ -422,15 +367,21 @@ private:
         Scalar slope = slopes[event];
         if constexpr (may_have_entries<typename System::Input>) {  // the rates hold inputs
             const Plain dxdt = rate(mode, x_, at);
-            const Scalar step = step_of_differences<Scalar>() * span_ / Scalar(1000), ahead_by = is_at_kink ? Scalar(0) : step;
-            Events ahead, behind;
-            system_.guards(mode, x_, inputs_(moved(x_, dxdt, ahead_by), at + ahead_by), at, ahead);
-            system_.guards(mode, x_, inputs_(moved(x_, dxdt, -step), at - step), at, behind);
-            slope += (ahead[event] - behind[event]) / (step + ahead_by);
+            const auto by_inputs = [&](const Plain& there, const Scalar& time) {
+                Events g;
+                system_.guards(mode, x_, inputs_(there, time), at, g);
+                return g[event];
+            };
+            if (is_at_kink) {
+                const Scalar step = step_of_differences<Scalar>() * span_ / Scalar(1000);
+                slope += (by_inputs(x_, at) - by_inputs(moved(x_, dxdt, -step), at - step)) / step;
+            } else {
+                slope += here().by_time(dxdt, by_inputs);
+            }
         }
         // A guard that jumps there makes the event happen when the kink does; one that comes to its zero by itself does not.
         if (is_at_kink && abs(value(system_, x_, t_ + d) - value(system_, x_, t_ - d)) > Scalar(1e-6) * abs(slope) * span_) {
-            const MovingKink* kink = moving_kink(t_);
+            const auto* kink = known_kinks_.moving(t_);
             return kink != nullptr ? kink->slope : fixed;
         }
         const Scalar here = value(system_, x_, t_);
@@ -439,23 +390,23 @@ private:
     }
 
     Plain through_reset(std::size_t c, const Plain& s, const Scalar& shift, std::size_t event, Mode mode, bool is_accumulation) const {
-        return along(c, s, shift,
-                     [&](const System& a, const Plain& ahead, const Scalar& later, const System& b, const Plain& behind,
-                         const Scalar& earlier, const Scalar& step) {
-                         const auto reset = [&](const System& system, Plain x, const Scalar& t) {
-                             const auto u = inputs_with(inputs_, system)(x, t);
-                             if (is_accumulation)
-                                 system.settle(event, mode, x, u, t);
-                             else
-                                 system.reset(event, mode, x, u, t);
-                             return x;
-                         };
-                         Plain result = s;
-                         const Plain at_a = reset(a, ahead, later), at_b = reset(b, behind, earlier);
-                         for (std::size_t i = 0; i < result.size(); ++i)
-                             if (at_a[i] != ahead[i] || at_b[i] != behind[i]) result[i] = (at_a[i] - at_b[i]) / (Scalar(2) * step);
-                         return result;
-                     });
+        const auto central = [&](const System& a, const Plain& ahead, const Scalar& later, const System& b, const Plain& behind,
+                                 const Scalar& earlier, const Scalar& step) {
+            const auto reset = [&](const System& system, Plain x, const Scalar& t) {
+                const auto u = inputs_with(inputs_, system)(x, t);
+                if (is_accumulation)
+                    system.settle(event, mode, x, u, t);
+                else
+                    system.reset(event, mode, x, u, t);
+                return x;
+            };
+            Plain result = s;
+            const Plain at_a = reset(a, ahead, later), at_b = reset(b, behind, earlier);
+            for (std::size_t i = 0; i < result.size(); ++i)
+                if (at_a[i] != ahead[i] || at_b[i] != behind[i]) result[i] = (at_a[i] - at_b[i]) / (Scalar(2) * step);
+            return result;
+        };
+        return of_order_four<Scalar>([&](const Scalar& times) { return here().along(c, s, shift, central, times); });
     }
 
     const System& system_;
@@ -463,7 +414,7 @@ private:
     const List& varied_;
     MovedSystems<System, List> moved_;
     Plain scale_;
-    std::vector<Scalar> known_kinks_;  ///< s, rising
+    KinksOfInputs known_kinks_;
     IntegrationOptions<All> options_;
     Plain x_;
     Sensitivities S_;
@@ -473,11 +424,9 @@ private:
     bool knows_sides_ = false;
     Scalar time_of_last_;  ///< event
     bool has_last_ = false;
-    ColumnsOf<Scalar> shift_;  ///< how its time follows what is varied
+    ColumnsOf<Scalar> shift_;      ///< how its time follows what is varied
     const Point* next_ = nullptr;  ///< of the points that are passed
     const Point* end_ = nullptr;
-    const MovingKink* kinks_begin_ = nullptr;
-    const MovingKink* kinks_end_ = nullptr;
     Outcome outcome_;
 };
 
