@@ -70,8 +70,7 @@ public:
         Json json;
         json["name"] = system_.scene.name;
         json["run"] = named_run_;
-        json["command"] =
-            fmt::format("dalembert simulate {} --scene {}{}", shell_word(file), system_.scene.name, named_run_.empty() ? "" : " --run " + named_run_);
+        json["command"] = command(file);
         add_run(json);
         add_quantities(json);
         json["bodies"] = drawing_.bodies;
@@ -87,6 +86,12 @@ public:
     }
 
 private:
+    std::string command(const std::string& file) const {
+        std::string text = fmt::format("dalembert simulate {} --scene {}", shell_word(file), system_.scene.name);
+        for (const auto& [name, value] : system_.scene.sizes) text += fmt::format(" --size {}={}", name, value);
+        return text + (named_run_.empty() ? "" : " --run " + named_run_);
+    }
+
     /// What the drawing needs; nothing where JavaScript cannot have it.
     std::string place() { return written_function(*run_.machine.code, run_.header.plant, drawing_.coordinates, "points", "t, x, points"); }
 
