@@ -327,6 +327,7 @@ Proofs proofs_of(const Machine& machine) {
         add(proofs.derivation.media, other.audit.media);
         add(proofs.derivation.balances, other.audit.balances);
         add(proofs.derivation.constraints, other.audit.constraints);
+        add(proofs.derivation.dissipation, other.audit.dissipation);
         add(proofs.derivation.loads, other.audit.loads);
         add(proofs.emitted, other.emitted);
         if (is_worse(other.audit.power_balance.result.verdict, proofs.derivation.power_balance.result.verdict))

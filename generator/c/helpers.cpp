@@ -21,7 +21,7 @@ struct Section {
 class Library {
 public:
     Library() {
-        for (const char* file : {"math_functions", "scalar_functions", "angle_functions", "fluid_functions", "heat_functions",
+        for (const char* file : {"math_functions", "scalar_functions", "angle_functions", "fluid_functions", "heat_functions", "curve_functions",
                                  "heat_networks", "junctions", "series_functions", "ldlt"})
             read(embedded_file(std::string(file) + ".h.in"));
     }

@@ -94,6 +94,7 @@ std::string CPrinter::text(const Value& value) {
         case Value::Kind::real: return fmt::format("({}_real)({})", name_, text(value.parts()[0]));
         case Value::Kind::signed_index: return fmt::format("(int)({})", text(value.parts()[0]));
         case Value::Kind::comparison: return comparison(value);
+        case Value::Kind::curve: return fmt::format("{}_{}_curve", name_, value.text());
         case Value::Kind::choice:
             return fmt::format("{} ? {} : {}", text(value.parts()[0]), text(value.parts()[1]), text(value.parts()[2]));
     }

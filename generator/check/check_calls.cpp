@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "elements/curves.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -48,6 +49,13 @@ unsigned ExpressionCheck::call(const Expression& e) {
     const FunctionSpec* function = find_function(e.name);
     unsigned result = 0;
     for (const ExpressionPtr& child : e.children) result |= visit(*child);
+    if (const Curve* curve = names_.find_element<Curve>(e.name); function == nullptr && curve != nullptr) {
+        if (e.children.size() != 1)
+            error(Id::wrong_arguments, e.span,
+                  fmt::format("curve '{}({})' takes 1 argument, here it has {}", e.name, curve->variable, e.children.size()),
+                  {{curve->span, fmt::format("'{}' is defined here", e.name)}});
+        return result;
+    }
     static const std::set<std::string, std::less<>> of_matrices{"transpose", "inverse", "det", "trace", "cross", "diag"};
     if (function == nullptr && of_matrices.contains(e.name)) {
         // What is known to be a matrix is gone by now, so that something in it is not.
@@ -59,6 +67,7 @@ unsigned ExpressionCheck::call(const Expression& e) {
     } else if (function == nullptr) {
         std::vector<std::string> known{"dot", "ddot", "sum"};
         for (const FunctionSpec& f : functions()) known.emplace_back(f.name);
+        for (const std::string& curve : names_.names_of({"curve"})) known.push_back(curve);
         const std::string usual = foreign_function(e.name);
         error(Id::unknown_name, e.span,
               fmt::format("there is no function '{}'{}", e.name, usual.empty() ? did_you_mean(e.name, known) : "; write " + usual));

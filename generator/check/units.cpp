@@ -234,6 +234,10 @@ Measure Units::call(const Expression& e, const Bound& bound) {
         agreeing(e, *e.children[1], variable, *e.children[2], part(2));
         return part(0);
     }
+    if (const Curve* curve = names_.find_element<Curve>(e.name)) {
+        expect(*e.children[0], curve->of.dimension, fmt::format("the argument '{}' of curve '{}'", curve->variable, e.name), bound);
+        return {curve->unit.dimension};
+    }
     return function(*find_function(e.name), e, bound);
 }
 

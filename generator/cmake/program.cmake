@@ -80,6 +80,7 @@ set(embedded
     runtime/dalembert/angle_functions.hpp
     runtime/dalembert/fluid_functions.hpp
     runtime/dalembert/heat_functions.hpp
+    runtime/dalembert/curve_functions.hpp
     runtime/dalembert/heat_networks.hpp
     runtime/dalembert/junctions.hpp
     runtime/dalembert/series_functions.hpp
@@ -97,6 +98,7 @@ set(embedded
     runtime/c/angle_functions.h.in
     runtime/c/fluid_functions.h.in
     runtime/c/heat_functions.h.in
+    runtime/c/curve_functions.h.in
     runtime/c/heat_networks.h.in
     runtime/c/junctions.h.in
     runtime/c/series_functions.h.in

@@ -14,7 +14,7 @@ namespace {
 const std::vector<MarkedSection>& helpers() {
     static const std::vector<MarkedSection> all = [] {
         std::vector<MarkedSection> sections;
-        for (const char* file : {"scalar_functions", "angle_functions", "fluid_functions", "heat_functions", "unroll", "heat_networks",
+        for (const char* file : {"scalar_functions", "angle_functions", "fluid_functions", "heat_functions", "curve_functions", "unroll", "heat_networks",
                                  "junctions", "series_functions", "ldlt"})
             for (MarkedSection& section : marked_sections(embedded_file(std::string(file) + ".hpp")))
                 sections.push_back(std::move(section));

@@ -12,6 +12,7 @@
     KIND("inputs", inputs, Input) \
     KIND("states", states, State) \
     KIND("outputs", outputs, Output) \
+    KIND("curves", curves, Curve) \
     KIND("gravity", gravity, Gravity) \
     KIND("bodies", bodies, Body) \
     KIND("solids", solids, Solid) \

@@ -3,6 +3,7 @@
 // what carries heat are only declared here: who works with some of them includes their file, who works with all of them every_kind.hpp.
 #pragma once
 
+#include "elements/curves.hpp"
 #include "elements/gravity.hpp"
 #include "elements/kinds.hpp"
 #include "elements/quantities.hpp"
@@ -33,6 +34,7 @@ struct Model {
     std::vector<Input> inputs;
     std::vector<State> states;
     std::vector<Output> outputs;
+    std::vector<Curve> curves;
     std::optional<Gravity> gravity;
     std::vector<Attitude> attitudes;
     std::vector<Solid> solids;

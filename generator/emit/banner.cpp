@@ -85,12 +85,13 @@ std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, 
         text += cpp_comment(fmt::format("Modes: {}", fmt::join(names, ", ")), 0, "//");
     }
 
-    std::vector<const AuditEntry*> derivations, potentials, media, balances, constraints, solids, loads, emitted;
+    std::vector<const AuditEntry*> derivations, potentials, media, balances, constraints, dissipation, solids, loads, emitted;
     for (const AuditEntry& e : proofs.derivation.derivations) derivations.push_back(&e);
     for (const AuditEntry& e : proofs.derivation.potentials) potentials.push_back(&e);
     for (const AuditEntry& e : proofs.derivation.media) media.push_back(&e);
     for (const AuditEntry& e : proofs.derivation.balances) balances.push_back(&e);
     for (const AuditEntry& e : proofs.derivation.constraints) constraints.push_back(&e);
+    for (const AuditEntry& e : proofs.derivation.dissipation) dissipation.push_back(&e);
     for (const AuditEntry& e : proofs.derivation.solids) solids.push_back(&e);
     for (const AuditEntry& e : proofs.derivation.loads) loads.push_back(&e);
     for (const AuditEntry& e : proofs.emitted) emitted.push_back(&e);
@@ -99,6 +100,7 @@ std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, 
     if (!potentials.empty()) text += fmt::format("//     force = -d(energy)/dq: {} potentials\n", verdicts(potentials));
     if (!media.empty()) text += fmt::format("//     media, entropy and energy: {} identities\n", verdicts(media));
     if (!constraints.empty()) text += fmt::format("//     forces of constraints do no virtual work: {}\n", verdicts(constraints));
+    if (!dissipation.empty()) text += fmt::format("//     curves of dampers take power: {} dampers\n", verdicts(dissipation));
     if (!solids.empty()) text += fmt::format("//     integrals over solids, and Steiner's theorem: {}\n", verdicts(solids));
     if (!loads.empty()) text += fmt::format("//     equilibrium of loads: {}\n", verdicts(loads));
     if (!balances.empty()) text += fmt::format("//     balances of mass and energy: {} balances\n", verdicts(balances));

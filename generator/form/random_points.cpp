@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include "symbolic/curve_functions.hpp"
+
 namespace dalembert {
 
 using GiNaC::ex;
@@ -85,9 +87,11 @@ RandomPoints::RandomPoints(const System& system) {
             }
             is_free = is_free ||
                       (variable.declared != nullptr && variable.declared->range && variable.declared->range->is_guess && !variable.is_root);
-            intervals_.push_back({variable.symbol, low, high, is_free});
+            const bool has_range = kind == SymbolKind::parameter || (variable.declared != nullptr && variable.declared->range);
+            intervals_.push_back({variable.symbol, low, high, is_free, has_range && kind != SymbolKind::velocity});
         }
     }
+    look_at_curves(system, at_start);
     // What the cells of rods in loops are made of: temperatures, and numbers on the grid in their order.
     for (const RodField& field : system.heat.fields) {
         for (const ex& temperature : {field.here, field.next}) intervals_.push_back({temperature, Rational(250), Rational(600)});
@@ -101,6 +105,29 @@ RandomPoints::RandomPoints(const System& system) {
     for (const CellSum& sum : system.cell_sums) intervals_.push_back({sum.letter, Rational(250), Rational(600)});
     for (const SymbolKind kind : {SymbolKind::costate, SymbolKind::adjoint})
         for (const Variable& variable : system.symbols.all(kind)) factors_.push_back(variable.symbol);
+}
+
+void RandomPoints::look_at_curves(const System& system, const GiNaC::exmap& at_start) {
+    std::vector<ex> all = system.residual;
+    all.insert(all.end(), system.state_rates.begin(), system.state_rates.end());
+    for (const OutputEquation& output : system.outputs) all.push_back(output.value);
+    for (const ex& equation : all)
+        for (auto part = equation.preorder_begin(); part != equation.preorder_end(); ++part) {
+            const auto call = curve_call(*part);
+            if (!call) continue;
+            for (Interval& one : intervals_) {
+                if (one.has_range || !part->op(0).has(one.letter)) continue;
+                GiNaC::exmap others = at_start;
+                others.erase(one.letter);
+                const ex argument = part->op(0).subs(others, GiNaC::subs_options::no_pattern).expand();
+                if (!argument.is_polynomial(one.letter) || argument.degree(one.letter) != 1) continue;
+                const auto slope = near(argument.coeff(one.letter, 1)), rest = near(argument.coeff(one.letter, 0));
+                if (!slope || !rest || is_zero(*slope)) continue;
+                const Rational first = (call->curve->knots.front() - *rest) / *slope, last = (call->curve->knots.back() - *rest) / *slope;
+                const Rational beyond = cln::abs(last - first) / 10;
+                one = {one.letter, cln::min(first, last) - beyond, cln::max(first, last) + beyond, false, true};
+            }
+        }
 }
 
 Rational RandomPoints::fraction(std::uint64_t& state) {

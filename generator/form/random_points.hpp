@@ -33,11 +33,14 @@ public:
         Rational low;
         Rational high;
         bool is_free = false;  ///< nothing says how large it is; negative where `low` is
+        bool has_range = true; ///< a declared one, or that of a curve
     };
     const std::vector<Interval>& intervals() const { return intervals_; }
 
 private:
     static Rational fraction(std::uint64_t& state);
+    /// Letters without a range are taken from where a curve of them has its points, and a little beyond.
+    void look_at_curves(const System& system, const GiNaC::exmap& at_start);
     void add_factors(Point& point);
 
     std::vector<Interval> intervals_;

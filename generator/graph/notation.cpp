@@ -7,6 +7,7 @@
 #include <set>
 
 #include "graph/angle_sums.hpp"
+#include "symbolic/curve_functions.hpp"
 #include "symbolic/heat_formulas.hpp"
 #include "language/vocabulary.hpp"
 
@@ -112,6 +113,13 @@ std::string Notation::atom(const Atom& a, const Atoms& atoms) const {
     if (a.op == Op::power) {
         if (style_ == Style::text) return fmt::format("({})^({})", arguments[0], arguments[1]);
         return fmt::format("\\left({}\\right)^{{{}}}", arguments[0], arguments[1]);
+    }
+    if (a.op >= Op::curve_integral && a.op <= Op::curve_third) {
+        const CurveCall call{&curve_of(leading(a.arguments[1])), static_cast<int>(a.op) - static_cast<int>(Op::curve_value)};
+        if (style_ == Style::text) return fmt::format("{}({})", name_of_curve_function(call), arguments[0]);
+        const std::string name = latex_name(call.curve->name);
+        if (call.order < 0) return fmt::format("\\int_{{0}}^{{{}}}{{{}}}", arguments[0], name);
+        return fmt::format("{{{}}}{}\\left({}\\right)", name, std::string(static_cast<std::size_t>(call.order), '\''), arguments[0]);
     }
     if (a.op == Op::if_else) {
         if (style_ == Style::text) return fmt::format("if({} >= 0, {}, {})", arguments[0], arguments[1], arguments[2]);

@@ -4,7 +4,7 @@
 
 #include <dalembert/sampled_input.hpp>
 
-#include "identify/data_file.hpp"
+#include "text/data_file.hpp"
 #include "identify/fitted.hpp"
 #include "run/settings.hpp"
 

@@ -4,6 +4,7 @@
 #include "elements/bodies.hpp"
 #include "elements/forces.hpp"
 #include "mechanics/forces.hpp"
+#include "symbolic/curve_dissipation.hpp"
 #include "symbolic/functions.hpp"
 #include "text/diagnostic.hpp"
 
@@ -47,6 +48,23 @@ void resist(Resistance& resistance, const AffineRate& rate, const ex& force, con
     for (std::size_t j = 0; j < rate.jacobian.size(); ++j) resistance.force[j] -= rate.jacobian[j] * force;
     resistance.power += force * speed;
     resistance.prescribed += force * rate.drift;
+}
+
+/// Measured points that show that a damper would drive.
+void refuse_driving(const ex& power, const Damper& damper, const Translator& translate) {
+    const auto found = dissipation_by_curve(power);
+    if (!found || !found->against) return;
+    const Curve& curve = *translate.names().find_element<Curve>(found->curve->name);
+    const auto shown = [](const Rational& value, const Unit& unit) {
+        return fmt::format("{} {}", decimal(value / unit.factor - unit.offset, 6), unit.written);
+    };
+    const Rational at = *found->against, value = cln::rational(found->curve->at(0, at));
+    throw Failure(Diagnostic{Id::value_out_of_range,
+                             damper.span,
+                             fmt::format("damper '{}' must resist its rate, but its curve '{}' is {} at {} = {}, where it drives; a damper "
+                                         "is zero at zero and has the sign of its rate elsewhere",
+                                         damper.name, curve.name, shown(value, curve.unit), curve.variable, shown(at, curve.of)),
+                             {{curve.span, "the curve is defined here"}}});
 }
 
 ex damper_law(const Damper& damper, const ex& rate, const Translator& translate, Symbols& symbols, const Indices& indices) {
@@ -155,6 +173,7 @@ std::vector<Resistance> resistances(const Scene& scene, const Translator& transl
         } else {
             resist_body(resistance, damper, body_of(*damper.on, bodies, scene, indices), translate, symbols, indices);
         }
+        refuse_driving(resistance.power, damper, translate);
         result.push_back(std::move(resistance));
     }
     for (const auto& member : scene.generalised_forces) {

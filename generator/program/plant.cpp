@@ -7,6 +7,12 @@
 
 namespace dalembert {
 
+std::size_t PlantCurve::size() const {
+    std::size_t size = 0;
+    for (const std::vector<Value>& row : rows) size += row.size();
+    return size;
+}
+
 std::size_t PlantModes::most_modes() const {
     std::size_t most = 1;
     for (const auto& row : transitions)

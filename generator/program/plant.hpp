@@ -117,6 +117,14 @@ struct PlantSeries {
     FunctionBody body;
 };
 
+/// A measured characteristic, see runtime/dalembert/curve_functions.hpp.
+struct PlantCurve {
+    std::string name;
+    std::string doc;
+    std::vector<std::vector<Value>> rows;  ///< steps and knots, then one a piece
+    std::size_t size() const;              ///< of the whole table
+};
+
 struct Plant {
     std::string model, scene, title;
     std::size_t degrees = 0;
@@ -137,6 +145,7 @@ struct Plant {
     std::vector<PlantFunction> functions;
     std::vector<PlantFunction> constraint_functions;
     std::optional<PlantSeries> series;
+    std::vector<PlantCurve> curves;
     std::set<std::string> helpers;            ///< functions of the runtime that are called
 };
 

@@ -27,6 +27,7 @@ Value Value::pi() { return Value({.kind = Kind::pi}); }
 Value Value::whole(std::size_t number) { return Value({.kind = Kind::whole, .number = number}); }
 Value Value::name(std::string text) { return Value({.kind = Kind::name, .text = std::move(text)}); }
 Value Value::whole_array(std::string name) { return Value({.kind = Kind::whole_array, .text = std::move(name)}); }
+Value Value::curve(std::string name) { return Value({.kind = Kind::curve, .text = std::move(name)}); }
 Value Value::event(std::string name) { return Value({.kind = Kind::event, .text = std::move(name)}); }
 Value Value::interface_size(std::string name) { return Value({.kind = Kind::interface_size, .text = std::move(name)}); }
 Value Value::member(Object object, std::string text) { return Value({.kind = Kind::member, .object = object, .text = std::move(text)}); }
@@ -193,6 +194,7 @@ std::size_t width(const Value& value) {
         case Value::Kind::call: return width_of_call(value);
         case Value::Kind::all_of: return value.parts().empty() ? 4 : width_of_list(value.parts()) + 2 * (value.parts().size() - 1);
         case Value::Kind::event: return std::string("event::").size() + value.text().size();
+        case Value::Kind::curve: return std::string("detail::_curve<Scalar>").size() + value.text().size();
         case Value::Kind::room_from: return width_of_list(value.parts()) + 1;
         case Value::Kind::real: return std::string("Scalar()").size() + width(value.parts()[0]);
         case Value::Kind::signed_index: return std::string("static_cast<int>()").size() + width(value.parts()[0]);

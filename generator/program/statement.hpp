@@ -40,6 +40,7 @@ public:
         real,          ///< parts: an index, as a real number
         signed_index,  ///< parts: an index, as a whole number that others may be subtracted from
         comparison,    ///< parts: two indices; which holds between them says comparison()
+        curve,         ///< `text`: the table of a measured characteristic of the plant
         choice,        ///< parts: a condition, the index where it holds, and the one where it does not
     };
     /// Whose members are read or set.
@@ -81,6 +82,7 @@ public:
     static Value real(Value index);
     static Value signed_index(Value index);
     static Value comparison(Comparison holds, Value a, Value b);
+    static Value curve(std::string name);
     static Value choice(Value condition, Value then, Value otherwise);
 
     Kind kind() const;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "symbolic/curve_functions.hpp"
+
 namespace dalembert {
 
 namespace {
@@ -124,6 +126,10 @@ std::string StatementMaker::suggested_name(NodeId id) {
     if (node.kind == Node::Kind::function) {
         const Node& argument = function_.program[node.arguments[0]];
         const Variable* variable = argument.kind == Node::Kind::symbol ? code_.atoms[argument.index].variable : nullptr;
+        if (const CurvePieces* curve = curve_of_call(node)) {
+            const std::string_view suffix = std::string_view(name_of(node.op)).substr(std::string_view("curve_").size());
+            return fmt::format("{}_{}", curve->name, suffix);
+        }
         return variable != nullptr ? fmt::format("{}_{}", name_of(node.op), identifier(*variable))
                                    : fmt::format("{}_{}", name_of(node.op), ++temporaries_);
     }
@@ -225,6 +231,12 @@ Value StatementMaker::product(const Node& node, Statements& statements) {
     return Value::product(std::move(factors), std::move(divisors));
 }
 
+/// Null of other functions.
+const CurvePieces* StatementMaker::curve_of_call(const Node& node) const {
+    const bool is_curve = node.op >= Op::curve_integral && node.op <= Op::curve_third;
+    return node.kind == Node::Kind::function && is_curve ? &curve_of(function_.program[node.arguments[1]].value) : nullptr;
+}
+
 Value StatementMaker::call(const Node& node, Statements& statements) {
     const auto whole = [&](std::size_t i) {
         return static_cast<std::size_t>(cln::cl_I_to_ulong(cln::numerator(function_.program[node.arguments[i]].value)));
@@ -242,6 +254,8 @@ Value StatementMaker::call(const Node& node, Statements& statements) {
     if (where == Value::Where::helper) helpers_.insert(name);
     if (node.op == Op::compression)
         if (const auto decay = exponential_of_minus(node.arguments[0])) arguments.push_back(part(*decay, statements));
+    if (const CurvePieces* curve = curve_of_call(node))
+        return Value::call(where, name, {arguments[0], Value::curve(curve->name)}, {curve->knots.size()});
     if (is_array(node.op)) return Value::call(Value::Where::helper, name, {Value::list(std::move(arguments))}, {order_of_network(node)});
     return Value::call(where, name, std::move(arguments));
 }

@@ -16,6 +16,8 @@ namespace dalembert {
 /// How cached values are read: a member, or of a family of cells an element of one.
 using CachedValues = std::map<std::uint32_t, Value>;
 
+struct CurvePieces;
+
 class StatementMaker {
 public:
     /// `arguments` are names that are in scope already.
@@ -57,6 +59,7 @@ private:
     Value sum(const Node& node, Statements& statements);
     Value product(const Node& node, Statements& statements);
     Value call(const Node& node, Statements& statements);
+    const CurvePieces* curve_of_call(const Node& node) const;
     std::string suggested_name(NodeId id);
     int family_start(const Variable& variable) const;
     void declare(NodeId id, Value value, Statements& statements);

@@ -9,6 +9,7 @@
 #include "prove/media.hpp"
 #include "prove/passivity.hpp"
 #include "prove/statics_audit.hpp"
+#include "symbolic/curve_dissipation.hpp"
 #include "symbolic/functions.hpp"
 
 namespace dalembert {
@@ -182,6 +183,19 @@ std::vector<AuditEntry> compare_virtual_work(const System& system, Prover& prove
     return entries;
 }
 
+/// Signs of the pieces of each curve; what they do not decide is told.
+std::vector<AuditEntry> dissipation_by_curves(const System& system) {
+    std::vector<AuditEntry> entries;
+    for (const Resistance& one : system.resistances) {
+        const auto found = dissipation_by_curve(one.power);
+        if (!found) continue;
+        const std::string reason = fmt::format("the points of curve '{}' do not tell the sign of the power", found->curve->name);
+        entries.push_back({"dissipated power not negative, " + one.name,
+                           found->is_proven ? Comparison{Verdict::proven} : Comparison{Verdict::not_checkable, reason}});
+    }
+    return entries;
+}
+
 /// A theorem where it holds; where it was not proven nothing is claimed.
 std::vector<AuditEntry> passive_network(const System& system, Prover& prover) {
     if (!is_passive(system, prover)) return {};
@@ -197,6 +211,7 @@ std::vector<const AuditEntry*> Audit::all() const {
     for (const AuditEntry& entry : media) result.push_back(&entry);
     for (const AuditEntry& entry : balances) result.push_back(&entry);
     for (const AuditEntry& entry : constraints) result.push_back(&entry);
+    for (const AuditEntry& entry : dissipation) result.push_back(&entry);
     for (const AuditEntry& entry : solids) result.push_back(&entry);
     for (const AuditEntry& entry : loads) result.push_back(&entry);
     result.push_back(&power_balance);
@@ -218,8 +233,9 @@ const char* Audit::power_balance_name(const System& system) {
 Audit audit(const System& system) {
     Prover prover(system);
     return {compare_derivations(system, prover), compare_potentials(system, prover),   compare_media(system, prover),
-            compare_balances(system, prover),    compare_virtual_work(system, prover), compare_solids(system, prover),
-            compare_loads(system, prover),       balance_power(system, prover),        passive_network(system, prover)};
+            compare_balances(system, prover),    compare_virtual_work(system, prover), dissipation_by_curves(system),
+            compare_solids(system, prover),      compare_loads(system, prover),        balance_power(system, prover),
+            passive_network(system, prover)};
 }
 
 std::optional<NotIntegrable> integrability(const System& system, const Generalised& force) {

@@ -18,6 +18,7 @@ struct Audit {
     std::vector<AuditEntry> media;        ///< integrability, (3.21) and (3.43), of each medium
     std::vector<AuditEntry> balances;     ///< mass and energy of each volume, and the changes of variable
     std::vector<AuditEntry> constraints;  ///< those with a multiplier: that their forces do no virtual work
+    std::vector<AuditEntry> dissipation;  ///< of laws by curves: that the power they take is never negative
     std::vector<AuditEntry> solids;       ///< integrals and Steiner's theorem of each solid
     std::vector<AuditEntry> loads;        ///< equilibrium of each load with unknowns
     AuditEntry power_balance;

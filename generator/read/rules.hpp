@@ -8,6 +8,7 @@
 namespace dalembert {
 
 void check_rules(const Entry& e, Coordinate& coordinate);
+void check_rules(const Entry& e, Curve& curve);
 void check_rules(const Entry& e, Attitude& attitude);
 void check_rules(const Entry& e, Body& body);
 void check_rules(const Entry& e, Torque& torque);

@@ -95,6 +95,7 @@ CheckedScene checked_scene(const Machine& machine) {
     add("media: (3.11), (3.21), (3.31), (3.41), (3.43)", proofs.derivation.media);
     add("balances of mass and energy", proofs.derivation.balances);
     add("forces of constraints do no virtual work", proofs.derivation.constraints);
+    add("curves of dampers: dissipated power not negative", proofs.derivation.dissipation);
     add("solids: integrals, and Steiner's theorem", proofs.derivation.solids);
     add("loads: equilibrium with the solution inserted", proofs.derivation.loads);
     add(Audit::power_balance_name(*machine.system), {proofs.derivation.power_balance});

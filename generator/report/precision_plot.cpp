@@ -16,13 +16,13 @@ namespace {
 constexpr std::array colours{"#0060a8", "#c03028", "#2a8a3a", "#8a5a00", "#7a3a9a", "#00858a", "#c06a90", "#606060", "#b09a00", "#30c8c8"};
 static_assert(colours.size() == methods_of_integration.size());
 
-struct Curve {
+struct PlottedCurve {
     std::string method, arithmetic, data;
 };
 
 /// One block of data a curve, in the order in which they were measured: time, calls, error at the end, on the way.
-std::vector<Curve> curves_of(const std::vector<WorkPoint>& measured, double until, double floor) {
-    std::vector<Curve> curves;
+std::vector<PlottedCurve> curves_of(const std::vector<WorkPoint>& measured, double until, double floor) {
+    std::vector<PlottedCurve> curves;
     for (const WorkPoint& p : measured) {
         if (!p.is_good) continue;
         if (curves.empty() || curves.back().method != p.plan.method || curves.back().arithmetic != p.plan.arithmetic)
@@ -38,13 +38,13 @@ std::vector<Curve> curves_of(const std::vector<WorkPoint>& measured, double unti
 std::vector<std::pair<std::string, std::string>> precision_plot(const std::vector<WorkPoint>& measured, double until,
                                                                 const std::vector<Level>& levels, const std::string& title) {
     constexpr double floor = 1e-18;
-    const std::vector<Curve> curves = curves_of(measured, until, floor);
+    const std::vector<PlottedCurve> curves = curves_of(measured, until, floor);
     if (curves.empty()) return {};
     std::vector<std::string> methods;
-    for (const Curve& curve : curves)
+    for (const PlottedCurve& curve : curves)
         if (std::find(methods.begin(), methods.end(), curve.method) == methods.end()) methods.push_back(curve.method);
     std::string script = "$points << EOD\n";
-    for (const Curve& curve : curves) script += curve.data + "\n\n";
+    for (const PlottedCurve& curve : curves) script += curve.data + "\n\n";
     script +=
         "EOD\nset logscale xy\nset format xy '10^{%L}'\nset grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\nset yrange [*:10]\nset "
         "key off\n";

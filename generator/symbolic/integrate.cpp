@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/integrate.hpp"
 
+#include "symbolic/curve_functions.hpp"
 #include "symbolic/derivative.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/integrate_parts.hpp"
@@ -73,6 +74,7 @@ Found integrate_function(const ex& f, const symbol& x) {
     if (is(f, "atan")) return (u * GiNaC::atan(u) - GiNaC::log(1 + GiNaC::pow(u, 2)) / 2) / *a;
     if (is(f, "magnitude")) return u * magnitude(u) / (2 * *a);
     if (is(f, "sign_of")) return magnitude(u) / *a;
+    if (const auto curve = curve_call(f); curve && curve->order >= 0) return curve_function(curve->order - 1, u, f.op(1)) / *a;
     return std::nullopt;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "symbolic/curve_functions.hpp"
 #include "symbolic/functions.hpp"
 
 namespace dalembert {
@@ -35,6 +36,10 @@ using MaybeReal = std::optional<Real>;
 using Doubles = std::vector<double>;
 double as_double(const Real& x) { return cln::double_approx(x); }
 constexpr auto zero_slope = [](const Reals&, const Real&) { return Doubles{0}; };
+template <int order>
+constexpr auto curve_at = [](const Reals& of, const Real&) -> MaybeReal { return curve_of(of[1]).at(order, of[0]); };
+template <int order>
+constexpr auto curve_slopes_at = [](const Reals& of, const Real&) { return Doubles{as_double(curve_of(of[1]).at(order + 1, of[0])), 0}; };
 constexpr auto list_of_all = [](const GiNaC::exvector& a) -> ex { return GiNaC::exprseq(a.begin(), a.end()); };
 
 /// In the order of the enumeration. In rules of series, p is the program, z the function itself and `of` its arguments.
@@ -480,12 +485,56 @@ constexpr std::array scalar_functions{
         .jumps = true,
         .in_library = true,
         .latex = "\\left\\lfloor {} \\right\\rfloor"},
+    // Measured characteristics. Runs stop at their knots, so that series are those of one piece.
+    Row{.op = Op::curve_integral,
+        .name = "curve_integral",
+        .exact = curve_at<-1>,
+        .exact_slopes = curve_slopes_at<-1>,
+        .serial = serial_of<curve_integral_SERIAL>,
+        .slopes = [](const ex&, const ex& x, const ex& curve) { return Both{curve_value(x, curve), 0}; },
+        .series = [](auto& p, auto, auto& of) -> Rule {
+            return p.rule({{p.one(), p.function(Op::curve_value, of), of[0]}});
+        }},
+    Row{.op = Op::curve_value,
+        .name = "curve_value",
+        .exact = curve_at<0>,
+        .exact_slopes = curve_slopes_at<0>,
+        .serial = serial_of<curve_value_SERIAL>,
+        .slopes = [](const ex&, const ex& x, const ex& curve) { return Both{curve_slope(x, curve), 0}; },
+        .series = [](auto& p, auto, auto& of) -> Rule {
+            return p.rule({{p.one(), p.function(Op::curve_slope, of), of[0]}});
+        }},
+    Row{.op = Op::curve_slope,
+        .name = "curve_slope",
+        .exact = curve_at<1>,
+        .exact_slopes = curve_slopes_at<1>,
+        .serial = serial_of<curve_slope_SERIAL>,
+        .slopes = [](const ex&, const ex& x, const ex& curve) { return Both{curve_second(x, curve), 0}; },
+        .series = [](auto& p, auto, auto& of) -> Rule {
+            return p.rule({{p.one(), p.function(Op::curve_second, of), of[0]}});
+        }},
+    Row{.op = Op::curve_second,
+        .name = "curve_second",
+        .exact = curve_at<2>,
+        .exact_slopes = curve_slopes_at<2>,
+        .serial = serial_of<curve_second_SERIAL>,
+        .slopes = [](const ex&, const ex& x, const ex& curve) { return Both{curve_third(x, curve), 0}; },
+        .series = [](auto& p, auto, auto& of) -> Rule {
+            return p.rule({{p.fixed_function(Op::curve_third, of), {}, of[0]}});
+        }},
+    Row{.op = Op::curve_third,
+        .name = "curve_third",
+        .exact = curve_at<3>,
+        .exact_slopes = [](const Reals&, const Real&) { return Doubles{0, 0}; },
+        .serial = serial_of<curve_third_SERIAL>,
+        .slopes = [](const ex&, const ex&, const ex&) { return Both{0, 0}; },
+        .jumps = true},
 };
 
 constexpr bool is_in_order() {
     for (std::size_t i = 0; i < scalar_functions.size(); ++i)
         if (static_cast<std::size_t>(scalar_functions[i].op) != i) return false;
-    return scalar_functions.size() == static_cast<std::size_t>(Op::floor) + 1;
+    return scalar_functions.size() == static_cast<std::size_t>(Op::curve_third) + 1;
 }
 static_assert(is_in_order());
 

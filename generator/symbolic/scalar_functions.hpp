@@ -32,6 +32,7 @@ enum class Op {
     one_minus_cos, sinc, cosc, growth_mean, logc, sinc_slope, cosc_slope, logc_slope,  ///< what forms that lose digits are rewritten into
     if_else,  ///< arguments: x, what holds for x >= 0, what holds else
     floor,
+    curve_integral, curve_value, curve_slope, curve_second, curve_third,  ///< arguments: x, the number of a curve
 };
 
 struct ScalarFunction {

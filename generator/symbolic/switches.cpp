@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/switches.hpp"
 
+#include <algorithm>
+
+#include "symbolic/curve_functions.hpp"
 #include "symbolic/functions.hpp"
 
 namespace dalembert {
@@ -20,11 +23,12 @@ bool is_unlocated(const ex& e) {
     return false;
 }
 
-std::optional<Switch> switch_by(const ex& by, int order) { return Switch{by, order, !is_unlocated(by)}; }
+std::optional<Switch> switch_by(const ex& by, int order) { return Switch{by, order, !is_unlocated(by), false}; }
 
 struct Unlocated : GiNaC::map_function {
     ex operator()(const ex& e) override {
         const ex inside = e.map(*this);
+        if (const auto call = curve_call(inside)) return curve_function(call->order, unlocated(inside.op(0)), inside.op(1));
         if (!switch_of(inside)) return inside;
         if (is_ex_the_function(inside, minimum)) return minimum(unlocated(inside.op(0)), unlocated(inside.op(1)));
         if (is_ex_the_function(inside, maximum)) return maximum(unlocated(inside.op(0)), unlocated(inside.op(1)));
@@ -101,14 +105,26 @@ std::optional<Switch> switch_of(const ex& f) {
     if (is_ex_the_function(f, minimum) || is_ex_the_function(f, maximum)) return switch_by(f.op(0) - f.op(1), 1);
     if (is_ex_the_function(f, sign_of) || is_ex_the_function(f, unit_step) || is_ex_the_function(f, if_else)) return switch_by(f.op(0), 0);
     // At every whole number.
-    if (is_ex_the_function(f, floor_of)) return Switch{GiNaC::sin(GiNaC::Pi * f.op(0)), 0, !is_unlocated(f.op(0))};
+    if (is_ex_the_function(f, floor_of)) return Switch{GiNaC::sin(GiNaC::Pi * f.op(0)), 0, !is_unlocated(f.op(0)), false};
     return std::nullopt;
+}
+
+std::vector<Switch> switches_of_curve(const ex& f) {
+    const auto call = curve_call(f);
+    if (!call) return {};
+    std::vector<Switch> result;
+    for (std::size_t i = 0; i < call->curve->knots.size(); ++i)
+        if (const int order = call->curve->order_of_jump(i, std::max(call->order, 0)); order <= 3)
+            result.push_back({f.op(0) - numeric(call->curve->knots[i]), order - call->order, !is_unlocated(f.op(0)), true});
+    return result;
 }
 
 std::vector<Switch> switches_in(const ex& e) {
     std::vector<Switch> result;
-    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
+    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
         if (auto found = switch_of(*part)) result.push_back(std::move(*found));
+        for (Switch& knot : switches_of_curve(*part)) result.push_back(std::move(knot));
+    }
     return result;
 }
 

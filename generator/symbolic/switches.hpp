@@ -12,12 +12,16 @@ namespace dalembert {
 /// A function that has a kink or jump where something changes its sign.
 struct Switch {
     GiNaC::ex by;     ///< what changes its sign
-    int order;        ///< 0: a jump, 1: a kink
+    int order;        ///< 0: a jump, 1: a kink, or a higher derivative that jumps
     bool is_located;  ///< false: the model leaves it to the control of steps
+    bool is_knot;     ///< of a curve
 };
 
-/// Of a single function; nothing of one that has neither.
+/// Of a single function; nothing of one that has neither. Curves, which have one at many knots, are left to the next.
 std::optional<Switch> switch_of(const GiNaC::ex& function);
+
+/// The knots of a curve, with the lowest derivative that jumps there; none of another function.
+std::vector<Switch> switches_of_curve(const GiNaC::ex& function);
 
 /// Of all functions in e, those further outside first.
 std::vector<Switch> switches_in(const GiNaC::ex& e);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "elements/conduction.hpp"
+#include "symbolic/curve_functions.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/switches.hpp"
 #include "symbolic/heat_formulas.hpp"
@@ -248,6 +249,13 @@ ex Translator::call(const Expression& e, const Indices& indices, const Letters& 
     if (const auto found = calculus(e, indices, letters)) {
         if (!sums_) refuse_rates_of_cells(e, *found, scene_, symbols_);
         return *found;
+    }
+    if (const Curve* curve = names_.find_element<Curve>(e.name)) {
+        const auto known = curves_.emplace(curve, 0);
+        if (known.second) known.first->second = number_of(pieces_of(*curve));
+        // Its points count in units without pi.
+        const ex place = part(0) * GiNaC::pow(GiNaC::Pi, -curve->of.pi_power);
+        return GiNaC::pow(GiNaC::Pi, curve->unit.pi_power) * curve_value(place, known.first->second);
     }
     if (e.name == "quantity") return visit(*to_si(e.children[0], evaluate_unit(*e.children[1])), indices, letters);
     std::vector<ex> arguments;

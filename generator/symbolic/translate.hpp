@@ -114,6 +114,7 @@ private:
     mutable SumTerms terms_;
     mutable int calls_ = 0;  ///< of operator(), in each other
     mutable std::map<std::pair<const Definition*, int>, GiNaC::ex> inserted_;
+    mutable std::map<const Curve*, GiNaC::ex> curves_;  ///< the numbers that stand for them
     mutable bool leaves_integrals_open_ = false;
     mutable std::vector<DefiniteIntegral> open_;
 };

@@ -3,6 +3,12 @@
 
 namespace dalembert {
 
+namespace {
+
+constexpr std::size_t longest_line = 128;
+
+}  // namespace
+
 std::string shifted(const std::string& text) {
     std::string result;
     for (std::size_t at = 0; at < text.size();) {
@@ -13,8 +19,22 @@ std::string shifted(const std::string& text) {
     return result;
 }
 
+std::string wrapped_list(const std::vector<std::string>& parts, std::size_t column) {
+    std::string result, line(column, ' ');
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::string part = parts[i] + (i + 1 < parts.size() ? "," : "");
+        const bool is_first = line.find_first_not_of(' ') == std::string::npos;
+        if (!is_first && line.size() + 1 + part.size() > longest_line) {
+            result += line + "\n";
+            line = std::string(column + 4, ' ') + part;
+        } else {
+            line += (is_first ? "" : " ") + part;
+        }
+    }
+    return result + line;
+}
+
 std::string wrapped(const std::string& statement, std::size_t column) {
-    constexpr std::size_t longest_line = 128;
     const std::string blanks(column, ' ');
     std::string result;
     std::string rest = statement;

@@ -4,7 +4,7 @@
 function(dalembert_c_functions folder sizes)
   foreach(REAL float double)
     set(all "")
-    foreach(file math_functions scalar_functions angle_functions fluid_functions heat_functions
+    foreach(file math_functions scalar_functions angle_functions fluid_functions heat_functions curve_functions
                  heat_networks junctions series_functions ldlt)
       set(path ${PROJECT_SOURCE_DIR}/runtime/c/${file}.h.in)
       set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})

@@ -21,12 +21,15 @@ struct DataFile {
     SourcePtr source;
     std::vector<DataColumn> columns;
     std::vector<std::size_t> lines;  ///< of the file, from 1, one a row
+    char separator = ',';
 
     /// Null where there is none of that name.
     const DataColumn* find(const std::string& name) const;
     std::vector<std::string> names() const;
-    /// The value in a row, as a place.
+    /// The values of a row, as a place.
     Span place(std::size_t row) const;
+    /// A value as it is written, for those who need all its digits.
+    std::string written(const DataColumn& column, std::size_t row) const;
 };
 
 /// Fields are separated by commas, semicolons or tabs: by what the line of titles has most of. A title is a name with a unit: "phi [deg]".

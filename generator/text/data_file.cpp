@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "identify/data_file.hpp"
+#include "text/data_file.hpp"
 
 #include <fmt/format.h>
 
@@ -98,10 +98,15 @@ Span DataFile::place(std::size_t row) const {
     return {source, begin, begin + source->line(lines.at(row)).size()};
 }
 
+std::string DataFile::written(const DataColumn& column, std::size_t row) const {
+    const Span line = place(row);
+    return fields_of(line.text(), line.begin, separator).at(static_cast<std::size_t>(&column - columns.data())).text;
+}
+
 DataFile parse_data(const SourcePtr& source) {
     DataFile file{source, {}, {}};
     const std::string& text = source->text();
-    char separator = ',';
+    char& separator = file.separator;
     std::size_t number = 0;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());

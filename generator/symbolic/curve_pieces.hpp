@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measured characteristics as exact polynomials, piece by piece, with their derivatives and their integral.
+//
+// note [curves]: The slopes of the monotone shape are the weighted harmonic means of Fritsch and Butland (1984), as Brodlie wrote them, and
+// at the ends the formula of three points, limited: all of them rational, unlike those of Fritsch and Carlson (1980), which need a root
+// where they are too steep. The curve rises where its points rise, as with those. The spline is natural; its equations are solved exactly.
+// A piece counts from its place nearest to zero. So x and what it is counted from never cancel worse than x itself is known, and a curve
+// through zero keeps its digits there.
+#pragma once
+
+#include <cln/real.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "elements/curves.hpp"
+
+namespace dalembert {
+
+struct CurvePieces {
+    struct Piece {
+        Rational origin;                       ///< x is counted from here
+        Rational integral;                     ///< of the curve from zero to the origin
+        std::array<Rational, 4> coefficients;  ///< of the powers of x - origin
+        friend bool operator==(const Piece&, const Piece&) = default;
+    };
+
+    std::string name;
+    std::string doc;
+    std::vector<Rational> knots;  ///< rising
+    std::vector<Piece> pieces;    ///< piece i lies above knot i - 1 and below knot i; the first and the last have one knot
+    bool ends_runs = false;       ///< beyond the first and the last knot
+
+    bool is_even() const;         ///< the knots are equally far from each other
+    /// Of order -1 the integral from zero, of 0 the value, of 1, 2, 3 the derivative. Exact at an exact place.
+    cln::cl_R at(int order, const cln::cl_R& x) const;
+    /// The lowest derivative from this order on that jumps at a knot, 1 for a kink; 4 where none does.
+    int order_of_jump(std::size_t knot, int lowest) const;
+    /// Whether the value has the sign of x, or is zero, everywhere: enough, not needed.
+    bool has_sign_of_argument() const;
+    /// Whether no value is negative, likewise.
+    bool is_never_negative() const;
+    friend bool operator==(const CurvePieces&, const CurvePieces&) = default;
+};
+
+CurvePieces pieces_of(const Curve& curve);
+
+}  // namespace dalembert

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSL-1.0
+// Measured characteristics of n points: polynomials of third degree piece by piece, their integral and their derivatives, without heap. The
+// generator copies what stands between the marks into headers that need it.
+//
+// The table of a curve: how many knots there are in a unit where they are equally far from each other, else 0; the n knots; and for each of
+// the n + 1 pieces the place that x is counted from, the integral up to there, and the coefficients of the powers of x - place. Piece i lies
+// above knot i - 1 and below knot i.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include "dalembert/scalar_functions.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+// begin curve_piece: select
+/// The number of the piece that x lies in: computed where the knots are equally far from each other, else found by halving.
+template <class Scalar, std::size_t n>
+std::size_t curve_place(const Scalar& x, const std::array<Scalar, 7 * n + 7>& curve) noexcept {
+    const Scalar* const knots = curve.data() + 1;
+    if constexpr (std::numeric_limits<Scalar>::is_iec559) {
+        if (curve[0] > Scalar(0)) {
+            const Scalar place = (x - knots[0]) * curve[0];
+            const std::size_t near = !(place >= Scalar(0)) ? 0 : place < Scalar(n - 1) ? static_cast<std::size_t>(place) + 1 : n;
+            if (near > 0 && x < knots[near - 1]) return near - 1;  // roundings
+            return near < n && x >= knots[near] ? near + 1 : near;
+        }
+    }
+    std::size_t first = 0;
+    for (std::size_t count = n; count > 0;) {
+        const std::size_t half = count / 2;
+        const bool is_above = x >= knots[first + half];
+        first = is_above ? first + half + 1 : first;
+        count = is_above ? count - half - 1 : half;
+    }
+    return first;
+}
+
+/// Whether a comparison of scalars is true or false, rather than that for each of several numbers side by side.
+template <class Comparison>
+struct IsTruth {
+    static constexpr bool value = false;
+};
+template <>
+struct IsTruth<bool> {
+    static constexpr bool value = true;
+};
+
+/// The six numbers of that piece. Of several numbers side by side each has its own: all pieces are gone through.
+template <class Scalar, std::size_t n>
+std::array<Scalar, 6> curve_piece(const Scalar& x, const std::array<Scalar, 7 * n + 7>& curve) noexcept {
+    if constexpr (IsTruth<decltype(x < x)>::value) {
+        const Scalar* const piece = curve.data() + (n + 1) + 6 * curve_place<Scalar, n>(x, curve);
+        return {piece[0], piece[1], piece[2], piece[3], piece[4], piece[5]};
+    } else {
+        const Scalar* next = curve.data() + (n + 1);
+        std::array<Scalar, 6> piece{next[0], next[1], next[2], next[3], next[4], next[5]};
+        for (std::size_t i = 0; i < n; ++i) {
+            next += 6;
+            const auto is_above = x >= curve[i + 1];
+            for (std::size_t k = 0; k < 6; ++k) piece[k] = select(is_above, next[k], piece[k]);
+        }
+        return piece;
+    }
+}
+// end curve_piece
+
+// begin curve_integral: curve_piece
+/// From zero to x.
+template <class Scalar, std::size_t n>
+Scalar curve_integral(const Scalar& x, const std::array<Scalar, 7 * n + 7>& curve) noexcept {
+    const std::array<Scalar, 6> c = curve_piece<Scalar, n>(x, curve);
+    const Scalar d = x - c[0];
+    return c[1] + d * (c[2] + d * (c[3] / Scalar(2) + d * (c[4] / Scalar(3) + d * (c[5] / Scalar(4)))));
+}
+// end curve_integral
+
+// begin curve_value: curve_piece
+template <class Scalar, std::size_t n>
+Scalar curve_value(const Scalar& x, const std::array<Scalar, 7 * n + 7>& curve) noexcept {
+    const std::array<Scalar, 6> c = curve_piece<Scalar, n>(x, curve);
+    const Scalar d = x - c[0];
+    return c[2] + d * (c[3] + d * (c[4] + d * c[5]));
+}
+// end curve_value
+
+// begin curve_slope: curve_piece
+template <class Scalar, std::size_t n>
+Scalar curve_slope(const Scalar& x, const std::array<Scalar, 7 * n + 7>& curve) noexcept {
+    const std::array<Scalar, 6> c = curve_piece<Scalar, n>(x, curve);
+    const Scalar d = x - c[0];
+    return c[3] + d * (Scalar(2) * c[4] + d * (Scalar(3) * c[5]));
+}
+// end curve_slope
+
+// begin curve_second: curve_piece
+template <class Scalar, std::size_t n>
+Scalar curve_second(const Scalar& x, const std::array<Scalar, 7 * n + 7>& curve) noexcept {
+    const std::array<Scalar, 6> c = curve_piece<Scalar, n>(x, curve);
+    const Scalar d = x - c[0];
+    return Scalar(2) * c[4] + Scalar(6) * c[5] * d;
+}
+// end curve_second
+
+// begin curve_third: curve_piece
+template <class Scalar, std::size_t n>
+Scalar curve_third(const Scalar& x, const std::array<Scalar, 7 * n + 7>& curve) noexcept {
+    return Scalar(6) * curve_piece<Scalar, n>(x, curve)[5];
+}
+// end curve_third
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert

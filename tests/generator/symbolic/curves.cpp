@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measured characteristics: their pieces go through the points and are joined as their shape says, derivatives and integrals are exact, the
+// emitted functions have the digits that their argument has, and the sign of what a curve takes is told by its pieces.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+#include "dalembert/curve_functions.hpp"
+#include "symbolic/curve_dissipation.hpp"
+#include "symbolic/curve_functions.hpp"
+#include "symbolic/derivative.hpp"
+#include "symbolic/integrate.hpp"
+#include "symbolic/switches.hpp"
+
+using namespace dalembert;
+using GiNaC::ex;
+using GiNaC::numeric;
+using Shape = Curve::Shape;
+using Outside = Curve::Outside;
+
+namespace {
+
+using Points = std::vector<std::pair<Rational, Rational>>;
+
+CurvePieces pieces(const Points& points, Shape shape, Outside outside) {
+    Curve curve;
+    curve.name = "f";
+    curve.shape = shape;
+    curve.outside = outside;
+    for (const auto& [x, y] : points) curve.points.push_back({x, y, {}});
+    return pieces_of(curve);
+}
+
+Rational decimal_of(int value) { return Rational(value) / 100; }
+
+const Points uneven{{decimal_of(-130), -6}, {decimal_of(-40), -2}, {decimal_of(-30), decimal_of(-190)}, {decimal_of(20), decimal_of(30)},
+                    {decimal_of(70), decimal_of(290)}, {decimal_of(95), decimal_of(240)}, {decimal_of(230), 9}};
+const std::vector<Shape> shapes{Shape::monotone, Shape::spline, Shape::linear};
+
+Rational exact(const CurvePieces& curve, int order, const Rational& x) { return cln::the<cln::cl_RA>(curve.at(order, x)); }
+
+/// Without a limit of both sides at x = knots[i].
+Rational from_below(const CurvePieces& curve, int order, std::size_t i) {
+    const Rational& x = curve.knots[i];
+    const Rational tiny = Rational(1) / cln::expt(cln::cl_I(10), 40);
+    return rounded(exact(curve, order, x - tiny), 20);
+}
+
+/// The table of a header in double.
+template <std::size_t n>
+std::array<double, 7 * n + 7> table_of(const CurvePieces& curve) {
+    REQUIRE(curve.knots.size() == n);
+    std::vector<Rational> numbers{curve.is_even() ? 1 / (curve.knots[1] - curve.knots[0]) : Rational(0)};
+    numbers.insert(numbers.end(), curve.knots.begin(), curve.knots.end());
+    for (const CurvePieces::Piece& piece : curve.pieces) {
+        numbers.insert(numbers.end(), {piece.origin, piece.integral});
+        numbers.insert(numbers.end(), piece.coefficients.begin(), piece.coefficients.end());
+    }
+    std::array<double, 7 * n + 7> table{};
+    REQUIRE(numbers.size() == table.size());
+    for (std::size_t i = 0; i < table.size(); ++i) table[i] = cln::double_approx(numbers[i]);
+    return table;
+}
+
+/// The largest error at random places, in units in the last place of the value and of what a rounding of x makes of it.
+template <std::size_t n, class Function>
+double largest_error(const CurvePieces& curve, int order, const Function& function) {
+    const auto table = table_of<n>(curve);
+    std::mt19937 engine(7);
+    const double first = table[1], last = table[n];
+    std::uniform_real_distribution<double> places(first - 0.3 * (last - first), last + 0.3 * (last - first));
+    double largest = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const double x = i % 3 == 0 ? places(engine) * 1e-6 : places(engine);
+        const Rational place = cln::rational(x), value = exact(curve, order, place);
+        const double size = std::fabs(cln::double_approx(value)) +
+                            (order == 3 ? 0.0 : std::fabs(x * cln::double_approx(exact(curve, order + 1, place))));
+        const double error = std::fabs(cln::double_approx(cln::rational(function(x, table)) - value));
+        if (error > 0) largest = std::max(largest, error / (size * std::numeric_limits<double>::epsilon()));
+    }
+    return largest;
+}
+
+}  // namespace
+
+TEST_CASE("curves go through their points, and are joined as their shape says") {
+    for (const Shape shape : shapes)
+        for (const Outside outside : {Outside::held, Outside::straight, Outside::error}) {
+            const CurvePieces curve = pieces(uneven, shape, outside);
+            CHECK(curve.ends_runs == (outside == Outside::error));
+            for (const auto& [x, y] : uneven) CHECK(exact(curve, 0, x) == y);
+            const int smooth = shape == Shape::monotone ? 1 : shape == Shape::spline ? 2 : 0;
+            for (std::size_t i = 1; i + 1 < curve.knots.size(); ++i) {
+                CHECK(curve.order_of_jump(i, 0) > smooth);
+                for (int order = -1; order <= smooth; ++order)
+                    CHECK(from_below(curve, order, i) == rounded(exact(curve, order, curve.knots[i]), 20));
+            }
+            CHECK(curve.order_of_jump(0, 0) == (outside == Outside::held ? 1 : shape == Shape::spline ? 3 : shape == Shape::linear ? 4 : 2));
+            CHECK(exact(curve, 0, 1000) == (outside == Outside::held ? Rational(9) : exact(curve, 0, curve.knots.back()) +
+                                            exact(curve, 1, curve.knots.back()) * (1000 - curve.knots.back())));
+            CHECK(exact(curve, -1, 0) == 0);
+        }
+}
+
+TEST_CASE("monotone curves have the slopes of PCHIP, and splines those of the natural spline") {
+    // By SciPy's PchipInterpolator, and by hand.
+    const CurvePieces monotone = pieces({{0, 0}, {1, 1}, {3, 2}, {4, 8}}, Shape::monotone, Outside::straight);
+    CHECK(exact(monotone, 1, 0) == Rational(7) / 6);
+    CHECK(exact(monotone, 1, 1) == Rational(9) / 13);
+    CHECK(exact(monotone, 1, 3) == Rational(54) / 53);
+    CHECK(exact(monotone, 1, 4) == Rational(47) / 6);
+    // y'' is -3 at 1 for the natural spline through (0, 0), (1, 1), (2, 0): 4 m = 6 (-1 - 1).
+    const CurvePieces spline = pieces({{0, 0}, {1, 1}, {2, 0}}, Shape::spline, Outside::straight);
+    CHECK(exact(spline, 2, 1) == -3);
+    CHECK(exact(spline, 2, 0) == 0);
+    CHECK(exact(spline, 1, 0) == Rational(3) / 2);
+    // No overshoot between equal values, and none beyond the points around.
+    const CurvePieces level = pieces({{0, 0}, {1, 3}, {2, 3}, {3, 8}}, Shape::monotone, Outside::held);
+    for (int i = 0; i <= 300; ++i) {
+        CHECK(!is_negative(exact(level, 1, decimal_of(i))));
+        if (i > 100 && i < 200) CHECK(exact(level, 0, decimal_of(i)) == 3);
+    }
+}
+
+TEST_CASE("derivatives and integrals of curves are functions of their own") {
+    const GiNaC::symbol x("x");
+    for (const Shape shape : shapes) {
+        const numeric curve = number_of(pieces(uneven, shape, Outside::held));
+        CHECK(number_of(pieces(uneven, shape, Outside::held)).is_equal(curve));
+        CHECK(!number_of(pieces(uneven, shape, Outside::straight)).is_equal(curve));
+        const ex f = curve_value(3 * x - 1, curve);
+        CHECK(partial(f, x).is_equal(3 * curve_slope(3 * x - 1, curve)));
+        const auto primitive = integrate(f, x);
+        REQUIRE(primitive);
+        CHECK(partial(*primitive, x).is_equal(f));
+        // By Simpson's rule, which is exact for each piece: over one from -0.4 to -0.3.
+        const CurvePieces& c = curve_of(cln::the<cln::cl_R>(curve.to_cl_N()));
+        const Rational a = decimal_of(-40), b = decimal_of(-30);
+        const Rational simpson = (b - a) / 6 * (exact(c, 0, a) + 4 * exact(c, 0, (a + b) / 2) + exact(c, 0, b));
+        CHECK(exact(c, -1, b) - exact(c, -1, a) == simpson);
+        // Within a piece by differences.
+        const Rational place = Rational(1) / 7, h = Rational(1) / 1000000;
+        for (int order = -1; order <= 2; ++order) {
+            const Rational difference = (exact(c, order, place + h) - exact(c, order, place - h)) / (2 * h);
+            CHECK(cln::abs(difference - exact(c, order + 1, place)) < h);
+        }
+        CHECK(curve_value(numeric(1, 5), curve).is_equal(numeric(3, 10)));
+    }
+}
+
+TEST_CASE("emitted curves have their digits") {
+    for (const Shape shape : shapes)
+        for (const bool is_even : {false, true}) {
+            Points points = uneven;
+            if (is_even)
+                for (std::size_t i = 0; i < points.size(); ++i) points[i].first = Rational(static_cast<int>(i) * 7 - 20) / 30;
+            const CurvePieces curve = pieces(points, shape, Outside::straight);
+            CHECK(curve.is_even() == is_even);
+            const double value = largest_error<7>(curve, 0, [](double x, const auto& table) { return detail::curve_value<double, 7>(x, table); });
+            const double slope = largest_error<7>(curve, 1, [](double x, const auto& table) { return detail::curve_slope<double, 7>(x, table); });
+            const double integral =
+                largest_error<7>(curve, -1, [](double x, const auto& table) { return detail::curve_integral<double, 7>(x, table); });
+            CAPTURE(static_cast<int>(shape));
+            MESSAGE("largest errors in ulp: value ", value, ", slope ", slope, ", integral ", integral);
+            CHECK(value < 4);
+            CHECK(slope < 4);
+            CHECK(integral < 4);
+        }
+}
+
+TEST_CASE("kinks of curves are switches") {
+    const GiNaC::symbol x("x");
+    const auto located = [&](Shape shape, Outside outside, int order) {
+        int kinks = 0;
+        for (const Switch& one : switches_in(2 * curve_function(order, x - 1, number_of(pieces(uneven, shape, outside)))))
+            kinks += one.order < 2 ? 1 : 0;
+        return kinks;
+    };
+    CHECK(located(Shape::linear, Outside::held, 0) == 7);
+    CHECK(located(Shape::linear, Outside::straight, 0) == 5);
+    CHECK(located(Shape::monotone, Outside::straight, 0) == 0);
+    CHECK(located(Shape::monotone, Outside::held, 0) == 2);  // the ends, whose slopes are not zero
+    CHECK(located(Shape::spline, Outside::straight, 1) == 0);
+    CHECK(located(Shape::linear, Outside::straight, -1) == 0);
+}
+
+TEST_CASE("what a damper's curve takes") {
+    const GiNaC::symbol v("v");
+    const GiNaC::possymbol d("d");
+    const Points good{{-1, -3}, {decimal_of(-20), -2}, {0, 0}, {decimal_of(30), 1}, {1, 4}};
+    for (const Shape shape : {Shape::monotone, Shape::linear})
+        for (const Outside outside : {Outside::held, Outside::straight}) {
+            const numeric curve = number_of(pieces(good, shape, outside));
+            const auto found = dissipation_by_curve(d * curve_value(2 * v, curve) * v);
+            REQUIRE(found);
+            CHECK(found->is_proven);
+            CHECK(!found->against);
+            CHECK(!dissipation_by_curve(-curve_value(v, curve) * v)->is_proven);
+            CHECK(!dissipation_by_curve(v * v + 1));
+        }
+    // Falling below zero at a knot, beside it, and not through zero.
+    Points bad = good;
+    bad[3].second = -1;
+    const auto drives = dissipation_by_curve(v * curve_value(v, number_of(pieces(bad, Shape::linear, Outside::held))));
+    REQUIRE(drives);
+    CHECK(!drives->is_proven);
+    REQUIRE(drives->against);
+    CHECK(*drives->against == decimal_of(30));
+    const auto beside = dissipation_by_curve(v * curve_value(v, number_of(pieces({{-1, -1}, {1, 2}}, Shape::linear, Outside::held))));
+    REQUIRE(beside->against);
+    CHECK(cln::minusp(*beside->against));
+    // Straight on beyond the last point it gets through zero.
+    CHECK(!dissipation_by_curve(v * curve_value(v, number_of(pieces({{-1, -1}, {0, 0}, {1, 2}, {2, 1}}, Shape::linear, Outside::straight))))
+               ->is_proven);
+}
