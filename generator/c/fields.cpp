@@ -48,7 +48,8 @@ public:
         texts_["NAME"] = name_;
         texts_["ARGUMENTS"] = arguments_;
         texts_["CORE"] = c_plant(core_, name_ + "_core");
-        texts_["HELPERS"] = c_helper_source(print_.called(), name_);  // of all that was printed so far
+        const std::string tables = print_.curves(fields_.curves);
+        texts_["HELPERS"] = c_helper_source(print_.called(), name_) + tables;  // of all that was printed so far
         return fill_template(embedded_file("fields.h.in"), texts_);
     }
 

@@ -10,7 +10,6 @@
 #include "c/tables.hpp"
 #include "text/safe_text.hpp"
 #include "text/template.hpp"
-#include "text/wrap.hpp"
 
 namespace dalembert {
 
@@ -31,7 +30,7 @@ public:
         values["UPDATE"] = print_.text(plant_.update.statements);
         values["FUNCTIONS"] = functions();
         start_state(values);
-        const std::string tables = curve_tables();
+        const std::string tables = print_.curves(plant_.curves);
         values["HELPERS"] = c_helper_source(print_.called(), name_) + tables;  // of all that was printed so far
         return fill_template(embedded_file("plant.h.in"), values);
     }
@@ -55,22 +54,6 @@ private:
         values["PARAMETER_MEMBERS"] = members;
         values["DEFAULTS"] = defaults;
         values["CACHED"] = cached.empty() ? "" : "    struct {\n" + cached + "    } c;  ///< depends on parameters alone\n";
-    }
-
-    /// The tables of measured characteristics.
-    std::string curve_tables() {
-        std::string text;
-        for (const PlantCurve& curve : plant_.curves) {
-            text += fmt::format("/// Curve '{0}'{1}{2}: steps and knots; for each piece its place, the integral up to there, and "
-                                "coefficients.\nstatic const {3}_real {3}_{0}_curve[{4}] = {{\n",
-                                curve.name, curve.doc.empty() ? "" : ", ", safe_line(curve.doc), name_, curve.size());
-            for (const std::vector<Value>& row : curve.rows) {
-                std::vector<std::string> numbers;
-                for (const Value& value : row) numbers.push_back(print_.text(value));
-                text += wrapped_list(numbers, 4) + (&row == &curve.rows.back() ? "};\n\n" : ",\n");
-            }
-        }
-        return text;
     }
 
     /// Comment lines, or a hint where they would drown the code.

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 
+#include "text/safe_text.hpp"
 #include "text/wrap.hpp"
 
 namespace dalembert {
@@ -224,6 +225,21 @@ std::string CPrinter::text(const std::vector<Argument>& arguments) {
             const std::size_t size = size_of(plant_, a.type);
             result += size == 0 ? fmt::format("{}{}_real* {}", before, name_, a.name)
                                 : fmt::format("{}{}_real {}[{}]", before, name_, a.name, size);
+        }
+    }
+    return result;
+}
+
+std::string CPrinter::curves(const std::vector<PlantCurve>& curves) {
+    std::string result;
+    for (const PlantCurve& curve : curves) {
+        result += fmt::format("/// Curve '{0}'{1}{2}: steps and knots; for each piece its place, the integral up to there, and "
+                              "coefficients.\nstatic const {3}_real {3}_{0}_curve[{4}] = {{\n",
+                              curve.name, curve.doc.empty() ? "" : ", ", safe_line(curve.doc), name_, curve.size());
+        for (const std::vector<Value>& row : curve.rows) {
+            std::vector<std::string> numbers;
+            for (const Value& value : row) numbers.push_back(text(value));
+            result += wrapped_list(numbers, column_of_body) + (&row == &curve.rows.back() ? "};\n\n" : ",\n");
         }
     }
     return result;

@@ -20,6 +20,8 @@ public:
     std::string text(const std::vector<Argument>& arguments);
     /// The body of a function, without its braces. Arguments that it does not use are cast to void.
     std::string body(const FunctionBody& body);
+    /// Tables of measured characteristics.
+    std::string curves(const std::vector<PlantCurve>& curves);
 
     /// Functions of the runtime that were called so far.
     const std::set<CHelper>& called() const { return called_; }

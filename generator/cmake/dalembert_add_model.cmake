@@ -59,10 +59,22 @@ function(dalembert_add_model target)
     message(FATAL_ERROR "dalembert_add_model(${target}) needs the program dalembert: set DALEMBERT_PROGRAM to its path, or install what "
                         "its build misses: ${missing}")
   endif()
+  # Files that the model names, beside it: points of curves.
+  set(model_and_files ${model})
+  if(EXISTS ${model})
+    file(STRINGS ${model} lines REGEX "^[ ]*file[ ]*=[ ]*\"")
+    get_filename_component(beside ${model} DIRECTORY)
+    foreach(line IN LISTS lines)
+      string(REGEX REPLACE "^[^\"]*\"([^\"]*)\".*" "\\1" named "${line}")
+      if(EXISTS ${beside}/${named})
+        list(APPEND model_and_files ${beside}/${named})
+      endif()
+    endforeach()
+  endif()
   add_custom_command(
     OUTPUT ${header}
     COMMAND ${program} generate ${model} ${options} -o ${folder} --header ${target}.${ending}
-    DEPENDS ${model} ${program}
+    DEPENDS ${model_and_files} ${program}
     COMMENT "Generating ${target} from ${arg_MODEL}"
     VERBATIM)
   add_custom_target(${target}_generated DEPENDS ${header})
@@ -76,7 +88,7 @@ function(dalembert_add_model target)
       OUTPUT ${exports}/${tool}.written
       COMMAND ${program} export ${model} --to ${tool} ${export_options} -o ${exports}/${tool}
       COMMAND ${CMAKE_COMMAND} -E touch ${exports}/${tool}.written
-      DEPENDS ${model} ${program}
+      DEPENDS ${model_and_files} ${program}
       COMMENT "Exporting ${target} to ${tool}"
       VERBATIM)
     add_custom_target(${target}_${tool} ALL DEPENDS ${exports}/${tool}.written)

@@ -9,6 +9,7 @@
 
 #include "cpp/helpers.hpp"
 #include "cpp/print.hpp"
+#include "cpp/tables.hpp"
 #include "text/safe_text.hpp"
 #include "text/template.hpp"
 
@@ -102,7 +103,7 @@ std::string cpp_fields(const PlantFields& fields, const std::string& name_space)
     sums(fields, texts);
     for (const std::string& line : fields.equations) texts["FIELD_EQUATIONS"] += cpp_comment(line, 0);
     texts["CACHED"] = cached_members(fields);
-    texts["HELPERS"] = fields.helpers.empty() ? "" : helper_source(fields.helpers) + "\n";
+    texts["HELPERS"] = fields.helpers.empty() ? "" : helper_source(fields.helpers) + "\n" + cpp_curves(fields.curves);
     texts["NAMESPACE"] = name_space;
     return fill_template(embedded_file("fields.hpp.in"), texts);
 }

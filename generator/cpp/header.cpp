@@ -9,7 +9,6 @@
 #include "cpp/tables.hpp"
 #include "text/safe_text.hpp"
 #include "text/template.hpp"
-#include "text/wrap.hpp"
 
 namespace dalembert {
 
@@ -94,22 +93,6 @@ std::string parameter_members(const Plant& plant) {
     return text;
 }
 
-/// The tables of measured characteristics, for every scalar type.
-std::string curve_tables(const Plant& plant) {
-    std::string text;
-    for (const PlantCurve& curve : plant.curves) {
-        text += fmt::format("/// Curve '{}'{}{}: steps and knots; for each piece its place, the integral up to there, and coefficients.\n"
-                            "template <class Scalar>\ninline const std::array<Scalar, {}> {}_curve{{\n",
-                            curve.name, curve.doc.empty() ? "" : ", ", safe_line(curve.doc), curve.size(), curve.name);
-        for (const std::vector<Value>& row : curve.rows) {
-            std::vector<std::string> numbers;
-            for (const Value& value : row) numbers.push_back(cpp_text(value));
-            text += wrapped_list(numbers, indent_of_members) + (&row == &curve.rows.back() ? "};\n\n" : ",\n");
-        }
-    }
-    return text;
-}
-
 std::string cached_members(const Plant& plant) {
     if (plant.cached.empty()) return {};
     std::string text = "    /// Constants computed from the parameters.\n    struct Cached {\n";
@@ -133,7 +116,7 @@ std::string cpp_plant(const Plant& plant, const std::string& name_space) {
     values["FUNCTIONS"] = functions(plant);
     values["CONSTRAINT_FUNCTIONS"] = constraint_functions(plant);
     values["CACHED"] = cached_members(plant);
-    values["HELPERS"] = helper_source(plant.helpers) + curve_tables(plant);
+    values["HELPERS"] = helper_source(plant.helpers) + cpp_curves(plant.curves);
     return fill_template(embedded_file("system.hpp.in"), values);
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "cpp/print.hpp"
 #include "text/safe_text.hpp"
 #include "text/template.hpp"
 #include "text/wrap.hpp"
@@ -149,6 +150,21 @@ std::string constraint_table(const PlantConstraints& constraints) {
 }
 
 }  // namespace
+
+std::string cpp_curves(const std::vector<PlantCurve>& curves) {
+    std::string text;
+    for (const PlantCurve& curve : curves) {
+        text += fmt::format("/// Curve '{}'{}{}: steps and knots; for each piece its place, the integral up to there, and coefficients.\n"
+                            "template <class Scalar>\ninline const std::array<Scalar, {}> {}_curve{{\n",
+                            curve.name, curve.doc.empty() ? "" : ", ", safe_line(curve.doc), curve.size(), curve.name);
+        for (const std::vector<Value>& row : curve.rows) {
+            std::vector<std::string> numbers;
+            for (const Value& value : row) numbers.push_back(cpp_text(value));
+            text += wrapped_list(numbers, 4) + (&row == &curve.rows.back() ? "};\n\n" : ",\n");
+        }
+    }
+    return text;
+}
 
 std::map<std::string, std::string> cpp_tables(const Plant& plant, const std::string& name_space) {
     Texts texts;

@@ -142,6 +142,7 @@ private:
     void ends_of_curves() {
         std::vector<ex> all = equations();
         for (const OutputEquation& output : system_.outputs) all.push_back(system_.with_rates(output.value));
+        refuse_in_loops();
         std::map<std::string, Guard> ends;
         for (const ex& equation : all)
             for (auto part = equation.preorder_begin(); part != equation.preorder_end(); ++part) {
@@ -155,6 +156,19 @@ private:
                              Guard{name, doc + "fall below its first point", true, part->op(0) - numeric(call->curve->knots.front())});
             }
         for (auto& [key, guard] : ends) system_.guards.push_back(std::move(guard));
+    }
+
+    /// Loops over cells do not watch where a curve ends.
+    void refuse_in_loops() const {
+        for (const RodField& field : system_.heat.fields)
+            for (const ex& e : {field.link, field.source, field.capacity})
+                for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
+                    if (const auto call = curve_call(*part); call && call->curve->ends_runs)
+                        throw Failure(Diagnostic{
+                            Id::not_allowed_here, field.rod->span,
+                            fmt::format("the cells of rod '{}' are computed in loops, which do not watch where curve '{}' ends; give the "
+                                        "curve outside = \"held\" or \"straight\", or the rod loops = false",
+                                        field.rod->name, call->curve->name)});
     }
 
     void look_at(const ex& equation) {

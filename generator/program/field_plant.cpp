@@ -10,6 +10,7 @@
 #include "program/constants.hpp"
 #include "program/identifiers.hpp"
 #include "program/field_bodies.hpp"
+#include "program/plant_tables.hpp"
 #include "graph/notation.hpp"
 
 namespace dalembert {
@@ -44,6 +45,8 @@ public:
         for (const FieldBodies::CachedMember& member : bodies_.cached_members())
             fields_.cached.push_back({member.name, "", member.cells.value_or(0)});
         fields_.helpers = bodies_.helpers();
+        fields_.curves = curve_tables({&code_.code});
+        if (!fields_.curves.empty()) fields_.helpers.insert("curve_piece");
         return std::move(fields_);
     }
 

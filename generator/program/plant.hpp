@@ -182,6 +182,7 @@ struct PlantFields {
     Statements jacobian, by_input, by_parameter, by_time;           ///< add to J
     Statements energy, power;                                       ///< add to these
     std::optional<PlantSums> sums;
+    std::vector<PlantCurve> curves;
     std::set<std::string> helpers;
 };
 

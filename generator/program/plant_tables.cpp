@@ -21,6 +21,18 @@ using GiNaC::ex;
 
 namespace {
 
+PlantCurve table_of(const CurvePieces& curve) {
+    const Rational steps = curve.is_even() ? 1 / (curve.knots[1] - curve.knots[0]) : Rational(0);
+    PlantCurve result{curve.name, curve.doc, {{Value::constant(steps)}}};
+    for (const Rational& knot : curve.knots) result.rows[0].push_back(Value::constant(knot));
+    for (const CurvePieces::Piece& piece : curve.pieces) {
+        std::vector<Value>& row = result.rows.emplace_back();
+        row = {Value::constant(piece.origin), Value::constant(piece.integral)};
+        for (const Rational& c : piece.coefficients) row.push_back(Value::constant(c));
+    }
+    return result;
+}
+
 class Tables {
 public:
     Tables(Plant& plant, const std::vector<const Code*>& modes, const SharedMembers& shared)
@@ -49,36 +61,11 @@ public:
         plant_.by_state = pattern(By::state);
         plant_.by_input = pattern(By::input);
         plant_.by_parameter = pattern(By::parameter);
-        curves();
+        plant_.curves = curve_tables(modes_);
+        if (!plant_.curves.empty()) plant_.helpers.insert("curve_piece");
     }
 
 private:
-    /// Those that the code of some mode calls, by name.
-    void curves() {
-        std::map<std::string, const CurvePieces*> called;
-        for (const Code* code : modes_)
-            for (Letter letter = 0; letter < code->atoms.size(); ++letter) {
-                const Atom& atom = code->atoms[letter];
-                if (atom.op < Op::curve_integral || atom.op > Op::curve_third) continue;
-                const CurvePieces& curve = curve_of(leading(atom.arguments[1]));
-                called[curve.name] = &curve;
-            }
-        for (const auto& [name, curve] : called) plant_.curves.push_back(table_of(*curve));
-        if (!called.empty()) plant_.helpers.insert("curve_piece");
-    }
-
-    static PlantCurve table_of(const CurvePieces& curve) {
-        const Rational steps = curve.is_even() ? 1 / (curve.knots[1] - curve.knots[0]) : Rational(0);
-        PlantCurve result{curve.name, curve.doc, {{Value::constant(steps)}}};
-        for (const Rational& knot : curve.knots) result.rows[0].push_back(Value::constant(knot));
-        for (const CurvePieces::Piece& piece : curve.pieces) {
-            std::vector<Value>& row = result.rows.emplace_back();
-            row = {Value::constant(piece.origin), Value::constant(piece.integral)};
-            for (const Rational& c : piece.coefficients) row.push_back(Value::constant(c));
-        }
-        return result;
-    }
-
     PlantQuantity quantity(const Variable& variable) const {
         PlantQuantity result{identifier(variable), variable.name, variable.unit, variable.doc, {}, {}};
         if (variable.declared == nullptr || !variable.declared->range || variable.kind == SymbolKind::velocity) return result;
@@ -149,6 +136,20 @@ private:
 };
 
 }  // namespace
+
+std::vector<PlantCurve> curve_tables(const std::vector<const Code*>& codes) {
+    std::map<std::string, const CurvePieces*> called;
+    for (const Code* code : codes)
+        for (Letter letter = 0; letter < code->atoms.size(); ++letter) {
+            const Atom& atom = code->atoms[letter];
+            if (atom.op < Op::curve_integral || atom.op > Op::curve_third) continue;
+            const CurvePieces& curve = curve_of(leading(atom.arguments[1]));
+            called[curve.name] = &curve;
+        }
+    std::vector<PlantCurve> tables;
+    for (const auto& [name, curve] : called) tables.push_back(table_of(*curve));
+    return tables;
+}
 
 void set_tables(Plant& plant, const std::vector<const Code*>& modes, const SharedMembers& shared, const std::vector<Guard>& guards) {
     Tables(plant, modes, shared).run(guards);

@@ -10,6 +10,9 @@ namespace dalembert {
 /// Fills everything in `plant` but functions, modes and constraints. `guards` are those that it tells of.
 void set_tables(Plant& plant, const std::vector<const Code*>& modes, const SharedMembers& shared, const std::vector<Guard>& guards);
 
+/// Of the curves that some of the code calls, by name.
+std::vector<PlantCurve> curve_tables(const std::vector<const Code*>& codes);
+
 /// Modes, events, and where they lead.
 PlantModes mode_tables(const std::vector<const Code*>& modes);
 

@@ -196,9 +196,13 @@ TEST_CASE("what a damper's curve takes") {
             REQUIRE(found);
             CHECK(found->is_proven);
             CHECK(!found->against);
-            CHECK(!dissipation_by_curve(-curve_value(v, curve) * v)->is_proven);
+            CHECK(!dissipation_by_curve(-curve_value(v, curve) * v));
             CHECK(!dissipation_by_curve(v * v + 1));
+            CHECK(!dissipation_by_curve(v * v * (1 + curve_value(v, curve))));
         }
+    // A coefficient that is never negative.
+    const ex coefficient = curve_value(v, number_of(pieces({{-1, 1}, {0, 0}, {1, 2}}, Shape::monotone, Outside::held)));
+    CHECK(dissipation_by_curve(v * v * (d + GiNaC::Pi * coefficient))->is_proven);
     // Falling below zero at a knot, beside it, and not through zero.
     Points bad = good;
     bad[3].second = -1;
