@@ -30,7 +30,7 @@ public:
             print_.text(plant_.start_state.statements) + (has_starts_to_find() ? "        $meet_constraints(x);\n" : "");
         values["CONSTRAINTS"] = constraints();
         values["INTERFACE"] = interface();
-        values["HELPERS"] = shifted(js_helper_source(print_.called()));  // of all that was printed so far
+        values["HELPERS"] = shifted(js_helper_source(print_.called())) + print_.curves(plant_.curves);  // of all that was printed so far
         return fill_template(embedded_file("module.js.in"), values);
     }
 

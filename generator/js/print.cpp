@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "js/from_c.hpp"
+#include "text/safe_text.hpp"
 #include "text/wrap.hpp"
 
 namespace dalembert {
@@ -145,10 +146,27 @@ std::string JsPrinter::text(const Value& value) {
             return "(" + text(value.parts()[0]) + ")";
         case Value::Kind::comparison:
             return comparison(value);
+        case Value::Kind::curve:
+            return fmt::format("${}_curve", value.text());
         case Value::Kind::choice:
             return fmt::format("{} ? {} : {}", text(value.parts()[0]), text(value.parts()[1]), text(value.parts()[2]));
     }
     return {};
+}
+
+std::string JsPrinter::curves(const std::vector<PlantCurve>& curves) {
+    std::string result;
+    for (const PlantCurve& curve : curves) {
+        result += fmt::format("    /// Curve '{0}'{1}{2}: steps and knots; for each piece its place, the integral up to there, and "
+                              "coefficients.\n    const ${0}_curve = Float64Array.of(\n",
+                              curve.name, curve.doc.empty() ? "" : ", ", safe_line(curve.doc));
+        for (const std::vector<Value>& row : curve.rows) {
+            std::vector<std::string> numbers;
+            for (const Value& value : row) numbers.push_back(text(value));
+            result += wrapped_list(numbers, 8) + (&row == &curve.rows.back() ? ");\n\n" : ",\n");
+        }
+    }
+    return result;
 }
 
 std::string JsPrinter::declaration(const Declaration& d) {

@@ -18,6 +18,9 @@ public:
     /// "x, u, t, dxdt".
     static std::string text(const std::vector<Argument>& arguments);
 
+    /// Tables of measured characteristics.
+    std::string curves(const std::vector<PlantCurve>& curves);
+
     /// Functions of the runtime that were called so far.
     const std::set<CHelper>& called() const { return called_; }
 
