@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // note [order of edges]: At a jump of a derivative of second or higher order of the right-hand side the control of steps loses next to
-// nothing: the error of a step of length h that crosses it goes like h^3. So |v|*v is no edge, v -> |v| and max(x, 0)^(3/2) are. But a curve
-// has knots all along, where a run at 1e-13 then keeps 8 digits of the energy, and Taylor series see nothing of them: all of its knots are.
+// nothing: the error of a step of length h that crosses it goes like h^3. So |v|*v is no edge, v -> |v| and max(x, 0)^(3/2) are. But a
+// curve has knots all along, where a run at 1e-13 then keeps 8 digits of the energy, and Taylor series see nothing of them: all of its
+// knots are edges.
 #include "form/model_edges.hpp"
 
 #include <fmt/format.h>

@@ -16,9 +16,9 @@ struct CurveDissipation {
     std::optional<Rational> against;  ///< an argument at which it is negative, in the units of the curve's points
 };
 
-/// Of a power; nothing where no curve is in it, or curves do not decide. Proven of sums and products of what is not negative: squares, curves
-/// that never are, and curve(a*x)*b*x with a and b of one sign, where all pieces have the sign of their argument. Of such a product a
-/// curve that has not that sign at a knot, or is not zero at zero, is against it.
+/// Of a power; nothing where no curve is in it, or curves do not decide. Proven of sums and products of what is not negative: squares,
+/// curves that never are, and curve(a*x)*b*x with a and b of one sign, where all pieces have the sign of their argument. Of such a product
+/// a curve that has not that sign at a knot, or is not zero at zero, is against it.
 std::optional<CurveDissipation> dissipation_by_curve(const GiNaC::ex& power);
 
 }  // namespace dalembert
