@@ -75,6 +75,7 @@ set(embedded
     templates/report_field.js
     templates/report_runs.js
     templates/report_player.js
+    templates/report_print.js
     runtime/dalembert/compiler.h
     runtime/dalembert/scalar_functions.hpp
     runtime/dalembert/angle_functions.hpp

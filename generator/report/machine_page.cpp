@@ -39,7 +39,8 @@ std::string proofs_of_scene(const CheckedScene& scene) {
             list += fmt::format("<li>{}: <strong class=\"verdict\">{}</strong></li>\n", html_text(proof.name),
                                 html_text(to_string(proof.verdict)));
         }
-        text += folded(fmt::format("{}: {}", group.title, counts.line("identities")), "<ul>\n" + list + "</ul>\n", false);
+        text += folded(fmt::format("{}: {}", group.title, counts.line(group.proofs.size() == 1 ? "identity" : "identities")),
+                       "<ul>\n" + list + "</ul>\n", false);
     }
     return text;
 }
@@ -184,6 +185,7 @@ std::string machine_page(const Model& model, const std::string& file, std::vecto
             script += embedded_file(fmt::format("report_{}.js", part));
         script = "<script type=\"module\">\n" + in_script(script) + "</script>\n";
     }
+    script += "<script>\n" + std::string(embedded_file("report_print.js")) + "</script>\n";
     std::string page =
         fill_template(embedded_file("report.html.in"),
                       {{"STYLE", std::string(embedded_file("report.css"))},

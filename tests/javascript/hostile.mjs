@@ -15,13 +15,13 @@ const known = new Set([
     "summary", "span",    "math",     "mrow",   "mi",    "mo",     "mn",     "mfrac", "msub",   "msup", "msubsup", "mover",  "msqrt",
     "mtext",   "mstyle",  "mspace",   "mtable", "mtr",   "mtd",    "table",  "tr",    "th",     "td",   "footer",  "script", "code"
 ]);
-const outside = html.replace(/(<script type="module">\n)[\s\S]*?(<\/script>)/, "$1$2").replace(/<style>[\s\S]*?<\/style>/, "");
+const outside = html.replace(/(<script(?: type="module")?>\n)[\s\S]*?(<\/script>)/g, "$1$2").replace(/<style>[\s\S]*?<\/style>/, "");
 for (const [tag, name] of outside.matchAll(/<([a-zA-Z!?][^\s>/]*)[^>]*>/g)) {
     if (name === "!DOCTYPE") continue;
     if (!known.has(name)) failed("an element " + tag);
     if (/\son\w+\s*=/i.test(tag) || /javascript:/i.test(tag)) failed("an attribute in " + tag);
 }
-if (outside.match(/<script/g).length !== 1 || html.match(/<\/script>/g).length !== 1) failed("another script");
+if (outside.match(/<script/g).length !== 2 || html.match(/<\/script>/g).length !== 2) failed("another script");  // the player, and printing
 const page = await script_of(process.argv[2]);
 const run = page.run_scene(page.scenes[0], page.settings_of(page.scenes[0]));
 if (globalThis.hostile !== undefined) failed("the script did what the model says");
