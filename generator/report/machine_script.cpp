@@ -53,8 +53,8 @@ std::string written_function(Code& code, const Plant& plant, const std::vector<G
                              const char* arguments) {
     if (values.empty()) return "null";
     JsPrinter print(plant);
-    const std::string body = print.text(value_statements(code, values, target));
-    return fmt::format("(() => {{\n{}return ($p) => ({}) => {{\n        {}.fill(0);\n{}}};\n}})()", js_helper_source(print.called()),
+    const std::string body = print.text(value_statements(code, values, target)), tables = print.curves(plant.curves);
+    return fmt::format("(() => {{\n{}return ($p) => ({}) => {{\n        {}.fill(0);\n{}}};\n}})()", js_helper_source(print.called()) + tables,
                        arguments, target, body);
 }
 
