@@ -10,7 +10,8 @@ function make_field(quantity, unit, value, doc, set, may_be_empty = false) {
     });
     const note = element("small", {}, doc);
     const [low, high] = [quantity.low, quantity.high].map((bound) => in_unit(bound, unit));
-    const slider = Number.isFinite(low) && Number.isFinite(high) && high > low && !may_be_empty ? make_slider(quantity.name, low, high) : null;
+    const has_slider = Number.isFinite(low) && Number.isFinite(high) && high > low && !may_be_empty;
+    const slider = has_slider ? make_slider(quantity.name, low, high) : null;
     const say = (bad) => {
         input.setAttribute("aria-invalid", bad !== "");
         note.className = bad ? "bad" : "";

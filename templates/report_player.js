@@ -212,12 +212,14 @@ class Player {
         });
         const inputs = plant.inputs.map((input, i) => {
             const doc = `${input.description}; empty: ${scene.input_texts[i] || "0"} (in SI), as in the run; else this value is held`;
-            return make_field(input, scene.input_units[i], settings.held[i], doc, (value) => { settings.held[i] = value; changed(); }, true);
+            const set = (value) => { settings.held[i] = value; changed(); };
+            return make_field(input, scene.input_units[i], settings.held[i], doc, set, true);
         });
         const starts = scene.states.flatMap((state, i) => {
             if (state.is_root) return [];
             const quantity = {...plant.states[i], name: state.name}, doc = quantity.description + range(quantity, state);
-            return [make_field(quantity, state, settings.start[i] ?? scene.start[i], doc, (value) => { settings.start[i] = value; changed(); })];
+            const set = (value) => { settings.start[i] = value; changed(); };
+            return [make_field(quantity, state, settings.start[i] ?? scene.start[i], doc, set)];
         });
         const until = make_field(
             {name: "until", low: 0, high: Infinity}, seconds, settings.until, "length of the run",

@@ -54,8 +54,8 @@ std::string written_function(Code& code, const Plant& plant, const std::vector<G
     if (values.empty()) return "null";
     JsPrinter print(plant);
     const std::string body = print.text(value_statements(code, values, target)), tables = print.curves(plant.curves);
-    return fmt::format("(() => {{\n{}return ($p) => ({}) => {{\n        {}.fill(0);\n{}}};\n}})()", js_helper_source(print.called()) + tables,
-                       arguments, target, body);
+    return fmt::format("(() => {{\n{}return ($p) => ({}) => {{\n        {}.fill(0);\n{}}};\n}})()",
+                       js_helper_source(print.called()) + tables, arguments, target, body);
 }
 
 class ScriptMaker {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a page copies as command line makes the run that it shows, with all kinds of settings changed: node command.mjs PROGRAM PAGE.html MODEL.toml.
+// What a page copies as command line makes the run that it shows, with all kinds of settings changed:
+// node command.mjs PROGRAM PAGE.html MODEL.toml.
 import {execSync} from "child_process";
 import fs from "fs";
 import os from "os";
@@ -24,7 +25,9 @@ try {
     const numbers = fs.readFileSync(path.join(folder, csv), "utf8").trim().split("\n").pop().split(",").map(Number);
     const row = run.rows[run.rows.length - 1];
     let worst = Math.abs(numbers[0] - row.t) / scene.until;
-    scene.states.forEach((state, i) => { worst = Math.max(worst, Math.abs(numbers[1 + i] - row.x[i]) / Math.max(1, Math.abs(row.x[i]))); });
+    scene.states.forEach((state, i) => {
+        worst = Math.max(worst, Math.abs(numbers[1 + i] - row.x[i]) / Math.max(1, Math.abs(row.x[i])));
+    });
     console.log(`${page.command_of(scene, settings)}: ${worst.toExponential(1)}`);
     const as_it_was = page.run_scene(scene, page.settings_of(scene)).rows.pop().x[0];
     if (!(worst < 1e-8) || Math.abs(as_it_was - row.x[0]) < 1e-6) throw new Error("the command makes another run, or the settings change nothing");
