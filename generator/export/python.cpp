@@ -32,7 +32,7 @@ constexpr std::array taken{
     "jacobian_p", "jacobian_t", "jacobian_u", "jacobian_x", "kinks", "linearise", "mass_matrix", "mode_number", "modes", "name", "output",
     "output_jacobian_p", "output_jacobian_t", "output_jacobian_u", "output_jacobian_x",
     "outputs", "parameters", "pattern_p", "pattern_u", "pattern_x", "powers", "rhs",
-    "rhs_and_jacobian", "scene", "set", "simulate", "state", "states", "title", "values", "velocity_place", "x0"};
+    "rhs_and_jacobian", "scene", "sensitivities", "set", "simulate", "state", "states", "title", "values", "velocity_place", "x0"};
 // clang-format on
 
 /// Text within """ of Python.
@@ -141,7 +141,7 @@ Exported python_files(const ExportSubject& subject, const ExportWish& wish) {
     Exported result;
     const auto put = [&](const char* name, std::string text) { result.files.emplace_back(package / name, std::move(text)); };
     put("__init__.py", package_text(subject));
-    for (const char* name : {"_plant.py", "_tables.py", "_ivp.py", "_simulate.py", "py.typed"})
+    for (const char* name : {"_plant.py", "_tables.py", "_ivp.py", "_sensitivities.py", "_simulate.py", "py.typed"})
         put(name, std::string(embedded_file(fmt::format("python/{}", name))));
     put("_library.py", fill_template(embedded_file("python/_library.py.in"),
                                      {{"PLANT_VERSION", std::to_string(DALEMBERT_PLANT_VERSION)},

@@ -253,6 +253,47 @@ def check_run(plant, run):
             check(mine.name == theirs[1] and abs(mine.t - float(theirs[0])) <= 1e-8 * run["until"], f"event {mine} is not {theirs}")
 
 
+def check_sensitivities(plant, run):
+    """dS/dt beside differences of rhs(), and S beside differences of runs."""
+    names = [q.name for q in plant.parameters][:2] + [plant.states[-1].name]
+    u = plant.input(run["u"])
+    f = plant.sensitivities(names, run["u"])
+    x, S = f.split(f.y0)
+    check(same(x, plant.x0) and S.shape == (len(x), len(names)) and S[-1, -1] == 1, "y0 of sensitivities() is not that of the plant")
+    rng = np.random.default_rng(3)
+    x = plant.state(run["x0"])
+    S = rng.uniform(-1, 1, S.shape) * (1e-3 + abs(x))[:, None]
+    rates = f.split(f(0.1, np.concatenate([x, S.T.ravel()])))[1]
+    for k, name in enumerate(names):
+        def rhs(step):
+            other = plant.copy()
+            if name != plant.states[-1].name:
+                other[name] = plant[name] + step
+            return other.rhs(x + step * S[:, k], u, 0.1)
+
+        size = abs(plant[name]) or 1.0 if name != plant.states[-1].name else 1.0
+        h = 2e-5 * min(size, 1.0)
+        expected = (8 * (rhs(h) - rhs(-h)) - (rhs(2 * h) - rhs(-2 * h))) / (12 * h)
+        scale = 1e-5 * (abs(expected).max() + abs(rhs(0)).max() / size) + 1e-9
+        if np.isfinite(expected).all() and abs(rhs(h) - 2 * rhs(0) + rhs(-h)).max() < 1e-4 * abs(rhs(h) - rhs(-h)).max():
+            check(np.max(abs(rates[:, k] - expected)) <= scale, f"dS/dt by {name} is {np.max(abs(rates[:, k] - expected)):.2g} off")
+    if scipy is None or not plant.parameters or plant.modes or plant.guard_table or plant.constraints or len(x) > 12:
+        return
+    until, name = min(1.0, run["until"] / 20), names[0]
+    h = 1e-3 * (abs(plant[name]) or 1.0)
+    solved = scipy.integrate.solve_ivp(f, (0, until), f.y0, method="LSODA", rtol=1e-9, atol=1e-12)
+
+    def end(steps):
+        other = plant.copy()
+        other[name] = plant[name] + steps * h
+        return other.simulate(until, u=run["u"], tolerance=1e-11).x[-1]
+
+    expected = (8 * (end(1) - end(-1)) - (end(2) - end(-2))) / (12 * h)
+    found = f.split(solved.y)[1][:, 0, -1]
+    check(solved.success and np.max(abs(found - expected)) <= 1e-5 * (abs(expected).max() + abs(end(0)).max() / (1000 * h)),
+          f"S by {name} is {np.max(abs(found - expected)):.2g} off, of {abs(expected).max():.2g}")
+
+
 def check_ivp(plant, run):
     u = plant.input(run["u"])
     x = plant.state(run["x0"])
@@ -322,6 +363,7 @@ check_values(plant, *at)
 check_jacobians(plant, *at)
 check_run(plant, run)
 check_ivp(plant, run)
+check_sensitivities(plant, run)
 for problem in dict.fromkeys(problems):
     print(f"{folder.name}: {problem}")
 sys.exit(bool(problems))

@@ -41,6 +41,10 @@ class Ivp:
         """The start state of the plant."""
         return self.plant.x0
 
+    def input(self, t: float, x: np.ndarray) -> np.ndarray:
+        """The inputs there."""
+        return self._held if self._function is None else np.asarray(self._function(t, x), dtype=float)
+
     def _set(self, t: float, x: np.ndarray) -> None:
         self._x[:] = x
         self._t[0] = t

@@ -13,6 +13,7 @@ import numpy as np
 
 from . import _library
 from ._ivp import Ivp
+from ._sensitivities import Sensitivities
 from ._simulate import Inputs, Result, simulate
 from ._tables import Constraint, Energies, Guard, Powers, Quantity, near, pattern_of, quantities, text_of
 from ._units import in_si
@@ -349,6 +350,10 @@ class Plant:
     def ivp(self, u: Inputs = None, mode: int | str = 0, sparse: bool | None = None) -> Ivp:
         """For scipy: `f = plant.ivp(); solve_ivp(f, (0, 10), f.x0, method="BDF", jac=f.jac)`. `u`: see simulate()."""
         return Ivp(self, u, self.mode_number(mode), sparse)
+
+    def sensitivities(self, varied: Sequence[str], u: Inputs = None, mode: int | str = 0) -> Sensitivities:
+        """The motion with its derivatives by parameters and start values, for scipy's solve_ivp: see Sensitivities. `u`: see simulate()."""
+        return Sensitivities(self, varied, u, self.mode_number(mode))
 
     def simulate(self, until: Number, x0: Values | None = None, u: Inputs = None, *, start: Number = 0.0,
                  samples: int | Sequence[float] | np.ndarray = 500, tolerance: float = 1e-9, method: str = "automatic",
