@@ -28,6 +28,8 @@ TEST_CASE("the header of a scene is that of a model without what the scene leave
             const TemporaryFolder folder;
             const fs::path file = folder.path() / path.filename();
             std::ofstream(file) << model.without(scene);
+            for (const auto& beside : fs::directory_iterator(path.parent_path()))  // points of curves
+                if (beside.path().extension() == ".csv") fs::copy(beside.path(), folder.path());
             const Result result = run({"generate", file.string(), "-o", folder.path().string()});
             INFO(path.filename().string(), ", ", scene, ": ", result.err);
             CHECK(result.exit_code == 0);
