@@ -26,6 +26,11 @@ bool is_angle(const Expression& e) {
     return e.kind == Kind::call && (e.name == "asin" || e.name == "acos" || e.name == "atan" || e.name == "atan2");
 }
 
+/// The value of a curve, in SI, whatever its argument is made of.
+bool is_of_curve(const Expression& e) {
+    return e.kind == Kind::call && find_function(e.name) == nullptr && find_quantity(e.name) == nullptr;
+}
+
 /// What is declared in deg or percent has no dimension that would tell a number of these from an angle in rad or a share.
 class Share {
 public:
@@ -191,7 +196,8 @@ private:
 bool is_plain_number(const Expression& expression) {
     bool plain = true;
     for_each(expression, [&](const Expression& e) {
-        if ((e.kind == Kind::name && e.name != "pi") || (e.kind == Kind::number && !e.name.empty()) || is_angle(e)) plain = false;
+        if ((e.kind == Kind::name && e.name != "pi") || (e.kind == Kind::number && !e.name.empty()) || is_angle(e) || is_of_curve(e))
+            plain = false;
     });
     return plain;
 }

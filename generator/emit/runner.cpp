@@ -6,17 +6,20 @@
 
 #include <algorithm>
 
+#include "balance/steps.hpp"
+#include "cpp/helpers.hpp"
+#include "cpp/print.hpp"
+#include "cpp/tables.hpp"
 #include "elements/model.hpp"
 #include "elements/runs.hpp"
 #include "emit/value_statements.hpp"
-#include "program/function_bodies.hpp"
-#include "cpp/helpers.hpp"
-#include "cpp/print.hpp"
-#include "balance/steps.hpp"
-#include "text/template.hpp"
 #include "form/state_places.hpp"
 #include "graph/lower.hpp"
+#include "program/function_bodies.hpp"
+#include "program/plant_tables.hpp"
+#include "symbolic/curve_functions.hpp"
 #include "text/diagnostic.hpp"
+#include "text/template.hpp"
 
 namespace dalembert {
 
@@ -57,6 +60,19 @@ std::string joined(const std::vector<Number>& values) {
 
 /// u[i] = ... for every input that is not zero.
 std::string input_statements(Code& code, const std::vector<ex>& inputs) { return cpp_body(value_statements(code, inputs, "u")); }
+
+/// Tables of curves, as inputs find them. They must have been lowered.
+std::string curves_of_inputs(const Code& code, const std::vector<ex>& inputs) {
+    const auto calls = [](const ex& input) {
+        bool found = false;
+        for (auto part = input.preorder_begin(); part != input.preorder_end(); ++part) found = found || curve_call(*part).has_value();
+        return found;
+    };
+    if (std::none_of(inputs.begin(), inputs.end(), [&](const ex& input) { return calls(code.system.symbols.without_definitions(input)); }))
+        return "";
+    return "#include \"dalembert/curve_functions.hpp\"\n\nnamespace dalembert {\ninline namespace v1 {\nnamespace detail {\n\n" +
+           cpp_curves(curve_tables({&code})) + "}  // namespace detail\n}  // namespace v1\n}  // namespace dalembert\n";
+}
 
 /// What makes inputs of a function, given as a lambda, and series of them: texts that stand before and behind it.
 struct InputSeriesTexts {
@@ -126,6 +142,7 @@ std::string plant_source(Code& code, const Header& header, const SimulationSetti
     if (!inputs.empty()) inputs = "        namespace detail = dalembert::detail;  // pi, sign, min and max of the inputs\n" + inputs;
     std::string includes = has_inputs ? "#include \"dalembert/scalar_functions.hpp\"\n" : "";
     if (!series.before.empty()) includes += "#include \"dalembert/series.hpp\"\n";
+    includes += curves_of_inputs(code, settings.inputs);
     return fill_template(embedded_file("plant.cpp.in"), {{"NAMESPACE", header.name_space},
                                                          {"HEADER", header.file_name},
                                                          {"INCLUDES", includes},
@@ -138,14 +155,16 @@ std::string plant_source(Code& code, const Header& header, const SimulationSetti
 }
 
 std::string cost_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings) {
+    const std::string inputs = input_statements(code, settings.inputs);
     return fill_template(embedded_file("cost.cpp.in"),
                          {{"NAMESPACE", header.name_space},
+                          {"EXTRA_INCLUDES", curves_of_inputs(code, settings.inputs)},
                           {"MODE_CALL", code.system.scene.modes.empty() ? "" : "static_cast<System::Mode>(mode), "},
                           {"MODE_COUNT", std::to_string(std::max<std::size_t>(1, code.system.scene.modes.size()))},
                           {"HEADER", header.file_name},
                           {"PARAMETERS", parameter_statements(code.system.symbols, values)},
                           {"START", start_statements(code.system, values)},
-                          {"INPUTS", input_statements(code, settings.inputs)}});
+                          {"INPUTS", inputs}});
 }
 
 std::string work_precision_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings,
@@ -160,14 +179,16 @@ std::string work_precision_source(Code& code, const Header& header, const Values
                             : name);
     const InputSeriesTexts series = input_series_texts(code, settings, "p_ = system.parameters()", "Number");
     const bool has_digits = std::find(arithmetics.begin(), arithmetics.end(), "digits50") != arithmetics.end();
+    const std::string inputs = input_statements(code, settings.inputs);
     return fill_template(embedded_file("work_precision.cpp.in"),
                          {{"NAMESPACE", header.name_space},
                           {"HEADER", header.file_name},
-                          {"EXTRA_INCLUDES", has_digits ? "#include <boost/multiprecision/cpp_bin_float.hpp>\n" : ""},
+                          {"EXTRA_INCLUDES", (has_digits ? "#include <boost/multiprecision/cpp_bin_float.hpp>\n" : "") +
+                                                 curves_of_inputs(code, settings.inputs)},
                           {"ARITHMETICS", fmt::format("{}", fmt::join(types, ", "))},
                           {"PARAMETERS", parameter_statements(code.system.symbols, values)},
                           {"START", start_statements(code.system, values)},
-                          {"INPUTS", input_statements(code, settings.inputs)},
+                          {"INPUTS", inputs},
                           {"INPUTS_BEGIN", series.before},
                           {"INPUTS_END", series.after},
                           {"UNTIL", double_literal(settings.until)},

@@ -82,7 +82,10 @@ private:
 
     bool read_file() {
         const std::string written = e_.text("file");
-        if (written.empty()) return false;
+        if (written.empty()) {
+            if (e_.excerpt("file")) e_.error(Id::wrong_type, e_.span_of("file"), fmt::format("the file of curve '{}' needs a name", curve_.name));
+            return false;
+        }
         try {
             const Span place = e_.span_of("file");
             const auto path = std::filesystem::path(place.source->name()).parent_path() / written;

@@ -77,14 +77,15 @@ public:
     template <class Value>
     void choice(const char* name, Value& member, const Key& key, const KeyChoices<Value>& choices) const {
         const bool is_chosen = e_.has(name);
-        const std::string word = e_.text(name);
+        const std::optional<Excerpt> written = is_chosen ? e_.excerpt(name) : std::nullopt;
+        const std::string word = written ? written->text : "";
         const auto found = std::find_if(choices.begin(), choices.end(), [&](const KeyChoice<Value>& c) {
             return is_chosen ? *c.word != '\0' && c.word == word : c.value == member;
         });
         if (found != choices.end()) {
             member = found->value;
             if (is_chosen || !key.required) rules_.chosen(name, key, *found, choices);
-        } else if (!word.empty()) {
+        } else if (written) {
             std::vector<std::string> known;
             for (const KeyChoice<Value>& c : choices)
                 if (*c.word != '\0') known.emplace_back(c.word);

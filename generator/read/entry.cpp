@@ -81,12 +81,8 @@ void Entry::wrong_type(const DocumentNode& node, ValueType expected) const {
 }
 
 std::string Entry::text(std::string_view key) const {
-    const KeySpec* spec = find_key(section_, key);
-    const DocumentNode* node = find(key, spec != nullptr && spec->type == ValueType::choice ? ValueType::choice : ValueType::text);
-    if (node == nullptr) return {};
-    if (node->kind == NodeKind::string) return node->string.text;
-    wrong_type(*node, ValueType::text);
-    return {};
+    const std::optional<Excerpt> written = excerpt(key);
+    return written ? written->text : "";
 }
 
 int Entry::whole_number(std::string_view key, int otherwise) const {
@@ -223,7 +219,8 @@ std::optional<CoordinateEntry> Entry::coordinate(std::string_view key) const {
 Excerpt Entry::name_excerpt() const { return key_excerpt(span_); }
 
 std::optional<Excerpt> Entry::excerpt(std::string_view key) const {
-    const DocumentNode* node = find(key, ValueType::text);
+    const KeySpec* spec = find_key(section_, key);
+    const DocumentNode* node = find(key, spec != nullptr && spec->type == ValueType::choice ? ValueType::choice : ValueType::text);
     if (node == nullptr) return std::nullopt;
     if (node->kind == NodeKind::string) return node->string;
     wrong_type(*node, ValueType::text);

@@ -140,7 +140,9 @@ DataFile parse_data(const SourcePtr& source) {
 }
 
 DataFile read_data_file(const std::filesystem::path& path) {
-    return parse_data(std::make_shared<const Source>(path.string(), read_file(path)));
+    std::string text = read_file(path);
+    if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // the mark of UTF-8 that spreadsheets write
+    return parse_data(std::make_shared<const Source>(path.string(), text));
 }
 
 }  // namespace dalembert
