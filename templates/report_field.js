@@ -24,8 +24,12 @@ function make_field(quantity, unit, value, doc, set, may_be_empty = false) {
             set(null);
         } else if (Number.isNaN(given)) {
             say(`"${input.value}" is not a number, such as 0.5 or 0,5.`);
+        } else if (!Number.isFinite(given)) {
+            say(`"${input.value}" is too large for a number.`);
         } else if (given < low || given > high) {
-            const range = `from ${number_text(low)} to ${number_text(high)} ${unit_text(unit)}`;
+            const to = Number.isFinite(high) ? ` to ${number_text(high)}` : " upwards";
+            const from = Number.isFinite(low) ? `from ${number_text(low)}${to}` : `up to ${number_text(high)}`;
+            const range = `${from} ${unit_text(unit)}`.trim();
             say(`${number_text(given, 12)} is outside of the declared range ${range}.`);
         } else {
             say("");

@@ -60,7 +60,8 @@ class Player {
             this.columns = columns_of(this.scene, this.recording);
             this.end = rows[rows.length - 1].t;
             this.part("time").max = this.end;
-            this.part("status").textContent = (this.recording.is_good ? "" : this.recording.message + " ") +
+            this.part("status").textContent = moved_start(this.scene, this.settings, this.recording) +
+                (this.recording.is_good ? "" : this.recording.message + " ") +
                 `${this.recording.steps} steps` +
                 (this.recording.implicit_steps > 0 ? `, of which ${this.recording.implicit_steps} implicit` : "") +
                 (this.recording.events.length > 0 ? `, ${this.recording.events.length} events` : "") +
@@ -211,7 +212,7 @@ class Player {
             return make_field(p, scene.parameter_units[i], settings.parameters[i], p.description + range(p, scene.parameter_units[i]), set);
         });
         const inputs = plant.inputs.map((input, i) => {
-            const doc = `${input.description}; empty: ${scene.input_texts[i] || "0"} (in SI), as in the run; else this value is held`;
+            const doc = `${input.description ? input.description + "; " : ""}empty: ${scene.input_texts[i] || "0"} (in SI), as in the run; else this value is held`;
             const set = (value) => { settings.held[i] = value; changed(); };
             return make_field(input, scene.input_units[i], settings.held[i], doc, set, true);
         });

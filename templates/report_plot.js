@@ -18,6 +18,8 @@ function make_plot(x, curves, events, room) {
                 high = Math.max(high, value);
             }
         if (!(low <= high)) return [0, 1];
+        const least = 1e-6 * Math.max(Math.abs(low), Math.abs(high));  // less is rounding
+        if (high > low && high - low < least) [low, high] = [(low + high - least) / 2, (low + high + least) / 2];
         const room = high > low ? (high - low) * 0.04 : Math.abs(high) * 0.05 || 1;
         return [low - room, high + room];
     };
@@ -28,10 +30,11 @@ function make_plot(x, curves, events, room) {
     const names = curves.map((curve) => curve.name).join(", ");
     const svg =
         element("svg", {viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Plot of ${names} over ${x.name}`, tabindex: "0"});
+    const digits = Math.min(12, Math.max(4, 2 + Math.ceil(Math.log10(Math.max(Math.abs(y_low), Math.abs(y_high)) / (y_high - y_low)))));
     for (const tick of ticks(y_low, y_high)) {
         svg.append(
             element("line", {x1: left, x2: width - right, y1: up(tick), y2: up(tick), stroke: "currentColor", "stroke-opacity": 0.15}));
-        svg.append(element("text", {x: left - 6, y: up(tick) + 4, "text-anchor": "end"}, number_text(tick, 4)));
+        svg.append(element("text", {x: left - 6, y: up(tick) + 4, "text-anchor": "end"}, number_text(tick, digits)));
     }
     const below = ticks(x_low, x_high), tick_step = below.length > 1 ? below[1] - below[0] : 1;
     for (const tick of below) {

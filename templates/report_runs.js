@@ -48,7 +48,7 @@ function run_scene(scene, settings) {
         inputs: made.inputs.length > 0 ? inputs : null,
         method: settings.method || "automatic",
     });
-    return {...recording, made};
+    return {...recording, made, wished_start: start};
 }
 
 /// Columns of a recording in declared units: { name, unit, values }.
@@ -67,20 +67,45 @@ function columns_of(scene, recording) {
     ];
 }
 
-/// What reproduces a run at a shell.
+/// What is said where constraints move values of the start that a person gave, or those behind changed parameters.
+function moved_start(scene, settings, recording) {
+    if (recording.rows.length === 0 || !recording.made.constraints || recording.made.constraints.length === 0) return "";
+    const begin = recording.rows[0].x, wished = recording.wished_start;
+    const moved = scene.states.flatMap((state, i) => {
+        if (!(Math.abs(begin[i] - wished[i]) > 1e-9 * Math.max(Math.abs(wished[i]), 1e-3))) return [];
+        return [`${state.name} = ${number_text(in_unit(begin[i], state), 4)} ${unit_text(state)}`.trim()];
+    });
+    return moved.length === 0 ? "" : `The start was moved onto the constraints: ${moved.join(", ")}. `;
+}
+
+/// What reproduces a run at a shell. Lengths and starts that the run makes of parameters would follow these there, so they are named.
 function command_of(scene, settings) {
     const plant = scene.make();
     const list = (option, values) => values.length === 0 ? "" : ` ${option} "${values.join(",")}"`;
     const number = (value, unit) => String(Number(in_unit(value, unit).toPrecision(15)));
     const changed = (values, of) => values.flatMap((value, i) => value === of[i] ? [] : [i]);
+    const is_moved = settings.parameters.some((value, i) => value !== scene.parameters[i]);
+    const is_held = plant.constraints !== null && plant.constraints.length > 0;
+    const start = {...settings.start};
+    if (is_held && (is_moved || Object.keys(start).length > 0)) {
+        const rows = run_scene(scene, settings).rows;  // where the constraints let it begin
+        if (rows.length > 0) rows[0].x.forEach((value, i) => { start[i] = value; });
+    } else if (is_moved && !is_held) {
+        const usual = new Float64Array(scene.start.length);
+        plant.start_state(usual);
+        scene.start.forEach((value, i) => {
+            if (value !== usual[i] && !(i in start)) start[i] = value;
+        });
+    }
+    const shown = (i) => scene.states[i].is_root ? start[i] ** 2 : start[i];
     return scene.command +
         list("--parameter",
              changed(settings.parameters, scene.parameters)
                  .map((i) => `${plant.parameters[i].name}=${number(settings.parameters[i], scene.parameter_units[i])}`)) +
-        list("--state", Object.entries(settings.start).map(([i, value]) => `${scene.states[i].name}=${number(value, scene.states[i])}`)) +
+        list("--state", Object.keys(start).map((i) => `${scene.states[i].name}=${number(shown(i), scene.states[i])}`)) +
         list("--input",
              settings.held.flatMap(
                  (value, i) => value === null ? [] : [`${plant.inputs[i].name}=${number(value, scene.input_units[i])}`])) +
-        (settings.until === scene.until ? "" : ` --until ${settings.until}`) +
+        ` --until ${settings.until}` +
         (settings.tolerance === scene.tolerance ? "" : ` --tolerance ${settings.tolerance}`);
 }

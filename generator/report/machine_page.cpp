@@ -29,6 +29,10 @@ std::string folded(const std::string& title, const std::string& inside, bool is_
                : fmt::format("<details{}><summary>{}</summary>\n{}</details>\n", is_open ? " open" : "", html_text(title), inside);
 }
 
+const char* verdict_class(Verdict verdict) {
+    return verdict == Verdict::wrong || verdict == Verdict::dimensionally_wrong ? "verdict wrong" : "verdict";
+}
+
 std::string proofs_of_scene(const CheckedScene& scene) {
     std::string text;
     for (const CheckedScene::Group& group : scene.groups) {
@@ -36,7 +40,7 @@ std::string proofs_of_scene(const CheckedScene& scene) {
         std::string list;
         for (const CheckedScene::Proof& proof : group.proofs) {
             counts.add(proof.verdict);
-            list += fmt::format("<li>{}: <strong class=\"verdict\">{}</strong></li>\n", html_text(proof.name),
+            list += fmt::format("<li>{}: <strong class=\"{}\">{}</strong></li>\n", html_text(proof.name), verdict_class(proof.verdict),
                                 html_text(to_string(proof.verdict)));
         }
         text += folded(fmt::format("{}: {}", group.title, counts.line(group.proofs.size() == 1 ? "identity" : "identities")),
@@ -137,7 +141,7 @@ std::string printed_section(const std::vector<PrintedRow>& rows) {
     if (rows.empty()) return {};
     std::string text = "<section id=\"printed\">\n<h2>Printed equations</h2>\n";
     for (const PrintedRow& row : rows) {
-        text += fmt::format("<h3>{} <span class=\"verdict\">{}</span></h3>\n", html_text(row.id), html_text(row.verdict_text()));
+        text += fmt::format("<h3>{} <span class=\"{}\">{}</span></h3>\n", html_text(row.id), verdict_class(row.verdict()), html_text(row.verdict_text()));
         text += text_paragraph(row.doc);
         if (!row.formulas.empty()) text += "<div class=\"formula\" tabindex=\"0\">" + row.formulas + "</div>\n";
         text += text_paragraph(row.reason);
