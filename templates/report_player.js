@@ -25,10 +25,11 @@ class Player {
         this.part("copy-command").addEventListener("click", () => this.copy(command_of(this.scene, this.settings)));
         this.part("copy-link").addEventListener("click", () => this.copy(this.link()));
         const named = this.read_link();
-        this.choose(named.scene, named.settings);
+        this.choose(named.scene, named.settings, this.refused);
     }
 
-    choose(number, settings) {
+    /// `refused`: what is said of an address.
+    choose(number, settings, refused = "") {
         this.play(false);
         this.part("scene").selectedIndex = number;
         this.scene = scenes[number];
@@ -37,6 +38,7 @@ class Player {
         this.plant = this.scene.make();
         if (this.panels.length === 0) this.panels = this.scene.states.slice(0, 3).map((one) => ({x: "", y: [one.name]}));
         this.shown = 0;
+        this.refused = refused;
         this.make_fields();
         this.run();
     }
@@ -60,7 +62,7 @@ class Player {
             this.columns = columns_of(this.scene, this.recording);
             this.end = rows[rows.length - 1].t;
             this.part("time").max = this.end;
-            this.part("status").textContent = moved_start(this.scene, this.settings, this.recording) +
+            this.part("status").textContent = this.refused + moved_start(this.scene, this.settings, this.recording) +
                 (this.recording.is_good ? "" : this.recording.message + " ") +
                 `${this.recording.steps} steps` +
                 (this.recording.implicit_steps > 0 ? `, of which ${this.recording.implicit_steps} implicit` : "") +
@@ -244,18 +246,13 @@ class Player {
         try {
             const given = new URLSearchParams(location.hash.slice(1));
             const number = scenes.findIndex((scene) => scene.name === given.get("scene"));
+            if (number < 0 && given.has("scene")) this.refused = `The page has no scene "${given.get("scene")}" that runs. `;
             if (number < 0) return none;
             const usual = settings_of(scenes[number]), read = JSON.parse(given.get("settings") || "{}");
-            const is_list = (list, like) =>
-                Array.isArray(list) && list.length === like.length && list.every((one) => one === null || Number.isFinite(one));
-            for (const key of ["until", "tolerance"])
-                if (read[key] > 0) usual[key] = read[key];
-            for (const key of ["parameters", "held"])
-                if (is_list(read[key], usual[key]) && (key === "held" || !read[key].includes(null))) usual[key] = read[key];
-            for (const [place, value] of Object.entries(read.start || {}))
-                if (Number.isFinite(value) && place < scenes[number].start.length) usual.start[place] = value;
+            this.refused = check_settings(scenes[number], read, usual);
             return {scene: number, settings: usual};
         } catch (e) {
+            this.refused = "The settings of the address cannot be read; those of the run are shown. ";
             return none;
         }
     }

@@ -11,6 +11,46 @@ function settings_of(scene) {
     };
 }
 
+/// Takes into `usual` what `read`, from an address, says and fields would take; returns a sentence about what is refused.
+function check_settings(scene, read, usual) {
+    const plant = scene.make(), refused = [];
+    const is_object = (one) => one !== null && typeof one === "object" && !Array.isArray(one);
+    if (!is_object(read)) return "The settings of the address are no settings; those of the run are shown. ";
+    const fits = (value, quantity, unit) => {
+        const in_field = in_unit(value, unit), slack = 1e-12 * Math.abs(in_field);
+        return Number.isFinite(value) && in_field + slack >= in_unit(quantity.low, unit) && in_field - slack <= in_unit(quantity.high, unit);
+    };
+    const take = (name, value, quantity, unit, set) => {
+        if (fits(value, quantity, unit))
+            set(value);
+        else
+            refused.push(name);
+    };
+    const one = {unit: "1", factor: 1, offset: 0};
+    for (const [key, low, high] of [["until", Number.MIN_VALUE, Infinity], ["tolerance", 1e-13, 0.01]])
+        if (read[key] !== undefined) take(key, read[key], {low, high}, one, (value) => { usual[key] = value; });
+    for (const [key, list, units] of [["parameters", plant.parameters, scene.parameter_units], ["held", plant.inputs, scene.input_units]]) {
+        if (read[key] === undefined) continue;
+        if (!Array.isArray(read[key]) || read[key].length !== list.length) {
+            refused.push(`${key} (a list of ${list.length} numbers is expected)`);
+            continue;
+        }
+        read[key].forEach((value, i) => {
+            if (key === "held" && value === null) return;
+            if (value !== usual[key][i]) take(list[i].name, value, list[i], units[i], (good) => { usual[key][i] = good; });
+        });
+    }
+    if (read.start !== undefined && !is_object(read.start)) refused.push("start");
+    for (const [place, value] of is_object(read.start) ? Object.entries(read.start) : []) {
+        const state = scene.states[place];
+        if (!/^\d+$/.test(place) || state === undefined || state.is_root)
+            refused.push(`start ${place}`);
+        else
+            take(`start of ${state.name}`, value, plant.states[place], state, (good) => { usual.start[place] = good; });
+    }
+    return refused.length === 0 ? "" : `The address gives values that are refused, as they are no numbers in their ranges: ${refused.join(", ")}. `;
+}
+
 /// The recording of a scene; see dalembert_record().
 function run_scene(scene, settings) {
     const made = scene.make();
