@@ -51,6 +51,9 @@ function check_settings(scene, read, usual) {
     return refused.length === 0 ? "" : `The address gives values that are refused, as they are no numbers in their ranges: ${refused.join(", ")}. `;
 }
 
+/// Whether a start value is of the run, not of the model: more than roundings of the same formula lie between them.
+function is_of_run(value, usual) { return Math.abs(value - usual) > 1e-12 * Math.abs(usual); }
+
 /// The recording of a scene; see dalembert_record().
 function run_scene(scene, settings) {
     const made = scene.make();
@@ -64,7 +67,7 @@ function run_scene(scene, settings) {
     else {
         made.start_state(start);  // parameters may move it; what the run says of it stays
         scene.start.forEach((value, i) => {
-            if (value !== usual[i]) start[i] = value;
+            if (is_of_run(value, usual[i])) start[i] = value;
         });
     }
     for (const [place, value] of Object.entries(settings.start)) start[place] = value;
@@ -134,7 +137,7 @@ function command_of(scene, settings) {
         const usual = new Float64Array(scene.start.length);
         plant.start_state(usual);
         scene.start.forEach((value, i) => {
-            if (value !== usual[i] && !(i in start)) start[i] = value;
+            if (is_of_run(value, usual[i]) && !(i in start)) start[i] = value;
         });
     }
     const shown = (i) => scene.states[i].is_root ? start[i] ** 2 : start[i];
