@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "program/helper_files.hpp"
 #include "text/marked_sections.hpp"
 #include "text/template.hpp"
 
@@ -21,9 +22,8 @@ struct Section {
 class Library {
 public:
     Library() {
-        for (const char* file : {"math_functions", "scalar_functions", "angle_functions", "fluid_functions", "heat_functions", "curve_functions",
-                                 "heat_networks", "junctions", "series_functions", "ldlt"})
-            read(embedded_file(std::string(file) + ".h.in"));
+        for (const HelperFile& file : helper_files)
+            if (file.is_in_c) read(embedded_file(std::string(file.name) + ".h.in"));
     }
 
     const Section& of_function(const std::string& function) const {

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "program/helper_files.hpp"
 #include "text/marked_sections.hpp"
 #include "text/template.hpp"
 
@@ -14,10 +15,10 @@ namespace {
 const std::vector<MarkedSection>& helpers() {
     static const std::vector<MarkedSection> all = [] {
         std::vector<MarkedSection> sections;
-        for (const char* file : {"scalar_functions", "angle_functions", "fluid_functions", "heat_functions", "curve_functions", "unroll", "heat_networks",
-                                 "junctions", "series_functions", "ldlt"})
-            for (MarkedSection& section : marked_sections(embedded_file(std::string(file) + ".hpp")))
-                sections.push_back(std::move(section));
+        for (const HelperFile& file : helper_files)
+            if (file.is_in_cpp)
+                for (MarkedSection& section : marked_sections(embedded_file(std::string(file.name) + ".hpp")))
+                    sections.push_back(std::move(section));
         return sections;
     }();
     return all;
