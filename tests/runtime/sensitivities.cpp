@@ -10,6 +10,7 @@
 
 #include "heat/heat_exchanger_N12_counter.hpp"
 #include "heat/immersion_heater_heating.hpp"
+#include "heat/voltage_regulator_cooled.hpp"
 #include "mechanics/cart_pendulum_lab.hpp"
 #include "mechanics/stick_slip_smooth.hpp"
 
@@ -171,6 +172,37 @@ TEST_CASE("sensitivities that do not control the steps follow those of the state
     for (std::size_t i = 0; i < 4; ++i) CHECK(x[i] == doctest::Approx(plain[i]).epsilon(1e-12));
     const auto expected = by_differences<model::System, ZeroInputs>(varied[0], {0.3, 0.2, 0, 0}, 3, 1e-2);
     for (std::size_t i = 0; i < 4; ++i) CHECK(S[0][i] == doctest::Approx(static_cast<double>(expected[i])).epsilon(1e-5));
+}
+
+template <class Scalar>
+void see_stiffness(double tolerance, double allowed) {
+    using System = voltage_regulator::cooled::System<Scalar>;
+    const System system;
+    const auto held = [](const typename System::State&, Scalar) { return typename System::Input{Scalar(10)}; };
+    const std::array varied{Varied::parameter(0), Varied::parameter(1)};
+    IntegrationOptions<typename System::State> options;
+    options.tolerance = static_cast<Scalar>(tolerance);
+    options.scale.fill(Scalar(300));
+    Outcome outcome[2];
+    Sensitivities<System, 2> S[2];
+    for (const bool controls : {false, true}) {
+        auto x = system.start_state();
+        S[controls] = sensitivities_at_fixed_start<System>(varied);
+        const auto nobody = [](const auto&) {};
+        outcome[controls] =
+            simulate_sensitivities(system, held, varied, x, S[controls], Scalar(0), Scalar(3000), options, nobody, controls);
+        CHECK(outcome[controls].status == Status::success);
+        CHECK(outcome[controls].steps_by[2] > 10);
+    }
+    CHECK(outcome[false].steps <= outcome[true].steps);
+    for (std::size_t c = 0; c < varied.size(); ++c)
+        for (std::size_t i = 0; i < S[0][c].size(); ++i)
+            CHECK(S[false][c][i] == doctest::Approx(S[true][c][i]).epsilon(allowed));
+}
+
+TEST_CASE("stiffness is seen where sensitivities do not control the steps") {
+    see_stiffness<double>(1e-8, 1e-6);
+    see_stiffness<float>(1e-4, 1e-3);
 }
 
 TEST_CASE("what is not in a table has no sensitivities") {

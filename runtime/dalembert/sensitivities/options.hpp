@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "dalembert/integration_options.hpp"
 
@@ -33,11 +35,12 @@ void copy_options(IntegrationOptions<State>& to, const IntegrationOptions<Other>
 template <class All, class Plain, class Sizes>
 void set_scales_of_columns(All& scale, const Plain& of_state, std::size_t columns, const Sizes& size_of_column, bool controls) {
     using Scalar = typename Plain::value_type;
-    constexpr double beside_errors = 1e30;
+    using std::sqrt;
+    const Scalar beside_errors = controls ? Scalar(1) : Scalar(sqrt(std::numeric_limits<Scalar>::max()));
     const std::size_t n = of_state.size();
     for (std::size_t c = 0; c < columns; ++c)
         for (std::size_t i = 0; i < n; ++i)
-            scale[(c + 1) * n + i] = of_state[i] / size_of_column(c) * (controls ? Scalar(1) : Scalar(beside_errors));
+            scale[(c + 1) * n + i] = of_state[i] / size_of_column(c) * beside_errors;
 }
 
 }  // namespace detail
