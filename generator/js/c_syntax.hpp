@@ -70,7 +70,7 @@ struct CNode {
     std::string text = {};  ///< a name, number or operator
     CNodes parts = {};      ///< may hold nulls: of a loop without a condition
     std::vector<CVariable> variables = {};
-    CType type = {};        ///< of a cast, or of what size_of is asked for
+    CType type = {};        ///< of a cast; of size_of the type that is measured
     bool is_table = false;  ///< a declaration of constants
 };
 using CTree = std::shared_ptr<CNode>;

@@ -14,7 +14,7 @@
 namespace dalembert {
 
 struct FromC {
-    /// The name in JavaScript of what is declared at the top of some C.
+    /// The JavaScript name of a function, table or number of C.
     std::function<std::string(const std::string&)> name = [](const std::string& one) { return one; };
     std::set<std::string> left_out = {};  ///< functions that stand elsewhere
     std::string left_out_argument = {};   ///< of functions and calls

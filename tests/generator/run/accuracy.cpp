@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The digits of generated functions: losses that are known by hand are told, what is good is told to be good, and every kind of point is
-// what it says.
+// The digits of generated functions: known losses are reported, exact functions are not accused, and every kind of point is what its name
+// says.
 #include <doctest/doctest.h>
 
 #include <cmath>
