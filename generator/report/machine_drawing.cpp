@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <tuple>
 
 #include "elements/bodies.hpp"
 #include "elements/fluids.hpp"
@@ -92,32 +94,63 @@ private:
         }
     }
 
-    bool add_bar(std::size_t body) {
-        const std::vector<Variable>& coordinates = system_.symbols.all(SymbolKind::coordinate);
-        for (auto q = coordinates.rbegin(); q != coordinates.rend(); ++q) {
-            if (q->unit != "rad") continue;
-            const ex& symbol = q->symbol;
-            const Point r = points_[body];
-            const ex dx = r[0].diff(GiNaC::ex_to<GiNaC::symbol>(symbol)), dy = r[1].diff(GiNaC::ex_to<GiNaC::symbol>(symbol));
+    /// What a body turns about with one coordinate.
+    struct Pivot {
+        Point point;
+        ex dx, dy;  ///< of the body, by the coordinate
+        bool turns_body = false;
+        std::optional<std::size_t> place = std::nullopt;
+        std::size_t moved_by = 0;  ///< coordinates: the most for the joint next to the body
+
+        auto rank() const { return std::tuple(turns_body, moved_by, place.has_value()); }
+    };
+
+    std::vector<Pivot> pivots_of(std::size_t body) const {
+        const Point& r = points_[body];
+        const BodyMotion& motion = *shown_[body];
+        std::vector<Pivot> pivots;
+        for (const Variable& coordinate : system_.symbols.all(SymbolKind::coordinate)) {
+            if (coordinate.unit != "rad") continue;
+            const auto& q = GiNaC::ex_to<GiNaC::symbol>(coordinate.symbol);
+            const ex dx = r[0].diff(q), dy = r[1].diff(q);
             if (is_zero_after_expansion(dx) && is_zero_after_expansion(dy)) continue;
-            const Point pivot{(r[0] - dy).expand(), (r[1] + dx).expand(), 0};
-            if (pivot[0].has(symbol) || pivot[1].has(symbol)) continue;
-            std::optional<std::size_t> joint = place_of(pivot, body);
-            if (!joint && (moves(pivot[0]) || moves(pivot[1]))) continue;
-            if (!joint) joint = add(pivot);
-            const BodyMotion& motion = *shown_[body];
-            const bool turns_itself =
-                motion.has_rotation && !is_zero_after_expansion(plain(motion.rotation).diff(GiNaC::ex_to<GiNaC::symbol>(symbol)));
-            std::size_t end = body;
-            if (turns_itself) {
-                const Point far{(2 * r[0] - pivot[0]).expand(), (2 * r[1] - pivot[1]).expand(), 0};
-                const std::optional<std::size_t> there = place_of(far, body);
-                end = there ? *there : add(far);
-            }
-            drawing_.bars.push_back({*joint, end});
-            return true;
+            Pivot pivot{{(r[0] - dy).expand(), (r[1] + dx).expand(), 0}, dx, dy};
+            if (pivot.point[0].has(q) || pivot.point[1].has(q)) continue;
+            pivot.turns_body = motion.has_rotation && !is_zero_after_expansion(plain(motion.rotation).diff(q));
+            pivot.place = place_of(pivot.point, body);
+            pivot.moved_by = coordinates_in({pivot.point[0], pivot.point[1]}).size();
+            const bool moves_unseen = !pivot.place && (moves(pivot.point[0]) || moves(pivot.point[1]));
+            if (!moves_unseen || pivot.turns_body) pivots.push_back(std::move(pivot));
         }
-        return false;
+        return pivots;
+    }
+
+    /// Whether the inertia m (l^2 + b^2)/12 tells of a bar with the joint at its end; where a bar of another kind ends nobody knows.
+    bool is_same_all_along(const BodyMotion& motion, const ex& dx, const ex& dy) const {
+        GiNaC::exmap at_zero;  // the distance of the joint does not depend on coordinates
+        for (const Variable& q : system_.symbols.all(SymbolKind::coordinate)) at_zero[q.symbol] = 0;
+        if (motion.mass.is_zero()) return false;
+        const ex square = 12 * plain(motion.inertia) / plain(motion.mass) - 4 * (dx * dx + dy * dy).subs(at_zero);
+        const ex width = square.normal().expand();
+        return width.is_zero() || width.match(GiNaC::pow(GiNaC::wild(), 2));
+    }
+
+    bool add_bar(std::size_t body) {
+        const std::vector<Pivot> pivots = pivots_of(body);
+        const auto pivot =
+            std::max_element(pivots.begin(), pivots.end(), [](const Pivot& a, const Pivot& b) { return a.rank() < b.rank(); });
+        if (pivot == pivots.end()) return false;
+        const BodyMotion& motion = *shown_[body];
+        const Point r = points_[body];
+        const std::size_t joint = pivot->place ? *pivot->place : add(pivot->point);
+        std::size_t end = body;
+        if (pivot->turns_body) {
+            const Point far{(2 * r[0] - pivot->point[0]).expand(), (2 * r[1] - pivot->point[1]).expand(), 0};
+            const std::optional<std::size_t> there = place_of(far, body);
+            if (there || is_same_all_along(motion, pivot->dx, pivot->dy)) end = there ? *there : add(far);
+        }
+        drawing_.bars.push_back({joint, end});
+        return true;
     }
 
     /// Bodies whose distance from the origin of the ground, or from an earlier body, no velocity changes.
@@ -138,28 +171,29 @@ private:
         }
     }
 
-    /// Seen by numbers at one point where no two letters are alike.
-    bool keeps_distance(std::size_t body, const Point& from, const BodyMotion* other) const {
+    /// The size of a value where no two letters are alike: enough for a drawing to see what is zero.
+    double at_a_point(const ex& e) const {
         GiNaC::exmap values;
         int next = 0;
         for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::state, SymbolKind::parameter})
             for (const Variable& variable : system_.symbols.all(kind))
                 values[variable.symbol] = GiNaC::numeric(37 + 11 * next, 59 + 7 * next), ++next;
         values[system_.symbols.time()] = GiNaC::numeric(5, 7);
-        const auto number = [&](const ex& e) {
-            const ex value = plain(e).subs(values).evalf();
-            return GiNaC::is_a<GiNaC::numeric>(value) ? std::fabs(GiNaC::ex_to<GiNaC::numeric>(value).to_double()) : 1.0;
-        };
+        const ex value = plain(e).subs(values).evalf();
+        return GiNaC::is_a<GiNaC::numeric>(value) ? std::fabs(GiNaC::ex_to<GiNaC::numeric>(value).to_double()) : 1.0;
+    }
+
+    bool keeps_distance(std::size_t body, const Point& from, const BodyMotion* other) const {
         ex square = 0;
         for (std::size_t i = 0; i < 3; ++i) square += GiNaC::pow(points_[body][i] - from[i], 2);
-        const double size = number(square);
+        const double size = at_a_point(square);
         if (!(size > 1e-9)) return false;
         for (std::size_t j = 0; j < system_.symbols.degrees(); ++j) {
             const SpaceVector along = shown_[body]->along(j, system_.symbols);
             const SpaceVector along_other = other != nullptr ? other->along(j, system_.symbols) : SpaceVector{};
             ex change = 0;
             for (std::size_t i = 0; i < 3; ++i) change += (points_[body][i] - from[i]) * (along[i] - along_other[i]);
-            if (number(change) > 1e-9 * size) return false;
+            if (at_a_point(change) > 1e-9 * size) return false;
         }
         return true;
     }

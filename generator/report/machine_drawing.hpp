@@ -3,9 +3,10 @@
 // about which it turns.
 //
 // note [bars]: Let r(q) be the position of a body and q one of its angles. It turns about p = r + J dr/dq, J a quarter turn, where p does
-// not depend on q. That is a joint where p is fixed to the ground, or is where another body is, or where a bar ends. The bar reaches from p
-// to r, and where the body itself turns by q, to the same distance behind r: exact for uniform bars that are held at one end. In space a
-// bar joins a body to what it keeps its distance from, whatever moves.
+// not depend on q. That is a joint where the body itself turns by q, or where p is fixed to the ground, or is where another body is, or
+// where a bar ends. Of several, the joint next to the body is the one that the most coordinates move. The bar reaches from p to r; and as
+// far behind r where the inertia is that of a uniform bar, or another bar begins there. In space a bar joins a body to what it keeps its
+// distance from, whatever moves.
 //
 // note [springs]: Where an elongation e and the positions of one body change with one coordinate alone, e in proportion to r, the spring
 // pulls along d = dr/de, and r - e d is fixed, or moves with the time
