@@ -1,6 +1,7 @@
 // A field for a number in a unit, with a slider where its range has two ends.
 
-/// `set` gets the number in SI, or null where the field may be empty and is.
+/// `set` gets the number in SI, or null where the field may be empty and is. Returns { node, follow(value) }: what follow() says stands for
+/// an empty field.
 function make_field(quantity, unit, value, doc, set, may_be_empty = false) {
     const input = element("input", {
         type: "text",
@@ -10,7 +11,7 @@ function make_field(quantity, unit, value, doc, set, may_be_empty = false) {
     });
     const note = element("small", {}, doc);
     const [low, high] = [quantity.low, quantity.high].map((bound) => in_unit(bound, unit));
-    const has_slider = Number.isFinite(low) && Number.isFinite(high) && high > low && !may_be_empty;
+    const has_slider = Number.isFinite(low) && Number.isFinite(high) && high > low && (!may_be_empty || quantity.has_slider);
     const slider = has_slider ? make_slider(quantity.name, low, high) : null;
     const say = (bad) => {
         input.setAttribute("aria-invalid", bad !== "");
@@ -38,7 +39,7 @@ function make_field(quantity, unit, value, doc, set, may_be_empty = false) {
         }
     });
     if (slider) {
-        slider.show(in_unit(value, unit));
+        if (value !== null) slider.show(in_unit(value, unit));
         slider.node.addEventListener("input", () => {
             const given = Number(slider.value().toPrecision(4));
             input.value = number_text(given, 12);
@@ -47,7 +48,11 @@ function make_field(quantity, unit, value, doc, set, may_be_empty = false) {
         });
     }
     const parts = [element("span", {}, quantity.name), input, element("span", {}, unit_text(unit))];
-    return element("div", {class: "field"}, ...parts, ...(slider ? [slider.node] : []), note);
+    const follow = (usual) => {
+        input.placeholder = number_text(in_unit(usual, unit), 8);
+        if (slider && input.value.trim() === "") slider.show(in_unit(usual, unit));
+    };
+    return {node: element("div", {class: "field"}, ...parts, ...(slider ? [slider.node] : []), note), follow};
 }
 
 /// By powers where the range spans several of ten.

@@ -15,6 +15,12 @@ function read_number(text) {
 
 const in_unit = (value, unit) => value / unit.factor - unit.offset;
 const in_si = (value, unit) => (value + unit.offset) * unit.factor;
+/// `value`, in SI, is a number within the bounds of a quantity but for roundings.
+function is_in_range(value, quantity, unit) {
+    const in_field = in_unit(value, unit), slack = 1e-12 * Math.abs(in_field);
+    return Number.isFinite(value) && in_field + slack >= in_unit(quantity.low, unit) && in_field - slack <= in_unit(quantity.high, unit);
+}
+const in_words = (value, unit) => `${number_text(in_unit(value, unit), 6)} ${unit_text(unit)}`.trim();
 const unit_text = (unit) => unit.unit === "1" ? "" : unit.unit;
 
 /// In which a time this long is read.

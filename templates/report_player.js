@@ -54,15 +54,18 @@ class Player {
             this.recording = run_scene(this.scene, this.settings);
             const duration = performance.now() - begin, rows = this.recording.rows;
             if (rows.length === 0) {  // nothing to show
-                this.part("status").textContent = this.recording.message;
+                this.part("status").textContent = this.refused + this.recording.message;
                 for (const id of ["drawing", "plots", "events"]) this.part(id).replaceChildren();
+                this.part("now").textContent = "";
+                this.plots = [];
                 this.end = 0;
                 return;
             }
+            for (const [field, value] of this.following) field.follow(value(this.recording));
             this.columns = columns_of(this.scene, this.recording);
             this.end = rows[rows.length - 1].t;
             this.part("time").max = this.end;
-            this.part("status").textContent = this.refused + moved_start(this.scene, this.settings, this.recording) +
+            this.part("status").textContent = this.refused + moved_start(this.scene, this.recording) +
                 (this.recording.is_good ? "" : this.recording.message + " ") +
                 `${this.recording.steps} steps` +
                 (this.recording.implicit_steps > 0 ? `, of which ${this.recording.implicit_steps} implicit` : "") +
@@ -111,7 +114,7 @@ class Player {
         const events = this.recording.events, most = 100;
         if (events.length === 0) return [];
         const head =
-            element("tr", {}, ...["t [s]", "event", "mode before", "mode behind"].map((title) => element("th", {scope: "col"}, title)));
+            element("tr", {}, ...["t [s]", "event", "mode before", "mode after"].map((title) => element("th", {scope: "col"}, title)));
         const rows = events.slice(0, most).map(
             (event) => element(
                 "tr", {},
@@ -209,30 +212,41 @@ class Player {
             "" :
             element("details", is_open ? {open: ""} : {}, element("summary", {}, title), element("div", {class: "fields"}, ...fields));
         const seconds = {unit: "s", factor: 1, offset: 0}, one = {unit: "1", factor: 1, offset: 0};
+        this.following = [];
         const parameters = plant.parameters.map((p, i) => {
             const set = (value) => { settings.parameters[i] = value; changed(); };
-            return make_field(p, scene.parameter_units[i], settings.parameters[i], p.description + range(p, scene.parameter_units[i]), set);
+            return make_field(p, scene.parameter_units[i], settings.parameters[i], p.description + range(p, scene.parameter_units[i]), set)
+                .node;
         });
         const inputs = plant.inputs.map((input, i) => {
             const doc = `${input.description ? input.description + "; " : ""}empty: ${scene.input_texts[i] || "0"} (in SI), as in the run; else this value is held`;
             const set = (value) => { settings.held[i] = value; changed(); };
-            return make_field(input, scene.input_units[i], settings.held[i], doc, set, true);
+            return make_field(input, scene.input_units[i], settings.held[i], doc, set, true).node;
         });
         const starts = scene.states.flatMap((state, i) => {
             if (state.is_root) return [];
-            const quantity = {...plant.states[i], name: state.name}, doc = quantity.description + range(quantity, state);
-            const set = (value) => { settings.start[i] = value; changed(); };
-            return [make_field(quantity, state, settings.start[i] ?? scene.start[i], doc, set)];
+            const quantity = {...plant.states[i], name: state.name, has_slider: true}, doc = quantity.description + range(quantity, state);
+            const set = (value) => {
+                if (value === null)
+                    delete settings.start[i];
+                else
+                    settings.start[i] = value;
+                changed();
+            };
+            const field = make_field(quantity, state, settings.start[i] ?? null, doc + "; empty: as the model says", set, true);
+            this.following.push([field, (recording) => recording.rows[0].x[i]]);
+            return [field.node];
         });
         const until = make_field(
-            {name: "until", low: 0, high: Infinity}, seconds, settings.until, "length of the run",
-            (value) => { settings.until = value; changed(); });
+            {name: "until", low: shortest_run, high: longest_run}, seconds, settings.until,
+            "length of the run; empty: as the model says", (value) => { settings.until = value; changed(); }, true);
+        this.following.push([until, (recording) => recording.until]);
         const tolerance = make_field(
             {name: "tolerance", low: 1e-13, high: 0.01}, one, settings.tolerance, "relative error of a step",
             (value) => { settings.tolerance = value; changed(); });
         this.part("settings").replaceChildren(
             group("Parameters", parameters, parameters.length <= 12), group("Inputs", inputs, true), group("Start values", starts, false),
-            group("Run", [until, tolerance], false));
+            group("Run", [until.node, tolerance.node], false));
     }
 
     link() {

@@ -1,9 +1,13 @@
 // Runs scenes with settings, and makes columns of them.
 
-/// Settings as the model has them: `start` holds only values that were changed, by their place; a held input is a number.
+// In s; beyond, doubles have no room for errors and shortest steps.
+const shortest_run = 1e-150, longest_run = 1e150;
+
+/// Settings as the model has them: `start` holds only values that were changed, by their place; a held input is a number, and so is an end
+/// of the run that does not follow from the model.
 function settings_of(scene) {
     return {
-        until: scene.until,
+        until: null,
         tolerance: scene.tolerance,
         parameters: scene.parameters.slice(),
         start: {},
@@ -16,19 +20,16 @@ function check_settings(scene, read, usual) {
     const plant = scene.make(), refused = [];
     const is_object = (one) => one !== null && typeof one === "object" && !Array.isArray(one);
     if (!is_object(read)) return "The settings of the address are no settings; those of the run are shown. ";
-    const fits = (value, quantity, unit) => {
-        const in_field = in_unit(value, unit), slack = 1e-12 * Math.abs(in_field);
-        return Number.isFinite(value) && in_field + slack >= in_unit(quantity.low, unit) && in_field - slack <= in_unit(quantity.high, unit);
-    };
     const take = (name, value, quantity, unit, set) => {
-        if (fits(value, quantity, unit))
+        if (is_in_range(value, quantity, unit))
             set(value);
         else
             refused.push(name);
     };
     const one = {unit: "1", factor: 1, offset: 0};
-    for (const [key, low, high] of [["until", Number.MIN_VALUE, Infinity], ["tolerance", 1e-13, 0.01]])
-        if (read[key] !== undefined) take(key, read[key], {low, high}, one, (value) => { usual[key] = value; });
+    for (const [key, low, high] of [["until", shortest_run, longest_run], ["tolerance", 1e-13, 0.01]])
+        if (read[key] !== undefined && !(key === "until" && read[key] === null))
+            take(key, read[key], {low, high}, one, (value) => { usual[key] = value; });
     for (const [key, list, units] of [["parameters", plant.parameters, scene.parameter_units], ["held", plant.inputs, scene.input_units]]) {
         if (read[key] === undefined) continue;
         if (!Array.isArray(read[key]) || read[key].length !== list.length) {
@@ -51,26 +52,16 @@ function check_settings(scene, read, usual) {
     return refused.length === 0 ? "" : `The address gives values that are refused, as they are no numbers in their ranges: ${refused.join(", ")}. `;
 }
 
-/// Whether a start value is of the run, not of the model: more than roundings of the same formula lie between them.
-function is_of_run(value, usual) { return Math.abs(value - usual) > 1e-12 * Math.abs(usual); }
-
-/// The recording of a scene; see dalembert_record().
+/// The recording of a scene; see dalembert_record(). Where `simulate` would refuse the values, one without rows and with a sentence.
 function run_scene(scene, settings) {
     const made = scene.make();
-    const n = made.states.length;
-    const usual = new Float64Array(n), start = new Float64Array(n);
-    made.start_state(usual);
     made.set_parameters(settings.parameters);
-    const is_as_written = settings.parameters.every((value, i) => value === scene.parameters[i]);
-    if (is_as_written)
-        start.set(scene.start);
-    else {
-        made.start_state(start);  // parameters may move it; what the run says of it stays
-        scene.start.forEach((value, i) => {
-            if (is_of_run(value, usual[i])) start[i] = value;
-        });
-    }
-    for (const [place, value] of Object.entries(settings.start)) start[place] = value;
+    const refusal = (message) => ({rows: [], events: [], is_good: false, ends: false, t: 0, message, steps: 0, implicit_steps: 0, made});
+    const until = end_of(scene, settings, made);
+    if (!(until >= shortest_run && until <= longest_run))
+        return refusal(`The end of the run is ${Number.isFinite(until) ? `${until} s` : "no number"} with these parameters.`);
+    const {start, refused} = start_of(scene, settings, made);
+    if (refused) return refusal(refused);
     const written = scene.inputs === null ? null : scene.inputs(made.parameter_values);
     const inputs = (t, x, u) => {
         if (written)
@@ -81,17 +72,24 @@ function run_scene(scene, settings) {
             if (value !== null) u[i] = value;
         });
     };
+    const first = new Float64Array(made.inputs.length);
+    inputs(0, start, first);
+    const wrong = made.inputs.findIndex((input, i) => scene.fixed_inputs[i] && !is_in_range(first[i], input, scene.input_units[i]));
+    if (wrong >= 0)
+        return refusal(
+            `The input '${made.inputs[wrong].name}' is ${in_words(first[wrong], scene.input_units[wrong])}, ` +
+            "which is outside of its declared range.");
     const recording = dalembert_record(made, {
-        until: settings.until,
+        until,
         tolerance: settings.tolerance,
         intervals: scene.intervals,
         start,
-        stops: scene.stops,
-        longest_step: scene.longest_step === null ? Infinity : settings.until / scene.intervals,
+        stops: kink_times(scene, settings, made, until),
+        longest_step: scene.longest_step === null ? Infinity : until / scene.intervals,
         inputs: made.inputs.length > 0 ? inputs : null,
         method: settings.method || "automatic",
     });
-    return {...recording, made, wished_start: start};
+    return {...recording, made, until, wished_start: start};
 }
 
 /// Columns of a recording in declared units: { name, unit, values }.
@@ -110,8 +108,8 @@ function columns_of(scene, recording) {
     ];
 }
 
-/// What is said where constraints move values of the start that a person gave, or those behind changed parameters.
-function moved_start(scene, settings, recording) {
+/// What is said where constraints of a machine with modes, or of an attitude, move the start.
+function moved_start(scene, recording) {
     if (recording.rows.length === 0 || !recording.made.constraints || recording.made.constraints.length === 0) return "";
     const begin = recording.rows[0].x, wished = recording.wished_start;
     const moved = scene.states.flatMap((state, i) => {
@@ -121,34 +119,16 @@ function moved_start(scene, settings, recording) {
     return moved.length === 0 ? "" : `The start was moved onto the constraints: ${moved.join(", ")}. `;
 }
 
-/// What reproduces a run at a shell. Lengths and starts that the run makes of parameters would follow these there, so they are named.
+/// What reproduces a run at a shell: whatever is not named follows from parameters there as it does here.
 function command_of(scene, settings) {
     const plant = scene.make();
     const list = (option, values) => values.length === 0 ? "" : ` ${option} "${values.join(",")}"`;
-    const number = (value, unit) => String(Number(in_unit(value, unit).toPrecision(15)));
-    const changed = (values, of) => values.flatMap((value, i) => value === of[i] ? [] : [i]);
-    const is_moved = settings.parameters.some((value, i) => value !== scene.parameters[i]);
-    const is_held = plant.constraints !== null && plant.constraints.length > 0;
-    const start = {...settings.start};
-    if (is_held && (is_moved || Object.keys(start).length > 0)) {
-        const rows = run_scene(scene, settings).rows;  // where the constraints let it begin
-        if (rows.length > 0) rows[0].x.forEach((value, i) => { start[i] = value; });
-    } else if (is_moved && !is_held) {
-        const usual = new Float64Array(scene.start.length);
-        plant.start_state(usual);
-        scene.start.forEach((value, i) => {
-            if (is_of_run(value, usual[i]) && !(i in start)) start[i] = value;
-        });
-    }
-    const shown = (i) => scene.states[i].is_root ? start[i] ** 2 : start[i];
-    return scene.command +
-        list("--parameter",
-             changed(settings.parameters, scene.parameters)
-                 .map((i) => `${plant.parameters[i].name}=${number(settings.parameters[i], scene.parameter_units[i])}`)) +
-        list("--state", Object.keys(start).map((i) => `${scene.states[i].name}=${number(shown(i), scene.states[i])}`)) +
-        list("--input",
-             settings.held.flatMap(
-                 (value, i) => value === null ? [] : [`${plant.inputs[i].name}=${number(value, scene.input_units[i])}`])) +
-        ` --until ${settings.until}` +
+    const named = (name, value, unit) => `${name}=${Number(in_unit(value, unit).toPrecision(15))}`;
+    const parameters = settings.parameters.flatMap(
+        (value, i) => value === scene.parameters[i] ? [] : [named(plant.parameters[i].name, value, scene.parameter_units[i])]);
+    const start = Object.entries(settings.start).map(([i, value]) => named(scene.states[i].name, value, scene.states[i]));
+    const inputs = settings.held.flatMap((value, i) => value === null ? [] : [named(plant.inputs[i].name, value, scene.input_units[i])]);
+    return scene.command + list("--parameter", parameters) + list("--state", start) + list("--input", inputs) +
+        (settings.until === null ? "" : ` --until ${settings.until}`) +
         (settings.tolerance === scene.tolerance ? "" : ` --tolerance ${settings.tolerance}`);
 }

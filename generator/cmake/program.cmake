@@ -73,6 +73,8 @@ set(embedded
     templates/report_plot.js
     templates/report_drawing.js
     templates/report_field.js
+    templates/report_start.js
+    templates/report_times.js
     templates/report_runs.js
     templates/report_player.js
     templates/report_print.js

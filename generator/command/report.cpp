@@ -28,12 +28,15 @@ ScenePage prepare_scene(const std::shared_ptr<const LoadedModel>& model, const s
     if (options.run.empty()) options.run = usual_run(model->model, scene);
     page.named_run = options.run;
     try {
+        if (find_run(model->model, options.run) == nullptr)
+            throw Failure(Diagnostic{Id::bad_option, {}, "the model has no run; a table [runs.reference] with `until` makes one"});
         page.run.emplace(prepare_run(model, scene, options, "report"));
         if (page.run->machine.fields) {
             page.reason = "the cells of its rods are computed in loops, which the JavaScript of a page does not have yet.";
             page.machine = std::move(page.run->machine);
             page.run.reset();
         }
+        if (page.run) page.formulas = formulas_of_run(RunPreparation(model->model, options), *page.run);
     } catch (const Failure& failure) {
         page.reason = failure.diagnostics().front().message + ".";
         page.machine = derive_machine(model, scene, options.choice.sizes);

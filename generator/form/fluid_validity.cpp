@@ -19,7 +19,7 @@ namespace {
 
 class ValueCheck {
 public:
-    ValueCheck(const System& system, const Values& values) : system_(system), value_(system, values) {}
+    ValueCheck(const System& system, const Values& values, ValueConditions* conditions) : system_(system), value_(system, values, conditions) {}
 
     void run() const {
         for (const auto& member : system_.scene.media) check(*member.item);
@@ -39,7 +39,11 @@ private:
 
     void check(const Medium& medium) const {
         if (medium.law == Medium::Law::ideal_gas) {
-            const auto R = value_(system_.translate(medium.gas_constant, {}));
+            const ex constant = system_.translate(medium.gas_constant, {});
+            value_.note({ValueCondition::Rule::above_zero,
+                         {constant},
+                         fmt::format("the gas constant of medium '{}' is {{}} J/(kg*K), so c_p = c_v + R is not above c_v", medium.name)});
+            const auto R = value_(constant);
             if (!R || !R->is_positive())
                 throw Failure(
                     Diagnostic{Id::inconsistent_medium, medium.gas_constant->span,
@@ -87,7 +91,9 @@ bool is_exact_root(const Flow& item) {
 
 }  // namespace
 
-void check_fluid_values(const System& system, const Values& values) { ValueCheck(system, values).run(); }
+void check_fluid_values(const System& system, const Values& values, ValueConditions* conditions) {
+    ValueCheck(system, values, conditions).run();
+}
 
 void warn_of_stiff_junctions(System& system) {
     constexpr double next_to_nothing = 1e-4;

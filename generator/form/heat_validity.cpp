@@ -19,7 +19,7 @@ namespace {
 
 class HeatValues {
 public:
-    HeatValues(const System& system, const Values& values) : system_(system), value_(system, values) {}
+    HeatValues(const System& system, const Values& values, ValueConditions* conditions) : system_(system), value_(system, values, conditions) {}
 
     void run() const {
         for (const auto& member : system_.scene.rods) check(*member.item);
@@ -71,7 +71,14 @@ private:
         if (!rod.grid) return;
         // At its ends and in steps between them; what folds back in between shows in the capacities of cells.
         constexpr int steps = 64;
-        const auto at = [&](int i) { return value_(system_.translate(*rod.grid->body, {}, {{rod.grid->variable, numeric(i, steps)}})); };
+        const auto place = [&](int i) { return system_.translate(*rod.grid->body, {}, {{rod.grid->variable, numeric(i, steps)}}); };
+        ValueCondition rising{ValueCondition::Rule::rising,
+                              {},
+                              fmt::format("the grid of rod '{}' must rise from 0 at s = 0 to 1 at s = 1, but '{}' does not", rod.name,
+                                          rod.grid->body->written())};
+        for (int i = 0; i <= steps; ++i) rising.values.push_back(place(i));
+        value_.note(std::move(rising));
+        const auto at = [&](int i) { return value_(place(i)); };
         const auto first = at(0);
         const auto last = at(steps);
         bool rises = first && last && first->is_zero() && *last == 1;
@@ -88,6 +95,8 @@ private:
 
 }  // namespace
 
-void check_heat_values(const System& system, const Values& values) { HeatValues(system, values).run(); }
+void check_heat_values(const System& system, const Values& values, ValueConditions* conditions) {
+    HeatValues(system, values, conditions).run();
+}
 
 }  // namespace dalembert

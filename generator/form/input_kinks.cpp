@@ -20,6 +20,19 @@ constexpr int kink_parts = 1000;
 constexpr int most_parts = 100000;
 constexpr int kink_digits = 40;
 
+/// How fast what sines and cosines are of rises at t = 0.
+std::vector<ex> waving_rates(const ex& function, const ex& time) {
+    std::vector<ex> rates;
+    for (auto part = function.preorder_begin(); part != function.preorder_end(); ++part) {
+        if (!is_ex_the_function(*part, GiNaC::sin) && !is_ex_the_function(*part, GiNaC::cos)) continue;
+        try {
+            rates.push_back(partial(part->op(0), time).subs(time == 0, GiNaC::subs_options::no_pattern));
+        } catch (const GiNaC::pole_error&) {  // it has none
+        }
+    }
+    return rates;
+}
+
 class Kinks {
 public:
     Kinks(const ex& switch_function, const ex& time, double until) : function_(switch_function), time_(time), until_(until) {}
@@ -51,9 +64,8 @@ private:
     /// At least four looks between two zeros of sines and cosines of the time.
     int parts_of_run() const {
         double fastest = 0;
-        for (auto part = function_.preorder_begin(); part != function_.preorder_end(); ++part) {
-            if (!is_ex_the_function(*part, GiNaC::sin) && !is_ex_the_function(*part, GiNaC::cos)) continue;
-            const auto rate = value_at(partial(part->op(0), time_), {{time_, 0}}, kink_digits);
+        for (const ex& waving : waving_rates(function_, time_)) {
+            const auto rate = value_at(waving, {}, kink_digits);
             if (rate) fastest = std::max(fastest, std::fabs(cln::double_approx(*rate)));
         }
         const double parts = 4 * fastest * until_ / std::acos(-1.0);
@@ -124,6 +136,14 @@ std::vector<ex> functions_of_time(const System& system, const std::vector<ex>& i
 }
 
 }  // namespace
+
+std::vector<SwitchInTime> switches_in_time(const System& system, const std::vector<ex>& inputs, const Values& values,
+                                           const GiNaC::exset& letters) {
+    std::vector<SwitchInTime> result;
+    for (const ex& function : functions_of_time(system, inputs, values, letters))
+        result.push_back({function, waving_rates(function, system.symbols.time())});
+    return result;
+}
 
 bool kinks_move(const System& system, const std::vector<ex>& inputs, const Values& values, const GiNaC::exset& letters) {
     const std::vector<ex> functions = functions_of_time(system, inputs, values, letters);

@@ -12,6 +12,15 @@ namespace dalembert {
 /// one may be missed. Throws Failure (too-large).
 std::vector<double> input_kinks(const System& system, const std::vector<GiNaC::ex>& inputs, const Values& values, double until);
 
+/// A function of time, and letters that stand for numbers, whose changes of sign are kinks or jumps.
+struct SwitchInTime {
+    GiNaC::ex function;
+    std::vector<GiNaC::ex> rates;  ///< of what its sines and cosines are of, at t = 0
+};
+/// Those of a run; what stands inside another comes first.
+std::vector<SwitchInTime> switches_in_time(const System& system, const std::vector<GiNaC::ex>& inputs, const Values& values,
+                                           const GiNaC::exset& letters);
+
 /// Whether these times may change with letters that stand in `inputs` and `values` in the place of numbers.
 bool kinks_move(const System& system, const std::vector<GiNaC::ex>& inputs, const Values& values, const GiNaC::exset& letters);
 

@@ -11,11 +11,18 @@ using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::numeric;
 
+const char* to_string(ValueCondition::Rule rule) {
+    static constexpr const char* names[]{"above_zero", "not_below_zero", "share",  "below",
+                                         "not_above",  "square_of_one",  "rising", "inertia"};
+    return names[static_cast<std::size_t>(rule)];
+}
+
 StartValues::StartValues(const System& system) : StartValues(system, Values(system.scene, system.translate)) {
     when_ = "at the start with the values of the model file";
 }
 
-StartValues::StartValues(const System& system, const Values& values) : system_(system), start_(values.substitution()) {
+StartValues::StartValues(const System& system, const Values& values, ValueConditions* conditions)
+    : system_(system), start_(values.substitution()), conditions_(conditions) {
     add_steps(start_, system.symbols, 30);
 }
 
@@ -36,6 +43,10 @@ void StartValues::positive(const ex& e, const Span& place, const std::string& wh
 }
 
 void StartValues::check(const SignRule& rule, const ex& e, const Span& place, const std::string& what) const {
+    using Rule = ValueCondition::Rule;
+    note({rule.up_to_one ? Rule::share : rule.is_above_zero ? Rule::above_zero : Rule::not_below_zero,
+          {e},
+          fmt::format("{} is {{}}{} {}, but {}", what, with_space(rule.unit), when_, broken(rule, -1, -1))});
     const auto number = (*this)(e);
     if (!number && !rule.is_above_zero) return;
     const char* must = number ? broken(rule, number->csgn(), (*number - 1).csgn()) : "must be above zero";

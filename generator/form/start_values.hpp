@@ -6,15 +6,39 @@
 
 namespace dalembert {
 
+/// What is asked of expressions at the start, for those who ask it again of other values.
+struct ValueCondition {
+    enum class Rule {
+        above_zero,      ///< what has no value breaks this rule alone
+        not_below_zero,
+        share,           ///< from 0 to 1
+        below,           ///< the first is below the second
+        not_above,       ///< the first is not above the second
+        square_of_one,
+        rising,          ///< from 0 to 1
+        inertia,         ///< a tensor, row by row, that a body can have
+    };
+    Rule rule;
+    std::vector<GiNaC::ex> values;
+    std::string text;  ///< a sentence for people, with {} in the places of values; without a full stop
+};
+using ValueConditions = std::vector<ValueCondition>;
+const char* to_string(ValueCondition::Rule rule);
+
 class StartValues {
 public:
     /// The values of the model file.
     explicit StartValues(const System& system);
-    StartValues(const System& system, const Values& values);
+    /// `conditions` gets whatever is checked.
+    StartValues(const System& system, const Values& values, ValueConditions* conditions = nullptr);
 
     /// Nothing where it has none.
     std::optional<GiNaC::numeric> operator()(const GiNaC::ex& e) const;
     bool depends_on_input(const GiNaC::ex& e) const;
+    /// Notes what is checked elsewhere.
+    void note(ValueCondition condition) const {
+        if (conditions_ != nullptr) conditions_->push_back(std::move(condition));
+    }
     /// Throws Failure (value-out-of-range): "WHAT is VALUE UNIT at the start, but must be above zero". What has no value breaks no rule but
     /// this one.
     void check(const SignRule& rule, const GiNaC::ex& e, const Span& place, const std::string& what) const;
@@ -24,6 +48,7 @@ private:
     const System& system_;
     const char* when_ = "at the start";
     GiNaC::exmap start_;
+    ValueConditions* conditions_ = nullptr;
 };
 
 }  // namespace dalembert

@@ -89,12 +89,18 @@ std::optional<UnbalancedMass> unbalanced_mass(const System& system) {
     return std::nullopt;
 }
 
-void check_body_values(const System& system, const Values& values) {
+void check_body_values(const System& system, const Values& values, ValueConditions* conditions) {
     const GiNaC::exmap at = values.substitution();
-    const StartValues value(system, values);
+    const StartValues value(system, values, conditions);
+    using Rule = ValueCondition::Rule;
     for (const auto& member : system.scene.bodies) check_signs(*member.item, member.name(), Translator::indices_of(member), system, value);
-    for (const BodyMotion& body : system.bodies)
-        if (body.has_tensor()) check_tensor(body, system, at);
+    for (const BodyMotion& body : system.bodies) {
+        if (!body.has_tensor()) continue;
+        ValueCondition inertia{Rule::inertia, {}, fmt::format("no body has an inertia such as that of '{}'", body.member.item->name)};
+        for (const auto& row : body.tensor) inertia.values.insert(inertia.values.end(), row.begin(), row.end());
+        value.note(std::move(inertia));
+        check_tensor(body, system, at);
+    }
     std::vector<Member<Cut>> cuts;
     for (const Cut& cut : system.scene.model->cuts) {
         const auto [from, to] = cut.family ? bounds(*cut.family, system.scene) : std::pair(0, 0);
@@ -103,6 +109,10 @@ void check_body_values(const System& system, const Values& values) {
     for (const Member<Cut>& member : cuts) {
         const Cut& cut = *member.item;
         const SpaceVector direction = system.translate(cut.direction, Translator::indices_of(member));
+        value.note({Rule::square_of_one,
+                    {dot(direction, direction)},
+                    fmt::format("the direction of cut '{}' has a length at the start whose square is {{}}; a direction has the length 1",
+                                member.name())});
         const auto square = value_at(system.symbols.without_definitions(dot(direction, direction)), at, 20);
         const double length = square ? std::sqrt(cln::double_approx(*square)) : 1;
         if (std::fabs(length - 1) > 1e-6)
@@ -113,13 +123,19 @@ void check_body_values(const System& system, const Values& values) {
     }
     for (const Symbols::AttitudeSymbols& attitude : system.symbols.attitudes()) {
         cln::cl_R square = 0;
+        GiNaC::ex norm_square = 0;
         for (const std::size_t part : attitude.parts) {
+            norm_square += GiNaC::pow(system.symbols.get(SymbolKind::state, part), 2);
             const auto number = value_at(at.at(system.symbols.get(SymbolKind::state, part)), at, 20);
             if (number) square = square + *number * *number;
         }
         const double norm = std::sqrt(cln::double_approx(square));
-        if (std::fabs(norm - 1) <= 1e-6) continue;
         const State& item = *system.scene.states[attitude.parts[0]].item;
+        value.note({Rule::square_of_one,
+                    {norm_square},
+                    fmt::format("the quaternion '{}' has a norm at the start whose square is {{}}; that of an orientation has the norm 1",
+                                item.name.substr(0, item.name.size() - 2))});
+        if (std::fabs(norm - 1) <= 1e-6) continue;
         throw Failure(Diagnostic{Id::value_out_of_range, item.span,
                                  fmt::format("the quaternion '{}' has the norm {:.6g} at the start; that of an orientation has the norm 1",
                                              item.name.substr(0, item.name.size() - 2), norm)});

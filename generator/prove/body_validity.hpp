@@ -2,7 +2,7 @@
 // Whether bodies in space can be what the values say of them.
 #pragma once
 
-#include "form/system.hpp"
+#include "form/start_values.hpp"
 
 namespace dalembert {
 
@@ -18,6 +18,6 @@ std::optional<UnbalancedMass> unbalanced_mass(const System& system);
 
 /// Quaternions have the norm one at the start, inertia tensors belong to a body: principal moments that are not negative, and none larger
 /// than the sum of the others, and directions of cuts have the length one at the start. Throws Failure (value-out-of-range, wrong-inertia).
-void check_body_values(const System& system, const Values& values);
+void check_body_values(const System& system, const Values& values, ValueConditions* conditions = nullptr);
 
 }  // namespace dalembert

@@ -12,10 +12,18 @@ namespace {
 
 class SolidCheck {
 public:
-    SolidCheck(const System& system, const Values& values) : system_(system), value_(system, values) {}
+    SolidCheck(const System& system, const Values& values, ValueConditions* conditions) : system_(system), value_(system, values, conditions) {}
 
     void check(const Solid& solid) const {
         check_signs(solid, solid.name, {}, system_, value_);
+        using Rule = ValueCondition::Rule;
+        if (solid.inner_radius && solid.radius)
+            value_.note({Rule::below,
+                         {system_.translate(solid.inner_radius, {}), system_.translate(solid.radius, {})},
+                         fmt::format("the inner radius of solid '{}' is {{}} m, not below its radius of {{}} m", solid.name)});
+        value_.note({Rule::above_zero,
+                     {system_.solids.of(solid.name).mass},
+                     fmt::format("solid '{}' has the mass {{}} kg, but must have one above zero", solid.name)});
         if (const auto inner = number(solid.inner_radius), outer = number(solid.radius); inner && outer && *inner >= *outer)
             throw Failure(Diagnostic{
                 Id::value_out_of_range,
@@ -43,8 +51,8 @@ private:
 
 }  // namespace
 
-void check_solid_values(const System& system, const Values& values) {
-    const SolidCheck check(system, values);
+void check_solid_values(const System& system, const Values& values, ValueConditions* conditions) {
+    const SolidCheck check(system, values, conditions);
     for (const Solid* solid : system.scene.solids) check.check(*solid);
 }
 

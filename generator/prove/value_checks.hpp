@@ -11,13 +11,13 @@
 namespace dalembert {
 
 /// Whether switches, bodies, solids, fluids and whatever holds heat can be as the values say, which meet the constraints.
-/// Throws Failure (value-out-of-range, wrong-inertia, inconsistent-medium).
-inline void check_values(const System& system, const Values& values) {
-    check_switching_values(system, values);
-    check_body_values(system, values);
-    check_solid_values(system, values);
-    check_fluid_values(system, values);
-    check_heat_values(system, values);
+/// `conditions` gets what is checked. Throws Failure (value-out-of-range, wrong-inertia, inconsistent-medium).
+inline void check_values(const System& system, const Values& values, ValueConditions* conditions = nullptr) {
+    check_switching_values(system, values, conditions);
+    check_body_values(system, values, conditions);
+    check_solid_values(system, values, conditions);
+    check_fluid_values(system, values, conditions);
+    check_heat_values(system, values, conditions);
 }
 
 }  // namespace dalembert

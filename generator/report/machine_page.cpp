@@ -141,7 +141,8 @@ std::string printed_section(const std::vector<PrintedRow>& rows) {
     if (rows.empty()) return {};
     std::string text = "<section id=\"printed\">\n<h2>Printed equations</h2>\n";
     for (const PrintedRow& row : rows) {
-        text += fmt::format("<h3>{} <span class=\"{}\">{}</span></h3>\n", html_text(row.id), verdict_class(row.verdict()), html_text(row.verdict_text()));
+        text += fmt::format("<h3>{} <span class=\"{}\">{}</span></h3>\n", html_text(row.id), verdict_class(row.verdict()),
+                            html_text(row.verdict_text()));
         text += text_paragraph(row.doc);
         if (!row.formulas.empty()) text += "<div class=\"formula\" tabindex=\"0\">" + row.formulas + "</div>\n";
         text += text_paragraph(row.reason);
@@ -185,7 +186,7 @@ std::string machine_page(const Model& model, const std::string& file, std::vecto
     if (!objects.empty()) {
         script = javascript_runtime() + modules + "const scenes = [\n" + objects +
                  "];\nconst first_scene = " + js_string(result.first_scene) + ";\n";
-        for (const char* part : {"numbers", "plot", "drawing", "field", "runs", "player"})
+        for (const char* part : {"numbers", "plot", "drawing", "field", "start", "times", "runs", "player"})
             script += embedded_file(fmt::format("report_{}.js", part));
         script = "<script type=\"module\">\n" + in_script(script) + "</script>\n";
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "report/check.hpp"
+#include "report/run_formulas.hpp"
 #include "run/simulation.hpp"
 
 namespace dalembert {
@@ -10,6 +11,7 @@ namespace dalembert {
 /// A scene, ready for the page.
 struct ScenePage {
     std::optional<PreparedRun> run;  ///< nothing: the page does not run it
+    RunFormulas formulas;            ///< of that
     std::optional<Machine> machine;  ///< of one that is not run
     std::string named_run;           ///< that commands have to name; empty: the usual one
     std::string reason;              ///< why not, a sentence

@@ -61,7 +61,7 @@ std::string written_function(Code& code, const Plant& plant, const std::vector<G
 class ScriptMaker {
 public:
     ScriptMaker(ScenePage& scene, const MachineDrawing& drawing)
-        : run_(*scene.run), named_run_(scene.named_run), system_(*run_.machine.system), drawing_(drawing) {
+        : run_(*scene.run), formulas_(scene.formulas), named_run_(scene.named_run), system_(*run_.machine.system), drawing_(drawing) {
         for (const ShownUnit& shown : shown_units(system_)) units_[shown.column] = unit_json(shown.unit, shown.factor, shown.offset);
     }
 
@@ -80,9 +80,13 @@ public:
         json["points"] = drawing_.coordinates.size() / 3;
         json["framed"] = drawing_.framed;
         json["plane"] = drawing_.plane;
-        const std::string inputs = written_function(*run_.machine.code, run_.header.plant, run_.settings.inputs, "u", "t, x, u");
+        const std::string functions =
+            fmt::format("inputs: {}, place: {}, end_of_run: {}, start_values: {}, checked_values: {}, held: {}, switches: {}",
+                        written(run_.settings.inputs, "u", "t, x, u"), written(drawing_.coordinates, "points", "t, x, points"),
+                        formulas_.end ? written({*formulas_.end}, "end", "end") : "null", written(formulas_.start, "start", "start"),
+                        conditions(json), held(json), switches());
         return {js_module(run_.header.plant, name, "// SPDX-License-Identifier: BSL-1.0"),
-                fmt::format("{{ ...{}, make: {}, inputs: {}, place: {} }}", script_json(json), name, inputs, place())};
+                fmt::format("{{ ...{}, make: {}, {} }}", script_json(json), name, functions)};
     }
 
 private:
@@ -92,8 +96,60 @@ private:
         return text + (named_run_.empty() ? "" : " --run " + named_run_);
     }
 
-    /// What the drawing needs; nothing where JavaScript cannot have it.
-    std::string place() { return written_function(*run_.machine.code, run_.header.plant, drawing_.coordinates, "points", "t, x, points"); }
+    std::string written(const std::vector<GiNaC::ex>& values, const std::string& target, const char* arguments) {
+        return written_function(*run_.machine.code, run_.header.plant, values, target, arguments);
+    }
+
+    /// What is asked of values, and these.
+    std::string conditions(Json& json) {
+        std::vector<GiNaC::ex> values;
+        json["conditions"] = Json::array();
+        for (const ValueCondition& one : formulas_.conditions) {
+            json["conditions"].push_back({{"rule", to_string(one.rule)}, {"values", one.values.size()}, {"text", one.text}});
+            values.insert(values.end(), one.values.begin(), one.values.end());
+        }
+        return written(values, "values", "t, x, values");
+    }
+
+    /// Which constraints a start must meet, with positions, rates, and slopes of both by positions and velocities, constraint by constraint.
+    std::string held(Json& json) {
+        if (!formulas_.meets_constraints) return "null";
+        std::vector<GiNaC::ex> positions, rates, of_positions, of_rates;
+        json["constraints"] = Json::array();
+        for (const ConstraintEquation& c : system_.constraints) {
+            if (!c.holds) continue;
+            json["constraints"].push_back(c.name);
+            positions.push_back(c.position ? *c.position : 0);
+            rates.push_back(c.whole_rate);
+            for (std::size_t j = 0; j < system_.symbols.degrees(); ++j) {
+                of_positions.push_back(c.position && formulas_.free_positions[j] >= 0 ? system_.symbols.along(*c.position, j) : 0);
+                of_rates.push_back(c.rate.jacobian[j]);
+            }
+        }
+        json["free"] = {formulas_.free_positions, formulas_.free_rates};
+        return fmt::format("[{}, {}, {}, {}]", written(positions, "values", "t, x, values"), written(of_positions, "values", "t, x, values"),
+                           written(rates, "values", "t, x, values"), written(of_rates, "values", "t, x, values"));
+    }
+
+    /// Functions of time with kinks and jumps where their signs change, and how fast their waves are, mode by mode.
+    std::string switches() {
+        std::string list;
+        for (std::size_t i = 0; i < formulas_.switches.size(); ++i) {
+            if (formulas_.switches[i].empty()) continue;
+            Code& code = i == 0 ? *run_.machine.code : *run_.machine.other_modes[i - 1].code;
+            std::vector<GiNaC::ex> functions, rates;
+            std::vector<std::size_t> waves;
+            for (const SwitchInTime& one : formulas_.switches[i]) {
+                functions.push_back(one.function);
+                waves.push_back(one.rates.size());
+                rates.insert(rates.end(), one.rates.begin(), one.rates.end());
+            }
+            list += fmt::format("{{ waves: {}, functions: {}, rates: {} }}, ", Json(waves).dump(),
+                                written_function(code, run_.header.plant, functions, "values", "t, values"),
+                                written_function(code, run_.header.plant, rates, "values", "values"));
+        }
+        return "[" + list + "]";
+    }
 
     void add_run(Json& json) {
         const SimulationSettings& s = run_.settings;
@@ -108,6 +164,7 @@ private:
         std::vector<double> start = run_.header.plant.start_values;
         for (std::size_t i = 0; i < values.size(); ++i) start[places.positions[i]] = values[i];
         json["start"] = start;
+        json["fixed_inputs"] = formulas_.fixed_inputs;
         json["parameters"] = parameter_numbers(system_, run_.values);
         const Notation write(system_.symbols, Style::text);
         json["input_texts"] = Json::array();
@@ -144,6 +201,7 @@ private:
     }
 
     PreparedRun& run_;
+    const RunFormulas& formulas_;
     const std::string named_run_;
     const System& system_;
     const MachineDrawing& drawing_;

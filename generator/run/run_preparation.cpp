@@ -8,7 +8,6 @@
 #include "elements/model.hpp"
 #include "elements/runs.hpp"
 #include "run/settings.hpp"
-#include "form/input_kinks.hpp"
 #include "graph/separable.hpp"
 #include "scene/choose_effects.hpp"
 #include "plant/methods.hpp"
@@ -243,6 +242,14 @@ bool RunPreparation::settings_move(const Values& values, const System& system, c
         if (std::any_of(letters.begin(), letters.end(), [&](const ex& letter) { return value.has(letter); })) return true;
     }
     return kinks_move(system, inputs(values, system), values, letters);
+}
+
+std::optional<ex> RunPreparation::end(const System& system) const {
+    return run_ != nullptr && run_->until && options_.until.empty() ? std::optional(system.translate(*run_->until, {})) : std::nullopt;
+}
+
+std::vector<SwitchInTime> RunPreparation::switches(const Values& values, const System& system, const GiNaC::exset& letters) const {
+    return switches_in_time(system, inputs(values, system), values, letters);
 }
 
 std::vector<ex> RunPreparation::inputs_at_start(const Values& values, const System& system) const {

@@ -2,6 +2,7 @@
 // What a [runs.NAME] of the model and the command line together say of a run.
 #pragma once
 
+#include "form/input_kinks.hpp"
 #include "run/options.hpp"
 #include "emit/runner.hpp"
 
@@ -29,6 +30,10 @@ public:
     std::vector<GiNaC::ex> inputs_at_start(const Values& values, const System& system) const;
     /// Everything else, with values that are set. Throws Failure (bad-option, division-by-zero, ...).
     SimulationSettings make_settings(const Values& values, const System& system) const;
+    /// The end of the run as a formula of parameters; nothing where the model gives none.
+    std::optional<GiNaC::ex> end(const System& system) const;
+    /// Kinks and jumps of the run at times that follow from parameters.
+    std::vector<SwitchInTime> switches(const Values& values, const System& system, const GiNaC::exset& letters) const;
     /// Whether these may change with letters that stand in `values` in the place of numbers.
     bool settings_move(const Values& values, const System& system, const GiNaC::exset& letters) const;
 
