@@ -219,7 +219,8 @@ class Player {
                 .node;
         });
         const inputs = plant.inputs.map((input, i) => {
-            const doc = `${input.description ? input.description + "; " : ""}empty: ${scene.input_texts[i] || "0"} (in SI), as in the run; else this value is held`;
+            const doc = `${input.description ? input.description + "; " : ""}empty: ${scene.input_texts[i] || "0"} (in SI), ` +
+                "as in the run; else this value is held";
             const set = (value) => { settings.held[i] = value; changed(); };
             return make_field(input, scene.input_units[i], settings.held[i], doc, set, true).node;
         });

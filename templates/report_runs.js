@@ -49,7 +49,9 @@ function check_settings(scene, read, usual) {
         else
             take(`start of ${state.name}`, value, plant.states[place], state, (good) => { usual.start[place] = good; });
     }
-    return refused.length === 0 ? "" : `The address gives values that are refused, as they are no numbers in their ranges: ${refused.join(", ")}. `;
+    return refused.length === 0 ?
+        "" :
+        `The address gives values that are refused, as they are no numbers in their ranges: ${refused.join(", ")}. `;
 }
 
 /// The recording of a scene; see dalembert_record(). Where `simulate` would refuse the values, one without rows and with a sentence.

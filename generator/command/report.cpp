@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "book/printed_verdicts.hpp"
@@ -22,14 +24,24 @@ std::string usual_run(const Model& model, const std::string& scene) {
     return "";
 }
 
+/// What is missing for a run of a scene; nothing where there is one, or nothing moves.
+std::optional<std::string> missing_run(const Model& model, const std::string& run, const Scene& scene) {
+    if (scene.coordinates.empty() && scene.states.empty()) return std::nullopt;
+    const Run* found = find_run(model, run);
+    if (found == nullptr)
+        return model.runs.empty() ? "the model has no run; a table [runs.reference], with the length of the run in s as `until`, makes one"
+                                  : "none of the runs of the model is called `reference`, so --run must name one";
+    if (found->scene.empty() || found->scene == scene.base) return std::nullopt;
+    return fmt::format(
+        "the model has no run of it; a table [runs.{0}], with scene = \"{0}\" and the length of the run in s as `until`, makes one", scene.base);
+}
+
 /// The scene with the run that `simulate` would make of it, or without one and the reason.
 ScenePage prepare_scene(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, Options options) {
     ScenePage page;
     if (options.run.empty()) options.run = usual_run(model->model, scene);
     page.named_run = options.run;
     try {
-        if (find_run(model->model, options.run) == nullptr)
-            throw Failure(Diagnostic{Id::bad_option, {}, "the model has no run; a table [runs.reference] with `until` makes one"});
         page.run.emplace(prepare_run(model, scene, options, "report"));
         if (page.run->machine.fields) {
             page.reason = "the cells of its rods are computed in loops, which the JavaScript of a page does not have yet.";
@@ -38,8 +50,10 @@ ScenePage prepare_scene(const std::shared_ptr<const LoadedModel>& model, const s
         }
         if (page.run) page.formulas = formulas_of_run(RunPreparation(model->model, options), *page.run);
     } catch (const Failure& failure) {
-        page.reason = failure.diagnostics().front().message + ".";
+        page.run.reset();
         page.machine = derive_machine(model, scene, options.choice.sizes);
+        page.reason =
+            missing_run(model->model, options.run, page.machine->system->scene).value_or(failure.diagnostics().front().message) + ".";
         generate(*page.machine);
     }
     page.proofs = checked_scene(page.derived());

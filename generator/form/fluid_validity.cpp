@@ -19,7 +19,8 @@ namespace {
 
 class ValueCheck {
 public:
-    ValueCheck(const System& system, const Values& values, ValueConditions* conditions) : system_(system), value_(system, values, conditions) {}
+    ValueCheck(const System& system, const Values& values, ValueConditions* conditions)
+        : system_(system), value_(system, values, conditions) {}
 
     void run() const {
         for (const auto& member : system_.scene.media) check(*member.item);

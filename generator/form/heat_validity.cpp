@@ -19,7 +19,8 @@ namespace {
 
 class HeatValues {
 public:
-    HeatValues(const System& system, const Values& values, ValueConditions* conditions) : system_(system), value_(system, values, conditions) {}
+    HeatValues(const System& system, const Values& values, ValueConditions* conditions)
+        : system_(system), value_(system, values, conditions) {}
 
     void run() const {
         for (const auto& member : system_.scene.rods) check(*member.item);

@@ -12,7 +12,8 @@ namespace {
 
 class SolidCheck {
 public:
-    SolidCheck(const System& system, const Values& values, ValueConditions* conditions) : system_(system), value_(system, values, conditions) {}
+    SolidCheck(const System& system, const Values& values, ValueConditions* conditions)
+        : system_(system), value_(system, values, conditions) {}
 
     void check(const Solid& solid) const {
         check_signs(solid, solid.name, {}, system_, value_);

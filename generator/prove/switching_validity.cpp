@@ -27,7 +27,8 @@ void check_switching_values(const System& system, const Values& values, ValueCon
     };
     const auto in_range = [&](const ExpressionPtr& e, const Item& item, const char* what, bool has_end) {
         note(has_end ? Rule::share : Rule::not_below_zero, {e},
-             fmt::format("the {} of '{}' is {{}}; {}", what, item.name, has_end ? "it must lie between 0 and 1" : "it must not be negative"));
+             fmt::format("the {} of '{}' is {{}}; {}", what, item.name,
+                         has_end ? "it must lie between 0 and 1" : "it must not be negative"));
         const auto number = e ? value(e) : std::nullopt;
         if (!number || (!cln::minusp(*number) && (!has_end || *number <= cln::cl_R(1)))) return;
         throw Failure(Diagnostic{Id::value_out_of_range, e->span,

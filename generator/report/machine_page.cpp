@@ -207,10 +207,12 @@ std::string machine_page(const Model& model, const std::string& file, std::vecto
 
 std::string as_text(const ReportResult& result) {
     std::string text = fmt::format("{}: {} bytes\n", result.page.string(), result.bytes);
-    for (const ReportResult::Scene& scene : result.scenes)
-        text += fmt::format("  scene {}: {}; {}{}\n", scene.name, scene.proofs.line("proofs"),
-                            scene.runs ? "runs in the page" : "does not run in the page: " + scene.reason,
+    for (const ReportResult::Scene& scene : result.scenes) {
+        const std::string how =
+            scene.runs ? "runs in the page" : "does not run in the page: " + scene.reason.substr(0, scene.reason.find_last_not_of('.') + 1);
+        text += fmt::format("  scene {}: {}; {}{}\n", scene.name, scene.proofs.line("proofs"), how,
                             scene.drawn == 0 ? "" : fmt::format(", {} {} drawn", scene.drawn, scene.drawn == 1 ? "body" : "bodies"));
+    }
     if (result.printed.entries > 0) text += "  " + result.printed.line() + "\n";
     return text;
 }

@@ -111,7 +111,8 @@ private:
         return written(values, "values", "t, x, values");
     }
 
-    /// Which constraints a start must meet, with positions, rates, and slopes of both by positions and velocities, constraint by constraint.
+    /// Which constraints a start must meet, with their positions and rates, and slopes of both by what they are of, constraint by
+    /// constraint.
     std::string held(Json& json) {
         if (!formulas_.meets_constraints) return "null";
         std::vector<GiNaC::ex> positions, rates, of_positions, of_rates;
@@ -127,8 +128,8 @@ private:
             }
         }
         json["free"] = {formulas_.free_positions, formulas_.free_rates};
-        return fmt::format("[{}, {}, {}, {}]", written(positions, "values", "t, x, values"), written(of_positions, "values", "t, x, values"),
-                           written(rates, "values", "t, x, values"), written(of_rates, "values", "t, x, values"));
+        const auto function = [&](const std::vector<GiNaC::ex>& values) { return written(values, "values", "t, x, values"); };
+        return fmt::format("[{}, {}, {}, {}]", function(positions), function(of_positions), function(rates), function(of_rates));
     }
 
     /// Functions of time with kinks and jumps where their signs change, and how fast their waves are, mode by mode.

@@ -20,9 +20,10 @@ function place_of(list, name) {
 }
 
 if (changes === null) {
-    settings.parameters = settings.parameters.map((value, i) => i < 3 ? 1.01 * value : value);
-    settings.start[0] = scene.start[0] + 0.01;
-    settings.held = settings.held.map((value, i) => i === 0 ? 0.5 : value);
+    const within = (value, {low, high}) => Math.min(high, Math.max(low, value));
+    settings.parameters = settings.parameters.map((value, i) => i < 3 ? within(1.01 * value, plant.parameters[i]) : value);
+    settings.start[0] = within(scene.start[0] + 0.01, plant.states[0]);
+    settings.held = settings.held.map((value, i) => i === 0 ? within(0.5, plant.inputs[i]) : value);
     settings.until = 0.9 * scene.until;
 } else {
     for (const [name, value] of Object.entries(changes.parameters || {})) settings.parameters[place_of(plant.parameters, name)] = value;
@@ -55,6 +56,7 @@ try {
     // Whole runs, row by row: at both ends a ball may be on the floor whatever it did between them. At an event a row may be that before or
     // after it.
     const csv = fs.readdirSync(folder).find((name) => name.endsWith(".csv") && !name.endsWith("_events.csv"));
+    if (csv === undefined) throw new Error(`${command}: ${words}`);
     const rows = fs.readFileSync(path.join(folder, csv), "utf8").trim().split("\n").slice(1).map((line) => line.split(",").map(Number));
     if (rows.length !== run.rows.length) throw new Error(`${rows.length} rows of ${command}, but ${run.rows.length} in the page`);
     const shown = (row, i) => scene.states[i].is_root ? row.x[i] ** 2 : row.x[i];
