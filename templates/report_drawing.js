@@ -164,7 +164,7 @@ function make_drawing(scene, places, across) {
         "figcaption", {},
         (is_planar ? "Bodies at their positions, to scale." :
                      "Bodies at their positions, to scale; drag, or use the arrow keys, to look from elsewhere.") +
-            (walls.some((wall) => wall !== null) ? " The distances to the walls of springs are not." : ""));
+            (walls.some((wall) => wall !== null) ? " The distances to the walls of springs are not to scale." : ""));
     if (!is_planar) {
         let from = null;
         svg.setAttribute("tabindex", "0");

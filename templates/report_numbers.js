@@ -39,6 +39,26 @@ function ticks(low, high) {
     return result;
 }
 
+/// From where to where an axis shows values, with room at both ends.
+function axis_bounds(values) {
+    let low = Infinity, high = -Infinity;
+    for (const value of values)
+        if (Number.isFinite(value)) {
+            low = Math.min(low, value);
+            high = Math.max(high, value);
+        }
+    if (!(low <= high)) return [0, 1];
+    const least = 1e-6 * Math.max(Math.abs(low), Math.abs(high));  // less is rounding
+    if (high > low && high - low < least) [low, high] = [(low + high - least) / 2, (low + high + least) / 2];
+    const room = high > low ? (high - low) * 0.04 : Math.abs(high) * 0.05 || 1;
+    return [low - room, high + room];
+}
+
+/// So many that its ticks differ.
+function axis_digits(low, high) {
+    return Math.min(12, Math.max(4, 2 + Math.ceil(Math.log10(Math.max(Math.abs(low), Math.abs(high)) / (high - low)))));
+}
+
 function element(name, attributes = {}, ...children) {
     const is_svg = ["svg", "g", "path", "line", "circle", "rect", "text", "polyline"].includes(name);
     const made = is_svg ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);

@@ -285,8 +285,13 @@ class Player {
 globalThis.dalembert_page = {
     scenes,
     settings_of,
+    check_settings,
     run_scene,
     columns_of,
-    command_of
+    command_of,
+    tick_texts: (values) => {
+        const [low, high] = axis_bounds(values);
+        return ticks(low, high).map((tick) => number_text(tick, axis_digits(low, high)));
+    }
 };
 if (typeof document !== "undefined") new Player();

@@ -10,27 +10,14 @@ function make_plot(x, curves, events, room) {
     const width = Math.max(280, Math.min(640, room)), height = 240, left = 60, right = 12, top = 12, bottom = 38;
     const step = width < 450 ? 2 : 1;  // of numbers below the axis
     const all = curves.flatMap((curve) => curve.values).filter(Number.isFinite);
-    const bounds = (values) => {
-        let low = Infinity, high = -Infinity;
-        for (const value of values)
-            if (Number.isFinite(value)) {
-                low = Math.min(low, value);
-                high = Math.max(high, value);
-            }
-        if (!(low <= high)) return [0, 1];
-        const least = 1e-6 * Math.max(Math.abs(low), Math.abs(high));  // less is rounding
-        if (high > low && high - low < least) [low, high] = [(low + high - least) / 2, (low + high + least) / 2];
-        const room = high > low ? (high - low) * 0.04 : Math.abs(high) * 0.05 || 1;
-        return [low - room, high + room];
-    };
-    const [x_low, x_high] = x.is_time ? [x.values[0], Math.max(x.values[x.values.length - 1], x.values[0] + 1e-300)] : bounds(x.values);
-    const [y_low, y_high] = bounds(all);
+    const [x_low, x_high] = x.is_time ? [x.values[0], Math.max(x.values[x.values.length - 1], x.values[0] + 1e-300)] : axis_bounds(x.values);
+    const [y_low, y_high] = axis_bounds(all);
     const across = (value) => left + (width - left - right) * (value - x_low) / (x_high - x_low || 1);
     const up = (value) => height - bottom - (height - top - bottom) * (value - y_low) / (y_high - y_low);
     const names = curves.map((curve) => curve.name).join(", ");
     const svg =
         element("svg", {viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Plot of ${names} over ${x.name}`, tabindex: "0"});
-    const digits = Math.min(12, Math.max(4, 2 + Math.ceil(Math.log10(Math.max(Math.abs(y_low), Math.abs(y_high)) / (y_high - y_low)))));
+    const digits = axis_digits(y_low, y_high);
     for (const tick of ticks(y_low, y_high)) {
         svg.append(
             element("line", {x1: left, x2: width - right, y1: up(tick), y2: up(tick), stroke: "currentColor", "stroke-opacity": 0.15}));

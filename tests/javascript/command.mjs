@@ -22,7 +22,8 @@ function place_of(list, name) {
 if (changes === null) {
     const within = (value, {low, high}) => Math.min(high, Math.max(low, value));
     settings.parameters = settings.parameters.map((value, i) => i < 3 ? within(1.01 * value, plant.parameters[i]) : value);
-    settings.start[0] = within(scene.start[0] + 0.01, plant.states[0]);
+    const moved = scene.states.findIndex((state) => !state.is_root);  // a page has no field for a root
+    if (moved >= 0) settings.start[moved] = within(scene.start[moved] + 0.01, plant.states[moved]);
     settings.held = settings.held.map((value, i) => i === 0 ? within(0.5, plant.inputs[i]) : value);
     settings.until = 0.9 * scene.until;
 } else {

@@ -25,7 +25,19 @@ for path in "${models[@]}"; do
   node "$tests/runs.mjs" "$PROGRAM" "$page" "$path" || bad+=("$(basename "$path")")
 done
 [ ${#bad[@]} -eq 0 ] || failed "${bad[*]}"
-node "$tests/command.mjs" "$PROGRAM" "$here/$(basename "${models[0]}" .toml).html" "${models[0]}" || failed "copied as command line"
+# Copied as command line, with all kinds of changes and with some; what the page refuses, the program refuses, too.
+for line in cart_pendulum bouncing_ball 'bouncing_ball {"parameters":{"e":0.9}}' 'bouncing_ball {"parameters":{"h_0":5}}' kepler \
+  'kepler {"parameters":{"e":0.5}}' 'projectile {"parameters":{"alpha":1}}' four_bar 'four_bar {"start":{"alpha":1.4}}' \
+  'four_bar {"parameters":{"a":0.25}}' 'four_bar {"parameters":{"a":3},"refused":"constraint"}' heavy_top \
+  'formulas {"parameters":{"T":1.3}}' 'formulas {"until":9}' 'formulas {"parameters":{"d":0.003,"l":0.6}}' \
+  'formulas {"start":{"x":2},"held":{"w":0.3}}' 'formulas {"parameters":{"l":2},"refused":"range"}' \
+  "formulas {\"parameters\":{\"m_1\":4},\"refused\":\"the mass of body 'block' is -1 kg at the start, but must not be below zero\"}"; do
+  read -r model changes <<<"$line"
+  path=$(find "$SOURCE/systems" "$tests" -name "$model.toml" -print -quit)
+  [ -f "$here/$model.html" ] || "$PROGRAM" report "$path" -o "$here" >/dev/null 2>&1 || failed "$path"
+  node "$tests/command.mjs" "$PROGRAM" "$here/$model.html" "$path" ${changes:+"$changes"} || failed "copied as command line: $line"
+done
+node "$tests/settings.mjs" "$here/formulas.html" "$here/four_bar.html"
 mkdir "$here/again"
 "$PROGRAM" report "${models[0]}" -o "$here/again" >/dev/null 2>&1
 cmp "$here/$(basename "${models[0]}" .toml).html" "$here/again/$(basename "${models[0]}" .toml).html" || failed "other bytes"
