@@ -48,8 +48,13 @@ function broken_condition(scene, made, start) {
         const own = now.slice(place, place + values), same = own.every((value, i) => Object.is(value, before[place + i]));
         place += values;
         if (same || value_rules[rule](own)) continue;
+        const shown = rule === "inertia" ? principal_moments(own) : rule === "square_of_one" ? own.map(Math.sqrt) : own;
         let next = 0;
-        return text.replace(/\{\}/g, () => Number.isFinite(own[next]) ? number_text(own[next++], 6) : (++next, "no number")) + ".";
+        const next_text = () => {
+            const value = shown[next++];
+            return Number.isFinite(value) ? number_text(value, 6) : "no number";
+        };
+        return text.replace(/\{\}/g, next_text) + ".";
     }
     return "";
 }

@@ -20,7 +20,9 @@ struct ValueCondition {
     };
     Rule rule;
     std::vector<GiNaC::ex> values;
-    std::string text;  ///< a sentence for people, with {} in the places of values; without a full stop
+    /// A sentence for people without a full stop, with {} in the places of values, of the root of a square, or of the principal moments of
+    /// an inertia.
+    std::string text;
 };
 using ValueConditions = std::vector<ValueCondition>;
 const char* to_string(ValueCondition::Rule rule);

@@ -96,7 +96,11 @@ void check_body_values(const System& system, const Values& values, ValueConditio
     for (const auto& member : system.scene.bodies) check_signs(*member.item, member.name(), Translator::indices_of(member), system, value);
     for (const BodyMotion& body : system.bodies) {
         if (!body.has_tensor()) continue;
-        ValueCondition inertia{Rule::inertia, {}, fmt::format("no body has an inertia such as that of '{}'", body.member.item->name)};
+        ValueCondition inertia{Rule::inertia,
+                               {},
+                               fmt::format("the inertia of body '{}' has the principal moments {{}}, {{}} and {{}} kg*m^2; none can be "
+                                           "negative, and none larger than the sum of the others",
+                                           body.member.item->name)};
         for (const auto& row : body.tensor) inertia.values.insert(inertia.values.end(), row.begin(), row.end());
         value.note(std::move(inertia));
         check_tensor(body, system, at);
@@ -111,8 +115,7 @@ void check_body_values(const System& system, const Values& values, ValueConditio
         const SpaceVector direction = system.translate(cut.direction, Translator::indices_of(member));
         value.note({Rule::square_of_one,
                     {dot(direction, direction)},
-                    fmt::format("the direction of cut '{}' has a length at the start whose square is {{}}; a direction has the length 1",
-                                member.name())});
+                    fmt::format("the direction of cut '{}' has the length {{}} at the start; a direction has the length 1", member.name())});
         const auto square = value_at(system.symbols.without_definitions(dot(direction, direction)), at, 20);
         const double length = square ? std::sqrt(cln::double_approx(*square)) : 1;
         if (std::fabs(length - 1) > 1e-6)
@@ -133,7 +136,7 @@ void check_body_values(const System& system, const Values& values, ValueConditio
         const State& item = *system.scene.states[attitude.parts[0]].item;
         value.note({Rule::square_of_one,
                     {norm_square},
-                    fmt::format("the quaternion '{}' has a norm at the start whose square is {{}}; that of an orientation has the norm 1",
+                    fmt::format("the quaternion '{}' has the norm {{}} at the start; that of an orientation has the norm 1",
                                 item.name.substr(0, item.name.size() - 2))});
         if (std::fabs(norm - 1) <= 1e-6) continue;
         throw Failure(Diagnostic{Id::value_out_of_range, item.span,

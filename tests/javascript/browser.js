@@ -57,6 +57,24 @@
             if (text.value === now) found.errors.push("a slider changes nothing");
             found.slider = `${now} to ${text.value}`;
         }
+        // A field of a start value shows what the run starts from, until somebody fills it, and again when it is emptied.
+        const field_of = (name) => part("settings").querySelector(`input[type=text][aria-label="${name}"]`);
+        if (field_of("h_0") !== null && field_of("h") !== null) {
+            const starts_at = async (name, text) => {
+                part("status").textContent = "";
+                field_of(name).value = text;
+                field_of(name).dispatchEvent(new Event("change"));
+                await is_ready();
+                return [field_of("h").placeholder, /h = ([^ ]*) m/.exec(part("plots").textContent)[1]].join(" ");
+            };
+            for (const [name, text, shown] of [["h_0", "5", "5 5"], ["h", "3", "3 3"], ["h", "", "5 5"]])
+                if (await starts_at(name, text) !== shown) found.errors.push(`${name} = "${text}" does not start at ${shown}`);
+            part("status").textContent = "";
+            field_of("e").value = "1";
+            field_of("e").dispatchEvent(new Event("change"));
+            for (let i = 0; i < 100 && !/end of the run/.test(part("status").textContent); ++i) await wait(20);
+            if (!/end of the run/.test(part("status").textContent)) found.errors.push("no refusal: " + part("status").textContent);
+        }
         for (const svg of document.querySelectorAll("#plots svg"))
             svg.dispatchEvent(new PointerEvent("pointermove", {clientX: 200, clientY: 100}));
         for (const details of document.querySelectorAll("details")) details.open = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a page copies as command line makes the run that it shows, with all kinds of settings changed; where the page refuses values in
-// words, the command is refused, too: node command.mjs PROGRAM PAGE.html MODEL.toml [CHANGES]. CHANGES are JSON: { parameters, start,
-// held, until, refused }, the first three by names in SI; without them some of each kind are changed.
+// words, the command is refused, too: node command.mjs PROGRAM PAGE.html MODEL.toml [CHANGES]. CHANGES are JSON: { scene, parameters,
+// start, held, until, refused }, with values by names in SI; without them some of each kind are changed in the first scene.
 import {execSync} from "child_process";
 import fs from "fs";
 import os from "os";
@@ -10,8 +10,9 @@ import path from "path";
 import {script_of} from "./page.mjs";
 
 const [program, file, model, wished] = process.argv.slice(2);
-const page = await script_of(file), scene = page.scenes[0], settings = page.settings_of(scene), plant = scene.make();
-const changes = wished ? JSON.parse(wished) : null;
+const page = await script_of(file), changes = wished ? JSON.parse(wished) : null;
+const scene = page.scenes[changes !== null && changes.scene ? place_of(page.scenes, changes.scene) : 0];
+const settings = page.settings_of(scene), plant = scene.make();
 
 function place_of(list, name) {
     const place = list.findIndex((one) => one.name === name);
