@@ -1,7 +1,7 @@
 // A field for a number in a unit, with a slider where its range has two ends.
 
-/// `set` gets the number in SI, or null where the field may be empty and is. Returns { node, follow(value) }: what follow() says stands for
-/// an empty field.
+/// `set` gets the number in SI, or null where the field may be empty and is. Returns { node, follow(value) }: what follow() gets stands for
+/// an empty field; NaN for nothing.
 function make_field(quantity, unit, value, doc, set, may_be_empty = false) {
     const input = element("input", {
         type: "text",
@@ -49,8 +49,8 @@ function make_field(quantity, unit, value, doc, set, may_be_empty = false) {
     }
     const parts = [element("span", {}, quantity.name), input, element("span", {}, unit_text(unit))];
     const follow = (usual) => {
-        input.placeholder = number_text(in_unit(usual, unit), 8);
-        if (slider && input.value.trim() === "") slider.show(in_unit(usual, unit));
+        input.placeholder = Number.isFinite(usual) ? number_text(in_unit(usual, unit), 8) : "";
+        if (slider && Number.isFinite(usual) && input.value.trim() === "") slider.show(in_unit(usual, unit));
     };
     return {node: element("div", {class: "field"}, ...parts, ...(slider ? [slider.node] : []), note), follow};
 }
@@ -59,7 +59,7 @@ function make_field(quantity, unit, value, doc, set, may_be_empty = false) {
 function make_slider(name, low, high) {
     const is_by_powers = low > 0 && high / low > 50;
     const place = (value) => is_by_powers ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low);
-    const node = element("input", {type: "range", min: 0, max: 1, step: "any", "aria-label": `${name}, slider`});
+    const node = element("input", {type: "range", min: 0, max: 1, step: "any", value: 0.5, "aria-label": `${name}, slider`});
     return {
         node,
         show: (value) => { node.value = place(value); },

@@ -55,6 +55,7 @@ class Player {
             const duration = performance.now() - begin, rows = this.recording.rows;
             if (rows.length === 0) {  // nothing to show
                 this.part("status").textContent = this.refused + this.recording.message;
+                for (const [field] of this.following) field.follow(NaN);
                 for (const id of ["drawing", "plots", "events"]) this.part(id).replaceChildren();
                 this.part("now").textContent = "";
                 this.plots = [];

@@ -10,7 +10,8 @@ function make_plot(x, curves, events, room) {
     const width = Math.max(280, Math.min(640, room)), height = 240, left = 60, right = 12, top = 12, bottom = 38;
     const step = width < 450 ? 2 : 1;  // of numbers below the axis
     const all = curves.flatMap((curve) => curve.values).filter(Number.isFinite);
-    const [x_low, x_high] = x.is_time ? [x.values[0], Math.max(x.values[x.values.length - 1], x.values[0] + 1e-300)] : axis_bounds(x.values);
+    const [x_low, x_high] =
+        x.is_time ? [x.values[0], Math.max(x.values[x.values.length - 1], x.values[0] + 1e-300)] : axis_bounds(x.values);
     const [y_low, y_high] = axis_bounds(all);
     const across = (value) => left + (width - left - right) * (value - x_low) / (x_high - x_low || 1);
     const up = (value) => height - bottom - (height - top - bottom) * (value - y_low) / (y_high - y_low);

@@ -61,7 +61,9 @@ function run_scene(scene, settings) {
     const refusal = (message) => ({rows: [], events: [], is_good: false, ends: false, t: 0, message, steps: 0, implicit_steps: 0, made});
     const until = end_of(scene, settings, made);
     if (!(until >= shortest_run && until <= longest_run))
-        return refusal(`The end of the run is ${Number.isFinite(until) ? `${until} s` : "no number"} with these parameters.`);
+        return refusal(
+            `The end of the run is ${Number.isFinite(until) ? `${until} s` : "no number"} with these parameters. ` +
+            "The field \"until\" can set another one.");
     const {start, refused} = start_of(scene, settings, made);
     if (refused) return refusal(refused);
     const written = scene.inputs === null ? null : scene.inputs(made.parameter_values);

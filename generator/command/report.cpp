@@ -33,7 +33,8 @@ std::optional<std::string> missing_run(const Model& model, const std::string& ru
                                   : "none of the runs of the model is called `reference`, so --run must name one";
     if (found->scene.empty() || found->scene == scene.base) return std::nullopt;
     return fmt::format(
-        "the model has no run of it; a table [runs.{0}], with scene = \"{0}\" and the length of the run in s as `until`, makes one", scene.base);
+        "the model has no run of it; a table [runs.{0}], with scene = \"{0}\" and the length of the run in s as `until`, makes one",
+        scene.base);
 }
 
 /// The scene with the run that `simulate` would make of it, or without one and the reason.

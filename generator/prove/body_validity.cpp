@@ -115,7 +115,8 @@ void check_body_values(const System& system, const Values& values, ValueConditio
         const SpaceVector direction = system.translate(cut.direction, Translator::indices_of(member));
         value.note({Rule::square_of_one,
                     {dot(direction, direction)},
-                    fmt::format("the direction of cut '{}' has the length {{}} at the start; a direction has the length 1", member.name())});
+                    fmt::format("the direction of cut '{}' has the length {{}} at the start; a direction has the length 1",
+                                member.name())});
         const auto square = value_at(system.symbols.without_definitions(dot(direction, direction)), at, 20);
         const double length = square ? std::sqrt(cln::double_approx(*square)) : 1;
         if (std::fabs(length - 1) > 1e-6)

@@ -31,7 +31,8 @@ for line in cart_pendulum bouncing_ball 'bouncing_ball {"parameters":{"e":0.9}}'
   'four_bar {"parameters":{"a":0.25}}' 'four_bar {"parameters":{"a":3},"refused":"constraint"}' heavy_top \
   'heavy_top {"scene":"attitude","parameters":{"J":0.0011}}' 'heavy_top {"scene":"attitude","start":{"e_0":0.8,"e_1":0.6}}' \
   "heavy_top {\"scene\":\"attitude\",\"start\":{\"e_0\":0.9},\"refused\":\"the quaternion 'e' has the norm 1.0\"}" \
-  'free_body {"parameters":{"J_3":3.5},"refused":"has the principal moments 1, 2 and 3.5 kg*m^2; no"}' 'stick_slip {"parameters":{"mu_C":0.9},"refused":"coefficient"}' \
+  'free_body {"parameters":{"J_3":3.5},"refused":"has the principal moments 1, 2 and 3.5 kg*m^2; no"}' \
+  'stick_slip {"parameters":{"mu_C":0.9},"refused":"coefficient"}' \
   'formulas {"parameters":{"T":1.3}}' 'formulas {"until":9}' 'formulas {"parameters":{"d":0.003,"l":0.6}}' \
   'formulas {"start":{"x":2},"held":{"w":0.3}}' 'formulas {"parameters":{"l":2},"refused":"range"}' \
   "formulas {\"parameters\":{\"m_1\":4},\"refused\":\"the mass of body 'block' is -1 kg at the start, but must not be below zero\"}"; do

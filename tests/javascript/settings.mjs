@@ -21,7 +21,8 @@ function read_of(read) {
 const as_model = JSON.stringify(page.settings_of(scene));
 
 for (const read of [{}, page.settings_of(scene), {until: null}])
-    check(read_of(read).words === "" && JSON.stringify(read_of(read).settings) === as_model, "not as the model says: " + JSON.stringify(read));
+    check(read_of(read).words === "" && JSON.stringify(read_of(read).settings) === as_model,
+          "not as the model says: " + JSON.stringify(read));
 for (const [read, word] of [
          [null, "no settings"], [[1], "no settings"], ["text", "no settings"], [{until: -1}, "until"], [{until: "9"}, "until"],
          [{tolerance: 1}, "tolerance"], [{parameters: [1]}, "a list of 8 numbers"], [{parameters: {m_0: 1}}, "a list of 8 numbers"],
@@ -32,7 +33,8 @@ for (const [read, word] of [
     check(JSON.stringify(settings) === as_model, `an address with ${JSON.stringify(read)} changes settings`);
 }
 const good = {until: 2, tolerance: 1e-6, parameters: scene.parameters.map((value) => 2 * value), start: {0: 3}, held: [1, null]};
-check(read_of(good).words === "" && JSON.stringify(read_of(good).settings) === JSON.stringify(good), "good settings of an address are not taken");
+check(read_of(good).words === "" && JSON.stringify(read_of(good).settings) === JSON.stringify(good),
+      "good settings of an address are not taken");
 
 /// A run with some parameters and start values.
 function run_with(parameters, start = {}) {
@@ -48,7 +50,8 @@ for (const [parameters, words] of [
          [{m_1: 4}, "The mass of body 'block' is -1 kg at the start, but must not be below zero."], [{T: 0}, "The end of the run is 0 s"],
          [{T: -1}, "The end of the run is -5 s"], [{l: 11}, "start of 'x' is 22 m"], [{F: 100}, "input 'w' is -1.5 N"]]) {
     const run = run_with(parameters);
-    check(run.rows.length === 0 && !run.is_good && run.message.includes(words), `${JSON.stringify(parameters)} is answered with "${run.message}"`);
+    check(run.rows.length === 0 && !run.is_good && run.message.includes(words),
+          `${JSON.stringify(parameters)} is answered with "${run.message}"`);
 }
 // A kick of 0.02 s gives the momentum F*d wherever it is, however long steps are.
 const settings = page.settings_of(scene);
