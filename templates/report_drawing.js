@@ -2,7 +2,8 @@
 
 /// `places`: for each row of the run the coordinates of all points. `across`: pixels. Returns { node, show(i) }.
 function make_drawing(scene, places, across) {
-    const width = Math.max(280, Math.min(640, across)), height = Math.round(0.75 * width), room = 36;
+    const width = Math.max(280, Math.min(640, across)), room = 36;
+    let height = Math.round(0.75 * width);
     const svg = element("svg", {viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Drawing of ${scene.bodies.join(", ")}`});
     const count = scene.framed, is_planar = scene.plane.length > 0;
     let turn = is_planar ? 0 : -0.6, tilt = is_planar ? 0 : 0.45, shown = 0;
@@ -58,6 +59,11 @@ function make_drawing(scene, places, across) {
         for (const wall of walls)
             if (wall !== null) places.forEach((p) => see(wall(p), 0));
         if (!(x_low <= x_high)) [x_low, x_high, y_low, y_high] = [-1, 1, -1, 1];
+        if (is_planar) {  // no higher than needed
+            const wanted = 2 * room + (y_high - y_low) / (x_high - x_low) * (width - 2 * room);
+            height = Math.round(Math.min(0.75 * width, Math.max(0.3 * width, Number.isFinite(wanted) ? wanted : Infinity)));
+            svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+        }
         const span = Math.max((x_high - x_low) / (width - 2 * room), (y_high - y_low) / (height - 2 * room)) || 1 / width;
         view = {x: (x_low + x_high) / 2, y: (y_low + y_high) / 2, span};
     };

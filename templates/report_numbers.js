@@ -60,7 +60,7 @@ function axis_digits(low, high) {
 }
 
 function element(name, attributes = {}, ...children) {
-    const is_svg = ["svg", "g", "path", "line", "circle", "rect", "text", "polyline"].includes(name);
+    const is_svg = ["svg", "g", "path", "line", "circle", "rect", "text", "polyline", "title"].includes(name);
     const made = is_svg ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
     for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
     made.append(...children);

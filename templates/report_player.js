@@ -91,20 +91,22 @@ class Player {
         add.replaceChildren(
             element("option", {value: ""}, "add ..."),
             ...this.columns.slice(1).map((one) => element("option", {value: one.name}, one.name)));
-        if (scene.place === null || scene.bodies.length === 0)
-            this.drawing =
-                make_levels(this.columns.slice(1, 1 + scene.states.length + scene.outputs.length), this.part("drawing").clientWidth);
-        else {
+        const across = this.part("drawing").clientWidth;
+        this.drawings = [];
+        if (scene.place !== null && scene.bodies.length > 0) {
             const place = scene.place(this.recording.made.parameter_values);
-            this.drawing = make_drawing(
+            this.drawings.push(make_drawing(
                 scene, this.recording.rows.map((row) => {
                     const points = new Float64Array(3 * scene.points);
                     place(row.t, row.x, points);
                     return points;
                 }),
-                this.part("drawing").clientWidth);
+                across));
         }
-        this.part("drawing").replaceChildren(this.drawing.node);
+        if (scene.network) this.drawings.push(make_network(scene.network, network_rows(scene, this.recording), across));
+        if (this.drawings.length === 0)
+            this.drawings.push(make_levels(this.columns.slice(1, 1 + scene.states.length + scene.outputs.length), across));
+        this.part("drawing").replaceChildren(...this.drawings.map((drawing) => drawing.node));
         this.part("events").replaceChildren(...this.event_list());
         this.row = 0;
         this.draw_plots();
@@ -159,7 +161,7 @@ class Player {
         this.row = Math.max(0, Math.min(row, rows.length - 1));
         const now = rows[this.row];
         for (const plot of this.plots) plot.show(this.row, is_quick);
-        this.drawing.show(this.row);
+        for (const drawing of this.drawings) drawing.show(this.row, is_quick);
         this.shown = now.t;
         this.part("time").value = now.t;
         this.part("now").textContent = `t = ${number_text(now.t / this.columns[0].factor, 4)} ${this.columns[0].unit}` +
@@ -288,6 +290,7 @@ globalThis.dalembert_page = {
     settings_of,
     check_settings,
     run_scene,
+    network_rows,
     columns_of,
     command_of,
     tick_texts: (values) => {

@@ -72,6 +72,8 @@ set(embedded
     templates/report_numbers.js
     templates/report_plot.js
     templates/report_drawing.js
+    templates/report_network.js
+    templates/report_network_parts.js
     templates/report_field.js
     templates/report_start.js
     templates/report_times.js

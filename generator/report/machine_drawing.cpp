@@ -10,9 +10,7 @@
 #include <tuple>
 
 #include "elements/bodies.hpp"
-#include "elements/fluids.hpp"
 #include "elements/forces.hpp"
-#include "elements/heat.hpp"
 
 namespace dalembert {
 
@@ -263,10 +261,6 @@ private:
         tell(springs_not_drawn_, "spring", "springs");
         tell(scene.dampers.size(), "damper", "dampers");
         tell(scene.forces.size() + scene.torques.size(), "force or torque", "forces and torques");
-        tell(scene.volumes.size(), "volume of a fluid", "volumes of fluids");
-        tell(scene.flows.size(), "flow", "flows");
-        tell(scene.nodes.size(), "node that stores heat", "nodes that store heat");
-        tell(scene.rods.size(), "rod that conducts heat", "rods that conduct heat");
         for (const ConstraintEquation& c : system_.constraints)
             if (c.holds) {
                 drawing_.not_drawn.push_back("the joints of constraints");
@@ -283,6 +277,12 @@ private:
 
 }  // namespace
 
-MachineDrawing drawing_of(const System& system) { return DrawingMaker(system).run(); }
+MachineDrawing drawing_of(const Machine& machine) {
+    MachineDrawing drawing = DrawingMaker(*machine.system).run();
+    drawing.networks = networks_of(machine);
+    const std::vector<std::string>& more = drawing.networks.front().not_drawn;
+    drawing.not_drawn.insert(drawing.not_drawn.end(), more.begin(), more.end());
+    return drawing;
+}
 
 }  // namespace dalembert

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "form/system.hpp"
+#include "report/network_drawing.hpp"
 
 namespace dalembert {
 
@@ -36,9 +36,10 @@ struct MachineDrawing {
     std::vector<Bar> bars;
     std::vector<DrawnSpring> springs;
     std::vector<std::size_t> plane;      ///< the two axes of the picture; none: in space
+    std::vector<NetworkDrawing> networks;  ///< of fluids and heat, one a mode
     std::vector<std::string> not_drawn;  ///< what the page lists
 };
 
-MachineDrawing drawing_of(const System& system);
+MachineDrawing drawing_of(const Machine& machine);
 
 }  // namespace dalembert

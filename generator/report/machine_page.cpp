@@ -166,7 +166,7 @@ std::string machine_page(const Model& model, const std::string& file, std::vecto
     std::string modules, objects, sections, links;
     for (ScenePage& scene : scenes) {
         const Scene& s = scene.derived().system->scene;
-        const MachineDrawing drawing = drawing_of(*scene.derived().system);
+        const MachineDrawing drawing = drawing_of(scene.derived());
         ReportResult::Scene told{s.name, scene.run.has_value(), scene.reason, drawing.bodies.size(), {}};
         for (const CheckedScene::Group& group : scene.proofs.groups)
             for (const CheckedScene::Proof& proof : group.proofs) told.proofs.add(proof.verdict);
@@ -186,7 +186,7 @@ std::string machine_page(const Model& model, const std::string& file, std::vecto
     if (!objects.empty()) {
         script = javascript_runtime() + modules + "const scenes = [\n" + objects +
                  "];\nconst first_scene = " + js_string(result.first_scene) + ";\n";
-        for (const char* part : {"numbers", "plot", "drawing", "field", "start", "times", "runs", "player"})
+        for (const char* part : {"numbers", "plot", "drawing", "network_parts", "network", "field", "start", "times", "runs", "player"})
             script += embedded_file(fmt::format("report_{}.js", part));
         script = "<script type=\"module\">\n" + in_script(script) + "</script>\n";
     }

@@ -16,6 +16,7 @@
 #include "graph/notation.hpp"
 #include "js/module.hpp"
 #include "js/print.hpp"
+#include "language/lexer.hpp"
 #include "run/plant_run.hpp"
 
 namespace dalembert {
@@ -80,11 +81,12 @@ public:
         json["points"] = drawing_.coordinates.size() / 3;
         json["framed"] = drawing_.framed;
         json["plane"] = drawing_.plane;
-        const std::string functions =
-            fmt::format("inputs: {}, place: {}, end_of_run: {}, start_values: {}, checked_values: {}, held: {}, switches: {}",
-                        written(run_.settings.inputs, "u", "t, x, u"), written(drawing_.coordinates, "points", "t, x, points"),
-                        formulas_.end ? written({*formulas_.end}, "end", "end") : "null", written(formulas_.start, "start", "start"),
-                        conditions(json), held(json), switches());
+        add_network(json);
+        const std::string functions = fmt::format(
+            "inputs: {}, place: {}, end_of_run: {}, start_values: {}, checked_values: {}, held: {}, switches: {}, network_values: {}",
+            written(run_.settings.inputs, "u", "t, x, u"), written(drawing_.coordinates, "points", "t, x, points"),
+            formulas_.end ? written({*formulas_.end}, "end", "end") : "null", written(formulas_.start, "start", "start"), conditions(json),
+            held(json), switches(), network_values());
         return {js_module(run_.header.plant, name, "// SPDX-License-Identifier: BSL-1.0"),
                 fmt::format("{{ ...{}, make: {}, {} }}", script_json(json), name, functions)};
     }
@@ -149,6 +151,70 @@ private:
                                 written_function(code, run_.header.plant, functions, "values", "t, values"),
                                 written_function(code, run_.header.plant, rates, "values", "values"));
         }
+        return "[" + list + "]";
+    }
+
+    /// Parts, links and layouts of the network of fluids and heat; none where there is nothing of it.
+    void add_network(Json& json) const {
+        const NetworkDrawing& network = drawing_.networks.front();
+        if (network.empty()) return;
+        const auto place = [](const NetworkDrawing::Place& one) { return one ? Json(*one) : Json(); };
+        const auto points = [](const std::vector<GridPoint>& list) {
+            Json rows = Json::array();
+            for (const GridPoint& one : list) rows.push_back({one.column, one.row});
+            return rows;
+        };
+        Json& made = json["network"];
+        for (const NetworkDrawing::Part& part : network.parts)
+            made["parts"].push_back({{"name", part.name},
+                                     {"kind", part.kind},
+                                     {"pressure", place(part.pressure)},
+                                     {"temperature", place(part.temperature)},
+                                     {"size", place(part.size)},
+                                     {"cells", place(part.cells)},
+                                     {"count", part.cell_count},
+                                     {"across", part.cells_across}});
+        made["links"] = Json::array();
+        for (const NetworkDrawing::Link& link : network.links)
+            made["links"].push_back({{"name", link.name},
+                                     {"kind", link.kind},
+                                     {"from", link.from},
+                                     {"to", link.to},
+                                     {"is_heat", link.is_heat},
+                                     {"flow", place(link.flow)}});
+        for (const LayeredLayout& layout : network.layouts) {
+            Json paths = Json::array();
+            for (const auto& path : layout.paths) paths.push_back(points(path));
+            made["layouts"].push_back({{"columns", layout.columns},
+                                       {"rows", layout.rows},
+                                       {"parts", points(layout.nodes)},
+                                       {"stations", points(layout.stations)},
+                                       {"paths", paths},
+                                       {"headings", layout.headings}});
+        }
+        made["count"] = network.values.size();
+        for (const auto& [name, si] :
+             {std::pair{"pressure", "Pa"}, {"temperature", "K"}, {"size", "m^3"}, {"mass_flow", "kg/s"}, {"heat", "W"}})
+            made["units"][name] = usual_unit(si);
+    }
+
+    /// That of the first quantity of the model that has the dimension and a unit other than SI, states before others.
+    Json usual_unit(const std::string& si) const {
+        const Dimension wanted = parse_unit(excerpt_of(std::make_shared<const Source>("unit", si))).dimension;
+        for (const SymbolKind kind : {SymbolKind::state, SymbolKind::input, SymbolKind::parameter})
+            for (const Variable& variable : system_.symbols.all(kind))
+                if (variable.declared != nullptr && variable.declared->unit.dimension == wanted && !variable.declared->unit.is_coherent())
+                    return unit_json(variable.declared->unit);
+        return unit_json(si, 1, 0);
+    }
+
+    std::string network_values() {
+        if (drawing_.networks.front().empty()) return "null";
+        std::string list;
+        for (std::size_t i = 0; i < drawing_.networks.size(); ++i)
+            list += written_function(i == 0 ? *run_.machine.code : *run_.machine.other_modes[i - 1].code, run_.header.plant,
+                                     drawing_.networks[i].values, "values", "t, x, u, values") +
+                    ", ";
         return "[" + list + "]";
     }
 

@@ -12,6 +12,8 @@ command -v node >/dev/null || failed "node is missing (on Debian: apt-get instal
 tests=$SOURCE/tests/javascript
 "$PROGRAM" report "$tests/hostile.toml" -o "$here" >/dev/null 2>&1 || failed "hostile.toml"
 node "$tests/hostile.mjs" "$here/hostile.html"
+"$PROGRAM" report "$tests/network.toml" -o "$here" >/dev/null || failed "network.toml"
+node "$tests/network.mjs" "$here/network.html"
 models=()
 bad=()
 for model in "$@"; do models+=("$SOURCE"/systems/*/"$model".toml); done

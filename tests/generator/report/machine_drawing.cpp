@@ -15,7 +15,7 @@ namespace {
 /// The drawing of bodies, which may turn by angles a and b.
 MachineDrawing drawing(const std::string& bodies) {
     const Machine machine = machine_from("[coordinates]\na = { unit = \"rad\" }\nb = { unit = \"rad\" }\n" + bodies);
-    return drawing_of(*machine.system);
+    return drawing_of(machine);
 }
 /// Whether a point is there, for a = 1 and b = 2.
 bool is_at(const MachineDrawing& drawn, std::size_t point, double x, double y) {
@@ -30,6 +30,27 @@ bool is_at(const MachineDrawing& drawn, std::size_t point, double x, double y) {
 }
 
 }  // namespace
+
+TEST_CASE("networks of fluids and heat have the parts and links of the scene, in all of its modes") {
+    const MachineDrawing cylinder = drawing_of(machine_of("hydraulics/hydraulic_cylinder", "leaking"));
+    REQUIRE(cylinder.networks.size() == 1);
+    const NetworkDrawing& network = cylinder.networks[0];
+    const auto kinds = [](const NetworkDrawing& of) {
+        std::string text;
+        for (const NetworkDrawing::Part& part : of.parts) text += part.name + ": " + part.kind + "; ";
+        for (const NetworkDrawing::Link& link : of.links)
+            text += link.name + ": " + link.kind + " " + of.parts[link.from].name + " - " + of.parts[link.to].name + "; ";
+        return text;
+    };
+    CHECK(kinds(network) == "chamber_1: cylinder; chamber_2: cylinder; supply: reservoir; tank: reservoir; "
+                            "inlet_1:  supply - chamber_1; inlet_2:  tank - chamber_2; leak: laminar chamber_1 - chamber_2; ");
+    const MachineDrawing valve = drawing_of(machine_of("pneumatics/check_valve"));
+    CHECK(valve.networks.size() == 2);
+    CHECK(valve.networks[0].values.size() == valve.networks[1].values.size());
+    CHECK(valve.not_drawn.empty());
+    const MachineDrawing wall = drawing_of(machine_of("heat/pipe_wall"));
+    CHECK(kinds(wall.networks[0]).starts_with("wall: cells; insulation: cells; flowing_water: held; air: held; "));
+}
 
 TEST_CASE("bars of drawings end where inertia or other bars tell, and begin at the joint next to the body") {
     const std::string first = "[bodies.first]\nmass = \"3 kg\"\nposition = [\"(1 m)*cos(a)\", \"(1 m)*sin(a)\"]\nrotation = \"a\"\n";

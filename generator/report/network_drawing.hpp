@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of fluids and heat can be drawn without a word of the model about it: volumes that fill, reservoirs, junctions, nodes and rods, and
+// between them flows of mass and heat. What is measured of them are functions of the state, the time and inputs.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline.hpp"
+#include "report/layered_layout.hpp"
+
+namespace dalembert {
+
+struct NetworkDrawing {
+    /// A value by its place among the values.
+    using Place = std::optional<std::size_t>;
+
+    struct Part {
+        std::string name;
+        std::string
+            kind;  ///< "tank", "cylinder", "vessel", "reservoir", "junction", "node", "held", "sought", "cells", "enclosure", "outside"
+        Place pressure, temperature, size;
+        Place cells = {};  ///< the first of the temperatures of a rod or block
+        std::size_t cell_count = 0, cells_across = 0;
+    };
+    struct Link {
+        std::string name;
+        std::string kind;  ///< the law of a flow, or "heat" and "radiation"
+        std::size_t from, to;
+        bool is_heat;
+        Place flow;  ///< kg/s or W from `from` to `to`; nothing where it depends on accelerations
+    };
+    std::vector<Part> parts;
+    std::vector<Link> links;
+    std::vector<GiNaC::ex> values;
+    std::vector<LayeredLayout> layouts;  ///< for narrow and for wide pages
+    std::vector<std::string> not_drawn;
+
+    bool empty() const { return parts.empty(); }
+};
+
+NetworkDrawing network_of(const System& system);
+
+/// In each mode, that of the machine first: all but the values is the same, or nothing is drawn.
+std::vector<NetworkDrawing> networks_of(const Machine& machine);
+
+}  // namespace dalembert
