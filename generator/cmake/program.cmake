@@ -68,6 +68,7 @@ set(embedded
     templates/reference.html.in
     templates/report.html.in
     templates/report.css
+    templates/report_index.html.in
     templates/report_player.html
     templates/report_numbers.js
     templates/report_plot.js

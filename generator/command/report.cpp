@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "book/printed_verdicts.hpp"
+#include "command/report.hpp"
 #include "command/write_result.hpp"
 #include "elements/model.hpp"
 #include "elements/runs.hpp"
-#include "report/machine_page.hpp"
+#include "report/small_plot.hpp"
+#include "run/plant_run.hpp"
 #include "run/run_preparation.hpp"
 #include "run/shared.hpp"
 
@@ -61,9 +65,22 @@ ScenePage prepare_scene(const std::shared_ptr<const LoadedModel>& model, const s
     return page;
 }
 
+/// A small plot of the run as `simulate` makes it; empty where there is none, as without a compiler.
+std::string picture_of(const PreparedRun& run, const Options& options) {
+    if (run.settings.plots.empty()) return {};
+    const Plot& plot = run.settings.plots.front();
+    try {
+        const PlantLibrary library(source_of_plant(*run.machine.code, run.header, run.settings), plant_cache(options));
+        const PlantRunResult result = simulate_plant(library.table(), run_of_plant(*run.machine.system, run.values, run.settings));
+        return small_plot(for_plots(result.recording, shown_units(*run.machine.system)), {plot.title, plot.x, plot.y});
+    } catch (const Failure&) {
+        return {};
+    }
+}
+
 }  // namespace
 
-ExitCode report_command(const Options& options, Streams streams) {
+MadePage make_page(const Options& options, Streams streams, bool with_picture) {
     const auto model = loaded(options, streams);
     const std::vector<std::string> names = options.choice.scene.empty()
                                                ? scene_names(model->model)
@@ -77,13 +94,52 @@ ExitCode report_command(const Options& options, Streams streams) {
         printed.add(*machine.system);
         for (const Machine& other : machine.other_modes) printed.add(*other.system);
     }
-    ReportResult result;
-    result.model = model->model.name;
+    MadePage made;
+    ReportResult::Page& told = made.told;
+    told.model = model->model.name;
     const Run* usual = find_run(model->model, options.run);
-    result.first_scene = usual != nullptr && !usual->scene.empty() ? usual->scene : model->model.default_scene;
-    result.page = std::filesystem::path(options.output) / (model->model.name + ".html");
+    told.first_scene = usual != nullptr && !usual->scene.empty() ? usual->scene : model->model.default_scene;
+    told.page = std::filesystem::path(options.output) / (model->model.name + ".html");
     const std::string file = std::filesystem::path(options.choice.model).filename().string();
-    write_files({{result.page, machine_page(model->model, file, scenes, printed.rows(), result)}});
+    made.html = machine_page(model->model, file, scenes, printed.rows(), told);
+    if (!with_picture) return made;
+    const auto shown = std::find_if(scenes.begin(), scenes.end(), [&](const ScenePage& scene) {
+        return scene.run && (scenes.size() == 1 || scene.run->machine.system->scene.name == told.first_scene);
+    });
+    if (shown != scenes.end()) told.picture = picture_of(*shown->run, options);
+    return made;
+}
+
+ExitCode report_command(const Options& options, Streams streams) {
+    ReportResult result;
+    FileContents files;
+    const bool has_index = options.models.size() > 1;
+    if (has_index) result.index = std::filesystem::path(options.output) / "index.html";
+    std::map<std::filesystem::path, std::string> taken;
+    for (const std::string& path : options.models) {
+        Options one = options;
+        one.choice.model = path;
+        MadePage made = make_page(one, streams, has_index);
+        if (made.told.page == result.index)
+            throw Failure(
+                Diagnostic{Id::bad_option,
+                           {},
+                           fmt::format("{} is a model called 'index', and its page would take the place of the list of pages", path)});
+        const auto [same, is_new] = taken.emplace(made.told.page, path);
+        if (!is_new)
+            throw Failure(Diagnostic{Id::bad_option,
+                                     {},
+                                     fmt::format("{} and {} are models called '{}', and their pages would have the same name; "
+                                                 "give them to two calls with different folders",
+                                                 same->second, path, made.told.model)});
+        if (has_index)
+            streams.err << fmt::format("  [{:>2}/{}] {}: {} kB\n", result.pages.size() + 1, options.models.size(), made.told.model,
+                                       (made.html.size() + 500) / 1000);
+        files.emplace_back(made.told.page, std::move(made.html));
+        result.pages.push_back(std::move(made.told));
+    }
+    if (has_index) files.emplace_back(result.index, index_page(result));
+    write_files(files);
     write_result(result, options, streams);
     return ExitCode::good;
 }

@@ -94,9 +94,12 @@ void take_export(VerbOptions& o) {
 }
 
 void take_report(VerbOptions& o) {
-    o.model();
+    o.files("MODELS", "model files; of several, index.html lists the pages");
+    o.add("--scene", o.options.choice.scene, "scene of a single model; all of its scenes if left out");
+    o.sizes("size of a family, as N=5");
     o.output();
     o.run("run of the page; `reference` or the only one if left out");
+    o.cache();
     o.format();
 }
 
@@ -338,7 +341,7 @@ constexpr auto table = std::to_array<Verb>({
     {"survey", "check, generate and simulate several models; print a table", survey_command, take_survey},
     {"gallery", "write gallery.html and GALLERY.md: a small plot, numbers, traits, verdicts and links for each of several models",
      gallery_command, take_gallery},
-    {"report", "write NAME.html: a page that shows the machine, its equations and proofs, and runs it; it needs nothing else",
+    {"report", "write NAME.html for each model: a page that shows the machine, its equations and proofs, and runs it; it needs nothing else",
      report_command, take_report},
     {"effects", "measure the cost of each scene and effect, and the error of leaving it out; write CSV and a plot", effects_command,
      take_effects},

@@ -98,7 +98,7 @@ constexpr auto of_generate = std::to_array<JsonField>({
 });
 
 constexpr auto of_report = std::to_array<JsonField>({
-    {"page", "path of the page"},
+    {"page", "path of the page, of one model"},
     {"bytes", "size of the page in bytes"},
     {"scenes[].scene", "name of a scene"},
     {"scenes[].runs", "true if the page runs the scene"},
@@ -106,6 +106,12 @@ constexpr auto of_report = std::to_array<JsonField>({
     {"scenes[].bodies_drawn", "number of bodies in the drawing of the scene"},
     {"scenes[].proofs.<VERDICT>", "number of identities of the scene with this verdict; `entries` is the number of all"},
     {"printed.<VERDICT>", "number of printed equations with this verdict; `entries` is the number of all"},
+    {"index", "path of the page that lists the pages of several models"},
+    {"pages[].model", "name of one of several models"},
+    {"pages[].page", "path of its page"},
+    {"pages[].bytes", "size of its page in bytes"},
+    {"pages[].scenes", "number of its scenes"},
+    {"pages[].scenes_that_run", "number of the scenes that its page runs"},
 });
 
 constexpr auto of_check = std::to_array<JsonField>({

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,7 +13,6 @@
 #include "emit/mathml.hpp"
 #include "js/print.hpp"
 #include "js/runtime.hpp"
-#include "report/json_output.hpp"
 #include "report/machine_equations.hpp"
 #include "report/machine_script.hpp"
 #include "text/template.hpp"
@@ -161,13 +161,23 @@ std::string in_script(std::string text) {
 
 }  // namespace
 
+std::size_t ReportedPage::running_scenes() const {
+    return static_cast<std::size_t>(std::count_if(scenes.begin(), scenes.end(), [](const Scene& scene) { return scene.runs; }));
+}
+
+VerdictCounts ReportedPage::proofs() const {
+    VerdictCounts counts;
+    for (const Scene& scene : scenes) counts.add(scene.proofs);
+    return counts;
+}
+
 std::string machine_page(const Model& model, const std::string& file, std::vector<ScenePage>& scenes,
-                         const std::vector<PrintedRow>& printed, ReportResult& result) {
+                         const std::vector<PrintedRow>& printed, ReportedPage& result) {
     std::string modules, objects, sections, links;
     for (ScenePage& scene : scenes) {
         const Scene& s = scene.derived().system->scene;
         const MachineDrawing drawing = drawing_of(scene.derived());
-        ReportResult::Scene told{s.name, scene.run.has_value(), scene.reason, drawing.bodies.size(), {}};
+        ReportedPage::Scene told{s.name, scene.run.has_value(), scene.reason, drawing.bodies.size(), {}};
         for (const CheckedScene::Group& group : scene.proofs.groups)
             for (const CheckedScene::Proof& proof : group.proofs) told.proofs.add(proof.verdict);
         if (scene.run) {
@@ -182,6 +192,8 @@ std::string machine_page(const Model& model, const std::string& file, std::vecto
     for (const PrintedRow& row : printed) result.printed.add(row.verdict());
     if (!printed.empty()) links += "<a href=\"#printed\">printed equations</a>";
     const std::string title = model.title.empty() ? model.name : model.title;
+    result.title = title;
+    result.doc = model.doc;
     std::string script;
     if (!objects.empty()) {
         script = javascript_runtime() + modules + "const scenes = [\n" + objects +
@@ -203,33 +215,6 @@ std::string machine_page(const Model& model, const std::string& file, std::vecto
                        {"SCRIPT", script}});
     result.bytes = page.size();
     return page;
-}
-
-std::string as_text(const ReportResult& result) {
-    std::string text = fmt::format("{}: {} bytes\n", result.page.string(), result.bytes);
-    for (const ReportResult::Scene& scene : result.scenes) {
-        const std::string how =
-            scene.runs ? "runs in the page" : "does not run in the page: " + scene.reason.substr(0, scene.reason.find_last_not_of('.') + 1);
-        text += fmt::format("  scene {}: {}; {}{}\n", scene.name, scene.proofs.line("proofs"), how,
-                            scene.drawn == 0 ? "" : fmt::format(", {} {} drawn", scene.drawn, scene.drawn == 1 ? "body" : "bodies"));
-    }
-    if (result.printed.entries > 0) text += "  " + result.printed.line() + "\n";
-    return text;
-}
-
-nlohmann::ordered_json as_json(const ReportResult& result) {
-    nlohmann::ordered_json json = json_result("report", result.model);
-    json["page"] = result.page.string();
-    json["bytes"] = result.bytes;
-    json["scenes"] = nlohmann::ordered_json::array();
-    for (const ReportResult::Scene& scene : result.scenes) {
-        nlohmann::ordered_json one{
-            {"scene", scene.name}, {"runs", scene.runs}, {"bodies_drawn", scene.drawn}, {"proofs", scene.proofs.json()}};
-        if (!scene.runs) one["reason"] = scene.reason;
-        json["scenes"].push_back(std::move(one));
-    }
-    json["printed"] = result.printed.json();
-    return json;
 }
 
 }  // namespace dalembert

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The result of `dalembert report`: a page that shows a machine, its equations and proofs, and runs it.
+// A page that shows a machine, its equations and proofs, and runs it.
 #pragma once
 
 #include "report/check.hpp"
@@ -20,7 +20,8 @@ struct ScenePage {
     const Machine& derived() const { return run ? run->machine : *machine; }
 };
 
-struct ReportResult {
+/// What is to be told of a page.
+struct ReportedPage {
     struct Scene {
         std::string name;
         bool runs;
@@ -28,19 +29,19 @@ struct ReportResult {
         std::size_t drawn;   ///< bodies of the drawing
         VerdictCounts proofs;
     };
-    std::string model;
+    std::string model, title, doc;
     std::string first_scene;  ///< that the page shows first
     std::filesystem::path page;
     std::size_t bytes = 0;
     std::vector<Scene> scenes;
     VerdictCounts printed;
+
+    std::size_t running_scenes() const;
+    VerdictCounts proofs() const;  ///< of all scenes
 };
 
 /// Writes the page and what is to be told of it. `file`: the name of the model file, for commands. The code of the machines grows.
 std::string machine_page(const Model& model, const std::string& file, std::vector<ScenePage>& scenes,
-                         const std::vector<PrintedRow>& printed, ReportResult& result);
-
-std::string as_text(const ReportResult& result);
-nlohmann::ordered_json as_json(const ReportResult& result);
+                         const std::vector<PrintedRow>& printed, ReportedPage& result);
 
 }  // namespace dalembert

@@ -12,6 +12,10 @@ command -v node >/dev/null || failed "node is missing (on Debian: apt-get instal
 tests=$SOURCE/tests/javascript
 "$PROGRAM" report "$tests/hostile.toml" -o "$here" >/dev/null 2>&1 || failed "hostile.toml"
 node "$tests/hostile.mjs" "$here/hostile.html"
+"$PROGRAM" report "$tests/hostile.toml" "$tests/network.toml" -o "$here/several" >/dev/null 2>&1 || failed "several models"
+node "$tests/hostile.mjs" "$here/several/index.html"
+[ "$(grep -c '<article>' "$here/several/index.html")" = 2 ] || failed "the list of pages"
+cmp "$here/hostile.html" "$here/several/hostile.html" || failed "a page of several is not that of one"
 "$PROGRAM" report "$tests/network.toml" -o "$here" >/dev/null || failed "network.toml"
 node "$tests/network.mjs" "$here/network.html"
 models=()
