@@ -72,7 +72,8 @@ std::string picture_of(const PreparedRun& run, const Options& options) {
     try {
         const PlantLibrary library(source_of_plant(*run.machine.code, run.header, run.settings), plant_cache(options));
         const PlantRunResult result = simulate_plant(library.table(), run_of_plant(*run.machine.system, run.values, run.settings));
-        return small_plot(for_plots(result.recording, shown_units(*run.machine.system)), {plot.title, plot.x, plot.y});
+        const std::string svg = small_plot(for_plots(result.recording, shown_units(*run.machine.system)), {plot.title, plot.x, plot.y});
+        return svg.substr(svg.find("<svg"));  // without the licence of a file
     } catch (const Failure&) {
         return {};
     }
