@@ -50,7 +50,8 @@ private:
         while (end > 0 && text->text[end - 1] == ' ') --end;
         curve_.variable = text->text.substr(0, end);
         const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-        const bool is_name = !curve_.variable.empty() && std::all_of(curve_.variable.begin(), curve_.variable.end(), is_letter);
+        const bool is_name = !curve_.variable.empty() && std::isdigit(static_cast<unsigned char>(curve_.variable[0])) == 0 &&
+                             std::all_of(curve_.variable.begin(), curve_.variable.end(), is_letter);
         if (!is_name || open == std::string::npos || close == std::string::npos || close < open || !after.empty())
             return e_.error(Id::syntax, text->whole(),
                             fmt::format("'{}' is not a variable with its unit, as in 'x [mm]' or 'x [1]'", text->text));
@@ -77,13 +78,15 @@ private:
             const Rational at = number(x), value = number(y);
             if (x && y) curve_.points.push_back({scaled(at, curve_.of), scaled(value, curve_.unit), cover(x->span, y->span)});
         }
-        return all_there && curve_.points.size() == points.size();
+        // What was no pair has been told.
+        return all_there && e_.is_list("points") && points.size() == e_.length("points") && curve_.points.size() == points.size();
     }
 
     bool read_file() {
         const std::string written = e_.text("file");
         if (written.empty()) {
-            if (e_.excerpt("file")) e_.error(Id::wrong_type, e_.span_of("file"), fmt::format("the file of curve '{}' needs a name", curve_.name));
+            if (e_.excerpt("file"))
+                e_.error(Id::wrong_type, e_.span_of("file"), fmt::format("the file of curve '{}' needs a name", curve_.name));
             return false;
         }
         try {
@@ -99,22 +102,30 @@ private:
                                          fmt::format("{}; the path of the points of curve '{}' begins beside the model file",
                                                      first.message, curve_.name)});
             }
-            take(file);
-            return true;
+            return take(file);
         } catch (const Failure& failure) {
             for (const Diagnostic& d : failure.diagnostics()) e_.error(d.id, d.span, d.message, d.notes);
             return false;
         }
     }
 
-    void take(const DataFile& file) {
+    /// Whether it has points, whatever they are.
+    bool take(const DataFile& file) {
         std::array<std::pair<std::string, Span>, 2> names{std::pair{curve_.variable, e_.span_of("file")},
                                                           std::pair{curve_.name, e_.span_of("file")}};
-        if (const auto columns = e_.names("columns"); e_.has("columns")) {
-            if (columns.size() != 2)
+        if (e_.has("columns")) {
+            const auto columns = e_.names("columns");
+            const std::size_t count = e_.length("columns");
+            if (!e_.is_list("columns") || columns.size() != count) return false;  // told
+            const bool is_twice = count == 2 && columns[0].first == columns[1].first;
+            if (count != 2 || is_twice)
                 throw Failure(Diagnostic{Id::wrong_arguments, e_.span_of("columns"),
-                                         fmt::format("curve '{}' takes two columns, that of '{}' and that of the values; here {} named",
-                                                     curve_.name, curve_.variable, columns.size() == 1 ? "one is" : "others are")});
+                                         fmt::format("curve '{}' takes two columns, that of '{}' and that of the values; here {}",
+                                                     curve_.name, curve_.variable,
+                                                     is_twice     ? "both are '" + columns[0].first + "'"
+                                                     : count == 0 ? "none is named"
+                                                     : count == 1 ? "one is named"
+                                                                  : fmt::format("{} are named", count))});
             names = {columns[0], columns[1]};
         }
         std::array<const DataColumn*, 2> found{};
@@ -131,6 +142,7 @@ private:
             point.x = scaled(number(file, *found[0], row), units[0]);
             point.y = scaled(number(file, *found[1], row), units[1]);
         }
+        return true;
     }
 
     Rational number(const DataFile& file, const DataColumn& column, std::size_t row) const {

@@ -35,9 +35,10 @@ void KeyRules::chosen_keys(const std::string& useless, const std::string& fact, 
 
 void KeyRules::unknown_choice(const char* name, const Key& key, const std::string& word, const std::vector<std::string>& known) const {
     const std::string words = words_of(name, key);
-    e_.error(
-        Id::wrong_type, e_.span_of(name),
-        fmt::format("'{}' is not a {} of {}; the {}s are {}{}", word, words, owner_, words, quoted_list(known), did_you_mean(word, known)));
+    const bool is_vowel = std::string_view("aeiou").find(words.front()) != std::string_view::npos;
+    e_.error(Id::wrong_type, e_.span_of(name),
+             fmt::format("'{}' is not {} {} of {}; the {}s are {}{}", word, is_vowel ? "an" : "a", words, owner_, words, quoted_list(known),
+                         did_you_mean(word, known)));
 }
 
 void KeyRules::law_of(const std::optional<Property>& property, const char* name, const Key& key) const {

@@ -35,6 +35,8 @@ public:
     ExpressionPtr expression(std::string_view key) const;
     std::optional<VectorExpression> vector(std::string_view key) const;
     bool is_list(std::string_view key) const;
+    /// Of a list, whatever its elements are; 0 of what is none.
+    std::size_t length(std::string_view key) const;
     std::vector<Turn> turns(std::string_view key) const;
     /// An expression alone, a row of three, or three rows of three.
     std::vector<std::vector<ExpressionPtr>> tensor(std::string_view key) const;

@@ -100,6 +100,8 @@ std::vector<Condition> Entry::conditions(std::string_view key) const {
     return result;
 }
 
+std::size_t Entry::length(std::string_view key) const { return is_list(key) ? find(key)->elements.size() : 0; }
+
 NamesWithPlaces Entry::names(std::string_view key) const {
     NamesWithPlaces result;
     for (const DocumentNode* element : list(find(key, ValueType::effects), ValueType::effects)) {
@@ -180,7 +182,10 @@ std::vector<std::array<ExpressionPtr, 2>> Entry::points(std::string_view key) co
     const ValueType type = spec != nullptr && spec->type == ValueType::pieces ? ValueType::pieces : ValueType::points;
     std::vector<std::array<ExpressionPtr, 2>> result;
     for (const DocumentNode* point : list(find(key, type), type)) {
-        if (point->kind != NodeKind::array || point->elements.size() != 2) wrong_type(*point, type);
+        if (point->kind != NodeKind::array) wrong_type(*point, type);
+        else if (const std::size_t count = point->elements.size(); count != 2)
+            error(Id::wrong_type, point->span,
+                  fmt::format("there {} {} instead of two numbers; expected: {}", count == 1 ? "is" : "are", count, describe(type)));
         else
             result.push_back(
                 {expression(point->elements[0], ValueType::expression), expression(point->elements[1], ValueType::expression)});
