@@ -24,6 +24,12 @@ struct Curve : Item {
     Outside outside = Outside::held;
 };
 
+/// A number in SI as points of curves are written: "-5 N"; a number alone where there is no unit.
+inline std::string written_in(const Rational& value, const Unit& unit) {
+    const std::string number = decimal(value / unit.factor - unit.offset, 6);
+    return unit.written == "1" ? number : number + " " + unit.written;
+}
+
 template <>
 inline constexpr KindSpec kind_of<Curve>{"curve",
     "Measured characteristics. `NAME(x)` is the value at x, in every expression; derivatives and integrals of it are exact.",

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "elements/fluids.hpp"
+#include "elements/model.hpp"
 #include "form/signs.hpp"
 #include "text/diagnostic.hpp"
 #include "text/nearest.hpp"
@@ -52,9 +53,25 @@ private:
                                            medium.name, R ? R->to_double() : 0.0)});
         }
         check_signs(medium, medium.name, {}, system_, value_);
+        const bool has_curves = !system_.scene.model->curves.empty();
+        if (has_curves && medium.isochoric_heat && !medium.isochoric_heat->variables.empty()) check_isochoric_heat(medium);
         if (medium.isochoric_heat && medium.isochoric_heat->variables.empty() && system_.scene.thermal_media.contains(medium.name))
             positive(system_.translate(medium.isochoric_heat->body, {}), medium.isochoric_heat->body->span,
                      fmt::format("the isochoric heat of medium '{}'", medium.name), "J/(kg*K)");
+    }
+
+    /// As a law of the pressure and the temperature, which are above zero.
+    void check_isochoric_heat(const Medium& medium) const {
+        const Property& law = *medium.isochoric_heat;
+        Letters letters;
+        BoundsOfLetters bounds;
+        for (const std::string& name : law.variables) {
+            const ex letter = GiNaC::realsymbol(name);
+            letters.emplace(name, letter);
+            bounds.emplace(letter, Bounds{Rational(0), std::nullopt});
+        }
+        value_.check_curves(above_zero("J/(kg*K)"), system_.translate(*law.body, {}, letters), law.body->span,
+                            fmt::format("the isochoric heat of medium '{}'", medium.name), bounds);
     }
 
     void check(const ControlVolume& volume) const {

@@ -7,6 +7,7 @@
 
 #include "elements/conduction.hpp"
 #include "elements/heat.hpp"
+#include "elements/model.hpp"
 #include "form/signs.hpp"
 #include "text/diagnostic.hpp"
 
@@ -33,7 +34,7 @@ public:
                 above_zero(node.warmth.temperature, node.place, fmt::format("the temperature of '{}'", node.name), "K");
         }
         for (const auto& member : system_.scene.links)
-            check_signs(*member.item, member.name(), Translator::indices_of(member), system_, value_);
+            check_signs(*member.item, member.name(), Translator::indices_of(member), system_, value_, temperatures(member.name()));
     }
 
 private:
@@ -56,16 +57,43 @@ private:
 
     void above_zero(const ex& e, const Span& place, const std::string& what, const char* unit) const {
         if (!moves(e)) value_.positive(e, place, what, unit);
+        else value_.check_curves(dalembert::above_zero(unit), e, place, what);
+    }
+
+    /// Between which the temperatures of a rod go: those of its cells and ends. A surface lies between its cell and its surroundings, if no
+    /// flux heats it.
+    Bounds temperatures(const Rod& rod) const {
+        if (!has_curves_) return {};
+        std::optional<Bounds> all;
+        const auto add = [&](const Bounds& one) { all = all ? around(*all, one) : one; };
+        for (const NodeState& node : system_.heat.nodes)
+            if (node.item == &rod && node.kind != NodeState::Kind::sought) add(value_.bounds(node.warmth.temperature));
+        for (const auto& end : {rod.first, rod.last})
+            if (end && end->ambient) add(end->flux ? Bounds{} : value_.bounds(system_.translate(end->ambient, {})));
+        return all.value_or(Bounds{});
+    }
+
+    /// Between which the temperatures of the ends of a link go; one that follows from others may be any.
+    Bounds temperatures(const std::string& link) const {
+        const auto at = [&](const LinkEnd& end) {
+            if (end.node == nullptr) return value_.bounds(*(end.volume != nullptr ? end.volume->fluid : end.reservoir->fluid).temperature);
+            return end.node->kind == NodeState::Kind::sought ? Bounds{} : value_.bounds(end.node->warmth.temperature);
+        };
+        for (const LinkState& one : system_.heat.links)
+            if (has_curves_ && one.name == link) return around(at(one.from), at(one.to));
+        return {};
     }
 
     Span place_of_capacity(const NodeState& node) const {
         for (const auto& member : system_.scene.nodes)
             if (member.item == node.item) return member.item->capacity->span;
+        for (const auto& member : system_.scene.rods)
+            if (member.item == node.item) return member.item->heat_capacity->body->span;
         return node.place;
     }
 
     void check(const Rod& rod) const {
-        check_signs(rod, rod.name, {}, system_, value_);
+        check_signs(rod, rod.name, {}, system_, value_, temperatures(rod));
         if (rod.inner)
             above_zero(system_.translate(rod.outer, {}) - system_.translate(rod.inner, {}), rod.outer->span,
                        fmt::format("the difference between outer and inner radius of rod '{}'", rod.name), "m");
@@ -92,6 +120,7 @@ private:
 
     const System& system_;
     StartValues value_;
+    const bool has_curves_ = !system_.scene.model->curves.empty();  ///< else no bounds are asked for
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "elements/model.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -26,6 +27,22 @@ void check_range(const Written& written, const System& system, const StartValues
                                          rule.is_above_zero ? "be positive" : "not be negative", e.name, low->to_double(),
                                          with_space(rule.unit)),
                              {{range.span, "the range is declared here"}}});
+}
+
+void check_law(const Written& written, const Indices& indices, const System& system, const StartValues& value,
+               const Bounds& of_temperature) {
+    const Key& key = written.key;
+    if (system.scene.model->curves.empty() || !key.letters.empty()) return;
+    Letters letters;
+    BoundsOfLetters bounds;
+    for (std::size_t i = 0; i < written.bound.size(); ++i) {
+        const GiNaC::ex letter = GiNaC::realsymbol(written.bound[i]);
+        letters.emplace(written.bound[i], letter);
+        const bool is_temperature = key.variables.at(i) == Dimension::temperature();
+        const bool is_absolute = is_temperature || key.variables[i] == Dimension::pressure();
+        if (is_absolute) bounds.emplace(letter, common(is_temperature ? of_temperature : Bounds{}, {Rational(0), std::nullopt}));
+    }
+    value.check_curves(*key.sign, system.translate(written.expression, indices, letters), written.expression.span, written.what, bounds);
 }
 
 }  // namespace dalembert

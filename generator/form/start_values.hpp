@@ -3,6 +3,7 @@
 #pragma once
 
 #include "form/system.hpp"
+#include "symbolic/bounds.hpp"
 
 namespace dalembert {
 
@@ -46,11 +47,24 @@ public:
     void check(const SignRule& rule, const GiNaC::ex& e, const Span& place, const std::string& what) const;
     void positive(const GiNaC::ex& e, const Span& place, const std::string& what, const char* unit) const;
 
+    /// An expression with curves must keep the rule at every value that their arguments can have: variables go through their declared
+    /// ranges, or everywhere; parameters have their values. `of_letters` are bounds of letters that the model does not have. Throws Failure
+    /// (value-out-of-range), which names the curve and a place. Part of check().
+    void check_curves(const SignRule& rule, const GiNaC::ex& e, const Span& place, const std::string& what,
+                      const BoundsOfLetters& of_letters = {}) const;
+    /// Of a value while all that moves stays in its declared range.
+    Bounds bounds(const GiNaC::ex& e) const;
+
 private:
+    Bounds bounds(const Variable& variable) const;
+    /// Written with the letters of what moves alone: definitions are inserted, parameters are numbers.
+    GiNaC::ex of_what_moves(const GiNaC::ex& e) const;
+
     const System& system_;
     const char* when_ = "at the start";
     GiNaC::exmap start_;
     ValueConditions* conditions_ = nullptr;
+    GiNaC::exmap parameters_;  ///< what does not move; empty without curves
 };
 
 }  // namespace dalembert

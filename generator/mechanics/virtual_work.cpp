@@ -3,9 +3,11 @@
 
 #include "elements/bodies.hpp"
 #include "elements/forces.hpp"
+#include "elements/model.hpp"
 #include "mechanics/forces.hpp"
 #include "symbolic/curve_dissipation.hpp"
 #include "symbolic/functions.hpp"
+#include "symbolic/ranges.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -52,18 +54,17 @@ void resist(Resistance& resistance, const AffineRate& rate, const ex& force, con
 
 /// Measured points that show that a damper would drive.
 void refuse_driving(const ex& power, const Damper& damper, const Translator& translate) {
-    const auto found = dissipation_by_curve(power);
+    if (translate.scene().model->curves.empty()) return;
+    const auto found = dissipation_by_curve(power, declared_bounds(translate));
     if (!found || !found->against) return;
     const Curve& curve = *translate.names().find_element<Curve>(found->curve->name);
-    const auto shown = [](const Rational& value, const Unit& unit) {
-        return fmt::format("{} {}", decimal(value / unit.factor - unit.offset, 6), unit.written);
-    };
     const Rational at = *found->against, value = cln::rational(found->curve->at(0, at));
     throw Failure(Diagnostic{Id::value_out_of_range,
                              damper.span,
-                             fmt::format("damper '{}' must resist its rate, but its curve '{}' is {} at {} = {}, where it drives; a damper "
-                                         "is zero at zero and has the sign of its rate elsewhere",
-                                         damper.name, curve.name, shown(value, curve.unit), curve.variable, shown(at, curve.of)),
+                             fmt::format("damper '{}' must resist its rate, but it drives where its curve '{}' is {} at {} = {}; {}",
+                                         damper.name, curve.name, written_in(value, curve.unit), curve.variable, written_in(at, curve.of),
+                                         found->is_of_rate ? "the force of a damper is zero at rest and has the sign of its rate elsewhere"
+                                                           : "the coefficient of a damper is not negative"),
                              {{curve.span, "the curve is defined here"}}});
 }
 

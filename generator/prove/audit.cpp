@@ -5,12 +5,14 @@
 
 #include <algorithm>
 
+#include "elements/model.hpp"
 #include "elements/verdict.hpp"
 #include "prove/media.hpp"
 #include "prove/passivity.hpp"
 #include "prove/statics_audit.hpp"
 #include "symbolic/curve_dissipation.hpp"
 #include "symbolic/functions.hpp"
+#include "symbolic/ranges.hpp"
 
 namespace dalembert {
 
@@ -183,11 +185,13 @@ std::vector<AuditEntry> compare_virtual_work(const System& system, Prover& prove
     return entries;
 }
 
-/// Signs of the pieces of each curve; what they do not decide is told.
+/// No damper with a curve may drive. Where the points do not decide that, the entry is not checkable.
 std::vector<AuditEntry> dissipation_by_curves(const System& system) {
     std::vector<AuditEntry> entries;
+    if (system.scene.model->curves.empty()) return entries;
+    const BoundsOfLetters bounds = declared_bounds(system.translate);
     for (const Resistance& one : system.resistances) {
-        const auto found = dissipation_by_curve(one.power);
+        const auto found = dissipation_by_curve(one.power, bounds);
         if (!found) continue;
         const std::string reason = fmt::format("the points of curve '{}' do not tell the sign of the power", found->curve->name);
         entries.push_back({"dissipated power not negative, " + one.name,

@@ -87,7 +87,10 @@ CheckedScene checked_scene(const Machine& machine) {
     const auto add = [&](const std::string& title, const std::vector<AuditEntry>& entries) {
         if (entries.empty()) return;
         scene.groups.push_back({title, {}});
-        for (const AuditEntry& entry : entries) scene.groups.back().proofs.push_back({entry.name, entry.result.verdict});
+        for (const AuditEntry& entry : entries) {
+            const bool is_told = entry.result.verdict == Verdict::not_checkable;
+            scene.groups.back().proofs.push_back({entry.name, entry.result.verdict, is_told ? entry.result.reason : ""});
+        }
     };
     const Proofs proofs = proofs_of(machine);
     add("d'Alembert = Euler-Lagrange", proofs.derivation.derivations);
@@ -119,7 +122,9 @@ std::string as_text(const CheckedScene& scene) {
     for (const CheckedScene::Group& group : scene.groups) {
         text += fmt::format("  {:<52} {}\n", group.title, counted(group.proofs));
         for (const CheckedScene::Proof& proof : group.proofs)
-            if (proof.verdict != Verdict::proven) text += fmt::format("    {}: {}\n", proof.name, to_string(proof.verdict));
+            if (proof.verdict != Verdict::proven)
+                text += fmt::format("    {}: {}{}{}\n", proof.name, to_string(proof.verdict), proof.reason.empty() ? "" : ", since ",
+                                    proof.reason);
     }
     return text;
 }

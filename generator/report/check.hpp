@@ -14,6 +14,7 @@ struct CheckedScene {
     struct Proof {
         std::string name;
         Verdict verdict;
+        std::string reason = {};  ///< why not checkable
     };
     struct Group {
         std::string title;

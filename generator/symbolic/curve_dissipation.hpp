@@ -6,19 +6,21 @@
 
 #include <optional>
 
-#include "symbolic/curve_pieces.hpp"
+#include "symbolic/bounds.hpp"
 
 namespace dalembert {
 
 struct CurveDissipation {
     const CurvePieces* curve;
     bool is_proven;                   ///< never negative
-    std::optional<Rational> against;  ///< an argument at which it is negative, in the units of the curve's points
+    std::optional<Rational> against;  ///< where it is negative: an argument of the curve, in SI
+    bool is_of_rate = false;          ///< there the curve is the force of a rate, else a coefficient
 };
 
-/// Of a power; nothing where no curve is in it, or curves do not decide. Proven of sums and products of what is not negative: squares,
-/// curves that never are, and curve(a*x)*b*x with a and b of one sign, where all pieces have the sign of their argument. Of such a product
-/// a curve that has not that sign at a knot, or is not zero at zero, is against it.
-std::optional<CurveDissipation> dissipation_by_curve(const GiNaC::ex& power);
+/// Whether a dissipated power is never negative; nothing where it has no curve. Proven are sums and products of what is never negative:
+/// squares, curves that are never negative within the bounds of the letters, and curve(a*x)*b*x where a and b have one sign and the curve
+/// always has the sign of its argument. Of a product whose other factors have a known sign, a place where the curve has the wrong one
+/// disproves it. Else it stays open.
+std::optional<CurveDissipation> dissipation_by_curve(const GiNaC::ex& power, const BoundsOfLetters& letters = {});
 
 }  // namespace dalembert

@@ -98,23 +98,14 @@ Rational exact_value(const CurvePieces::Piece& piece, int order, const Rational&
     return cln::the<cln::cl_RA>(value_of(piece, order, x));
 }
 
-/// Whether a polynomial is not negative from `low` to `high`, as its coefficients by Bernstein's polynomials tell.
-bool is_not_negative(const CurvePieces::Piece& piece, const Rational& low, const Rational& high) {
-    Coefficients c = shifted(piece.coefficients, low - piece.origin);
-    Rational power = 1;
-    for (Rational& one : c) one = one * power, power = power * (high - low);
-    const Rational bernstein[]{c[0], c[0] + c[1] / 3, c[0] + 2 * c[1] / 3 + c[2] / 3, c[0] + c[1] + c[2] + c[3]};
-    return std::none_of(std::begin(bernstein), std::end(bernstein), [](const Rational& b) { return is_negative(b); });
-}
-
-CurvePieces::Piece negated(CurvePieces::Piece piece) {
-    for (Rational& c : piece.coefficients) c = -c;
-    return piece;
-}
-
-/// Beyond an end there are straight lines alone; `outwards` is 1 above, -1 below.
-bool is_not_negative_beyond(const CurvePieces::Piece& line, const Rational& from, int outwards) {
-    return !is_negative(exact_value(line, 0, from)) && sign(line.coefficients[1]) * outwards >= 0;
+/// Where the slope of a cubic is zero.
+std::vector<Rational> turning_places(const CurvePieces::Piece& piece) {
+    const Coefficients& c = piece.coefficients;
+    if (is_zero(c[3])) return is_zero(c[2]) ? Rationals() : Rationals{piece.origin - c[1] / (2 * c[2])};
+    const Rational middle = -c[2] / (3 * c[3]), square = middle * middle - c[1] / (3 * c[3]);
+    if (is_negative(square)) return {};
+    const Rational root = cln::rational(cln::sqrt(cln::cl_float(square, cln::float_format(40))));
+    return {piece.origin + middle - root, piece.origin + middle + root};
 }
 
 /// The integrals from zero, for pieces that are joined at their knots.
@@ -151,34 +142,26 @@ int CurvePieces::order_of_jump(std::size_t knot, int lowest) const {
     return order;
 }
 
-bool CurvePieces::has_sign_of_argument() const {
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const bool is_first = i == 0, is_last = i + 1 == pieces.size();
-        const Piece below = negated(pieces[i]);
-        const Piece& above = pieces[i];
-        // Split at zero, where the sign turns.
-        if (is_first) {
-            const Rational& end = knots.front();
-            const Rational from = end > 0 ? Rational(0) : end;
-            if (!is_not_negative_beyond(below, from, -1) || (end > 0 && !is_not_negative(above, 0, end))) return false;
-        } else if (is_last) {
-            const Rational& end = knots.back();
-            const Rational from = end < 0 ? Rational(0) : end;
-            if (!is_not_negative_beyond(above, from, 1) || (end < 0 && !is_not_negative(below, end, 0))) return false;
-        } else {
-            const Rational &low = knots[i - 1], &high = knots[i];
-            if (low < 0 && !is_not_negative(below, low, high < 0 ? high : Rational(0))) return false;
-            if (high > 0 && !is_not_negative(above, low > 0 ? low : Rational(0), high)) return false;
-        }
+std::vector<Rational> CurvePieces::extreme_places(const Bounds& x) const {
+    std::vector<Rational> places;
+    const auto add = [&](const Rational& place) {
+        if (x.holds(place)) places.push_back(place);
+    };
+    if (x.low) add(*x.low);
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+        if (i > 0)
+            for (const Rational& place : turning_places(pieces[i]))
+                if (place > knots[i - 1] && place < knots[i]) add(place);
+        add(knots[i]);
     }
-    return true;
+    if (x.high) add(*x.high);
+    return places;
 }
 
-bool CurvePieces::is_never_negative() const {
-    if (!is_not_negative_beyond(pieces.front(), knots.front(), -1) || !is_not_negative_beyond(pieces.back(), knots.back(), 1)) return false;
-    for (std::size_t i = 1; i + 1 < pieces.size(); ++i)
-        if (!is_not_negative(pieces[i], knots[i - 1], knots[i])) return false;
-    return true;
+Bounds CurvePieces::bounds_beyond(const Bounds& x) const {
+    const int below = x.low ? 0 : -sign(pieces.front().coefficients[1]), above = x.high ? 0 : sign(pieces.back().coefficients[1]);
+    const Rational inside = cln::rational(at(0, x.low ? *x.low : x.high ? *x.high : knots.front()));
+    return {below < 0 || above < 0 ? std::nullopt : std::optional(inside), below > 0 || above > 0 ? std::nullopt : std::optional(inside)};
 }
 
 CurvePieces pieces_of(const Curve& curve) {

@@ -11,12 +11,19 @@
 #include <cln/real.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "elements/curves.hpp"
 
 namespace dalembert {
+
+/// The least and the greatest value of a number; without one it is infinite.
+struct Bounds {
+    std::optional<Rational> low, high;
+    bool holds(const Rational& x) const { return !(low && x < *low) && !(high && x > *high); }
+};
 
 struct CurvePieces {
     struct Piece {
@@ -37,10 +44,12 @@ struct CurvePieces {
     cln::cl_R at(int order, const cln::cl_R& x) const;
     /// The lowest derivative from this order on that jumps at a knot, 1 for a kink; 4 where none does.
     int order_of_jump(std::size_t knot, int lowest) const;
-    /// Whether the value has the sign of x, or is zero, everywhere: enough, not needed.
-    bool has_sign_of_argument() const;
-    /// Whether no value is negative, likewise.
-    bool is_never_negative() const;
+    /// All places where the value can be least or greatest for such x: the ends, knots, and where the slope is zero (to forty digits).
+    std::vector<Rational> extreme_places(const Bounds& x) const;
+    /// From the first knot to the last.
+    Bounds points() const { return {knots.front(), knots.back()}; }
+    /// Of the values of the straight lines on which x without an end goes on.
+    Bounds bounds_beyond(const Bounds& x) const;
     friend bool operator==(const CurvePieces&, const CurvePieces&) = default;
 };
 

@@ -28,4 +28,15 @@ PositiveByRange::PositiveByRange(const Translator& translate) {
         }
 }
 
+BoundsOfLetters declared_bounds(const Translator& translate) {
+    BoundsOfLetters bounds;
+    for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::state, SymbolKind::input})
+        for (const Variable& variable : translate.symbols().all(kind)) {
+            if (variable.declared == nullptr || !variable.declared->range || variable.is_root) continue;
+            const auto end = [&](const ExpressionPtr& e) { return e ? rational_near(translate(*e, {})) : std::nullopt; };
+            bounds[variable.symbol] = {end(variable.declared->range->low), end(variable.declared->range->high)};
+        }
+    return bounds;
+}
+
 }  // namespace dalembert

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "symbolic/bounds.hpp"
 #include "symbolic/translate.hpp"
 
 namespace dalembert {
@@ -20,5 +21,8 @@ struct PositiveByRange {
     explicit PositiveByRange(const Translator& translate);
     bool holds(const std::string& what) const { return names.contains(what) || waves.contains(what); }
 };
+
+/// Declared ranges of coordinates, states and inputs, as far as they are made of numbers.
+BoundsOfLetters declared_bounds(const Translator& translate);
 
 }  // namespace dalembert

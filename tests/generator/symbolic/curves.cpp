@@ -7,6 +7,7 @@
 #include <random>
 
 #include "dalembert/curve_functions.hpp"
+#include "symbolic/bounds.hpp"
 #include "symbolic/curve_dissipation.hpp"
 #include "symbolic/curve_functions.hpp"
 #include "symbolic/derivative.hpp"
@@ -191,6 +192,37 @@ TEST_CASE("kinks of curves are switches") {
     CHECK(located(Shape::linear, Outside::straight, -1) == 0);
 }
 
+TEST_CASE("bounds of curves, where their arguments have some") {
+    const GiNaC::realsymbol x("x");
+    const MeasuredPoints points{{0, 4}, {1, 1}, {2, decimal_of(50)}, {3, 2}};
+    const auto bounds = [&](Shape shape, Outside outside, const Bounds& of_x, const ex& factor = 1) {
+        return bounds_of(factor * curve_value(x, number_of(pieces(points, shape, outside))), {{x, of_x}});
+    };
+    for (const Shape shape : {Shape::monotone, Shape::linear}) {
+        const Bounds held = bounds(shape, Outside::held, {});
+        CHECK(*held.low == decimal_of(50));
+        CHECK(*held.high == 4);
+        CHECK(!bounds(shape, Outside::straight, {}).high);
+        CHECK(*bounds(shape, Outside::error, {}).high == 4);
+        CHECK(*bounds(shape, Outside::held, {Rational(0), Rational(1)}).low == 1);
+        CHECK(*bounds(shape, Outside::held, {}, -2).high == -1);
+        CHECK(*bounds(shape, Outside::held, {}, GiNaC::pow(x, 2)).low == 0);
+    }
+    // Straight on from rising points it falls without end, and a spline overshoots: its least value is where its slope is zero.
+    CHECK(!bounds_of(curve_value(x, number_of(pieces({{0, 1}, {1, 2}}, Shape::linear, Outside::straight))), {}).low);
+    const CurvePieces spline = pieces({{0, 1}, {1, 0}, {2, 0}, {3, 1}}, Shape::spline, Outside::held);
+    const Rational least = *bounds_of(curve_value(x, number_of(spline)), {}).low;
+    CHECK(least < 0);
+    for (int i = 0; i <= 300; ++i) CHECK(exact_at(spline, 0, decimal_of(i)) >= least);
+    CHECK(std::fabs(cln::double_approx(least - exact_at(spline, 0, Rational(3) / 2))) < 1e-30);
+    // Quotients and roots.
+    const ex f = curve_value(x, number_of(pieces(points, Shape::linear, Outside::held)));
+    CHECK(*bounds_of(1 / f, {}).high == 2);
+    CHECK(*bounds_of(1 / f, {}).low == Rational(1) / 4);
+    CHECK(*bounds_of(GiNaC::sqrt(f), {}).high == 2);
+    CHECK(!bounds_of(1 / (f - 1), {}).low);
+}
+
 TEST_CASE("what a damper's curve takes") {
     const GiNaC::symbol v("v");
     const GiNaC::possymbol d("d");
@@ -202,13 +234,35 @@ TEST_CASE("what a damper's curve takes") {
             REQUIRE(found);
             CHECK(found->is_proven);
             CHECK(!found->against);
-            CHECK(!dissipation_by_curve(-curve_value(v, curve) * v));
+            // Turned round it drives; what is not decided is told.
+            const auto turned = dissipation_by_curve(-curve_value(v, curve) * v);
+            REQUIRE(turned);
+            CHECK(turned->against);
+            CHECK(turned->is_of_rate);
             CHECK(!dissipation_by_curve(v * v + 1));
-            CHECK(!dissipation_by_curve(v * v * (1 + curve_value(v, curve))));
+            CHECK(dissipation_by_curve(v * (curve_value(v, curve) + 3 * curve_value(2 * v, curve)))->is_proven);
+            for (const ex& undecided : {ex(v * v * (1 + curve_value(v, curve))), ex(v * curve_value(v - 1, curve))}) {
+                const auto told = dissipation_by_curve(undecided);
+                REQUIRE(told);
+                CHECK(!told->is_proven);
+                CHECK(!told->against);
+            }
         }
     // A coefficient that is never negative.
     const ex coefficient = curve_value(v, number_of(pieces({{-1, 1}, {0, 0}, {1, 2}}, Shape::monotone, Outside::held)));
     CHECK(dissipation_by_curve(v * v * (d + GiNaC::Pi * coefficient))->is_proven);
+    // One that falls, turned round, resists.
+    MeasuredPoints falling = good;
+    for (auto& [x, y] : falling) y = -y;
+    CHECK(dissipation_by_curve(-v * curve_value(v, number_of(pieces(falling, Shape::monotone, Outside::held))))->is_proven);
+    // A coefficient that is negative at a place, which its letter may not reach.
+    const GiNaC::realsymbol x("x");
+    const ex by_place = v * v * curve_value(x, number_of(pieces({{0, 3}, {1, 2}, {2, -1}}, Shape::linear, Outside::held)));
+    const auto negative = dissipation_by_curve(by_place);
+    REQUIRE(negative->against);
+    CHECK(*negative->against == 2);
+    CHECK(!negative->is_of_rate);
+    CHECK(dissipation_by_curve(by_place, {{x, {Rational(-5), Rational(1)}}})->is_proven);
     // Falling below zero at a knot, beside it, and not through zero.
     MeasuredPoints bad = good;
     bad[3].second = -1;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Arguments of curves at which an expression breaks a rule.
+#pragma once
+
+#include <functional>
+
+#include "symbolic/bounds.hpp"
+
+namespace dalembert {
+
+/// An argument of a curve, and the value of the whole expression there.
+struct CurvePlace {
+    const CurvePieces* curve;
+    Rational place;
+    Rational value;
+};
+
+/// Whether the argument of a curve in it moves.
+bool has_moving_curve(const GiNaC::ex& e);
+
+/// The least wrong value that is found: where a curve is least or greatest, then in small steps between the bounds of a letter. One letter
+/// moves at a time; the others have their values at the start.
+std::optional<CurvePlace> worst_place(const GiNaC::ex& e, const BoundsOfLetters& letters, const GiNaC::exmap& start,
+                                      const std::function<bool(const Rational&)>& is_wrong);
+
+}  // namespace dalembert
