@@ -163,6 +163,7 @@ ExitCode evaluate_command(const Options& options, Streams streams) {
     refuse_fields(*machine.system, "evaluate");
     const System& system = in_accepting_mode(machine, options, streams);
     const Values values = values_of(options, system);
+    streams.err << doubts_of_curves(values, system);
     const Evaluation at(system, values, options.digits);
     EvaluateResult result{.subject = subject_of(system.scene), .digits = options.digits};
     result.time = at("t", values.substitution().at(system.symbols.time()));

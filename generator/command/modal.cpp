@@ -99,6 +99,9 @@ ExitCode modal_command(const Options& options, Streams streams) {
     const System& system = *chosen.system;
     const auto [values, inputs] = start_of_run(system, options);
     streams.err << doubts_of_start(values, system);
+    Values with_inputs = values;
+    for (std::size_t i = 0; i < inputs.size(); ++i) with_inputs.find(SymbolKind::input, i, inputs[i]);
+    streams.err << doubts_of_curves(with_inputs, system);
     const Linearity linearity = linear_system(system);
     const PlantLibrary library(source_of_plant(*chosen.code, header), plant_cache(options));
     explain(machine.stages, library.origin(), options, streams);

@@ -114,7 +114,7 @@ public:
 
     void run() {
         ends_of_curves();
-        for (const ex& equation : equations()) look_at(equation);
+        for (const ex& equation : equations_of_motion(system_)) look_at(equation);
         for (const auto& [text, by] : found_) add(text, by, "kink or jump");
         for (const auto& [text, by] : knots_) add(text, by, "knot of a curve");
     }
@@ -127,25 +127,11 @@ private:
         if (!is_known) system_.guards.push_back({text, fmt::format("{} where {} is zero", what, text), false, by});
     }
 
-    /// All that the motion follows from.
-    std::vector<ex> equations() const {
-        std::vector<ex> all = system_.residual;
-        all.insert(all.end(), system_.state_rates.begin(), system_.state_rates.end());
-        for (const ConstraintEquation& constraint : system_.constraints) {
-            all.insert(all.end(), constraint.rate.jacobian.begin(), constraint.rate.jacobian.end());
-            all.push_back(constraint.rate.drift);
-            all.push_back(constraint.force);
-        }
-        return all;
-    }
-
     /// Curves that are known between their first and their last point alone end runs.
     void ends_of_curves() {
-        std::vector<ex> all = equations();
-        for (const OutputEquation& output : system_.outputs) all.push_back(system_.with_rates(output.value));
         refuse_in_loops();
         std::map<std::string, Guard> ends;
-        for (const ex& equation : all)
+        for (const ex& equation : equations_with_outputs(system_))
             for (auto part = equation.preorder_begin(); part != equation.preorder_end(); ++part) {
                 const auto call = curve_call(*part);
                 if (!call || !call->curve->ends_runs || !moves(part->op(0))) continue;
@@ -221,6 +207,23 @@ private:
 };
 
 }  // namespace
+
+std::vector<ex> equations_of_motion(const System& system) {
+    std::vector<ex> all = system.residual;
+    all.insert(all.end(), system.state_rates.begin(), system.state_rates.end());
+    for (const ConstraintEquation& constraint : system.constraints) {
+        all.insert(all.end(), constraint.rate.jacobian.begin(), constraint.rate.jacobian.end());
+        all.push_back(constraint.rate.drift);
+        all.push_back(constraint.force);
+    }
+    return all;
+}
+
+std::vector<ex> equations_with_outputs(const System& system) {
+    std::vector<ex> all = equations_of_motion(system);
+    for (const OutputEquation& output : system.outputs) all.push_back(system.with_rates(output.value));
+    return all;
+}
 
 void model_edges(System& system) { EdgeFinder(system).run(); }
 

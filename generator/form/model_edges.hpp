@@ -10,4 +10,9 @@ namespace dalembert {
 /// first derivative jumps with it. Not for what the model leaves to the control of steps, and where a guard is known already.
 void model_edges(System& system);
 
+/// All that the motion follows from.
+std::vector<GiNaC::ex> equations_of_motion(const System& system);
+/// The same and the outputs.
+std::vector<GiNaC::ex> equations_with_outputs(const System& system);
+
 }  // namespace dalembert

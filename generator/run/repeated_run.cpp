@@ -51,9 +51,12 @@ RepeatedRun::End RepeatedRun::operator()(double value, Care care) const {
     const EventEquation* ends = event_that_ended(result.outcome, system);
     if (ends != nullptr) end.event = ends->name;
     if (!result.recording.rows.empty()) end.value = result.recording.rows.back()[result.recording.find(wanted_)];
-    if ((status != Status::success && ends == nullptr) || !std::isfinite(end.value))
-        throw RunStopped(fmt::format("with {} = {:.6g} the run does not reach its end: {} at t = {:.6g} s", parameter_, value,
-                                     status == Status::success ? "not finite" : to_string(status), end.t));
+    if ((status != Status::success && ends == nullptr) || !std::isfinite(end.value)) {
+        const std::string of_model = end_of_model(result.outcome, system).doc;
+        const std::string why = !of_model.empty() ? of_model : status == Status::success ? "not finite" : to_string(status);
+        throw RunStopped(
+            fmt::format("with {} = {:.6g} the run does not reach its end: {} at t = {:.6g} s", parameter_, value, why, end.t));
+    }
     return end;
 }
 

@@ -313,7 +313,7 @@ std::string doubts_of_found(const Values& values, const System& system, const st
     for (std::size_t i = 0; i < inputs.size() && i < u.size(); ++i) take(inputs[i], u[i]);
     Doubts doubts(found, system, Doubts::Occasion::found, true, diagnostics);
     doubt_media(doubts, system);
-    return rendered(diagnostics);
+    return rendered(diagnostics) + doubts_of_curves(found, system);
 }
 
 void apply_settings(Values& values, const std::vector<Setting>& settings, unsigned allowed, const System& system) {

@@ -45,8 +45,12 @@ void check_inputs_given(const std::vector<bool>& is_given, const System& system)
 /// known inputs it skips values that depend on an input.
 std::string doubts_of_start(const Values& values, const System& system, bool knows_inputs = true);
 
-/// Warnings, as they are shown, of a state and inputs that were computed: values outside of their declared ranges, temperatures below
-/// absolute zero, pressures below a vacuum. `x` and `u` are in the order of the state variables and inputs.
+/// Warnings, as they are shown, of curves that end runs and are taken outside of their points; one for each, where that is farthest.
+std::string doubts_of_curves(const Values& values, const System& system);
+
+/// Warnings, as they are shown, of a state and inputs that were computed: curves outside of their points, values outside of their
+/// declared ranges, temperatures below absolute zero, pressures below a vacuum. `x` and `u` are in the order of the state variables and
+/// inputs.
 std::string doubts_of_found(const Values& values, const System& system, const std::vector<double>& x, const std::vector<double>& u);
 
 /// A standard deviation in SI, above zero: of a difference, so that degC count as K. A number alone counts in `unit`. `what` stands in the

@@ -36,6 +36,14 @@ const EventEquation* event_that_ended(const Outcome& outcome, const System& syst
     return event.item != nullptr && !event.item->is_limit ? &event : nullptr;
 }
 
+EndOfModel end_of_model(const Outcome& outcome, const System& system) {
+    if (outcome.status != Status::event || event_that_ended(outcome, system) != nullptr) return {};
+    const std::size_t i = outcome.guard;
+    if (system.scene.modes.empty())
+        return i < system.guards.size() ? EndOfModel{system.guards[i].name, system.guards[i].doc} : EndOfModel{};
+    return i < system.events.size() ? EndOfModel{system.events[i].name, system.events[i].doc} : EndOfModel{};
+}
+
 VariedRuns::VariedRuns(const std::shared_ptr<const LoadedModel>& model, const Options& options, const char* verb)
     : options_(options),
       preparation_(model->model, options),

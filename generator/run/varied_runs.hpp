@@ -13,6 +13,11 @@ namespace dalembert {
 
 /// The event that ended a run as the model says; null where something else did.
 const EventEquation* event_that_ended(const Outcome& outcome, const System& system);
+/// What it is that ended a run where the model does: what the guard belongs to, and what it says. Empty where none did.
+struct EndOfModel {
+    std::string name, doc;
+};
+EndOfModel end_of_model(const Outcome& outcome, const System& system);
 
 class VariedRuns {
 public:

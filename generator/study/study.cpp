@@ -143,7 +143,7 @@ RowOfRun Study::row_of(std::size_t run, std::vector<double> values) const {
         if (ends != nullptr)
             row.status = "ended by " + ends->name;
         else if (result.outcome.status == Status::event)
-            row.status = "left the model";
+            row.status = "left the model at " + end_of_model(result.outcome, system).name;
         if (row.is_good())
             for (std::size_t i = 0; i < observables_.size(); ++i) row.observed[i] = observables_[i].value(result);
     } catch (const Failure& failure) {
