@@ -134,6 +134,8 @@ void take_simulate(VerbOptions& o) {
           "also write derivatives of states and outputs along the run: by parameters, and by start values of coordinates, velocities and "
           "states; names, comma separated")
         ->delimiter(',');
+    o.flag("--second-order", o.options.second_order,
+           "with --sensitivities: also write second derivatives, by differences of 14 runs for each name");
     o.cache();
     o.explain("print time and result of each stage, and the origin of the plant");
 }

@@ -127,7 +127,6 @@ void FitRun::compile() {
     const Values values = values_at(0, start_);
     const SimulationSettings settings = preparation_.make_settings(values, *machine_.system);
     library_.emplace(source_of_plant(*machine_.code, header_, settings), plant_cache(options_));
-    refuse_choice_of_constraints(library_->table(), "--fit");
 }
 
 std::string FitRun::name(const FitUnknown& unknown) const {

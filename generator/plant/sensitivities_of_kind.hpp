@@ -108,8 +108,7 @@ public:
     const Outcome& outcome() const override { return replay_.outcome(); }
 
 private:
-    /// Constraints hold where S begins anew from the run.
-    static constexpr std::size_t points_at_once = dalembert::detail::needs_projection<System> ? 1 : 1024;
+    static constexpr std::size_t points_at_once = 1024;
 
     void record(double t) {
         const State& x = replay_.x();

@@ -17,6 +17,14 @@
 
 namespace dalembert {
 
+/// "m/kg", "rad/(kg*m^2)", "1/s"
+inline std::string quotient_of_units(const std::string& unit, const std::string& by) {
+    const bool is_compound = by.find_first_of("*/ ") != std::string::npos;
+    const std::string below = is_compound ? "(" + by + ")" : by;
+    if (by.empty() || by == "1") return unit;
+    return (unit.empty() ? "1" : unit) + "/" + below;
+}
+
 /// A state as the model calls it; what is integrated as its root is recorded as itself.
 struct RecordedState {
     std::string name, unit;

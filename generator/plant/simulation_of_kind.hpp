@@ -31,14 +31,6 @@ extern template PlantRunResult simulate_kind<PlantKind::switching>(const dalembe
 
 namespace plant_run {
 
-/// "m/kg", "rad/(kg*m^2)", "1/s"
-inline std::string quotient_of_units(const std::string& unit, const std::string& by) {
-    const bool is_compound = by.find_first_of("*/ ") != std::string::npos;
-    const std::string below = is_compound ? "(" + by + ")" : by;
-    if (by.empty() || by == "1") return unit;
-    return (unit.empty() ? "1" : unit) + "/" + below;
-}
-
 inline detail::PlantBase::Input held_inputs(const PlantRun& run) {
     detail::PlantBase::Input u;
     std::copy(run.held_inputs.begin(), run.held_inputs.end(), u.begin());
@@ -95,8 +87,7 @@ public:
         options.output_times = run_.output_times;
         if constexpr (!switches)
             if (run_.is_of_heat) result_.euler_step = largest_euler_step(system_, x, inputs_(x, 0.0), 0.0);
-        if constexpr (!dalembert::detail::chooses_constraints<System>)
-            if (!run_.varied.empty()) begin_sensitivities(options, x);
+        if (!run_.varied.empty()) begin_sensitivities(options, x);
         const auto observe = [this](const auto& sample) { this->record(sample); };
         if constexpr (switches) {
             using Mode = typename System::Mode;

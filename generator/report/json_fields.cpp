@@ -213,6 +213,9 @@ constexpr auto of_simulate = std::to_array<JsonField>({
     {"sensitivities.t", "with --sensitivities: time up to which they exist, s"},
     {"sensitivities.reason", "why they end before the run, else empty"},
     {"sensitivities.without_outputs", "why there are none of outputs, else empty"},
+    {"second_order.doubt", "with --second-order: largest error that is to be expected, as a part of the largest number of its column"},
+    {"second_order.numbers", "how many there are"},
+    {"second_order.left_out", "how many are left out, as they are not certain"},
     {"files[]", "paths of the written files"},
 });
 

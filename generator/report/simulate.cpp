@@ -76,6 +76,14 @@ std::string why_it_stopped(const SimulateResult& result) {
     return fmt::format("the run stopped{}{}", where, cause_and_remedy(result));
 }
 
+std::string second_order_text(const SecondOrder& second) {
+    std::string text = second.numbers == 0 ? "second derivatives: none is certain\n"
+                                           : fmt::format("second derivatives: good to {:.0e} of the largest of their column\n", second.doubt);
+    if (second.left_out > 0 && second.numbers > 0)
+        text += fmt::format("{} of {} are not certain and left out, as next to events\n", second.left_out, second.left_out + second.numbers);
+    return text;
+}
+
 std::string as_text(const SimulateResult& result) {
     const SimulationReport& run = result.run;
     std::string text = fmt::format("{} steps ({} rejected), {} evaluations of the right-hand side{}\n", run.steps, run.rejected,
@@ -90,6 +98,7 @@ std::string as_text(const SimulateResult& result) {
         text += fmt::format("sensitivities only up to {:.6g} s: {}\n", run.sensitivities->t, run.sensitivities->reason);
     if (run.sensitivities && !run.sensitivities->without_outputs.empty())
         text += fmt::format("sensitivities of states alone, not of outputs: {}\n", run.sensitivities->without_outputs);
+    if (run.second_order) text += second_order_text(*run.second_order);
     for (const auto& [path, content] : run.files) text += path.string() + "\n";
     return text;
 }
@@ -115,6 +124,8 @@ nlohmann::ordered_json as_json(const SimulateResult& result) {
     if (run.lost) json["mode"] = run.mode;
     if (run.sensitivities) json["sensitivities"] = {{"t", run.sensitivities->t}, {"reason", run.sensitivities->reason},
                                                     {"without_outputs", run.sensitivities->without_outputs}};
+    if (run.second_order) json["second_order"] = {{"doubt", run.second_order->doubt}, {"numbers", run.second_order->numbers},
+                                                  {"left_out", run.second_order->left_out}};
     json["files"] = nlohmann::ordered_json::array();
     for (const auto& [path, content] : run.files) json["files"].push_back(path.string());
     return json;

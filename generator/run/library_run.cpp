@@ -49,6 +49,7 @@ void refuse_options_of_models(const Options& options) {
     only_of_models(!options.parameter_files.empty(), "--parameters");
     only_of_models(options.periods > 0, "--periods");
     only_of_models(!options.sensitivities.empty(), "--sensitivities");
+    only_of_models(options.second_order, "--second-order");
     only_of_models(options.units == "declared", "--units declared");
 }
 

@@ -46,6 +46,7 @@ struct Options {
     double periods = 0;                   ///< length of the run in periods, where the run names one
     bool no_plot = false;
     std::vector<std::string> sensitivities;  ///< what a run is differentiated by
+    bool second_order = false;            ///< and again
     std::vector<std::string> write;       ///< formats of results besides CSV
     bool no_cache = false;                ///< plants are compiled anew
     std::string units;                    ///< "declared" or "si", of CSV and plots; empty: CSV in SI, plots in declared units

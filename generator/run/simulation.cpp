@@ -134,6 +134,8 @@ Header generate_with_slopes(Machine& machine, std::string& without_outputs, Seri
 
 PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options, const char* verb,
                         bool tries_series) {
+    if (options.second_order && options.sensitivities.empty())
+        throw Failure(Diagnostic{Id::bad_option, {}, "--second-order needs --sensitivities, which says by what the run is differentiated"});
     const RunPreparation preparation(model->model, options);
     Machine machine = derive_machine(model, preparation.scene(scene), options.choice.sizes);
     const System& system = *machine.system;
@@ -152,12 +154,15 @@ PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const s
     SimulationSettings settings = preparation.make_settings(values, system);
     const KinksOfRun kinks_of = kinks_of_run(preparation, machine);
     settings.kinks = kinks_of([](const System&, Values&) {});
-    std::vector<VariedOfRun> varied = varied_of_run(options.sensitivities, system, unmet, kinks_of);
+    const std::vector<NamedVariable> named = named_variables(options.sensitivities, system);
+    std::vector<VariedOfRun> varied = varied_of_run(named, system, unmet, kinks_of);
+    std::vector<MovedRuns> moved;
+    if (options.second_order) moved = moved_runs(named, system, unmet, settings, kinks_of);
     settings.series = has_series(machine) && (!tries_series || have_series(*machine.code, settings.inputs));
     std::string name = fmt::format("{}_{}", system.scene.sized_name(), system.scene.name);
     return {std::move(machine),  std::move(header), std::move(values),
-            std::move(settings), std::move(varied), std::move(without_slopes_of_outputs),
-            std::move(name)};
+            std::move(settings), std::move(varied), std::move(moved),
+            std::move(without_slopes_of_outputs), std::move(name)};
 }
 
 PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options) {
@@ -169,6 +174,7 @@ PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& 
     prepared.plant = source_of_plant(*run.machine.code, run.header, run.settings);
     prepared.run = run_of_plant(system, run.values, run.settings);
     prepared.run.varied = std::move(run.varied);
+    prepared.moved = std::move(run.moved);
     prepared.without_slopes_of_outputs = std::move(run.without_slopes_of_outputs);
     prepared.cache = plant_cache(options);
     prepared.units = shown_units(system);
@@ -301,21 +307,16 @@ void add_sensitivities(SimulationReport& report, const PlantRunResult& run, cons
     report.files.emplace_back(file, csv_text(run.sensitivities));
 }
 
-}  // namespace
-
-void refuse_choice_of_constraints(const dalembert_plant& plant, const char* option) {
-    if (plant.constraint_rank == 0) return;
-    throw Failure(
-        Diagnostic{Id::bad_option,
-                   {},
-                   fmt::format("{}: the run chooses which of its constraints are solved for, since some follow from others; leave "
-                               "out those that do",
-                               option)});
+void add_second_order(SimulationReport& report, const PlantRunResult& run, const dalembert_plant& plant,
+                      const PreparedSimulation& prepared, const std::filesystem::path& file) {
+    report.second_order = second_order_of(plant, prepared.run.varied, run, prepared.moved);
+    report.files.emplace_back(file, csv_text(report.second_order->recording));
 }
+
+}  // namespace
 
 SimulationReport run_simulation(const PreparedSimulation& prepared, const std::filesystem::path& folder) {
     const PlantLibrary library(prepared.plant, prepared.cache);
-    if (!prepared.run.varied.empty()) refuse_choice_of_constraints(library.table(), "--sensitivities");
     const PlantRunResult run = simulate_plant(library.table(), prepared.run);
     SimulationReport report = report_of_run(run, library.table(), prepared.settings);
     report.plant = library.origin();
@@ -325,6 +326,8 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
     report.files.emplace_back(folder / prepared.header.file_name, prepared.header.text);
     add_results(report, run, library.table(), prepared.settings, prepared.units, prepared.title, folder, prepared.name);
     if (!prepared.run.varied.empty()) add_sensitivities(report, run, prepared, folder / (prepared.name + "_sensitivities.csv"));
+    if (!prepared.moved.empty())
+        add_second_order(report, run, library.table(), prepared, folder / (prepared.name + "_second_order.csv"));
     return report;
 }
 

@@ -5,6 +5,7 @@
 #include "run/options.hpp"
 #include "run/plant_run.hpp"
 #include "run/run_preparation.hpp"
+#include "run/second_order.hpp"
 #include "run/varied.hpp"
 #include "form/system.hpp"
 #include "text/files.hpp"
@@ -18,6 +19,7 @@ struct PreparedSimulation {
     Header header;
     PlantSource plant;
     PlantRun run;
+    std::vector<MovedRuns> moved;  ///< for second derivatives
     PlantCache cache = PlantCache::used;
     std::string title;   ///< of plots
     std::vector<ShownUnit> units;  ///< that are declared and not SI
@@ -36,6 +38,7 @@ struct PreparedRun {
     Values values;
     SimulationSettings settings;
     std::vector<VariedOfRun> varied;
+    std::vector<MovedRuns> moved;  ///< for second derivatives, where they are asked for
     std::string without_slopes_of_outputs;  ///< why, if so
     std::string name;    ///< of result files, without ending
 };
@@ -68,6 +71,7 @@ struct SimulationReport {
     bool keeps_energy() const { return energy_error <= energy_limit; }  // false for NaN
     bool is_good() const { return status == "success" || ended; }
     std::optional<ReachOfSensitivities> sensitivities;  ///< where they are asked for
+    std::optional<SecondOrder> second_order;            ///< likewise
     bool drawn = false;
     FileContents files;      ///< to be written: header, CSV, plots
     PlantOrigin plant;
@@ -121,8 +125,6 @@ SimulationReport report_of_run(const PlantRunResult& run, const dalembert_plant&
 void add_results(SimulationReport& report, const PlantRunResult& run, const dalembert_plant& plant, const SimulationSettings& settings,
                  const std::vector<ShownUnit>& units, const std::string& title, const std::filesystem::path& folder,
                  const std::string& name);
-/// What is differentiated must not choose its constraints. Throws Failure (bad-option); `option` is what asks for derivatives.
-void refuse_choice_of_constraints(const dalembert_plant& plant, const char* option);
 /// Compiles and runs it. Throws Failure.
 SimulationReport run_simulation(const PreparedSimulation& prepared, const std::filesystem::path& folder);
 

@@ -28,6 +28,12 @@ ex step_of(const ex& value) {
     return size * GiNaC::pow(GiNaC::numeric(10), -8);
 }
 
+std::size_t state_number(const Variable& variable, const Symbols& symbols) {
+    const auto all = symbols.state_variables();
+    return static_cast<std::size_t>(
+        std::find_if(all.begin(), all.end(), [&](const Variable* one) { return one->name == variable.name; }) - all.begin());
+}
+
 class Differentiation {
 public:
     Differentiation(const System& system, const Values& values, const KinksOfRun& kinks)
@@ -36,15 +42,10 @@ public:
     VariedOfRun by(const Variable& variable, const Span& place) const {
         refuse_quaternion(variable, place);
         const bool is_parameter = variable.kind == SymbolKind::parameter;
-        const std::size_t at_state = is_parameter ? 0 : state_number(variable);
-        const ex start = is_parameter ? values_.parameter(variable.position) : values_.state()[at_state];
-        // What is integrated as its root is varied itself.
-        const ex value = variable.is_root ? ex(start * start) : start;
+        const std::size_t at_state = is_parameter ? 0 : state_number(variable, system_.symbols);
+        const ex value = varied_value(variable, values_, system_);
         const ex step = step_of(value);
-        const auto moved = [&](const System&, Values& values, int sign) {
-            const ex there = value + sign * step;
-            values.find(variable.kind, variable.position, variable.is_root ? GiNaC::sqrt(there) : there);
-        };
+        const auto moved = [&](const System&, Values& values, int sign) { set_varied(variable, values, value + sign * step); };
         VariedOfRun result{is_parameter ? Varied::parameter(variable.position) : Varied::start(place_states(system_).positions[at_state]),
                            variable.recorded_name(),
                            variable.is_root ? variable.declared->unit.si() : variable.unit,
@@ -106,12 +107,6 @@ private:
                                            variable.name)});
     }
 
-    std::size_t state_number(const Variable& variable) const {
-        const auto all = system_.symbols.state_variables();
-        return static_cast<std::size_t>(
-            std::find_if(all.begin(), all.end(), [&](const Variable* one) { return one->name == variable.name; }) - all.begin());
-    }
-
     std::vector<cln::cl_R> start_of(Values& values, const Span& place) const {
         meet_constraints(system_, values);
         std::vector<cln::cl_R> numbers;
@@ -154,20 +149,36 @@ VariedOfRun varied_by(const Variable& variable, const Span& place, const System&
     return Differentiation(system, values, kinks).by(variable, place);
 }
 
-std::vector<VariedOfRun> varied_of_run(const std::vector<std::string>& names, const System& system, const Values& values,
-                                       const KinksOfRun& kinks) {
-    std::vector<VariedOfRun> varied;
-    const Differentiation differentiation(system, values, kinks);
+std::vector<NamedVariable> named_variables(const std::vector<std::string>& names, const System& system) {
+    std::vector<NamedVariable> named;
     for (const std::string& name : names) {
         const ExpressionPtr written = parse_expression(excerpt_of(std::make_shared<const Source>("--sensitivities", name)));
         for (const Variable* variable : variables_to_vary(*written, system)) {
-            const auto same = [&](const VariedOfRun& other) { return other.name == variable->recorded_name(); };
-            if (std::any_of(varied.begin(), varied.end(), same))
+            const auto same = [&](const NamedVariable& other) { return other.variable == variable; };
+            if (std::any_of(named.begin(), named.end(), same))
                 throw Failure(Diagnostic{Id::bad_option, written->span, fmt::format("'{}' is named twice", variable->recorded_name())});
-            varied.push_back(differentiation.by(*variable, written->span));
+            named.push_back({variable, written->span});
         }
     }
+    return named;
+}
+
+std::vector<VariedOfRun> varied_of_run(const std::vector<NamedVariable>& named, const System& system, const Values& values,
+                                       const KinksOfRun& kinks) {
+    std::vector<VariedOfRun> varied;
+    const Differentiation differentiation(system, values, kinks);
+    for (const NamedVariable& one : named) varied.push_back(differentiation.by(*one.variable, one.place));
     return varied;
+}
+
+ex varied_value(const Variable& variable, const Values& values, const System& system) {
+    const ex value = variable.kind == SymbolKind::parameter ? values.parameter(variable.position)
+                                                            : values.state()[state_number(variable, system.symbols)];
+    return variable.is_root ? ex(value * value) : value;
+}
+
+void set_varied(const Variable& variable, Values& values, const ex& value) {
+    values.find(variable.kind, variable.position, variable.is_root ? GiNaC::sqrt(value) : value);
 }
 
 }  // namespace dalembert

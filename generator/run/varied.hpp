@@ -19,9 +19,20 @@ std::vector<const Variable*> variables_to_vary(const Expression& name, const Sys
 /// The run's derivative by one of them. Throws Failure (bad-option) where it has none; `place` is that of the name.
 VariedOfRun varied_by(const Variable& variable, const Span& place, const System& system, const Values& values, const KinksOfRun& kinks);
 
-/// Parameters, and coordinates, velocities and states for their start values; a family stands for all its members. `values` are those of
-/// the run before constraints determine some. Throws Failure (unknown-name, bad-option).
-std::vector<VariedOfRun> varied_of_run(const std::vector<std::string>& names, const System& system, const Values& values,
+/// One of them, and where it is named.
+struct NamedVariable {
+    const Variable* variable;
+    Span place;
+};
+/// Parameters, and coordinates, velocities and states for their start values, as --sensitivities names them; a family stands for all its
+/// members. Throws Failure (unknown-name, bad-option).
+std::vector<NamedVariable> named_variables(const std::vector<std::string>& names, const System& system);
+/// `values` are those of the run before constraints determine some. Throws Failure (bad-option).
+std::vector<VariedOfRun> varied_of_run(const std::vector<NamedVariable>& named, const System& system, const Values& values,
                                        const KinksOfRun& kinks);
+
+/// The value of a parameter, or that at the start of another variable; of one that is integrated as its root, the square.
+GiNaC::ex varied_value(const Variable& variable, const Values& values, const System& system);
+void set_varied(const Variable& variable, Values& values, const GiNaC::ex& value);
 
 }  // namespace dalembert

@@ -150,12 +150,14 @@ namespace detail {
 struct NoMeasure {};
 
 /// A right-hand side with the projection that belongs to it: project(x, t) returns the constraint that is broken, or none. `measure` tells
-/// how independent the constraints are; see IndependenceOf.
+/// how independent the constraints are; see IndependenceOf. Of a state only so many entries tell how well a singular position was passed: those
+/// behind them follow, as sensitivities do, which have fewer digits there.
 template <class Rhs, class Project, class Measure = NoMeasure>
 struct ProjectedRhs {
     Rhs rhs;
     Project projection;
     Measure measure{};
+    std::size_t judged = static_cast<std::size_t>(-1);
     template <class State, class Scalar>
     void operator()(const State& x, Scalar t, State& dxdt) const {
         rhs(x, t, dxdt);
@@ -173,6 +175,8 @@ template <class Rhs, class Project>
 ProjectedRhs(Rhs, Project) -> ProjectedRhs<Rhs, Project>;
 template <class Rhs, class Project, class Measure>
 ProjectedRhs(Rhs, Project, Measure) -> ProjectedRhs<Rhs, Project, Measure>;
+template <class Rhs, class Project, class Measure>
+ProjectedRhs(Rhs, Project, Measure, std::size_t) -> ProjectedRhs<Rhs, Project, Measure>;
 
 template <class Rhs, class State, class = void>
 inline constexpr bool is_projected = false;

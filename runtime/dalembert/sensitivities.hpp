@@ -124,15 +124,14 @@ Outcome integrate_beside(const System& system, const Inputs& inputs, const std::
 /// S at a time is that of the run at that time: at an event that a varied parameter moves, it jumps. Where an event only touches its zero,
 /// the run has no derivatives: Status::not_finite, with that event as the guard. The run with an infinite number of events ends as the last
 /// one that is seen does. One more jump cannot be seen: where the rates jump at a time that a varied parameter moves, as step(t - t_0) does
-/// for t_0, S lacks its jump. Constraints are as near to hold for S as steps are accurate; systems that choose the constraints to be solved
-/// for are not taken.
+/// for t_0, S lacks its jump. Where constraints depend on each other S steps over with the state; a parameter that moves
+/// such a position away has no derivative there: Status::singular_position.
 template <std::size_t count, class System, class Inputs, class Observer>
 Outcome simulate_sensitivities(const System& system, const Inputs& inputs, const std::array<Varied, count>& varied,
                                typename System::State& x, Sensitivities<System, count>& S, typename System::scalar_type from,
                                typename System::scalar_type to, const IntegrationOptions<typename System::State>& options,
                                Observer&& observe, bool controls = true) {
     check_api<System>();
-    static_assert(!detail::chooses_constraints<System>, "systems that choose the constraints to be solved for are not taken yet");
     const std::size_t n = detail::size_of<typename System::State>();
     for (const Varied& one : varied)
         if (one.number >= (one.of == Varied::Of::start ? n : System::parameter_table().size())) {

@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <iostream>
 
+#include <dalembert/sensitivities/extrapolation.hpp>
+
 #include "elements/runs.hpp"
 #include "model_files.hpp"
 #include "run/run_preparation.hpp"
@@ -48,40 +50,15 @@ PlantRun recorded_where_steps_end(PlantRun run) {
     return run;
 }
 
-/// A derivative by central differences of runs, extrapolated from longer to shorter steps (Ridders), and how far it can be trusted.
-struct Extrapolated {
-    double value = NAN, doubt = INFINITY;
-};
-Extrapolated extrapolated(const std::vector<double>& differences) {
-    std::vector<Extrapolated> found;
-    std::vector<double> above;
-    for (const double difference : differences) {
-        std::vector<double> row{difference};
-        double power = 1;
-        for (std::size_t j = 0; j < above.size(); ++j) {
-            power *= 4;  // errors go with even powers of steps that are halved
-            row.push_back((power * row[j] - above[j]) / (power - 1));
-            const double doubt = std::max(std::fabs(row[j + 1] - row[j]), std::fabs(row[j + 1] - above[j]));
-            if (std::isfinite(doubt)) found.push_back({row[j + 1], doubt});
-        }
-        above = std::isfinite(difference) ? row : std::vector<double>{};
-    }
-    // Two may agree by chance; four hardly do.
-    constexpr std::size_t agreeing = 4;
-    if (found.size() < agreeing) return {};
-    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.doubt < b.doubt; });
-    Extrapolated best = found.front();
-    for (std::size_t k = 1; k < agreeing; ++k) best.doubt = std::max(best.doubt, std::fabs(found[k].value - best.value));
-    return best;
-}
+using Derivative = detail::Extrapolated<double>;
 
 /// States and outputs by one that is varied, of each row that is compared.
-std::vector<std::vector<Extrapolated>> by_differences(const dalembert_plant& plant, const PlantRun& run, const VariedOfRun& varied,
+std::vector<std::vector<Derivative>> by_differences(const dalembert_plant& plant, const PlantRun& run, const VariedOfRun& varied,
                                                       double size, std::size_t count) {
-    constexpr std::size_t levels = 7;
+    constexpr std::size_t levels = detail::steps_of_extrapolation;
     const std::size_t rows = parts + 1;
-    std::vector<std::vector<std::vector<double>>> differences(rows, std::vector<std::vector<double>>(count));
-    double step = size / 64;
+    std::vector<std::vector<std::array<double, levels>>> differences(rows, std::vector<std::array<double, levels>>(count));
+    double step = size * detail::longest_step_of_extrapolation;
     for (std::size_t level = 0; level < levels; ++level, step /= 2) {
         const PlantRunResult ahead = simulate_plant(plant, moved(run, varied, step)),
                              behind = simulate_plant(plant, moved(run, varied, -step));
@@ -90,11 +67,11 @@ std::vector<std::vector<Extrapolated>> by_differences(const dalembert_plant& pla
             return number < result.recording.rows.size() ? result.recording.rows[number][i + 1] : NAN;
         };
         for (std::size_t r = 0; r < rows; ++r)
-            for (std::size_t i = 0; i < count; ++i) differences[r][i].push_back((at(ahead, r, i) - at(behind, r, i)) / (2 * step));
+            for (std::size_t i = 0; i < count; ++i) differences[r][i][level] = (at(ahead, r, i) - at(behind, r, i)) / (2 * step);
     }
-    std::vector<std::vector<Extrapolated>> result(rows);
+    std::vector<std::vector<Derivative>> result(rows);
     for (std::size_t r = 0; r < rows; ++r)
-        for (std::size_t i = 0; i < count; ++i) result[r].push_back(extrapolated(differences[r][i]));
+        for (std::size_t i = 0; i < count; ++i) result[r].push_back(detail::extrapolated(differences[r][i]));
     return result;
 }
 
@@ -170,18 +147,16 @@ TEST_CASE("sensitivities of runs are those of differences") {
                 if (options.sensitivities.empty()) continue;
                 const PreparedSimulation prepared = prepare_simulation(model, "", options);
                 const PlantLibrary library(prepared.plant, prepared.cache);
-                if (library.table().constraint_rank > 0) continue;
                 const PlantRun run = recorded_where_steps_end(prepared.run);
                 const PlantRunResult result = simulate_plant(library.table(), run);
                 if (result.outcome.status != Status::success) continue;
                 const Outcome& outcome = result.of_sensitivities;
                 if (prints && outcome.status != Status::success)
                     std::cout << fmt::format("{}: {} at {} s, guard {}\n", name, to_string(outcome.status), outcome.t, outcome.guard);
-                // A flow like a root has no derivative at equal pressures, where it may begin or stay; and S does not step over
-                // singular positions.
+                // A flow like a root has no derivative at equal pressures, where it may begin or stay. What moves a singular position
+                // away has none behind it.
                 const bool is_known = (outcome.status == Status::not_finite && outcome.t == 0) ||
-                                      (outcome.status == Status::step_too_small && library.table().constraints > 0) ||
-                                      outcome.status == Status::too_many_steps;
+                                      outcome.status == Status::singular_position || outcome.status == Status::too_many_steps;
                 CHECK((outcome.status == Status::success || is_known));
                 if (outcome.status != Status::success) continue;
                 for (std::size_t c = 0; c < run.varied.size(); c += is_full ? 2 : 3) {
@@ -249,4 +224,57 @@ TEST_CASE("rates that jump where the state and the time say so, at once") {
     const std::vector<double>& end = result.sensitivities.rows.back();
     CHECK(end[1] == doctest::Approx(-1 / (tau * tau)));  // x = 3/4 + t/(2 tau)
     CHECK(end[6] == doctest::Approx(-2 / (tau * tau)));  // late = t/tau - 3/2
+}
+
+TEST_CASE("constraints that follow from others, and positions where they depend on each other") {
+    for (const char* name : {"three_uprights", "flat_parallelogram"}) {
+        CAPTURE(name);
+        Diagnostics diagnostics;
+        Options options;
+        options.sensitivities = {"g", "l", "m"};
+        options.tolerance = tolerance;
+        const auto model = load(std::filesystem::path(SOURCE_DIR) / "tests/regressions" / (std::string(name) + ".toml"), diagnostics);
+        const PreparedSimulation prepared = prepare_simulation(model, "", options);
+        const PlantLibrary library(prepared.plant, prepared.cache);
+        const PlantRun run = recorded_where_steps_end(prepared.run);
+        const PlantRunResult result = simulate_plant(library.table(), run);
+        REQUIRE(result.of_sensitivities.status == Status::success);
+        for (std::size_t c = 0; c < run.varied.size(); ++c) {
+            const Row row = compare(library.table(), run, result, c);
+            CAPTURE(row.by);
+            CAPTURE(row.of);
+            CAPTURE(row.expected);
+            CAPTURE(row.found);
+            CAPTURE(row.noise);
+            CHECK(row.compared >= 10);
+            CHECK(row.error <= allowed(row));
+        }
+    }
+}
+
+TEST_CASE("second derivatives of a ball along its run") {
+    Diagnostics diagnostics;
+    Options options;
+    options.sensitivities = {"g", "h_0"};
+    options.second_order = true;
+    options.until = "1.5";
+    options.samples = 30;
+    const auto model = load(std::filesystem::path(SOURCE_DIR) / "systems/mechanics/bouncing_ball.toml", diagnostics);
+    const PreparedSimulation prepared = prepare_simulation(model, "", options);
+    const PlantLibrary library(prepared.plant, prepared.cache);
+    const PlantRunResult result = simulate_plant(library.table(), prepared.run);
+    const SecondOrder second = second_order_of(library.table(), prepared.run.varied, result, prepared.moved);
+    CHECK(second.recording.columns[1].name == "d2(h)/(d(g)d(g))");
+    CHECK(second.numbers > 9 * second.left_out);
+    CHECK(second.doubt <= 1e-6);
+    const double e = 0.8, g = 9.81, h = 1.8, impact = std::sqrt(2 * h / g), fall = std::sqrt(2 * g * h);
+    const std::size_t count = (second.recording.columns.size() - 1) / 3;
+    for (const std::vector<double>& row : second.recording.rows) {
+        const double t = row[0];
+        const double behind[] = {-(1 + e) * t * fall / (4 * g * g), (1 + e) * t / (2 * fall), -(1 + e) * t * fall / (4 * h * h)};
+        for (std::size_t pair = 0; pair < 3; ++pair) {
+            const double found = row[1 + pair * count], expected = t < impact ? 0 : behind[pair];
+            if (!std::isnan(found)) CHECK(std::fabs(found - expected) <= 1e-7);
+        }
+    }
 }

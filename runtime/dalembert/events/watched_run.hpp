@@ -128,7 +128,7 @@ private:
     Independence<Scalar> independence(const State& x, const Scalar& t, bool learns) const { return rhs_.independence(x, t, learns); }
     Scalar distance(const State& x, const State& y) const {
         State difference;
-        for (std::size_t i = 0; i < x.size(); ++i) difference[i] = y[i] - x[i];
+        for (std::size_t i = 0; i < x.size(); ++i) difference[i] = i < rhs_.judged ? y[i] - x[i] : Scalar(0);
         return control_.error_norm(x, y, difference);
     }
 

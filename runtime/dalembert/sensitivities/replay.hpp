@@ -19,6 +19,8 @@
 #include "dalembert/sensitivities/known_kinks.hpp"
 #include "dalembert/sensitivities/moded.hpp"
 #include "dalembert/sensitivities/options.hpp"
+#include "dalembert/sensitivities/projected_columns.hpp"
+#include "dalembert/singular_positions.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -50,10 +52,11 @@ public:
     /// Refers to all of them but S. `options` are those of the run; with controls = false the steps follow the error of the state alone.
     Replay(const System& system, const Inputs& inputs, const List& varied, const Plain& x, const Sensitivities& S, Scalar from, Scalar to,
            const IntegrationOptions<Plain>& options, bool controls = true)
-        : system_(system),
+        : own_{system},
+          system_(own_.system),
           inputs_(inputs),
           varied_(varied),
-          moved_(system, varied),
+          moved_(own_.system, varied),
           scale_(options.scale),
           known_kinks_(options.kinks, to - from),
           x_(x),
@@ -209,7 +212,8 @@ private:
         Motion::put(all, 0, x_);
         for (std::size_t c = 0; c < varied_.size(); ++c) Motion::put(all, c + 1, S_[c]);
         Motion motion(system_, inputs_, varied_, moved_, scale_, Asked::view(mode_), Sides{this});
-        const auto rates = [&](const All& at, Scalar t, All& derivative) { motion.rates(at, t, derivative); };
+        const auto plain_rates = [&](const All& at, Scalar t, All& derivative) { motion.rates(at, t, derivative); };
+        const auto rates = held(plain_rates);
         if (to - t_ <= instant(to)) {  // as between the last of many impacts: no method has a step so short
             All slope;
             rates(all, t_, slope);
@@ -246,6 +250,55 @@ private:
         if constexpr (may_have_entries<Kinks>)
             if (part.status == Status::event) return pass_kink(part.guard);
         if (part.status != Status::success) fail(part.status);
+    }
+
+    /// Rates of what constraints hold: see ProjectedRhs.
+    template <class Rates>
+    auto held(const Rates& rates) {
+        if constexpr (needs_projection<System>) {
+            const auto back = [this](All& all, Scalar t) {
+                Plain x = Motion::part(all, 0);
+                const std::size_t broken = in_mode([&](auto... mode) { return project(system_, x, t, mode...).broken; });
+                Motion::put(all, 0, x);
+                const DifferencesAt<System, List> at{system_, varied_, moved_, scale_, x, t, span_, known_kinks_.free_time(t)};
+                for (std::size_t c = 0; c < varied_.size(); ++c) {
+                    Plain s = Motion::part(all, c + 1);
+                    in_mode([&](auto... mode) { bring_back(system_, at, c, x, t, s, mode...); });
+                    Motion::put(all, c + 1, s);
+                }
+                return broken;
+            };
+            if constexpr (can_be_singular<System>) {
+                const auto measure = [this](const All& all, Scalar t, bool learns) {
+                    const auto independence =
+                        in_mode([&](auto... mode) { return independence_(system_, Motion::part(all, 0), t, learns, mode...); });
+                    if constexpr (chooses_constraints<System>)
+                        if (independence.is_chosen_anew) solve_for(independence_.chosen());
+                    return independence;
+                };
+                return ProjectedRhs{rates, back, measure, size_of<Plain>()};
+            } else {
+                return ProjectedRhs{rates, back};
+            }
+        } else {
+            return rates;
+        }
+    }
+    /// On the constraints S is the same with each choice of those that are solved for, as the motion is.
+    template <class Flags>
+    void solve_for(const Flags& chosen) {
+        own_.system.solve_for(chosen);
+        for (std::size_t c = 0; c < varied_.size(); ++c) {
+            moved_.ahead[c].solve_for(chosen);
+            moved_.behind[c].solve_for(chosen);
+        }
+    }
+    template <class Call>
+    auto in_mode(const Call& call) const {
+        if constexpr (is_switching<System>)
+            return call(mode_);
+        else
+            return call();
     }
 
     void take(const All& all, const Scalar& t) {
@@ -425,9 +478,11 @@ private:
         return of_order_four<Scalar>([&](const Scalar& times) { return here().along(c, s, shift, central, times); });
     }
 
+    SystemOfRun<System> own_;
     const System& system_;
     const Inputs& inputs_;
     const List& varied_;
+    MeasureOf<System> independence_;
     MovedSystems<System, List> moved_;
     Plain scale_;
     KinksOfInputs known_kinks_;

@@ -138,7 +138,7 @@ TEST_CASE("the JSON fields are the documented ones") {
           {sliding, "--mode", "floor_sticks"}}},
         {"simulate",
          {{sliding, "--until", "1", "--no-plot", "-o", folder},
-          {systems + "n_pendulum.toml", "--size", "N=2", "--until", "0.01", "--method", "dop853", "--sensitivities", "g", "--no-plot", "-o",
+          {systems + "n_pendulum.toml", "--size", "N=2", "--until", "0.01", "--method", "dop853", "--sensitivities", "g", "--second-order", "--no-plot", "-o",
            folder},
           {SOURCE_DIR "/systems/heat/voltage_regulator.toml", "--until", "1", "--no-plot", "-o", folder}}},
         {"equilibrium", {{model}, {sliding, "--mode", "floor_sticks"}}},

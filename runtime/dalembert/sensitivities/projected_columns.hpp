@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSL-1.0
+// Sensitivities brought back to what constraints hold, as their state is.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "dalembert/constraints.hpp"
+#include "dalembert/sensitivities/differences.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+/// The derivative of project() along the column c of S, at a state x that meets the constraints: positions f and rates w stay zero for
+/// what is varied, f_x S + f_p = 0. Residuals are differences; they correct only what steps have let drift. `at` is the place of x.
+template <class System, class List, class... Mode>
+void bring_back(const System& system, const DifferencesAt<System, List>& at, std::size_t c, const typename System::State& x,
+                const typename System::scalar_type& t, typename System::State& s, Mode... mode) {
+    using Scalar = typename System::scalar_type;
+    using Constraints = typename System::Constraints;
+    using Generalised = typename System::Generalised;
+    if constexpr (may_have_entries<Constraints>) {
+        if (size_of<Constraints>() == 0) return;
+        const auto step_of = [&](const auto& values) {
+            const auto central = [&](const System& a, const auto& ahead, const Scalar&, const System& b, const auto& behind, const Scalar&,
+                                     const Scalar& step) {
+                Constraints r{}, other{};
+                values(a, ahead, r);
+                values(b, behind, other);
+                for (std::size_t i = 0; i < r.size(); ++i) r[i] = (r[i] - other[i]) / (Scalar(2) * step);
+                return r;
+            };
+            const Constraints residual =
+                of_order_four<Scalar>([&](const Scalar& times) { return at.along(c, s, Scalar(0), central, times); });
+            Generalised step{};
+            system.correction(mode..., x, t, residual, step);
+            return step;
+        };
+        const auto positions = [&](const System& of, const auto& there, Constraints& f) { of.constraint_positions(mode..., there, t, f); };
+        const Generalised d = step_of(positions);
+        if (const Scalar longest = largest(d); longest > Scalar(0)) {
+            // Coordinates by the step itself, attitudes by how they turn: linear in it.
+            const Scalar length = Scalar(1) / Scalar(1024) / longest;
+            typename System::State ahead = x, behind = x;
+            Generalised forth = d, back = d;
+            for (std::size_t j = 0; j < d.size(); ++j) forth[j] = length * d[j], back[j] = -length * d[j];
+            system.move_back(ahead, forth);
+            system.move_back(behind, back);
+            for (std::size_t i = 0; i < s.size(); ++i) s[i] += (ahead[i] - behind[i]) / (Scalar(2) * length);
+        }
+        const auto rates = [&](const System& of, const auto& there, Constraints& w) { of.constraint_rates(mode..., there, t, w); };
+        const Generalised e = step_of(rates);
+        for (std::size_t j = 0; j < e.size(); ++j) s[System::velocity_place + j] -= e[j];
+    }
+}
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert
