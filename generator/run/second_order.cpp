@@ -53,14 +53,15 @@ void leave_out_doubtful(SecondOrder& second, const RowsOfRun& doubts, const std:
     constexpr double worst = 1e-3, nothing = 1e-3;
     RowsOfRun& rows = second.recording.rows;
     for (std::size_t column = 1; column < second.recording.columns.size(); ++column) {
-        double largest = nothing * sizes[column];
+        const double small = nothing * sizes[column];
+        double largest = small;
         for (std::size_t r = 0; r < rows.size(); ++r)
             if (doubts[r][column] <= worst * std::fabs(rows[r][column])) largest = std::max(largest, std::fabs(rows[r][column]));
         for (std::size_t r = 0; r < rows.size(); ++r) {
             const double doubt = doubts[r][column];
             if (doubt <= worst * largest) {
                 ++second.numbers;
-                if (largest > 0) second.doubt = std::max(second.doubt, doubt / largest);
+                if (largest > small) second.doubt = std::max(second.doubt, doubt / largest);
             } else {
                 ++second.left_out;
                 rows[r][column] = std::numeric_limits<double>::quiet_NaN();

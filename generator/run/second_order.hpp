@@ -32,7 +32,7 @@ struct SecondOrder {
     Recording recording;        ///< time, and d2(state or output)/(d(varied) d(varied)), in SI; what does not exist is not a number
     std::size_t left_out = 0;   ///< numbers that do not exist, or of which hardly a digit is certain
     std::size_t numbers = 0;    ///< the others
-    double doubt = 0;           ///< the largest of these, as a part of the largest number of the column
+    double doubt = 0;           ///< the largest of these, as a part of the largest number of the column, if that is not next to nothing
 };
 
 /// `result` is that of the run itself, `moved` holds the moved runs of each that is varied, in the same order.

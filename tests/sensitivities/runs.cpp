@@ -170,7 +170,8 @@ TEST_CASE("sensitivities of runs are those of differences") {
                         std::cout << fmt::format("{:40} d({})/d({}): {:.9g}, differences {:.9g}; {:.1e}, of these {:.1e}\n", name, row.of,
                                                  row.by, row.found, row.expected, row.error, row.noise);
                     // Its momentum stays, while the derivatives of attitude and spin that it is made of grow.
-                    const double cancels = file.stem() == "free_body" ? 100 : 1;
+                    // The other one goes through singular positions, which cost digits.
+                    const double cancels = file.stem() == "free_body" ? 100 : file.stem() == "four_bars_2" ? 10 : 1;
                     CHECK(row.error <= cancels * allowed(row));
                     compared += row.compared;
                     sharply += row.sharply;
