@@ -1,12 +1,15 @@
 // The machine as it moves: bodies at their positions, bars between points; of what has no places, its states as levels.
 
-/// `places`: for each row of the run the coordinates of all points. `across`: pixels. Returns { node, show(i) }.
-function make_drawing(scene, places, across) {
+/// `places`: for each row of the run the coordinates of all points. `measures`: of view_rows(). `across`: pixels. Returns { node, show(i) }.
+function make_drawing(scene, places, measures, across) {
     const width = Math.max(280, Math.min(640, across)), room = 36;
     let height = Math.round(0.75 * width);
     const svg = element("svg", {viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Drawing of ${scene.bodies.join(", ")}`});
     const count = scene.framed, is_planar = scene.plane.length > 0;
-    let turn = is_planar ? 0 : -0.6, tilt = is_planar ? 0 : 0.45, shown = 0;
+    const {view: said} = scene, first = measures[0] || [], given = (key, usual) => said[key] === null ? usual : first[said[key]];
+    const look_of = (k) => said.looks[k], is_hidden = (k) => k < scene.bodies.length && Boolean(look_of(k) && look_of(k).hidden);
+    const reach_at = (k, i) => k < scene.bodies.length ? reach_of(look_of(k), measures[i]) : 0;
+    let turn = is_planar ? 0 : given("turn", -0.6), tilt = is_planar ? 0 : given("tilt", 0.45), shown = 0;
     // A look along z at the plane, or from aside and above with z upwards.
     const project = (p, k) => {
         const [x, y, z] = [p[3 * k], p[3 * k + 1], p[3 * k + 2]];
@@ -22,6 +25,10 @@ function make_drawing(scene, places, across) {
         return most;
     }, 0);
     const axes = is_planar ? [] : [[0, 0, 0], [far / 2, 0, 0], [0, far / 2, 0], [0, 0, far / 2]];
+    const ground_height = given("ground", null), grid = [];
+    for (let k = -4; !is_planar && ground_height !== null && k <= 4; ++k)
+        for (const [from, to] of [[[k, -4], [k, 4]], [[-4, k], [4, k]]])
+            grid.push([from, to].map(([a, b]) => [a * far / 4, b * far / 4, ground_height]));
     // A wall stands behind all that its spring does, by a third of how far bodies move; the length of a spring without load is not known.
     const springs = scene.springs || [];
     const reach = Math.max(far * 0.1, ...[0, 1, 2].map((i) => {
@@ -45,17 +52,20 @@ function make_drawing(scene, places, across) {
     });
     const frame = () => {
         let [x_low, x_high, y_low, y_high] = [Infinity, -Infinity, Infinity, -Infinity];
-        const see = (p, k) => {
+        const see = (p, k, reach = 0) => {
             const [x, y] = project(p, k);
             if (!Number.isFinite(x) || !Number.isFinite(y)) return;
-            x_low = Math.min(x_low, x);
-            x_high = Math.max(x_high, x);
-            y_low = Math.min(y_low, y);
-            y_high = Math.max(y_high, y);
+            x_low = Math.min(x_low, x - reach);
+            x_high = Math.max(x_high, x + reach);
+            y_low = Math.min(y_low, y - reach);
+            y_high = Math.max(y_high, y + reach);
         };
         for (const axis of axes) see(axis, 0);
-        for (const p of places)
-            for (let k = 0; k < count; ++k) see(p, k);
+        places.forEach((p, i) => {
+            for (let k = 0; k < count; ++k)
+                if (!is_hidden(k)) see(p, k, reach_at(k, i));
+        });
+        if (is_planar && ground_height !== null) [y_low, y_high] = [Math.min(y_low, ground_height), Math.max(y_high, ground_height)];
         for (const wall of walls)
             if (wall !== null) places.forEach((p) => see(wall(p), 0));
         if (!(x_low <= x_high)) [x_low, x_high, y_low, y_high] = [-1, 1, -1, 1];
@@ -82,10 +92,12 @@ function make_drawing(scene, places, across) {
         (wall) =>
             wall === null ? null : trails.appendChild(element("line", {stroke: "currentColor", "stroke-opacity": 0.8, "stroke-width": 3})));
     const bar_lines = (scene.bars || []).map(() => bars.appendChild(element("line")));
-    const colour = (k) => `${plot_colours[k % plot_colours.length]}`;
+    const colour = (k) => look_of(k) && view_colours[look_of(k).colour] || plot_colours[k % plot_colours.length];
     const trail_lines = scene.bodies.map((name, k) => trails.appendChild(element("polyline", {style: `stroke: ${colour(k)}`})));
-    const discs =
-        scene.bodies.map((name, k) => bodies.appendChild(element("circle", {r: count > 60 ? 4 : 9, style: `fill: ${colour(k)}`})));
+    const shapes = scene.bodies.map((name, k) => look_of(k) && look_of(k).shape !== "" && !is_hidden(k) ? make_shape(look_of(k), colour(k)) : null);
+    bodies.append(...shapes.flatMap((shape) => shape === null ? [] : [shape.node]));
+    const size_of = (k) => is_hidden(k) ? 0 : shapes[k] !== null ? 3 : count > 60 ? 4 : 9;
+    const discs = scene.bodies.map((name, k) => bodies.appendChild(element("circle", {r: size_of(k), style: `fill: ${colour(k)}`})));
     const joints = [];
     for (let k = scene.bodies.length; k < count; ++k) joints.push(bodies.appendChild(element("circle", {r: 3, fill: "currentColor"})));
     const names = scene.bodies.length > 12 ? [] : scene.bodies.map((name) => label.appendChild(element("text", {}, name)));
@@ -101,7 +113,13 @@ function make_drawing(scene, places, across) {
                     element("text", {x: to[0] + 4, y: to[1] - 4, stroke: "none"}, "xyz"[k]));
             });
         }
-        if (is_planar && y > 0 && y < height) ground.append(element("line", {x1: 0, x2: width, y1: y, y2: y, "stroke-dasharray": "3 5"}));
+        for (const [from, to] of grid) {
+            const [a, b] = [on_paper(from, 0), on_paper(to, 0)];
+            ground.append(element("line", {x1: a[0], y1: a[1], x2: b[0], y2: b[1]}));
+        }
+        if (is_planar && ground_height !== null)
+            ground.append(ground_line(width, height / 2 - (ground_height - view.y) / view.span));
+        else if (is_planar && y > 0 && y < height) ground.append(element("line", {x1: 0, x2: width, y1: y, y2: y, "stroke-dasharray": "3 5"}));
         if (is_planar && x > 0 && x < width) ground.append(element("line", {x1: x, x2: x, y1: 0, y2: height, "stroke-dasharray": "3 5"}));
         const metres =
             [1, 2, 5, 10].map((one) => one * 10 ** Math.floor(Math.log10(view.span * 120))).reverse().find((one) => one / view.span < 160);
@@ -142,16 +160,20 @@ function make_drawing(scene, places, across) {
             disc.setAttribute("cx", at[k][0].toFixed(2));
             disc.setAttribute("cy", at[k][1].toFixed(2));
         });
+        shapes.forEach((shape, k) => {
+            if (shape !== null) shape.show(at[k][0], at[k][1], measures[shown], view.span);
+        });
         names.forEach((name, k) => {
             // Bodies at one place have one label.
-            const together = scene.bodies.filter((one, j) => Math.hypot(at[j][0] - at[k][0], at[j][1] - at[k][1]) < 4);
-            name.textContent = together[0] === scene.bodies[k] ? together.join(", ") : "";
+            const together = scene.bodies.filter((one, j) => !is_hidden(j) && Math.hypot(at[j][0] - at[k][0], at[j][1] - at[k][1]) < 4);
+            name.textContent = together[0] === scene.bodies[k] && !is_hidden(k) ? together.join(", ") : "";
             const is_right = at[k][0] > width - 130;
             name.setAttribute("x", at[k][0] + (is_right ? -14 : 14));
             name.setAttribute("text-anchor", is_right ? "end" : "start");
             name.setAttribute("y", at[k][1] - 10);
         });
         trail_lines.forEach((line, k) => {
+            if (!said.has_trails || is_hidden(k)) return;
             let text = "";
             for (let j = Math.max(0, shown - 120); j <= shown; ++j) {
                 const [x, y] = on_paper(places[j], k);

@@ -17,7 +17,7 @@ class Player {
         });
         this.part("add-plot").addEventListener("change", (e) => {
             if (e.target.value) {
-                this.panels.push({x: "", y: [e.target.value]});
+                this.panels.push({x: this.part("over").value, y: [e.target.value]});
                 this.draw_plots();
             }
             e.target.value = "";
@@ -88,9 +88,11 @@ class Player {
     draw() {
         const scene = this.scene;
         const add = this.part("add-plot");
-        add.replaceChildren(
-            element("option", {value: ""}, "add ..."),
-            ...this.columns.slice(1).map((one) => element("option", {value: one.name}, one.name)));
+        const option = (one) => element("option", {value: one.name}, one.name);
+        add.replaceChildren(element("option", {value: ""}, "add ..."), ...this.columns.slice(1).map(option));
+        const before = this.part("over").value;
+        this.part("over").replaceChildren(...this.columns.map(option));
+        if (this.columns.some((one) => one.name === before)) this.part("over").value = before;
         const across = this.part("drawing").clientWidth;
         this.drawings = [];
         if (scene.place !== null && scene.bodies.length > 0) {
@@ -101,7 +103,7 @@ class Player {
                     place(row.t, row.x, points);
                     return points;
                 }),
-                across));
+                view_rows(scene, this.recording), across));
         }
         if (scene.network) this.drawings.push(make_network(scene.network, network_rows(scene, this.recording), across));
         if (this.drawings.length === 0)
@@ -131,14 +133,19 @@ class Player {
 
     draw_plots() {
         const find = (name) => this.columns.find((one) => one.name === name);
-        // A family is plotted with its first members.
-        const all = (name) => find(name) ? [find(name)] : this.columns.filter((one) => one.name.startsWith(name + "[")).slice(0, 6);
+        const all = (name) => find(name) ? [find(name)] : this.columns.filter((one) => one.name.startsWith(name + "["));
         this.plots = [];
         for (const panel of this.panels) {
             const x = find(panel.x || "t"), curves = panel.y.flatMap(all);
             if (x === undefined || curves.length === 0) continue;
-            const plot = make_plot(
-                x, curves, this.recording.events.map((event) => event.t / this.columns[0].factor), this.part("plots").clientWidth);
+            const events = this.recording.events.map((event) => event.t / this.columns[0].factor);
+            // Plots over the time show the same of it.
+            const plot = make_plot(x, curves, events, this.part("plots").clientWidth, (low, high) => {
+                for (const other of this.plots)
+                    if (other === plot || (plot.is_over_time && other.is_over_time)) other.zoom(low, high);
+            });
+            plot.is_over_time = Boolean(x.is_time);
+            plot.figure.append(this.remove_button(panel, curves));
             plot.svg.addEventListener("pointermove", (e) => {
                 if (!this.is_playing) this.show(plot.at(e));
             });
@@ -153,6 +160,16 @@ class Player {
         }
         this.part("plots").replaceChildren(...this.plots.map((plot) => plot.figure));
         this.show(this.row || 0);
+    }
+
+    remove_button(panel, curves) {
+        const button = element("button", {type: "button", class: "remove"}, "\u00d7");
+        button.setAttribute("aria-label", `Remove the plot of ${curves.map((one) => one.name).join(", ")}`);
+        button.addEventListener("click", () => {
+            this.panels = this.panels.filter((one) => one !== panel);
+            this.draw_plots();
+        });
+        return button;
     }
 
     show(row, is_quick = false) {

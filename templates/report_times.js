@@ -13,6 +13,8 @@ function end_of(scene, settings, made) {
 function kink_times(scene, settings, made, until) {
     const found = new Set(scene.stops.filter((t) => t < until));
     if (is_as_written(scene, settings) && until <= scene.until) return [...found];
+    for (const t of scene.known_times)
+        if (t < until) found.add(t);
     for (const {waves, functions, rates} of scene.switches) {
         const all = functions(made.parameter_values), values = new Float64Array(waves.length);
         const fast = new Float64Array(waves.reduce((sum, count) => sum + count, 0));

@@ -40,11 +40,27 @@ public:
             turns(item.on);
             turns(item.against);
         }
+        if (model_.view) viewed(*model_.view);
         placement_cycles();
         effects();
     }
 
 private:
+    /// What is drawn goes by the name of what it is of; a shape is that of a body.
+    void viewed(const View& view) {
+        for (const ViewPart& part : view.parts) {
+            element({{part.name, nullptr, part.span}, "parts", viewed_kinds(), true}, "the view");
+            const OfKind found = names_.find_element(part.name, viewed_kinds());
+            if (found.item == nullptr || names_.find_element<Body>(part.name) != nullptr) continue;
+            const char* key = part.shape != ViewPart::Shape::usual ? "shape" : !part.colour.empty() ? "colour" : nullptr;
+            if (key != nullptr)
+                diagnostics_.error(Id::not_allowed_here, part.span,
+                                   fmt::format("only bodies have a {} in the view, but '{}' is {}", key, part.name,
+                                               with_article(found.kind->word)),
+                                   {{found.item->span, "it is defined here"}});
+        }
+    }
+
     /// What an element brings along refers to what the element itself does.
     template <class Described>
     void elements(const Described& item) {
@@ -156,7 +172,8 @@ private:
         const auto conditions = [&](const auto& item) {
             if constexpr (requires { item.is_made; })
                 if (item.is_made) return;  // by an item that says the same
-            condition(item.when, !std::is_same_v<std::remove_cvref_t<decltype(item)>, PrintedEquation>);
+            if constexpr (requires { item.when; })
+                condition(item.when, !std::is_same_v<std::remove_cvref_t<decltype(item)>, PrintedEquation>);
         };
         for_each_kind(model_, [&](const char*, const auto& items) { for_each_item(items, conditions); });
         const auto listed = [&](const std::vector<std::pair<std::string, Span>>& names) {

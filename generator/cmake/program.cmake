@@ -69,10 +69,13 @@ set(embedded
     templates/report.html.in
     templates/report.css
     templates/report_index.html.in
+    templates/report_errors.html.in
+    templates/report_watch.js
     templates/report_player.html
     templates/report_numbers.js
     templates/report_plot.js
     templates/report_drawing.js
+    templates/report_shapes.js
     templates/report_network.js
     templates/report_network_parts.js
     templates/report_field.js

@@ -81,7 +81,7 @@ std::string picture_of(const PreparedRun& run, const Options& options) {
 
 }  // namespace
 
-MadePage make_page(const Options& options, Streams streams, bool with_picture) {
+MadePage make_page(const Options& options, Streams streams, bool with_picture, const std::string& watching) {
     const auto model = loaded(options, streams);
     const std::vector<std::string> names = options.choice.scene.empty()
                                                ? scene_names(model->model)
@@ -92,6 +92,9 @@ MadePage make_page(const Options& options, Streams streams, bool with_picture) {
         scenes.push_back(prepare_scene(model, name, options));
         const Machine& machine = scenes.back().derived();
         show_warnings(machine, streams);
+        // Checks may take longer than all else.
+        if (!model->model.printed.empty())
+            streams.err << fmt::format("  {}, scene {}: derived and proven; checking printed equations\n", model->model.name, name);
         printed.add(*machine.system);
         for (const Machine& other : machine.other_modes) printed.add(*other.system);
     }
@@ -102,7 +105,7 @@ MadePage make_page(const Options& options, Streams streams, bool with_picture) {
     told.first_scene = usual != nullptr && !usual->scene.empty() ? usual->scene : model->model.default_scene;
     told.page = std::filesystem::path(options.output) / (model->model.name + ".html");
     const std::string file = std::filesystem::path(options.choice.model).filename().string();
-    made.html = machine_page(model->model, file, scenes, printed.rows(), told);
+    made.html = machine_page(model->model, file, scenes, printed.rows(), told, watching);
     if (!with_picture) return made;
     const auto shown = std::find_if(scenes.begin(), scenes.end(), [&](const ScenePage& scene) {
         return scene.run && (scenes.size() == 1 || scene.run->machine.system->scene.name == told.first_scene);

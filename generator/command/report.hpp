@@ -12,6 +12,7 @@ struct MadePage {
     std::string html;
 };
 /// Of the model that the options choose. `with_picture`: that of its first plot, which takes a compiler. Throws Failure.
-MadePage make_page(const Options& options, Streams streams, bool with_picture);
+/// `watching`: a script that the page gets besides its own.
+MadePage make_page(const Options& options, Streams streams, bool with_picture, const std::string& watching = {});
 
 }  // namespace dalembert

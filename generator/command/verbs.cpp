@@ -29,6 +29,7 @@ ExitCode study_command(const Options& options, Streams streams);
 ExitCode survey_command(const Options& options, Streams streams);
 ExitCode gallery_command(const Options& options, Streams streams);
 ExitCode report_command(const Options& options, Streams streams);
+ExitCode watch_command(const Options& options, Streams streams);
 ExitCode effects_command(const Options& options, Streams streams);
 ExitCode cost_command(const Options& options, Streams streams);
 ExitCode accuracy_command(const Options& options, Streams streams);
@@ -101,6 +102,14 @@ void take_report(VerbOptions& o) {
     o.run("run of the page; `reference` or the only one if left out");
     o.cache();
     o.format();
+}
+
+void take_watch(VerbOptions& o) {
+    o.model();
+    o.run("run of the page; `reference` or the only one if left out");
+    o.add("--port", o.options.port, "port of 127.0.0.1 at which the page is shown; 0: any that is free")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 65535));
 }
 
 void take_check(VerbOptions& o) {
@@ -345,6 +354,8 @@ constexpr auto table = std::to_array<Verb>({
      gallery_command, take_gallery},
     {"report", "write NAME.html for each model: a page that shows the machine, its equations and proofs, and runs it; it needs nothing else",
      report_command, take_report},
+    {"watch", "show the page of `report` in a browser of this computer, made anew whenever the model changes, and errors at their places",
+     watch_command, take_watch},
     {"effects", "measure the cost of each scene and effect, and the error of leaving it out; write CSV and a plot", effects_command,
      take_effects},
     {"cost", "measure time against accuracy: every method in every number type, compared with a reference; write CSV and plots",

@@ -50,6 +50,7 @@
     KIND("scenes", scenes, SceneChoice) \
     KIND("printed", printed, PrintedEquation) \
     KIND("runs", runs, Run) \
+    KIND("view", view, View) \
     KIND("measurements", measurements, Measurement)
 
 namespace dalembert {
@@ -77,7 +78,7 @@ void for_each_common_kind(One& one, Other& other, const Visit& visit) {
 #undef DALEMBERT_KIND
 }
 
-/// The items of a kind; there is one gravity, or none.
+/// The items of a kind; there is one gravity or view, or none.
 template <class Items, class Visit>
 void for_each_item(Items& items, const Visit& visit) {
     if constexpr (requires { items.has_value(); }) {

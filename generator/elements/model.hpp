@@ -9,6 +9,7 @@
 #include "elements/quantities.hpp"
 #include "elements/runs.hpp"
 #include "elements/switching.hpp"
+#include "elements/view.hpp"
 
 namespace dalembert {
 
@@ -73,6 +74,7 @@ struct Model {
     std::string default_scene;
     std::vector<PrintedEquation> printed;
     std::vector<Run> runs;
+    std::optional<View> view;
     std::vector<Measurement> measurements;
 };
 

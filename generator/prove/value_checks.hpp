@@ -7,10 +7,11 @@
 #include "prove/body_validity.hpp"
 #include "prove/statics_validity.hpp"
 #include "prove/switching_validity.hpp"
+#include "prove/view_validity.hpp"
 
 namespace dalembert {
 
-/// Whether switches, bodies, solids, fluids and whatever holds heat can be as the values say, which meet the constraints.
+/// Whether switches, bodies, solids, fluids, whatever holds heat and drawings can be as the values say, which meet the constraints.
 /// `conditions` gets what is checked. Throws Failure (value-out-of-range, wrong-inertia, inconsistent-medium).
 inline void check_values(const System& system, const Values& values, ValueConditions* conditions = nullptr) {
     check_switching_values(system, values, conditions);
@@ -18,6 +19,7 @@ inline void check_values(const System& system, const Values& values, ValueCondit
     check_solid_values(system, values, conditions);
     check_fluid_values(system, values, conditions);
     check_heat_values(system, values, conditions);
+    check_view_values(system, values, conditions);
 }
 
 }  // namespace dalembert

@@ -76,8 +76,9 @@ private:
         }
     }
 
-    void collection(const char* name, std::optional<Gravity>& gravity) {
-        if (const DocumentNode::Member* member = root_.find(name)) gravity = item<Gravity>(*member, name);
+    template <class T>
+    void collection(const char* name, std::optional<T>& alone) {
+        if (const DocumentNode::Member* member = root_.find(name)) alone = item<T>(*member, name);
     }
 
     template <class T>
@@ -91,9 +92,10 @@ private:
         return result;
     }
 
-    static void fill(const Entry& entry, Gravity& gravity) {
-        gravity.when = entry.condition("when");
-        gravity.span = entry.span();
+    template <class T>
+    static void fill(const Entry& entry, T& alone) {
+        if constexpr (requires { alone.when; }) alone.when = entry.condition("when");
+        alone.span = entry.span();
     }
 
     const DocumentNode* section_table(const char* name) {

@@ -11,6 +11,7 @@
 
 #include "elements/bodies.hpp"
 #include "elements/forces.hpp"
+#include "elements/view.hpp"
 
 namespace dalembert {
 
@@ -30,6 +31,7 @@ public:
                 continue;
             }
             drawing_.bodies.push_back(body.member.name());
+            hidden_.push_back(is_hidden(*system_.scene.model, body.member.name()));
             add({plain(body.position[0]), plain(body.position[1]), plain(body.position[2])});
             shown_.push_back(&body);
         }
@@ -40,6 +42,7 @@ public:
             add_bars_in_space();
         drawing_.framed = points_.size();
         add_springs();
+        add_view();
         tell_rest();
         for (const Point& p : points_) drawing_.coordinates.insert(drawing_.coordinates.end(), p.begin(), p.end());
         return std::move(drawing_);
@@ -86,7 +89,7 @@ private:
         for (bool is_new = true; is_new;) {
             is_new = false;
             for (std::size_t b = 0; b < shown_.size(); ++b) {
-                if (has_bar[b] || !add_bar(b)) continue;
+                if (has_bar[b] || hidden_[b] || !add_bar(b)) continue;
                 has_bar[b] = is_new = true;
             }
         }
@@ -155,6 +158,7 @@ private:
     void add_bars_in_space() {
         std::optional<std::size_t> origin;
         for (std::size_t b = 0; b < shown_.size(); ++b) {
+            if (hidden_[b]) continue;
             const Point ground{0, 0, 0};
             if (keeps_distance(b, ground, nullptr)) {
                 if (!origin) origin = add(ground);
@@ -206,6 +210,7 @@ private:
     /// See note [springs].
     void add_springs() {
         for (const Member<Spring>& member : system_.scene.springs) {
+            if (is_hidden(*system_.scene.model, member.name())) continue;
             const ex elongation = plain(system_.translate(*member.item->elongation, Translator::indices_of(member)));
             const std::vector<ex> moving = coordinates_in({elongation});
             std::vector<std::size_t> moved;
@@ -253,6 +258,45 @@ private:
         return true;
     }
 
+    std::optional<std::size_t> measure(const ExpressionPtr& e) {
+        if (!e) return std::nullopt;
+        drawing_.measures.push_back(plain(system_.translate(*e, {})));
+        return drawing_.measures.size() - 1;
+    }
+
+    void add_view() {
+        const std::optional<View>& view = system_.scene.model->view;
+        if (!view) return;
+        drawing_.ground = measure(view->ground);
+        drawing_.turn = measure(view->turn);
+        drawing_.tilt = measure(view->tilt);
+        drawing_.has_trails = view->trails.value_or(true);
+        for (std::size_t b = 0; b < shown_.size(); ++b) {
+            MachineDrawing::Look look;
+            look.hidden = hidden_[b];
+            if (const ViewPart* part = find_view(*system_.scene.model, drawing_.bodies[b])) {
+                for (const auto& choice : view_shapes())
+                    if (choice.value == part->shape) look.shape = choice.word;
+                look.colour = part->colour;
+                look.radius = measure(part->radius);
+                look.width = measure(part->width);
+                look.height = measure(part->height);
+                if (shown_[b]->has_rotation && drawing_.plane == std::vector<std::size_t>{0, 1}) {
+                    drawing_.measures.push_back(plain(shown_[b]->rotation));
+                    look.rotation = drawing_.measures.size() - 1;
+                }
+                if (part->shape == ViewPart::Shape::wheel && !look.rotation)
+                    drawing_.not_drawn.push_back(fmt::format("how the wheel '{}' turns, as its body has no `rotation` in the plane of x and y",
+                                                             drawing_.bodies[b]));
+                if (part->shape == ViewPart::Shape::box && drawing_.plane.empty()) {
+                    drawing_.not_drawn.push_back(fmt::format("the box of body '{}', which moves in space", drawing_.bodies[b]));
+                    look.shape.clear();
+                }
+            }
+            drawing_.looks.push_back(std::move(look));
+        }
+    }
+
     void tell_rest() {
         const Scene& scene = system_.scene;
         const auto tell = [&](std::size_t count, const char* one, const char* many) {
@@ -272,6 +316,7 @@ private:
     MachineDrawing drawing_;
     std::vector<Point> points_;
     std::vector<const BodyMotion*> shown_;
+    std::vector<bool> hidden_;
     std::size_t springs_not_drawn_ = 0;
 };
 

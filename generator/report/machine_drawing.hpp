@@ -14,6 +14,7 @@
 // spring is between them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,16 @@ struct MachineDrawing {
         std::size_t from, to;
         bool has_wall;
     };
+    /// What a view of the model says of a body.
+    struct Look {
+        std::string shape, colour;  ///< words of the model; empty: as usual
+        bool hidden = false;
+        std::optional<std::size_t> radius, width, height, rotation;  ///< places among the measures
+    };
+    std::vector<Look> looks;         ///< one a body; none where there is no view
+    std::vector<GiNaC::ex> measures; ///< m and rad
+    std::optional<std::size_t> ground, turn, tilt;
+    bool has_trails = true;
     std::vector<GiNaC::ex> coordinates;  ///< x, y, z of point after point, in m
     std::vector<std::string> bodies;     ///< names of the first points
     std::size_t framed = 0;              ///< points that are in the picture; those behind give directions

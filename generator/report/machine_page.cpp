@@ -172,7 +172,7 @@ VerdictCounts ReportedPage::proofs() const {
 }
 
 std::string machine_page(const Model& model, const std::string& file, std::vector<ScenePage>& scenes,
-                         const std::vector<PrintedRow>& printed, ReportedPage& result) {
+                         const std::vector<PrintedRow>& printed, ReportedPage& result, const std::string& watching) {
     std::string modules, objects, sections, links;
     for (ScenePage& scene : scenes) {
         const Scene& s = scene.derived().system->scene;
@@ -181,9 +181,16 @@ std::string machine_page(const Model& model, const std::string& file, std::vecto
         for (const CheckedScene::Group& group : scene.proofs.groups)
             for (const CheckedScene::Proof& proof : group.proofs) told.proofs.add(proof.verdict);
         if (scene.run) {
-            const SceneScript script = scene_script(scene, drawing, file);
-            modules += script.module + "\n";
-            objects += "    " + script.object + ",\n";
+            try {
+                const SceneScript script = scene_script(scene, drawing, file);
+                modules += script.module + "\n";
+                objects += "    " + script.object + ",\n";
+            } catch (const std::exception& error) {  // such as a formula of too many terms: the page goes without a player
+                told.reason = scene.reason = fmt::format("its formulas cannot be written as JavaScript ({}).", error.what());
+                told.runs = false;
+                scene.machine = std::move(scene.run->machine);
+                scene.run.reset();
+            }
         }
         sections += scene_section(scene, drawing);
         links += fmt::format("<a href=\"#scene-{0}\">{0}</a> ", html_text(s.name));
@@ -198,11 +205,11 @@ std::string machine_page(const Model& model, const std::string& file, std::vecto
     if (!objects.empty()) {
         script = javascript_runtime() + modules + "const scenes = [\n" + objects +
                  "];\nconst first_scene = " + js_string(result.first_scene) + ";\n";
-        for (const char* part : {"numbers", "plot", "drawing", "network_parts", "network", "field", "start", "times", "runs", "player"})
+        for (const char* part : {"numbers", "plot", "shapes", "drawing", "network_parts", "network", "field", "start", "times", "runs", "player"})
             script += embedded_file(fmt::format("report_{}.js", part));
         script = "<script type=\"module\">\n" + in_script(script) + "</script>\n";
     }
-    script += "<script>\n" + std::string(embedded_file("report_print.js")) + "</script>\n";
+    script += "<script>\n" + std::string(embedded_file("report_print.js")) + "</script>\n" + watching;
     std::string page =
         fill_template(embedded_file("report.html.in"),
                       {{"STYLE", std::string(embedded_file("report.css"))},
@@ -212,6 +219,7 @@ std::string machine_page(const Model& model, const std::string& file, std::vecto
                        {"LINKS", links},
                        {"PLAYER", objects.empty() ? "" : std::string(embedded_file("report_player.html"))},
                        {"BODY", sections + printed_section(printed)},
+                       {"CONNECT", watching.empty() ? "" : "; connect-src 'self'"},
                        {"SCRIPT", script}});
     result.bytes = page.size();
     return page;

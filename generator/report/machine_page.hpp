@@ -40,8 +40,9 @@ struct ReportedPage {
     VerdictCounts proofs() const;  ///< of all scenes
 };
 
-/// Writes the page and what is to be told of it. `file`: the name of the model file, for commands. The code of the machines grows.
+/// Writes the page and what is to be told of it. `file`: the name of the model file, for commands. `watching`: a script that makes the
+/// page ask where it came from for the next one. The code of the machines grows.
 std::string machine_page(const Model& model, const std::string& file, std::vector<ScenePage>& scenes,
-                         const std::vector<PrintedRow>& printed, ReportedPage& result);
+                         const std::vector<PrintedRow>& printed, ReportedPage& result, const std::string& watching = {});
 
 }  // namespace dalembert

@@ -17,7 +17,9 @@
 #include "js/module.hpp"
 #include "js/print.hpp"
 #include "language/lexer.hpp"
+#include "program/plant_tables.hpp"
 #include "run/plant_run.hpp"
+#include "symbolic/curve_functions.hpp"
 
 namespace dalembert {
 
@@ -49,12 +51,21 @@ Json unit_json(const Unit& unit) {
                      cln::double_approx(unit.offset));
 }
 
+bool calls_curves(const std::vector<GiNaC::ex>& values, const Symbols& symbols) {
+    return std::any_of(values.begin(), values.end(), [&](const GiNaC::ex& value) {
+        const GiNaC::ex whole = symbols.without_definitions(value);
+        return std::any_of(whole.preorder_begin(), whole.preorder_end(), [](const GiNaC::ex& part) { return curve_call(part).has_value(); });
+    });
+}
+
 /// A function with the parameters $p that writes into `target`; null where there is nothing to write.
 std::string written_function(Code& code, const Plant& plant, const std::vector<GiNaC::ex>& values, const std::string& target,
                              const char* arguments) {
     if (values.empty()) return "null";
     JsPrinter print(plant);
-    const std::string body = print.text(value_statements(code, values, target)), tables = print.curves(plant.curves);
+    const std::string body = print.text(value_statements(code, values, target));
+    // A curve may be called here and nowhere in the plant.
+    const std::string tables = calls_curves(values, code.system.symbols) ? print.curves(curve_tables({&code})) : "";
     return fmt::format("(() => {{\n{}return ($p) => ({}) => {{\n        {}.fill(0);\n{}}};\n}})()",
                        js_helper_source(print.called()) + tables, arguments, target, body);
 }
@@ -81,12 +92,13 @@ public:
         json["points"] = drawing_.coordinates.size() / 3;
         json["framed"] = drawing_.framed;
         json["plane"] = drawing_.plane;
+        add_view(json);
         add_network(json);
         const std::string functions = fmt::format(
-            "inputs: {}, place: {}, end_of_run: {}, start_values: {}, checked_values: {}, held: {}, switches: {}, network_values: {}",
+            "inputs: {}, place: {}, end_of_run: {}, start_values: {}, checked_values: {}, held: {}, switches: {}, network_values: {}, measures: {}",
             written(run_.settings.inputs, "u", "t, x, u"), written(drawing_.coordinates, "points", "t, x, points"),
             formulas_.end ? written({*formulas_.end}, "end", "end") : "null", written(formulas_.start, "start", "start"), conditions(json),
-            held(json), switches(), network_values());
+            held(json), switches(), network_values(), written(drawing_.measures, "values", "t, x, values"));
         return {js_module(run_.header.plant, name, "// SPDX-License-Identifier: BSL-1.0"),
                 fmt::format("{{ ...{}, make: {}, {} }}", script_json(json), name, functions)};
     }
@@ -152,6 +164,17 @@ private:
                                 written_function(code, run_.header.plant, rates, "values", "values"));
         }
         return "[" + list + "]";
+    }
+
+    /// What the view of the model says, with places of measures.
+    void add_view(Json& json) const {
+        const auto place = [](const std::optional<std::size_t>& one) { return one ? Json(*one) : Json(); };
+        Json& view = json["view"];
+        view = {{"count", drawing_.measures.size()}, {"ground", place(drawing_.ground)}, {"turn", place(drawing_.turn)},
+                {"tilt", place(drawing_.tilt)}, {"has_trails", drawing_.has_trails}, {"looks", Json::array()}};
+        for (const MachineDrawing::Look& look : drawing_.looks)
+            view["looks"].push_back({{"shape", look.shape}, {"colour", look.colour}, {"hidden", look.hidden}, {"radius", place(look.radius)},
+                                     {"width", place(look.width)}, {"height", place(look.height)}, {"rotation", place(look.rotation)}});
     }
 
     /// Parts, links and layouts of the network of fluids and heat; none where there is nothing of it.
@@ -226,6 +249,7 @@ private:
         // Nothing: steps are as long as their errors allow.
         json["longest_step"] = steps_freely(system_, s.inputs) ? Json() : Json(s.until / s.intervals);
         json["stops"] = s.kinks;
+        json["known_times"] = formulas_.known_times;
         const std::vector<double> values = numbers_of(run_.values.state());
         const StatePlaces places = place_states(system_);
         std::vector<double> start = run_.header.plant.start_values;

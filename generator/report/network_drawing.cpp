@@ -8,6 +8,7 @@
 #include "elements/conduction.hpp"
 #include "elements/fluids.hpp"
 #include "elements/heat.hpp"
+#include "elements/view.hpp"
 
 namespace dalembert {
 
@@ -29,6 +30,7 @@ public:
     NetworkDrawing run() {
         add_fluids();
         add_heat();
+        hide();
         if (drawing_.parts.size() > most_parts) {
             const std::string told = fmt::format("the network of fluids and heat, which has {} parts", drawing_.parts.size());
             drawing_ = {};
@@ -63,6 +65,29 @@ private:
         const NetworkDrawing::Place place = add(flow);
         if (!place) drawing_.not_drawn.push_back(fmt::format("how much flows through '{}', as that depends on accelerations", name));
         drawing_.links.push_back({std::move(name), std::move(kind), from, to, is_heat, place});
+    }
+
+    /// What the view hides, with the links that lead to it, and what then nothing leads to.
+    void hide() {
+        const Model& model = *system_.scene.model;
+        std::vector<bool> had_links(drawing_.parts.size(), false), has_links(drawing_.parts.size(), false);
+        for (const NetworkDrawing::Link& link : drawing_.links) had_links[link.from] = had_links[link.to] = true;
+        std::erase_if(drawing_.links, [&](const NetworkDrawing::Link& link) {
+            return is_hidden(model, link.name) || is_hidden(model, drawing_.parts[link.from].name) ||
+                   is_hidden(model, drawing_.parts[link.to].name);
+        });
+        for (const NetworkDrawing::Link& link : drawing_.links) has_links[link.from] = has_links[link.to] = true;
+        std::vector<std::size_t> place;
+        std::vector<Part> parts;
+        for (std::size_t i = 0; i < drawing_.parts.size(); ++i) {
+            place.push_back(parts.size());
+            if (!is_hidden(model, drawing_.parts[i].name) && (has_links[i] || !had_links[i])) parts.push_back(std::move(drawing_.parts[i]));
+        }
+        drawing_.parts = std::move(parts);
+        for (NetworkDrawing::Link& link : drawing_.links) {
+            link.from = place[link.from];
+            link.to = place[link.to];
+        }
     }
 
     std::size_t outside() { return add({"", "outside", {}, {}, {}}); }
@@ -283,6 +308,19 @@ private:
 };
 
 }  // namespace
+
+const ViewPart* find_view(const Model& model, const std::string& name) {
+    if (!model.view) return nullptr;
+    const std::string base = name.substr(0, name.find('['));
+    for (const ViewPart& part : model.view->parts)
+        if (part.name == base) return &part;
+    return nullptr;
+}
+
+bool is_hidden(const Model& model, const std::string& name) {
+    const ViewPart* part = find_view(model, name);
+    return part != nullptr && part->hidden;
+}
 
 NetworkDrawing network_of(const System& system) { return NetworkMaker(system).run(); }
 

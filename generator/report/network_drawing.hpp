@@ -40,6 +40,10 @@ struct NetworkDrawing {
     bool empty() const { return parts.empty(); }
 };
 
+/// What the view of a model says of an element by its name, "hot[2]" as "hot"; null if nothing.
+const ViewPart* find_view(const Model& model, const std::string& name);
+bool is_hidden(const Model& model, const std::string& name);
+
 NetworkDrawing network_of(const System& system);
 
 /// In each mode, that of the machine first: all but the values is the same, or nothing is drawn.

@@ -2,6 +2,7 @@
 #include "report/run_formulas.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "form/state_places.hpp"
 #include "prove/value_checks.hpp"
@@ -12,8 +13,8 @@ using GiNaC::ex;
 
 namespace {
 
-/// Beyond, those alone whose times follow from parameters: a curve has many knots, each at a time of its own.
-constexpr std::size_t many_switches = 50;
+/// Beyond, those alone whose times follow from parameters.
+constexpr std::size_t many_switches = 200;
 
 /// The values of the run with letters in the places of parameters.
 Values with_letters(const RunPreparation& preparation, const System& system) {
@@ -32,10 +33,24 @@ bool has_any(const System& system, const ex& e, std::initializer_list<SymbolKind
     });
 }
 
-std::vector<SwitchInTime> switches_of(const RunPreparation& preparation, const System& system) {
+/// Where a function that is linear in the time, with numbers alone, is zero: a curve over the time has many knots.
+std::optional<double> known_time(const System& system, const ex& function) {
+    const ex &time = system.symbols.time(), whole = system.symbols.without_definitions(function).expand();
+    if (!whole.is_polynomial(time) || whole.degree(time) != 1) return std::nullopt;
+    const ex root = -whole.coeff(time, 0) / whole.coeff(time, 1);
+    if (!GiNaC::is_a<GiNaC::numeric>(root) || !GiNaC::ex_to<GiNaC::numeric>(root).is_real()) return std::nullopt;
+    return GiNaC::ex_to<GiNaC::numeric>(root).to_double();
+}
+
+std::vector<SwitchInTime> switches_of(const RunPreparation& preparation, const System& system, std::vector<double>& known) {
     GiNaC::exset letters;
     for (const Variable& parameter : system.symbols.all(SymbolKind::parameter)) letters.insert(parameter.symbol);
     std::vector<SwitchInTime> all = preparation.switches(with_letters(preparation, system), system, letters);
+    std::erase_if(all, [&](const SwitchInTime& one) {
+        const std::optional<double> time = known_time(system, one.function);
+        if (time && *time > 0) known.push_back(*time);
+        return time.has_value();
+    });
     if (all.size() > many_switches)
         std::erase_if(all, [&](const SwitchInTime& one) { return !has_any(system, one.function, {SymbolKind::parameter}); });
     return all;
@@ -79,8 +94,11 @@ RunFormulas formulas_of_run(const RunPreparation& preparation, const PreparedRun
     std::erase_if(formulas.conditions, [&](const ValueCondition& one) {
         return one.values.empty() || std::all_of(one.values.begin(), one.values.end(), is_fixed);
     });
-    formulas.switches.push_back(switches_of(preparation, system));
-    for (const Machine& other : run.machine.other_modes) formulas.switches.push_back(switches_of(preparation, *other.system));
+    formulas.switches.push_back(switches_of(preparation, system, formulas.known_times));
+    for (const Machine& other : run.machine.other_modes)
+        formulas.switches.push_back(switches_of(preparation, *other.system, formulas.known_times));
+    std::sort(formulas.known_times.begin(), formulas.known_times.end());
+    formulas.known_times.erase(std::unique(formulas.known_times.begin(), formulas.known_times.end()), formulas.known_times.end());
     return formulas;
 }
 

@@ -18,6 +18,7 @@ struct RunFormulas {
     std::vector<bool> fixed_inputs;    ///< those that parameters alone determine
     ValueConditions conditions;        ///< of parameters and the start
     std::vector<std::vector<SwitchInTime>> switches;  ///< of the machine, then of its other modes
+    std::vector<double> known_times;  ///< s, of further kinks and jumps that nothing moves, such as the knots of a curve over the time
 };
 RunFormulas formulas_of_run(const RunPreparation& preparation, const PreparedRun& run);
 

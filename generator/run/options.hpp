@@ -86,6 +86,7 @@ struct Options {
     std::string fix;                      ///< parameters that become numbers
     std::string language = languages().front().name;
     std::string target;                   ///< of export
+    int port = 8123;                      ///< of watch; 0: any that is free
     bool sources_only = false;
     std::string trig = "library";         ///< whose sine and cosine the header calls
     double ulp_limit = 8;                 ///< of errors in double

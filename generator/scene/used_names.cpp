@@ -22,6 +22,7 @@ std::set<std::string> names_read(const Model& model, const Names& names) {
     readers.definitions.clear();
     readers.printed.clear();
     readers.runs.clear();
+    readers.view.reset();
     readers.measurements.clear();
     std::set<std::string> read;
     const std::function<void(const Site&)> note = [&](const Site& site) {
@@ -175,7 +176,7 @@ void UsedNames::use_declared() {
 
 /// Parameters that the runs of this scene need for its inputs.
 void UsedNames::use_in_runs() {
-    const auto use_parameters = [&](const ExpressionPtr& expression) {
+    const auto use_parameters = [&](const Expression* expression) {
         if (!expression) return;
         for_each(*expression, [&](const Expression& e) {
             const Named* named = e.kind == Kind::name ? names_.find(e.name) : nullptr;
@@ -183,15 +184,19 @@ void UsedNames::use_in_runs() {
             if (is_constant && scene_.holds(named->item->when)) use_name(e.name, e.span);
         });
     };
+    if (scene_.model->view) {
+        owner_ = owner_of(*scene_.model->view);
+        visit(*scene_.model->view, [&](const Site& site) { use_parameters(site.expression); });
+    }
     for (const Run& run : scene_.model->runs) {
         if (!run.scene.empty() && run.scene != scene_.base) continue;
         owner_ = owner_of(run);
-        for (const ExpressionPtr& e : {run.until, run.period, run.step}) use_parameters(e);
+        for (const ExpressionPtr& e : {run.until, run.period, run.step}) use_parameters(e.get());
         for (const Plot& plot : run.plots)
             for (const std::string& name : plot.y) fields_.tap_plotted(name);
         for (const RunEntry& entry : run.inputs)
-            if (used_.contains(entry.variable->name)) use_parameters(entry.value);
-        for (const RunEntry& entry : run.exact) use_parameters(entry.value);
+            if (used_.contains(entry.variable->name)) use_parameters(entry.value.get());
+        for (const RunEntry& entry : run.exact) use_parameters(entry.value.get());
     }
 }
 

@@ -77,6 +77,28 @@
         }
         for (const svg of document.querySelectorAll("#plots svg"))
             svg.dispatchEvent(new PointerEvent("pointermove", {clientX: 200, clientY: 100}));
+        // A drag zooms, with all plots over the time; a double click and keys show all again.
+        const plot = part("plots").querySelector("svg"), texts = () => [...plot.querySelectorAll("text")].map((one) => one.textContent).join();
+        const whole = texts(), box = plot.getBoundingClientRect();
+        const point = (kind, share) => plot.dispatchEvent(
+            new PointerEvent(kind, {clientX: box.left + share * box.width, clientY: box.top + 0.5 * box.height, bubbles: true, button: 0}));
+        for (const [zoom, back] of [
+                 [() => ["pointerdown", "pointermove", "pointerup"].forEach((kind, i) => point(kind, 0.4 + 0.1 * i)),
+                  () => plot.dispatchEvent(new MouseEvent("dblclick"))],
+                 [() => plot.dispatchEvent(new KeyboardEvent("keydown", {key: "+"})),
+                  () => plot.dispatchEvent(new KeyboardEvent("keydown", {key: "0"}))]]) {
+            zoom();
+            if (texts() === whole) found.errors.push("a plot does not zoom");
+            back();
+            if (texts() !== whole) found.errors.push("a plot does not show all again");
+        }
+        const count_of = () => part("plots").querySelectorAll("figure").length, before_adding = count_of();
+        part("over").selectedIndex = 1;
+        part("add-plot").selectedIndex = Math.min(2, part("add-plot").options.length - 1);
+        part("add-plot").dispatchEvent(new Event("change"));
+        if (count_of() !== before_adding + 1) found.errors.push("no phase plot");
+        part("plots").querySelector("figure:last-child .remove").click();
+        if (count_of() !== before_adding) found.errors.push("a plot is not removed");
         for (const details of document.querySelectorAll("details")) details.open = true;
         await wait(50);
         const wide = document.documentElement.scrollWidth - document.documentElement.clientWidth;

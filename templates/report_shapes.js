@@ -1,0 +1,59 @@
+// What the view of a model says of the drawing: shapes of bodies, to scale, their colours, and the ground.
+const view_colours = {
+    blue: 'light-dark(#0b57a4, #7cb8ff)',
+    orange: 'light-dark(#b3400a, #ffae70)',
+    green: 'light-dark(#1a7a3c, #7ddc9a)',
+    purple: 'light-dark(#8a2b8f, #e39be8)',
+    yellow: 'light-dark(#8a6d00, #e2d36b)',
+    grey: 'light-dark(#5a5f66, #b4bac2)',
+    red: 'light-dark(#b01722, #ff8f8f)',
+    brown: 'light-dark(#6d4326, #c9a183)'
+};
+
+/// For each row of a run the measures of the view.
+function view_rows(scene, recording) {
+    if (scene.measures === null) return recording.rows.map(() => []);
+    const measure = scene.measures(recording.made.parameter_values);
+    return recording.rows.map((row) => {
+        const values = new Float64Array(scene.view.count);
+        measure(row.t, row.x, values);
+        return values;
+    });
+}
+
+/// How far a shape reaches from the position of its body, in m.
+function reach_of(look, measures) {
+    if (!look || look.shape === '') return 0;
+    return look.shape === 'box' ? Math.hypot(measures[look.width], measures[look.height]) / 2 : measures[look.radius];
+}
+
+/// Returns { node, show(x, y, measures, span) }: `span`: m a pixel.
+function make_shape(look, colour) {
+    const angle = (measures) => look.rotation === null ? 0 : measures[look.rotation];
+    const path =
+        element('path', {style: `fill: ${colour}; stroke: ${colour}`, 'fill-opacity': 0.45, 'stroke-width': 2, 'stroke-linejoin': 'round'});
+    const at = (x, y, turn, along, across) => `${(x + along * Math.cos(turn) - across * Math.sin(turn)).toFixed(2)} ${
+        (y - along * Math.sin(turn) - across * Math.cos(turn)).toFixed(2)}`;
+    const show = (x, y, measures, span) => {
+        const turn = angle(measures);
+        if (look.shape === 'box') {
+            const [w, h] = [measures[look.width] / span / 2, measures[look.height] / span / 2];
+            path.setAttribute('d', `M${[[-w, -h], [w, -h], [w, h], [-w, h]].map(([a, b]) => at(x, y, turn, a, b)).join('L')}z`);
+            return;
+        }
+        const r = measures[look.radius] / span;
+        let d = `M${x - r} ${y}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${- 2 * r} 0z`;
+        if (look.shape === 'wheel')
+            for (let k = 0; k < 4; ++k) d += `M${at(x, y, turn + k * Math.PI / 2, 0.15 * r, 0)}L${at(x, y, turn + k * Math.PI / 2, r, 0)}`;
+        path.setAttribute('d', d);
+    };
+    return {node: path, show};
+}
+
+/// A line with strokes below it, across a picture.
+function ground_line(width, y) {
+    const group = element('g', {stroke: 'currentColor', 'stroke-opacity': 0.55});
+    group.append(element('line', {x1: 0, x2: width, y1: y, y2: y, 'stroke-width': 2}));
+    for (let x = 6; x < width; x += 14) group.append(element('line', {x1: x, x2: x - 6, y1: y, y2: y + 7}));
+    return group;
+}
