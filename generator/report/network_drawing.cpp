@@ -25,7 +25,8 @@ constexpr std::size_t narrow = 3, wide = 5;
 
 class NetworkMaker {
 public:
-    explicit NetworkMaker(const System& system) : system_(system) {}
+    /// `flows`: those of all modes.
+    NetworkMaker(const System& system, const std::vector<Member<Flow>>& flows) : system_(system), flows_(flows) {}
 
     NetworkDrawing run() {
         add_fluids();
@@ -81,7 +82,9 @@ private:
         std::vector<Part> parts;
         for (std::size_t i = 0; i < drawing_.parts.size(); ++i) {
             place.push_back(parts.size());
-            if (!is_hidden(model, drawing_.parts[i].name) && (has_links[i] || !had_links[i])) parts.push_back(std::move(drawing_.parts[i]));
+            const Part& part = drawing_.parts[i];
+            const bool is_end = part.kind == "reservoir" || part.kind == "held" || part.kind == "outside";  // of links alone
+            if (!is_hidden(model, part.name) && !(is_end && had_links[i] && !has_links[i])) parts.push_back(part);
         }
         drawing_.parts = std::move(parts);
         for (NetworkDrawing::Link& link : drawing_.links) {
@@ -104,13 +107,26 @@ private:
         }
         for (const JunctionState& junction : all.junctions)
             junctions_[&junction] = add({junction.member.name(), "junction", add(junction.fluid.pressure), {}, {}});
-        for (const FlowState& flow : system_.fluids.flows) {
-            const std::size_t from = end_of(flow.from_volume, flow.from_junction, flow.from);
-            const std::size_t to = end_of(flow.to_volume, flow.to_junction, flow.to);
-            link(flow.member.name(), law_of(*flow.member.item), from, to, false, flow.mass_flow);
+        for (const Member<Flow>& member : flows_) {
+            const FlowState* flow = system_.fluids.find_flow(member.item->name, member.index);
+            const std::size_t from =
+                flow != nullptr ? end_of(flow->from_volume, flow->from_junction, flow->from) : end_named(member.item->from, member);
+            const std::size_t to =
+                flow != nullptr ? end_of(flow->to_volume, flow->to_junction, flow->to) : end_named(member.item->to, member);
+            link(member.name(), law_of(*member.item), from, to, false, flow != nullptr ? flow->mass_flow : ex(0));
         }
         for (const ControlVolume& volume : all.volumes)
             if (!volume.heat.is_zero()) link(volume.member.name() + ", heat", "heat", outside(), volumes_.at(&volume), true, volume.heat);
+    }
+
+    /// Of a flow that this mode does not have.
+    std::size_t end_named(const Reference& end, const Member<Flow>& member) {
+        const Containers& all = system_.fluids.containers;
+        const int index = end.index ? index_value(*end.index, system_.scene, Translator::indices_of(member)) : 0;
+        const ControlVolume* volume = all.find_volume(end.name, index);
+        const JunctionState* junction = all.find_junction(end.name, index);
+        const ReservoirState* reservoir = all.find_reservoir(end.name, index);
+        return end_of(volume, junction, reservoir == nullptr ? nullptr : &reservoir->fluid);
     }
 
     /// As models call it; empty where the flow is given.
@@ -299,6 +315,7 @@ private:
     }
 
     const System& system_;
+    const std::vector<Member<Flow>>& flows_;
     NetworkDrawing drawing_;
     std::map<const ControlVolume*, std::size_t> volumes_;
     std::map<const JunctionState*, std::size_t> junctions_;
@@ -322,8 +339,6 @@ bool is_hidden(const Model& model, const std::string& name) {
     return part != nullptr && part->hidden;
 }
 
-NetworkDrawing network_of(const System& system) { return NetworkMaker(system).run(); }
-
 namespace {
 
 bool is_same(const NetworkDrawing& a, const NetworkDrawing& b) {
@@ -338,12 +353,27 @@ bool is_same(const NetworkDrawing& a, const NetworkDrawing& b) {
            std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(), same_link);
 }
 
+/// In order of declaration.
+std::vector<Member<Flow>> flows_of_all_modes(const Machine& machine) {
+    std::vector<Member<Flow>> flows;
+    const auto add = [&](const System& system) {
+        for (const FlowState& flow : system.fluids.flows) flows.push_back(flow.member);
+    };
+    add(*machine.system);
+    for (const Machine& other : machine.other_modes) add(*other.system);
+    const auto place = [](const Member<Flow>& flow) { return std::pair(flow.item, flow.index); };
+    std::sort(flows.begin(), flows.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
+    flows.erase(std::unique(flows.begin(), flows.end(), [&](const auto& a, const auto& b) { return place(a) == place(b); }), flows.end());
+    return flows;
+}
+
 }  // namespace
 
 std::vector<NetworkDrawing> networks_of(const Machine& machine) {
-    std::vector<NetworkDrawing> networks{network_of(*machine.system)};
+    const std::vector<Member<Flow>> flows = flows_of_all_modes(machine);
+    std::vector<NetworkDrawing> networks{NetworkMaker(*machine.system, flows).run()};
     for (const Machine& other : machine.other_modes) {
-        networks.push_back(network_of(*other.system));
+        networks.push_back(NetworkMaker(*other.system, flows).run());
         if (is_same(networks.front(), networks.back())) continue;
         NetworkDrawing none;
         none.not_drawn.push_back("the network of fluids and heat, whose parts differ between modes");

@@ -44,9 +44,7 @@ struct NetworkDrawing {
 const ViewPart* find_view(const Model& model, const std::string& name);
 bool is_hidden(const Model& model, const std::string& name);
 
-NetworkDrawing network_of(const System& system);
-
-/// In each mode, that of the machine first: all but the values is the same, or nothing is drawn.
+/// In each mode, that of the machine first: all but the values is the same, or nothing is drawn. A flow of other modes is zero.
 std::vector<NetworkDrawing> networks_of(const Machine& machine);
 
 }  // namespace dalembert

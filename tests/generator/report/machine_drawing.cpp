@@ -48,8 +48,38 @@ TEST_CASE("networks of fluids and heat have the parts and links of the scene, in
     CHECK(valve.networks.size() == 2);
     CHECK(valve.networks[0].values.size() == valve.networks[1].values.size());
     CHECK(valve.not_drawn.empty());
+    const MachineDrawing tank = drawing_of(machine_of("hydraulics/switched_tank", "switched"));
+    CHECK(tank.not_drawn.empty());
+    CHECK(kinds(tank.networks[0]) == "tank: tank; ambient: reservoir; source: reservoir; opening: hydraulic_orifice tank - ambient; "
+                                     "inflow:  source - tank; ");
     const MachineDrawing wall = drawing_of(machine_of("heat/pipe_wall"));
     CHECK(kinds(wall.networks[0]).starts_with("wall: cells; insulation: cells; flowing_water: held; air: held; "));
+}
+
+TEST_CASE("views of models give shapes and hide parts with what leads to them") {
+    const std::string block = "[bodies.block]\nmass = \"3 kg\"\nposition = [\"(1 m)*a\", 0, 0]\n[bodies.rod]\nmass = \"1 kg\"\n"
+                              "position = [\"(1 m)*cos(b)\", \"(1 m)*sin(b)\"]\nrotation = \"b\"\ninertia = \"1 kg*m^2\"\n";
+    const MachineDrawing seen = drawing(block + "[view]\nground = \"-1 m\"\ntrails = false\n"
+                                                "parts.block = { shape = \"box\", width = \"2 m\", height = \"1 m\", colour = \"red\" }\n");
+    REQUIRE(seen.looks.size() == 2);
+    CHECK(seen.looks[0].shape == "box");
+    CHECK(seen.looks[0].colour == "red");
+    CHECK(seen.measures.at(seen.looks[0].width.value()).is_equal(2));
+    CHECK(seen.measures.at(seen.ground.value()).is_equal(-1));
+    CHECK_FALSE(seen.has_trails);
+    CHECK(seen.bars.size() == 1);
+    const MachineDrawing hidden = drawing(block + "[view]\nparts.rod = { hidden = true }\n");
+    CHECK(hidden.looks[1].hidden);
+    CHECK(hidden.bars.empty());
+    const MachineDrawing tank = drawing(
+        "[kinetic.b]\nenergy = \"(1 kg*m^2)*(dot(a)^2 + dot(b)^2)/2\"\n[states]\nh = { unit = \"m\", start = 1, range = [0, 2] }\n"
+        "[media]\nwater = { law = \"incompressible\", density = \"1000 kg/m^3\" }\n"
+        "[reservoirs]\nriver = { medium = \"water\", pressure = \"1 bar\" }\n"
+        "[volumes]\nbasin = { medium = \"water\", volume = \"(2 m^2)*h\", filling = \"h\", pressure = \"1 bar\" }\n"
+        "[flows]\ninlet = { from = \"river\", to = \"basin\", mass_flow = \"1 kg/s\" }\n[view]\nparts.inlet = { hidden = true }\n");
+    REQUIRE(tank.networks[0].parts.size() == 1);
+    CHECK(tank.networks[0].parts[0].name == "basin");
+    CHECK(tank.networks[0].links.empty());
 }
 
 TEST_CASE("bars of drawings end where inertia or other bars tell, and begin at the joint next to the body") {
