@@ -1,7 +1,8 @@
 // The machine as it moves: bodies at their positions, bars between points; of what has no places, its states as levels.
 
-/// `places`: for each row of the run the coordinates of all points. `measures`: of view_rows(). `across`: pixels. Returns { node, show(i) }.
-function make_drawing(scene, places, measures, across) {
+/// `places`: for each row of the run the coordinates of all points. `measures`, `forces`: of
+/// view_rows() and force_rows(). `across`: pixels. Returns { node, show(i) }.
+function make_drawing(scene, places, measures, forces, across) {
     const width = Math.max(280, Math.min(640, across)), room = 36;
     let height = Math.round(0.75 * width);
     const svg = element("svg", {viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Drawing of ${scene.bodies.join(", ")}`});
@@ -91,16 +92,22 @@ function make_drawing(scene, places, measures, across) {
     const wall_lines = walls.map(
         (wall) =>
             wall === null ? null : trails.appendChild(element("line", {stroke: "currentColor", "stroke-opacity": 0.8, "stroke-width": 3})));
-    const bar_lines = (scene.bars || []).map(() => bars.appendChild(element("line")));
+    const bar_lines = (scene.bars || []).map(() => bars.appendChild(element('line')));
     const colour = (k) => look_of(k) && view_colours[look_of(k).colour] || plot_colours[k % plot_colours.length];
-    const trail_lines = scene.bodies.map((name, k) => trails.appendChild(element("polyline", {style: `stroke: ${colour(k)}`})));
-    const shapes = scene.bodies.map((name, k) => look_of(k) && look_of(k).shape !== "" && !is_hidden(k) ? make_shape(look_of(k), colour(k)) : null);
+    const trail_lines = scene.bodies.map((name, k) => trails.appendChild(element('polyline', {style: `stroke: ${colour(k)}`})));
+    const shapes =
+        scene.bodies.map((name, k) => look_of(k) && look_of(k).shape !== '' && !is_hidden(k) ? make_shape(look_of(k), colour(k)) : null);
     bodies.append(...shapes.flatMap((shape) => shape === null ? [] : [shape.node]));
     const size_of = (k) => is_hidden(k) ? 0 : shapes[k] !== null ? 3 : count > 60 ? 4 : 9;
-    const discs = scene.bodies.map((name, k) => bodies.appendChild(element("circle", {r: size_of(k), style: `fill: ${colour(k)}`})));
+    const discs = scene.bodies.map((name, k) => bodies.appendChild(element('circle', {r: size_of(k), style: `fill: ${colour(k)}`})));
+    const size_of_force = (values, k) => Math.hypot(values[3 * k], values[3 * k + 1], values[3 * k + 2]);
+    const largest_force =
+        forces.reduce((most, values) => scene.forces.reduce((m, one, k) => Math.max(m, size_of_force(values, k) || 0), most), 0);
+    const arrow_style = {style: `stroke: ${view_colours.red}; fill: ${view_colours.red}`, 'stroke-width': 2.5};
+    const arrows = scene.forces.map(() => bodies.appendChild(element('path', arrow_style)));
     const joints = [];
-    for (let k = scene.bodies.length; k < count; ++k) joints.push(bodies.appendChild(element("circle", {r: 3, fill: "currentColor"})));
-    const names = scene.bodies.length > 12 ? [] : scene.bodies.map((name) => label.appendChild(element("text", {}, name)));
+    for (let k = scene.bodies.length; k < count; ++k) joints.push(bodies.appendChild(element('circle', {r: 3, fill: 'currentColor'})));
+    const names = scene.bodies.length > 12 ? [] : scene.bodies.map((name) => label.appendChild(element('text', {}, name)));
     const draw_ground = () => {
         const [x, y] = [width / 2 - view.x / view.span, height / 2 + view.y / view.span];
         ground.replaceChildren();
@@ -109,18 +116,19 @@ function make_drawing(scene, places, measures, across) {
             axes.slice(1).forEach((axis, k) => {
                 const to = on_paper(axis, 0);
                 ground.append(
-                    element("line", {x1: from[0], y1: from[1], x2: to[0], y2: to[1], "stroke-opacity": 0.6}),
-                    element("text", {x: to[0] + 4, y: to[1] - 4, stroke: "none"}, "xyz"[k]));
+                    element('line', {x1: from[0], y1: from[1], x2: to[0], y2: to[1], 'stroke-opacity': 0.6}),
+                    element('text', {x: to[0] + 4, y: to[1] - 4, stroke: 'none'}, 'xyz'[k]));
             });
         }
         for (const [from, to] of grid) {
             const [a, b] = [on_paper(from, 0), on_paper(to, 0)];
-            ground.append(element("line", {x1: a[0], y1: a[1], x2: b[0], y2: b[1]}));
+            ground.append(element('line', {x1: a[0], y1: a[1], x2: b[0], y2: b[1]}));
         }
         if (is_planar && ground_height !== null)
             ground.append(ground_line(width, height / 2 - (ground_height - view.y) / view.span));
-        else if (is_planar && y > 0 && y < height) ground.append(element("line", {x1: 0, x2: width, y1: y, y2: y, "stroke-dasharray": "3 5"}));
-        if (is_planar && x > 0 && x < width) ground.append(element("line", {x1: x, x2: x, y1: 0, y2: height, "stroke-dasharray": "3 5"}));
+        else if (is_planar && y > 0 && y < height)
+            ground.append(element('line', {x1: 0, x2: width, y1: y, y2: y, 'stroke-dasharray': '3 5'}));
+        if (is_planar && x > 0 && x < width) ground.append(element('line', {x1: x, x2: x, y1: 0, y2: height, 'stroke-dasharray': '3 5'}));
         const metres =
             [1, 2, 5, 10].map((one) => one * 10 ** Math.floor(Math.log10(view.span * 120))).reverse().find((one) => one / view.span < 160);
         ground.append(
@@ -163,6 +171,11 @@ function make_drawing(scene, places, measures, across) {
         shapes.forEach((shape, k) => {
             if (shape !== null) shape.show(at[k][0], at[k][1], measures[shown], view.span);
         });
+        arrows.forEach((arrow, k) => {
+            const [along, up] = project(forces[shown], k), scale = largest_force > 0 ? 70 / largest_force : 0,
+                          from = at[scene.forces[k].at];
+            arrow.setAttribute('d', arrow_path(from[0], from[1], along * scale, -up * scale));
+        });
         names.forEach((name, k) => {
             // Bodies at one place have one label.
             const together = scene.bodies.filter((one, j) => !is_hidden(j) && Math.hypot(at[j][0] - at[k][0], at[j][1] - at[k][1]) < 4);
@@ -189,10 +202,13 @@ function make_drawing(scene, places, measures, across) {
     };
     redraw();
     const caption = element(
-        "figcaption", {},
-        (is_planar ? "Bodies at their positions, to scale." :
-                     "Bodies at their positions, to scale; drag, or use the arrow keys, to look from elsewhere.") +
-            (walls.some((wall) => wall !== null) ? " The distances to the walls of springs are not to scale." : ""));
+        'figcaption', {},
+        (is_planar ? 'Bodies at their positions, to scale.' :
+                     'Bodies at their positions, to scale; drag, or use the arrow keys, to look from elsewhere.') +
+            (largest_force > 0 ?
+                 ` Arrows are forces (${scene.forces.map((one) => one.name).join(', ')}), up to ${number_text(largest_force, 3)} N.` :
+                 '') +
+            (walls.some((wall) => wall !== null) ? ' The distances to the walls of springs are not to scale.' : ''));
     if (!is_planar) {
         let from = null;
         svg.setAttribute("tabindex", "0");

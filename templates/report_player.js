@@ -103,7 +103,7 @@ class Player {
                     place(row.t, row.x, points);
                     return points;
                 }),
-                view_rows(scene, this.recording), across));
+                view_rows(scene, this.recording), force_rows(scene, this.recording), across));
         }
         if (scene.network) this.drawings.push(make_network(scene.network, network_rows(scene, this.recording), across));
         if (this.drawings.length === 0)

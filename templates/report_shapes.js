@@ -21,6 +21,28 @@ function view_rows(scene, recording) {
     });
 }
 
+/// For each row of a run the components of the forces, in N.
+function force_rows(scene, recording) {
+    if (scene.force_values === null) return recording.rows.map(() => []);
+    const force = scene.force_values(recording.made.parameter_values);
+    return recording.rows.map((row) => {
+        const values = new Float64Array(3 * scene.forces.length);
+        force(row.t, row.x, row.u, values);
+        return values;
+    });
+}
+
+/// The path of an arrow.
+function arrow_path(x, y, along, up) {
+    const length = Math.hypot(along, up);
+    if (!(length > 2)) return "";
+    const [a, b] = [along / length, up / length], head = Math.min(10, length / 2), side = head * 0.45;
+    const back = [x + along - head * a, y + up - head * b];
+    return `M${x.toFixed(1)} ${y.toFixed(1)}L${back.map((one) => one.toFixed(1)).join(" ")}` +
+        `M${(x + along).toFixed(1)} ${(y + up).toFixed(1)}L${(back[0] - side * b).toFixed(1)} ${(back[1] + side * a).toFixed(1)}` +
+        `L${(back[0] + side * b).toFixed(1)} ${(back[1] - side * a).toFixed(1)}z`;
+}
+
 /// How far a shape reaches from the position of its body, in m.
 function reach_of(look, measures) {
     if (!look || look.shape === '') return 0;

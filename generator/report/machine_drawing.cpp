@@ -40,6 +40,7 @@ public:
             add_bars();
         else
             add_bars_in_space();
+        add_forces();
         drawing_.framed = points_.size();
         add_springs();
         add_view();
@@ -207,6 +208,30 @@ private:
         return result;
     }
 
+    /// Those in the axes of the ground that are there in every mode.
+    void add_forces() {
+        for (const Member<Force>& member : system_.scene.forces) {
+            const Force& force = *member.item;
+            const Indices indices = Translator::indices_of(member);
+            std::optional<std::size_t> at;
+            if (force.at) {
+                Point point;
+                for (std::size_t i = 0; i < 3; ++i) point[i] = plain(system_.translate((*force.at)[i], indices));
+                at = add(point);
+            } else {
+                const int index = force.on->index ? index_value(*force.on->index, system_.scene, indices) : 0;
+                for (std::size_t b = 0; b < shown_.size(); ++b)
+                    if (shown_[b]->member.item->name == force.on->name && shown_[b]->member.index == index) at = b;
+            }
+            if (!at || force.in_axes || (!system_.scene.modes.empty() && force.when)) {
+                ++forces_not_drawn_;
+                continue;
+            }
+            drawing_.forces.push_back({member.name(), *at});
+            for (const ExpressionPtr& part : force.force) drawing_.force_values.push_back(plain(system_.translate(part, indices)));
+        }
+    }
+
     /// See note [springs].
     void add_springs() {
         for (const Member<Spring>& member : system_.scene.springs) {
@@ -286,8 +311,8 @@ private:
                     look.rotation = drawing_.measures.size() - 1;
                 }
                 if (part->shape == ViewPart::Shape::wheel && !look.rotation)
-                    drawing_.not_drawn.push_back(fmt::format("how the wheel '{}' turns, as its body has no `rotation` in the plane of x and y",
-                                                             drawing_.bodies[b]));
+                    drawing_.not_drawn.push_back(
+                        fmt::format("how the wheel '{}' turns, as its body has no `rotation` in the plane of x and y", drawing_.bodies[b]));
                 if (part->shape == ViewPart::Shape::box && drawing_.plane.empty()) {
                     drawing_.not_drawn.push_back(fmt::format("the box of body '{}', which moves in space", drawing_.bodies[b]));
                     look.shape.clear();
@@ -304,7 +329,7 @@ private:
         };
         tell(springs_not_drawn_, "spring", "springs");
         tell(scene.dampers.size(), "damper", "dampers");
-        tell(scene.forces.size() + scene.torques.size(), "force or torque", "forces and torques");
+        tell(forces_not_drawn_ + scene.torques.size(), "force or torque", "forces and torques");
         for (const ConstraintEquation& c : system_.constraints)
             if (c.holds) {
                 drawing_.not_drawn.push_back("the joints of constraints");
@@ -317,7 +342,7 @@ private:
     std::vector<Point> points_;
     std::vector<const BodyMotion*> shown_;
     std::vector<bool> hidden_;
-    std::size_t springs_not_drawn_ = 0;
+    std::size_t springs_not_drawn_ = 0, forces_not_drawn_ = 0;
 };
 
 }  // namespace

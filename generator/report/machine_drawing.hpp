@@ -41,6 +41,13 @@ struct MachineDrawing {
     std::vector<GiNaC::ex> measures; ///< m and rad
     std::optional<std::size_t> ground, turn, tilt;
     bool has_trails = true;
+    /// A force of the model, with its three components among the values.
+    struct DrawnForce {
+        std::string name;
+        std::size_t at;  ///< point
+    };
+    std::vector<DrawnForce> forces;
+    std::vector<GiNaC::ex> force_values;  ///< N
     std::vector<GiNaC::ex> coordinates;  ///< x, y, z of point after point, in m
     std::vector<std::string> bodies;     ///< names of the first points
     std::size_t framed = 0;              ///< points that are in the picture; those behind give directions

@@ -205,7 +205,8 @@ std::string machine_page(const Model& model, const std::string& file, std::vecto
     if (!objects.empty()) {
         script = javascript_runtime() + modules + "const scenes = [\n" + objects +
                  "];\nconst first_scene = " + js_string(result.first_scene) + ";\n";
-        for (const char* part : {"numbers", "plot", "shapes", "drawing", "network_parts", "network", "field", "start", "times", "runs", "player"})
+        for (const char* part :
+             {"numbers", "plot", "shapes", "drawing", "network_parts", "network", "field", "start", "times", "runs", "player"})
             script += embedded_file(fmt::format("report_{}.js", part));
         script = "<script type=\"module\">\n" + in_script(script) + "</script>\n";
     }

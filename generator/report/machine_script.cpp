@@ -54,7 +54,8 @@ Json unit_json(const Unit& unit) {
 bool calls_curves(const std::vector<GiNaC::ex>& values, const Symbols& symbols) {
     return std::any_of(values.begin(), values.end(), [&](const GiNaC::ex& value) {
         const GiNaC::ex whole = symbols.without_definitions(value);
-        return std::any_of(whole.preorder_begin(), whole.preorder_end(), [](const GiNaC::ex& part) { return curve_call(part).has_value(); });
+        return std::any_of(whole.preorder_begin(), whole.preorder_end(),
+                           [](const GiNaC::ex& part) { return curve_call(part).has_value(); });
     });
 }
 
@@ -89,16 +90,20 @@ public:
         for (const MachineDrawing::Bar& bar : drawing_.bars) json["bars"].push_back({bar.from, bar.to});
         for (const MachineDrawing::DrawnSpring& spring : drawing_.springs)
             json["springs"].push_back({spring.from, spring.to, spring.has_wall});
+        json["forces"] = Json::array();
+        for (const MachineDrawing::DrawnForce& force : drawing_.forces) json["forces"].push_back({{"name", force.name}, {"at", force.at}});
         json["points"] = drawing_.coordinates.size() / 3;
         json["framed"] = drawing_.framed;
         json["plane"] = drawing_.plane;
         add_view(json);
         add_network(json);
         const std::string functions = fmt::format(
-            "inputs: {}, place: {}, end_of_run: {}, start_values: {}, checked_values: {}, held: {}, switches: {}, network_values: {}, measures: {}",
+            "inputs: {}, place: {}, end_of_run: {}, start_values: {}, checked_values: {}, held: {}, switches: {}, network_values: {}, "
+            "measures: {}, force_values: {}",
             written(run_.settings.inputs, "u", "t, x, u"), written(drawing_.coordinates, "points", "t, x, points"),
             formulas_.end ? written({*formulas_.end}, "end", "end") : "null", written(formulas_.start, "start", "start"), conditions(json),
-            held(json), switches(), network_values(), written(drawing_.measures, "values", "t, x, values"));
+            held(json), switches(), network_values(), written(drawing_.measures, "values", "t, x, values"),
+            written(drawing_.force_values, "values", "t, x, u, values"));
         return {js_module(run_.header.plant, name, "// SPDX-License-Identifier: BSL-1.0"),
                 fmt::format("{{ ...{}, make: {}, {} }}", script_json(json), name, functions)};
     }
@@ -170,11 +175,16 @@ private:
     void add_view(Json& json) const {
         const auto place = [](const std::optional<std::size_t>& one) { return one ? Json(*one) : Json(); };
         Json& view = json["view"];
-        view = {{"count", drawing_.measures.size()}, {"ground", place(drawing_.ground)}, {"turn", place(drawing_.turn)},
-                {"tilt", place(drawing_.tilt)}, {"has_trails", drawing_.has_trails}, {"looks", Json::array()}};
+        view = {{"count", drawing_.measures.size()}, {"ground", place(drawing_.ground)},  {"turn", place(drawing_.turn)},
+                {"tilt", place(drawing_.tilt)},      {"has_trails", drawing_.has_trails}, {"looks", Json::array()}};
         for (const MachineDrawing::Look& look : drawing_.looks)
-            view["looks"].push_back({{"shape", look.shape}, {"colour", look.colour}, {"hidden", look.hidden}, {"radius", place(look.radius)},
-                                     {"width", place(look.width)}, {"height", place(look.height)}, {"rotation", place(look.rotation)}});
+            view["looks"].push_back({{"shape", look.shape},
+                                     {"colour", look.colour},
+                                     {"hidden", look.hidden},
+                                     {"radius", place(look.radius)},
+                                     {"width", place(look.width)},
+                                     {"height", place(look.height)},
+                                     {"rotation", place(look.rotation)}});
     }
 
     /// Parts, links and layouts of the network of fluids and heat; none where there is nothing of it.

@@ -75,10 +75,11 @@
             for (let i = 0; i < 100 && !/end of the run/.test(part("status").textContent); ++i) await wait(20);
             if (!/end of the run/.test(part("status").textContent)) found.errors.push("no refusal: " + part("status").textContent);
         }
-        for (const svg of document.querySelectorAll("#plots svg"))
-            svg.dispatchEvent(new PointerEvent("pointermove", {clientX: 200, clientY: 100}));
+        for (const svg of document.querySelectorAll('#plots svg'))
+            svg.dispatchEvent(new PointerEvent('pointermove', {clientX: 200, clientY: 100}));
         // A drag zooms, with all plots over the time; a double click and keys show all again.
-        const plot = part("plots").querySelector("svg"), texts = () => [...plot.querySelectorAll("text")].map((one) => one.textContent).join();
+        const plot = part('plots').querySelector('svg'),
+              texts = () => [...plot.querySelectorAll('text')].map((one) => one.textContent).join();
         const whole = texts(), box = plot.getBoundingClientRect();
         const point = (kind, share) => plot.dispatchEvent(
             new PointerEvent(kind, {clientX: box.left + share * box.width, clientY: box.top + 0.5 * box.height, bubbles: true, button: 0}));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A page of hostile.toml, or a list of pages, has no element or attribute that comes of the model, and its script does nothing that the model says.
+// A page of hostile.toml, or a list of pages, has no element or attribute that comes of the model, and its script does nothing that the
+// model says.
 import fs from "fs";
 
 import {script_of} from "./page.mjs";
