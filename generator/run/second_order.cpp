@@ -21,7 +21,8 @@ using RowsOfRun = std::vector<std::vector<double>>;
 constexpr std::size_t steps_of_moved = detail::steps_of_extrapolation;
 
 /// First derivatives of the moved runs: of each that is moved, in each step, behind and ahead.
-std::vector<std::array<std::array<RowsOfRun, 2>, steps_of_moved>> rows_of_moved(const dalembert_plant& plant, const std::vector<MovedRuns>& moved) {
+std::vector<std::array<std::array<RowsOfRun, 2>, steps_of_moved>> rows_of_moved(const dalembert_plant& plant,
+                                                                                const std::vector<MovedRuns>& moved) {
     std::vector<std::array<std::array<RowsOfRun, 2>, steps_of_moved>> rows(moved.size());
     const auto work = [&](std::size_t k) -> RowsOfRun {
         const MovedRuns::Pair& pair = moved[k / (2 * steps_of_moved)].pairs[k / 2 % steps_of_moved];
@@ -35,20 +36,21 @@ std::vector<std::array<std::array<RowsOfRun, 2>, steps_of_moved>> rows_of_moved(
     return rows;
 }
 
-/// Of an entry of first derivatives, at one point, by one that is moved.
-detail::Extrapolated<double> second_by_differences(const std::array<std::array<RowsOfRun, 2>, steps_of_moved>& rows, const MovedRuns& moved, std::size_t row,
-                                            std::size_t entry) {
+/// Of an entry of first derivatives, in a row that stands at a time, by one that is moved. Where an event ends runs, rows may stand at others.
+detail::Extrapolated<double> second_by_differences(const std::array<std::array<RowsOfRun, 2>, steps_of_moved>& rows, const MovedRuns& moved,
+                                                   std::size_t row, double time, std::size_t entry) {
     std::array<double, steps_of_moved> differences{};
     for (std::size_t k = 0; k < steps_of_moved; ++k) {
         const auto& [behind, ahead] = rows[k];
-        const bool is_there = row < behind.size() && row < ahead.size();
+        const bool is_there = row < behind.size() && row < ahead.size() && behind[row][0] == time && ahead[row][0] == time;
         differences[k] =
             is_there ? (ahead[row][entry] - behind[row][entry]) / moved.pairs[k].distance : std::numeric_limits<double>::quiet_NaN();
     }
     return detail::extrapolated(differences);
 }
 
-/// Takes out what is not certain beside the largest number of its column, or where that is small beside `sizes`, beside a thousandth of that.
+/// Takes out what is not certain beside the largest number of its column, or where that is small beside `sizes`, beside a thousandth of
+/// that.
 void leave_out_doubtful(SecondOrder& second, const RowsOfRun& doubts, const std::vector<double>& sizes) {
     constexpr double worst = 1e-3, nothing = 1e-3;
     RowsOfRun& rows = second.recording.rows;
@@ -121,8 +123,8 @@ SecondOrder second_order_of(const dalembert_plant& plant, const std::vector<Vari
             for (std::size_t i = 0; i < count; ++i) {
                 const Column& of = first.columns[1 + c * count + i];
                 const std::string name = of.name.substr(0, of.name.rfind("/d("));
-                second.recording.columns.push_back(
-                    {fmt::format("d2{}/(d({})d({}))", name.substr(1), varied[c].name, varied[d].name), quotient_of_units(of.unit, varied[d].unit)});
+                second.recording.columns.push_back({fmt::format("d2{}/(d({})d({}))", name.substr(1), varied[c].name, varied[d].name),
+                                                    quotient_of_units(of.unit, varied[d].unit)});
             }
     const auto rows = rows_of_moved(plant, moved);
     // As large as they would be if a change by all of it changed the state or output by all of it.
@@ -142,9 +144,9 @@ SecondOrder second_order_of(const dalembert_plant& plant, const std::vector<Vari
         for (std::size_t c = 0; c < varied.size(); ++c)
             for (std::size_t d = c; d < varied.size(); ++d)
                 for (std::size_t i = 0; i < count; ++i) {
-                    auto found = second_by_differences(rows[d], moved[d], r, 1 + c * count + i);
+                    auto found = second_by_differences(rows[d], moved[d], r, first.rows[r][0], 1 + c * count + i);
                     if (c != d) {
-                        const auto other = second_by_differences(rows[c], moved[c], r, 1 + d * count + i);
+                        const auto other = second_by_differences(rows[c], moved[c], r, first.rows[r][0], 1 + d * count + i);
                         if (other.doubt < found.doubt) found = other;
                     }
                     row.push_back(found.value);

@@ -17,7 +17,7 @@ namespace dalembert {
 /// Runs with one that is varied moved to either side, in steps that are halved.
 struct MovedRuns {
     struct Pair {
-        double distance = 0;                  ///< between both
+        double distance = 0;                    ///< between both
         std::optional<PlantRun> behind, ahead;  ///< nothing where the model has no such run
     };
     std::array<Pair, detail::steps_of_extrapolation> pairs;
@@ -29,10 +29,10 @@ std::vector<MovedRuns> moved_runs(const std::vector<NamedVariable>& named, const
 
 /// Second derivatives along a run, and how far they can be trusted.
 struct SecondOrder {
-    Recording recording;        ///< time, and d2(state or output)/(d(varied) d(varied)), in SI; what does not exist is not a number
-    std::size_t left_out = 0;   ///< numbers that do not exist, or of which hardly a digit is certain
-    std::size_t numbers = 0;    ///< the others
-    double doubt = 0;           ///< the largest of these, as a part of the largest number of the column, if that is not next to nothing
+    Recording recording;       ///< time, and d2(state or output)/(d(varied) d(varied)), in SI; what does not exist is not a number
+    std::size_t left_out = 0;  ///< numbers that do not exist, or of which hardly a digit is certain
+    std::size_t numbers = 0;   ///< the others
+    double doubt = 0;          ///< the largest of these, as a part of the largest number of the column, if that is not next to nothing
 };
 
 /// `result` is that of the run itself, `moved` holds the moved runs of each that is varied, in the same order.

@@ -150,8 +150,8 @@ namespace detail {
 struct NoMeasure {};
 
 /// A right-hand side with the projection that belongs to it: project(x, t) returns the constraint that is broken, or none. `measure` tells
-/// how independent the constraints are; see IndependenceOf. Of a state only so many entries tell how well a singular position was passed: those
-/// behind them follow, as sensitivities do, which have fewer digits there.
+/// how independent the constraints are; see IndependenceOf. Of a state the first `judged` entries tell how well a singular position was
+/// passed: those behind them follow, as sensitivities do, which have fewer digits there.
 template <class Rhs, class Project, class Measure = NoMeasure>
 struct ProjectedRhs {
     Rhs rhs;

@@ -15,7 +15,8 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-/// An array with as many entries as Size::of_run() says when it is made, all of them zero. The rest is as of std::array. Short ones take no heap.
+/// An array with as many entries as Size::of_run() says when it is made, all of them zero. The rest is as of std::array. Short ones take no
+/// heap.
 template <class Size, class T>
 class RunArray {
     static constexpr std::size_t most_without_heap = sizeof(T) > 64 ? 1 : 128 / sizeof(T);

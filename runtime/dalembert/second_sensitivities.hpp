@@ -22,10 +22,10 @@ template <class System, std::size_t count>
 struct SecondSensitivities {
     using State = typename System::State;
     State x{};
-    Sensitivities<System, count> S{};                            ///< dx/d(varied c) at S[c]
-    std::array<std::array<State, count>, count> second{};        ///< d2x/(d(varied c) d(varied d)) at second[c][d]; symmetric
-    std::array<std::array<State, count>, count> doubt{};         ///< how far it can be trusted; infinite where it does not exist
-    Outcome outcome{};                                           ///< of the run itself
+    Sensitivities<System, count> S{};                      ///< dx/d(varied c) at S[c]
+    std::array<std::array<State, count>, count> second{};  ///< d2x/(d(varied c) d(varied d)) at second[c][d]; symmetric
+    std::array<std::array<State, count>, count> doubt{};   ///< how far it can be trusted; infinite where it does not exist
+    Outcome outcome{};                                     ///< of the run itself
 };
 
 /// Makes 1 + 14 count runs from `from` to `to`, each with its first derivatives: options.tolerance should be tight, as 1e-12. start(system,
@@ -62,7 +62,8 @@ SecondSensitivities<System, count> simulate_second_sensitivities(const System& s
                 if (!is_start) detail::move_parameter(other, number, by);
                 start(other, x, S);
                 if (is_start) x[number] += by;
-                const Outcome outcome = simulate_sensitivities(other, detail::inputs_with(inputs, other), varied, x, S, from, to, options, nothing);
+                const Outcome outcome =
+                    simulate_sensitivities(other, detail::inputs_with(inputs, other), varied, x, S, from, to, options, nothing);
                 return outcome.status == Status::success;
             };
             Sensitivities<System, count> behind{};
@@ -90,8 +91,8 @@ SecondSensitivities<System, count> simulate_second_sensitivities(const System& s
 /// With the start of the model, which parameters may move.
 template <std::size_t count, class System, class Inputs>
 SecondSensitivities<System, count> simulate_second_sensitivities(const System& system, const Inputs& inputs,
-                                                                 const std::array<Varied, count>& varied,
-                                                                 typename System::scalar_type from, typename System::scalar_type to,
+                                                                 const std::array<Varied, count>& varied, typename System::scalar_type from,
+                                                                 typename System::scalar_type to,
                                                                  const IntegrationOptions<typename System::State>& options) {
     const auto start = [&](const System& of, typename System::State& x, Sensitivities<System, count>& S) {
         x = of.start_state();

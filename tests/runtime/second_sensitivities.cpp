@@ -68,6 +68,6 @@ TEST_CASE("second derivatives by a start value that is moved") {
     };
     const auto found = simulate_second_sensitivities(system, nothing, by, start, 0.0, 1.0, options);
     REQUIRE(found.outcome.status == Status::success);
-    CHECK(std::fabs(found.second[0][0][0]) <= 1e-8);                                  // linear in its start
+    CHECK(std::fabs(found.second[0][0][0]) <= 1e-8);                                     // linear in its start
     CHECK(found.second[0][1][0] == doctest::Approx(found.S[1][0] / 0.1).epsilon(1e-7));  // x = x(0) f(p)
 }

@@ -54,7 +54,7 @@ using Derivative = detail::Extrapolated<double>;
 
 /// States and outputs by one that is varied, of each row that is compared.
 std::vector<std::vector<Derivative>> by_differences(const dalembert_plant& plant, const PlantRun& run, const VariedOfRun& varied,
-                                                      double size, std::size_t count) {
+                                                    double size, std::size_t count) {
     constexpr std::size_t levels = detail::steps_of_extrapolation;
     const std::size_t rows = parts + 1;
     std::vector<std::vector<std::array<double, levels>>> differences(rows, std::vector<std::array<double, levels>>(count));
