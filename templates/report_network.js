@@ -104,6 +104,6 @@ function make_network(network, rows, across) {
     const has = (is_heat) => links.some((link) => link.is_heat === is_heat);
     const kinds = has(false) && has(true) ? 'of mass (along lines) and heat (along broken lines)' : has(true) ? 'of heat' : 'of mass';
     const caption = (links.length > 0 ? `Arrows show flows ${kinds}; the larger, the more flows. ` : '') +
-        'What is drawn broken is held. Places are not to scale.';
+        'Dashed parts have given values. Places are not to scale.';
     return {node: element('figure', {}, svg, element('figcaption', {}, caption)), show};
 }
