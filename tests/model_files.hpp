@@ -23,7 +23,8 @@ inline std::vector<std::filesystem::path> model_files(std::vector<std::string> w
         std::istringstream words(named);
         wanted.assign(std::istream_iterator<std::string>(words), {});
     }
-    std::vector<std::string> folders{"systems/mechanics", "systems/hydraulics", "systems/pneumatics", "systems/heat"};
+    std::vector<std::string> folders{"systems/mechanics", "systems/hydraulics", "systems/pneumatics", "systems/heat", "systems/drives",
+                                     "systems/parts"};
     if (all || named != nullptr) folders.insert(folders.end(), {"tests/published", "tests/regressions", "tests/physics/switching"});
     std::vector<std::filesystem::path> files;
     for (const std::string& folder : folders)

@@ -43,6 +43,7 @@ public:
         if (model_.view) viewed(*model_.view);
         placement_cycles();
         effects();
+        for (const Port& port : model_.ports) check(port);
     }
 
 private:
@@ -100,6 +101,32 @@ private:
                             found.kind->facts.has_cells ? "consists of cells and needs the index of one" : "is a family and needs an index",
                             to.name),
                 defined);
+    }
+
+    void check(const Port& port) {
+        for (const auto& [name, span] : port.alone)
+            if (names_.elements(name).empty())
+                diagnostics_.error(Id::unknown_name, span,
+                                   fmt::format("nothing is called '{}', so port '{}' cannot have it alone", name, port.name));
+        const Named* other = port.value ? names_.find(port.name) : nullptr;
+        if (other != nullptr && port.kind == Port::Kind::signal && port.value->name != port.name)
+            diagnostics_.error(Id::doubly_defined, port.span,
+                               fmt::format("port '{0}' gives a value, but '{0}' is also {1}, which is something else", port.name,
+                                           describe(other->kind)),
+                               {{other->item->span, "it is defined here"}});
+        const Coordinate* coordinate = port.coordinate ? names_.find_element<Coordinate>(port.coordinate->name) : nullptr;
+        if (coordinate == nullptr) return;
+        const bool is_shaft = port.kind == Port::Kind::shaft;
+        if (coordinate->unit.dimension != (is_shaft ? Dimension::none() : Dimension::length()))
+            diagnostics_.error(Id::unit_mismatch, port.coordinate->span,
+                               fmt::format("port '{}' is a {}, but '{}' counts in {}", port.name,
+                                           is_shaft ? "shaft, whose coordinate is an angle" : "flange, whose coordinate is a length",
+                                           coordinate->name, coordinate->unit.written),
+                               {{coordinate->span, "it is declared here"}});
+        if (coordinate->family)
+            diagnostics_.error(Id::not_indexed, port.coordinate->span,
+                               fmt::format("'{}' is a family, and a port has one coordinate", coordinate->name),
+                               {{coordinate->span, "it is declared here"}});
     }
 
     void has_position(const std::optional<Reference>& reference) {

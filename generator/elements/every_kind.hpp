@@ -8,6 +8,7 @@
 #include "elements/forces.hpp"
 #include "elements/heat.hpp"
 #include "elements/model.hpp"
+#include "elements/parts.hpp"
 #include "elements/statics.hpp"
 
 namespace dalembert {

@@ -51,7 +51,9 @@
     KIND("printed", printed, PrintedEquation) \
     KIND("runs", runs, Run) \
     KIND("view", view, View) \
-    KIND("measurements", measurements, Measurement)
+    KIND("measurements", measurements, Measurement) \
+    KIND("use", uses, Use) \
+    KIND("ports", ports, Port)
 
 namespace dalembert {
 

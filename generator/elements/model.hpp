@@ -76,6 +76,8 @@ struct Model {
     std::vector<Run> runs;
     std::optional<View> view;
     std::vector<Measurement> measurements;
+    std::vector<Use> uses;    ///< whose elements are among those above
+    std::vector<Port> ports;
 };
 
 }  // namespace dalembert

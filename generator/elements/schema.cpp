@@ -81,6 +81,7 @@ constexpr std::array domain_table{
     Domain{"heat", "Heat", "Nodes, links, rods, blocks and enclosures.", "nodes"},
     Domain{"switching", "Modes and events", "Elements that switch, constraints and events.", "frictions"},
     Domain{"runs", "Effects, scenes and runs", "Variants of a model, equations to be checked, and simulations.", "effects"},
+    Domain{"parts", "Parts", "Machines made of other files.", "use"},
 };
 
 }  // namespace

@@ -54,6 +54,12 @@ Excerpt Entry::key_excerpt(const Span& span) {
     return excerpt_of(span.source, begin, end);
 }
 
+Excerpt Entry::key_excerpt(const DocumentNode::Member& member) {
+    Excerpt written = key_excerpt(member.key_span);
+    if (written.text.size() == member.key.size()) written.text = member.key;
+    return written;
+}
+
 const DocumentNode* Entry::find(std::string_view key) const {
     const auto found = values_.find(key);
     return found == values_.end() ? nullptr : found->second;

@@ -115,6 +115,8 @@ private:
     ExpressionPtr bound(const DocumentNode& node, const Unit& unit) const;
     /// The text of a key, without its quotes.
     static Excerpt key_excerpt(const Span& span);
+    /// The same of a key, in which names of parts are joined.
+    static Excerpt key_excerpt(const DocumentNode::Member& member);
     /// What a text says in a small language of its own.
     template <class Value>
     std::optional<Value> parsed(std::string_view key, ValueType type, Value (*parse)(const Excerpt&)) const {

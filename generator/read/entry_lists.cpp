@@ -203,7 +203,7 @@ std::vector<std::pair<Excerpt, ExpressionPtr>> Entry::by_text(std::string_view k
     }
     for (const DocumentNode::Member& member : node->members)
         if (ExpressionPtr value = expression(member.value, ValueType::expression))
-            result.emplace_back(key_excerpt(member.key_span), std::move(value));
+            result.emplace_back(key_excerpt(member), std::move(value));
     return result;
 }
 
@@ -225,7 +225,7 @@ std::vector<RunEntry> Entry::by_name(std::string_view key) const {
         return result;
     }
     for (const DocumentNode::Member& member : node->members) {
-        const auto variable = attempt([&] { return parse_expression(key_excerpt(member.key_span)); });
+        const auto variable = attempt([&] { return parse_expression(key_excerpt(member)); });
         const ExpressionPtr value = expression(member.value, ValueType::expression);
         if (variable && value) result.push_back({*variable, value, member.key_span});
     }

@@ -12,7 +12,9 @@
 #include "elements/kinds.hpp"
 #include "elements/runs.hpp"
 #include "read/described.hpp"
+#include "read/parts.hpp"
 #include "read/rules.hpp"
+#include "text/budgets.hpp"
 #include "text/files.hpp"
 #include "text/nearest.hpp"
 
@@ -22,14 +24,44 @@ namespace {
 
 constexpr int newest_format = 1;
 
+/// What elements stand for is written out, and everything is checked.
+void complete(Model& model, Diagnostics& diagnostics) {
+    expand_attitudes(model);
+    expand_solids(model, diagnostics);
+    expand_loads(model);
+    expand_as_edges(model, diagnostics);
+    keep_frictions_apart(model, diagnostics);
+    expand_contacts(model);
+    expand_signals(model);
+    expand_balances(model);
+    diagnostics.stop_on_errors();
+    check_names(model, diagnostics);
+    diagnostics.stop_on_errors();
+    check_references(model, diagnostics);
+    check_balances(model, diagnostics);
+    check_expressions(model, diagnostics);
+    diagnostics.stop_on_errors();
+    check_written_sizes(model, diagnostics);
+    diagnostics.stop_on_errors();
+    check_switching(model, diagnostics);
+    diagnostics.stop_on_errors();
+    convert_numbers(model);
+    check_units(model, diagnostics);
+    diagnostics.stop_on_errors();
+    convert_values(model, diagnostics);
+    diagnostics.stop_on_errors();
+}
+
 class Reader {
 public:
     Reader(const SourcePtr& source, Diagnostics& diagnostics) : root_(parse_document(source)), diagnostics_(diagnostics) {
         model_.source = source;
     }
 
+    /// With its parts, as it is written.
     Model read_all() {
         header();
+        std::vector<Part> parts = read_parts();
         std::vector<std::string> known;
         for (const SectionSpec& section : sections()) known.emplace_back(section.name);
         for (const DocumentNode::Member& member : root_.members)
@@ -38,18 +70,43 @@ public:
                                    fmt::format("a model has no section [{}]{}", member.key, did_you_mean(member.key, known)));
         for_each_kind(model_, [&](const char* section, auto& items) { collection(section, items); });
         check_default_scene();
-        expand_attitudes(model_);
-        expand_solids(model_, diagnostics_);
-        expand_loads(model_);
-        expand_as_edges(model_, diagnostics_);
-        keep_frictions_apart(model_, diagnostics_);
-        expand_contacts(model_);
-        expand_signals(model_);
-        expand_balances(model_);
+        if (!model_.uses.empty()) {
+            diagnostics_.stop_on_errors();
+            join_parts(model_, std::move(parts), diagnostics_);
+        }
         return std::move(model_);
     }
 
 private:
+    /// Each file is checked as a model of its own, so that its errors are those of its own names.
+    std::vector<Part> read_parts() {
+        std::vector<Part> parts;
+        std::vector<std::string> names;
+        const DocumentNode* uses = section_table("use");
+        if (uses == nullptr) return parts;
+        for (const DocumentNode::Member& use : uses->members) {
+            const DocumentNode::Member* key = use.value.find("file");
+            const DocumentNode& file = key == nullptr ? use.value : key->value;
+            if (file.kind != DocumentNode::Kind::string) continue;  // told where it is read
+            Diagnostics of_part;
+            Part& part = parts.emplace_back();
+            part.name = use.key;
+            part.model = Reader(source_of_part(use, file), of_part).read_all();
+            of_part.stop_on_errors();
+            Model alone = part.model;
+            complete(alone, of_part);
+            const Names of_alone(alone);
+            for (const auto& entry : of_alone.table()) part.formulas.insert(entry.first);
+            for (const Curve& curve : alone.curves) part.formulas.insert(curve.name);
+            names.push_back(part.name);
+            for (const Use& inside : part.model.uses) names.push_back(part.name + "_" + inside.name);
+            if (names.size() > budget::parts)
+                throw Failure(Diagnostic{Id::too_large, use.key_span, fmt::format("the model has more than {} parts", budget::parts)});
+        }
+        join_names(root_, names);
+        return parts;
+    }
+
     void header() {
         const DocumentNode::Member* member = root_.find("model");
         if (member == nullptr)
@@ -132,22 +189,7 @@ private:
 
 Model read_model(const SourcePtr& source, Diagnostics& diagnostics) {
     Model model = Reader(source, diagnostics).read_all();
-    diagnostics.stop_on_errors();
-    check_names(model, diagnostics);
-    diagnostics.stop_on_errors();
-    check_references(model, diagnostics);
-    check_balances(model, diagnostics);
-    check_expressions(model, diagnostics);
-    diagnostics.stop_on_errors();
-    check_written_sizes(model, diagnostics);
-    diagnostics.stop_on_errors();
-    check_switching(model, diagnostics);
-    diagnostics.stop_on_errors();
-    convert_numbers(model);
-    check_units(model, diagnostics);
-    diagnostics.stop_on_errors();
-    convert_values(model, diagnostics);
-    diagnostics.stop_on_errors();
+    complete(model, diagnostics);
     return model;
 }
 

@@ -29,5 +29,7 @@ void check_rules(const Entry& e, Event& event);
 void check_rules(const Entry& e, Profile& profile);
 void check_rules(const Entry& e, PrintedEquation& printed);
 void check_rules(const Entry& e, Run& run);
+void check_rules(const Entry& e, Use& use);
+void check_rules(const Entry& e, Port& port);
 
 }  // namespace dalembert

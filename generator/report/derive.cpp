@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/derive.hpp"
 
+#include <fmt/format.h>
+
+#include "elements/parts.hpp"
 #include "emit/equations.hpp"
 #include "report/json_output.hpp"
 
@@ -20,9 +23,19 @@ std::string of_all_modes(const DeriveResult& result, std::string (*equations)(co
     return text;
 }
 
+/// What became of the ports of parts.
+std::string joins(const Model& model) {
+    std::string text;
+    for (const Use& use : model.uses)
+        for (const std::string& join : use.joins) text += fmt::format("  {}\n", join);
+    return text.empty() ? text : "\njoined ports\n" + text;
+}
+
 }  // namespace
 
-std::string as_text(const DeriveResult& result) { return of_all_modes(result, equations_as_text); }
+std::string as_text(const DeriveResult& result) {
+    return of_all_modes(result, equations_as_text) + joins(result.machine.loaded->model);
+}
 std::string as_latex(const DeriveResult& result) { return of_all_modes(result, equations_as_latex); }
 
 nlohmann::ordered_json as_json(const DeriveResult& result) {

@@ -14,6 +14,8 @@ constexpr std::array table{
     StageBudget{"reading", "nested brackets, powers and signs", budget::nesting, "error too-deep"},
     StageBudget{"reading", "characters of a number", budget::number_length, "error number-too-large"},
     StageBudget{"reading", "decimal exponent of a number", budget::number_exponent, "error number-too-large"},
+    StageBudget{"reading", "parts in each other", budget::part_depth, "error too-deep"},
+    StageBudget{"reading", "parts of a model, with those in them", budget::parts, "error too-large"},
     StageBudget{"checks", "nested operations, with definitions written out", budget::written_depth, "error too-large"},
     StageBudget{"checks", "operations of an expression, with definitions written out", budget::written_size, "error too-large"},
     StageBudget{"checks", "operations of a printed equation, with letters written out", budget::printed_size, "error too-large"},

@@ -16,6 +16,8 @@ inline constexpr std::size_t words = 20'000;        ///< words and signs of an e
 inline constexpr int nesting = 100;                 ///< brackets, powers, signs in each other
 inline constexpr int nested_values = 200;           ///< tables and arrays in each other
 inline constexpr std::size_t number_length = 400;   ///< characters
+inline constexpr int part_depth = 16;               ///< parts in each other
+inline constexpr std::size_t parts = 1'000;         ///< of a model, with those in them
 inline constexpr int number_exponent = 400;
 // what definitions and outputs come to when one is written into the other
 inline constexpr double written_depth = 20'000;

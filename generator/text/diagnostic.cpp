@@ -53,6 +53,14 @@ std::string excerpt(const Span& span) {
                        carets);
 }
 
+/// Of a place in a part: the places that use it, from the inside out.
+std::vector<Note> way_in(const Span& span) {
+    std::vector<Note> notes;
+    for (const WayIn* way = span ? span.source->way_in() : nullptr; way != nullptr; way = way->place.source->way_in())
+        notes.push_back({way->place, fmt::format("used here as '{}'", way->name)});
+    return notes;
+}
+
 std::string place(const Span& span) {
     if (!span) return "dalembert: ";
     const Position position = span.source->position(span.begin);
@@ -79,9 +87,15 @@ std::string render(const Diagnostic& diagnostic) {
     std::string text =
         fmt::format("{}{}[{}]: {}\n", place(diagnostic.span), severity, name_of(diagnostic.id), printable(diagnostic.message));
     if (diagnostic.span) text += excerpt(diagnostic.span);
-    for (const Note& note : diagnostic.notes) {
+    const auto add = [&](const Note& note) {
         text += fmt::format("{}note: {}\n", place(note.span), printable(note.message));
         if (note.span) text += excerpt(note.span);
+    };
+    for (const Note& way : way_in(diagnostic.span)) add(way);
+    for (const Note& note : diagnostic.notes) {
+        add(note);
+        if (note.span && diagnostic.span && note.span.source != diagnostic.span.source)
+            for (const Note& way : way_in(note.span)) add(way);
     }
     return text;
 }

@@ -13,7 +13,8 @@ std::size_t character_count(std::string_view text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), starts_character));
 }
 
-Source::Source(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)), line_starts_{0} {
+Source::Source(std::string name, std::string text, std::shared_ptr<const WayIn> way_in)
+    : name_(std::move(name)), text_(std::move(text)), line_starts_{0}, way_in_(std::move(way_in)) {
     for (std::size_t i = 0; i < text_.size(); ++i)
         if (text_[i] == '\n') line_starts_.push_back(i + 1);
 }

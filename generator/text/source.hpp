@@ -16,10 +16,12 @@ struct Position {
     std::size_t column = 1;
 };
 
+struct WayIn;
+
 /// A text that diagnostics can point into: a model file, or one argument of the command line.
 class Source {
 public:
-    Source(std::string name, std::string text);
+    Source(std::string name, std::string text, std::shared_ptr<const WayIn> way_in = nullptr);
 
     const std::string& name() const { return name_; }
     const std::string& text() const { return text_; }
@@ -28,11 +30,14 @@ public:
     std::size_t offset(Position position) const;
     /// The line (from 1) without its line break.
     std::string_view line(std::size_t number) const;
+    /// Of a part that another file uses: where; null of all else.
+    const WayIn* way_in() const { return way_in_.get(); }
 
 private:
     std::string name_;
     std::string text_;
     std::vector<std::size_t> line_starts_;
+    std::shared_ptr<const WayIn> way_in_;
 };
 
 using SourcePtr = std::shared_ptr<const Source>;
@@ -47,6 +52,12 @@ struct Span {
         return source ? std::string_view(source->text()).substr(begin, end - begin) : std::string_view();
     }
     explicit operator bool() const { return source != nullptr; }
+};
+
+/// The place that uses a file as a part, and the name that the part has there.
+struct WayIn {
+    Span place;
+    std::string name;
 };
 
 /// From the begin of one span to the end of another in the same source.

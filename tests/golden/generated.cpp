@@ -21,7 +21,7 @@ const std::string effects_plot = "hydraulics/hydraulic_cylinder_effects.svg";
 const std::string cost_plot = "hydraulics/hydraulic_cylinder_real_cost.svg";
 
 /// The folders of systems/, in the order of the gallery.
-const std::vector<std::string> domains{"mechanics", "hydraulics", "pneumatics", "heat"};
+const std::vector<std::string> domains{"mechanics", "hydraulics", "pneumatics", "heat", "drives", "parts"};
 
 bool takes_everything() { return is_full_tier() || accepting(); }
 

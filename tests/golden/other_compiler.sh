@@ -8,7 +8,7 @@ cmake -S "$SOURCE" -B "$here/build" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DDALE
 cmake --build "$here/build" --target dalembert >"$here/log" || { cat "$here/log"; exit 1; }
 for program in "$PROGRAM" "$here/build/dalembert"; do
   output=$here/$([ "$program" = "$PROGRAM" ] && echo one || echo other)
-  for model in "$SOURCE"/systems/{mechanics,hydraulics,pneumatics,heat}/*.toml; do "$program" generate "$model" --every-scene -o "$output" >/dev/null; done
+  for model in "$SOURCE"/systems/{mechanics,hydraulics,pneumatics,heat,drives,parts}/*.toml; do "$program" generate "$model" --every-scene -o "$output" >/dev/null; done
   "$program" generate "$SOURCE/systems/mechanics/n_pendulum.toml" --size N=20 -o "$output" >/dev/null
 done
 diff -rq "$here/one" "$here/other"

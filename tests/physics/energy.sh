@@ -6,8 +6,8 @@ set -euo pipefail
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
 cd "$here"
-jumping=$(grep -lE '^inputs *=.*sign\(' "$SOURCE"/systems/{mechanics,hydraulics,pneumatics,heat}/*.toml)
-smooth=$(grep -LE '^inputs *=.*sign\(' "$SOURCE"/systems/{mechanics,hydraulics,pneumatics,heat}/*.toml)
+jumping=$(grep -lE '^inputs *=.*sign\(' "$SOURCE"/systems/{mechanics,hydraulics,pneumatics,heat,drives,parts}/*.toml)
+smooth=$(grep -LE '^inputs *=.*sign\(' "$SOURCE"/systems/{mechanics,hydraulics,pneumatics,heat,drives,parts}/*.toml)
 survey() { "$PROGRAM" survey "$@" --every-scene --periods 100 --no-plot -o . --format json 2>log || { cat log >&2; exit 1; }; }
 # shellcheck disable=SC2086  # one word a model
 { survey $smooth --tolerance 1e-12 --method fehlberg78 --samples 2000; survey $jumping --tolerance 1e-9 --method dopri5; } >result.json

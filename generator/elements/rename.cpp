@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elements/rename.hpp"
+
+#include <algorithm>
+
+#include "elements/every_kind.hpp"
+#include "elements/kinds.hpp"
+#include "elements/references.hpp"
+#include "elements/sites.hpp"
+#include "elements/walk.hpp"
+#include "language/expression_text.hpp"
+#include "language/parser.hpp"
+#include "language/vocabulary.hpp"
+#include "text/diagnostic.hpp"
+
+namespace dalembert {
+
+namespace {
+
+bool contains(const std::vector<const char*>& kinds, std::string_view kind) {
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+}
+
+bool is_of_formulas(const std::vector<const char*>& kinds) {
+    return std::all_of(kinds.begin(), kinds.end(),
+                       [](std::string_view kind) { return kind == "coordinate" || kind == "state" || kind == "input"; });
+}
+
+class RenameWalk {
+public:
+    using Bound = std::vector<std::string>;
+
+    explicit RenameWalk(const Renaming& to, std::vector<std::string> bound = {}) : to_(to), bound_(std::move(bound)) {}
+
+    template <class Member>
+    void operator()(const char*, Member& member, const Key& key) const {
+        change(member, key);
+    }
+    void operator()(const char* name, std::string& text, const Key&) const {
+        if (std::string_view(name) == "level_of" && !text.empty()) text = to_.prefix + text;
+    }
+    template <class Value>
+    void choice(const char*, const Value&, const Key&, const KeyChoices<Value>&) const {}
+    template <class One, class Other>
+    void alternatives(const char*, One& one, Other& other, const Key& key) const {
+        change(one, key);
+        change(other, key);
+    }
+    void either(const char*, const char*, const char*) const {}
+    void by_hand(const char*, const Key&) const {}
+    void item(const ItemKeys&) const {}
+    template <class Part>
+    void table(const char*, std::optional<Part>& part, const Key&) const {
+        if (part) describe(*this, *part);
+    }
+    template <class Part>
+    void list(const char*, std::vector<Part>& parts, const Key&) const {
+        for (Part& part : parts) {
+            if constexpr (requires { part.when; }) change(part.when);
+            if constexpr (std::same_as<Part, Unknown>) part.name = of_name(part.name);
+            describe(*this, part);
+        }
+    }
+    template <class Part>
+    void named(const char* name, std::vector<Part>& parts, const Key& key) const {
+        list(name, parts, key);
+    }
+    template <class Of>
+    std::optional<Dimension> dimension_of(const Of&) const {
+        return std::nullopt;
+    }
+
+    void change(std::optional<Condition>& when) const {
+        if (when) change(*when);
+    }
+    void change(Condition& condition) const {
+        if (condition.kind == Condition::Kind::effect) condition.effect = of_effect(condition.effect);
+        for (Condition& part : condition.parts) change(part);
+    }
+    void change(PrintedEquation& printed) const {
+        Bound letters = bound_;
+        for (const PrintedLetter& letter : printed.letters) letters.push_back(letter.name);
+        const auto each = [&](ExpressionPtr& e) { e = of(e, letters); };
+        for (auto* list : {&printed.letters, &printed.shown_letters})
+            for (PrintedLetter& letter : *list) each(letter.value);
+        for (auto* list : {&printed.equations, &printed.shown, &printed.solved})
+            for (Equation& equation : *list) std::for_each(equation.sides.begin(), equation.sides.end(), each);
+        for (AtPoint& at : printed.at) {
+            each(at.variable);
+            each(at.value);
+        }
+    }
+    void change(Family& family) const {
+        family.from = of(family.from);
+        family.to = of(family.to);
+    }
+
+    ExpressionPtr of(const ExpressionPtr& e) const { return e ? of(e, bound_) : e; }
+    std::string of_name(const std::string& name) const { return to_.formulas.contains(name) ? to_.prefix + name : name; }
+
+private:
+    using Kind = Expression::Kind;
+
+    static Bound with(Bound bound, const std::vector<std::string>& more) {
+        bound.insert(bound.end(), more.begin(), more.end());
+        return bound;
+    }
+
+    std::string of_effect(const std::string& name) const {
+        const auto found = to_.effects.find(name);
+        return found == to_.effects.end() ? to_.prefix + name : found->second;
+    }
+
+    ExpressionPtr of(const ExpressionPtr& e, const Bound& bound) const {
+        if (!e || (e->kind == Kind::number)) return e;
+        auto made = std::make_shared<Expression>(*e);
+        const auto change_children = [&](std::size_t from, const Bound& names) {
+            for (std::size_t i = from; i < made->children.size(); ++i) made->children[i] = of(made->children[i], names);
+        };
+        if (e->kind == Kind::sum) {
+            made->children[0] = of(e->children[0], bound);
+            made->children[1] = of(e->children[1], bound);
+            made->children[2] = of(e->children[2], with(bound, {e->name}));
+            return made;
+        }
+        const QuantitySpec* quantity = e->kind == Kind::name && !e->children.empty() ? find_quantity(e->name) : nullptr;
+        if (quantity != nullptr) {
+            const std::vector<const char*> kinds = kinds_of_first(*quantity, e->children.size());
+            const bool is_element = !kinds.empty() && !is_of_formulas(kinds) && e->children[0]->kind == Kind::name;
+            if (is_element) made->children[0] = element(*e->children[0], contains(kinds, "body"), bound);
+            change_children(is_element ? 1 : 0, bound);
+            return made;
+        }
+        change_children(0, bound);
+        if (e->kind == Kind::call) made->name = of_name(e->name);
+        if (e->kind != Kind::name || std::find(bound.begin(), bound.end(), e->name) != bound.end()) return made;
+        if (const auto found = to_.values.find(e->name); found != to_.values.end() && e->children.empty()) return found->second;
+        made->name = of_name(e->name);
+        return made;
+    }
+
+    /// In square brackets: "tank", "tank[2]", "bar.first".
+    ExpressionPtr element(const Expression& e, bool is_body, const Bound& bound) const {
+        auto made = std::make_shared<Expression>(e);
+        for (ExpressionPtr& child : made->children) child = of(child, bound);
+        const auto found = to_.elements.find(Renaming::key_of(e.name, is_body));
+        if (found == to_.elements.end()) {
+            made->name = to_.prefix + e.name;
+            return made;
+        }
+        made->name = found->second.name;
+        if (found->second.index) made->children = {found->second.index};
+        return made;
+    }
+
+    void formula_reference(std::string& name, ExpressionPtr& index) const {
+        index = of(index);
+        if (const auto found = to_.values.find(name); found != to_.values.end() && found->second->kind == Kind::name) {
+            name = found->second->name;
+            if (!found->second->children.empty()) index = found->second->children[0];
+        } else {
+            name = of_name(name);
+        }
+    }
+
+    void change(Reference& reference, const Key& key) const {
+        if (reference.name.empty()) return;
+        if (is_of_formulas(key.refers)) return formula_reference(reference.name, reference.index);
+        reference.index = of(reference.index);
+        const auto found = to_.elements.find(Renaming::key_of(reference.name, contains(key.refers, "body")));
+        if (found == to_.elements.end()) {
+            reference.name = to_.prefix + reference.name;
+        } else {
+            reference.name = found->second.name;
+            if (found->second.index) reference.index = found->second.index;
+        }
+    }
+    void change(CoordinateEntry& entry, const Key&) const {
+        if (!entry.coordinate.empty()) formula_reference(entry.coordinate, entry.index);
+        entry.value = of(entry.value);
+    }
+    void change(RunEntry& entry, const Key&) const {
+        entry.variable = of(entry.variable);
+        entry.value = of(entry.value);
+    }
+    void change(NamesWithPlaces& names, const Key&) const {
+        for (auto& [name, span] : names) name = of_effect(name);
+    }
+    void change(std::vector<Plot>& plots, const Key&) const {
+        for (Plot& plot : plots) {
+            plot.x = of_text(plot.x);
+            for (std::string& name : plot.y) name = of_text(name);
+        }
+    }
+    /// "dot(x)"; of what has another name only.
+    std::string of_text(const std::string& text) const {
+        try {
+            const ExpressionPtr written = parse_expression(excerpt_of(std::make_shared<const Source>("plot", text)));
+            bool is_meant = false;
+            for_each(*written, [&](const Expression& e) { is_meant = is_meant || to_.values.contains(e.name); });
+            return is_meant ? in_model_language(*of(written)) : text;
+        } catch (const Failure&) {  // told where plots are checked
+            return text;
+        }
+    }
+    void change(std::vector<Condition>& conditions, const Key&) const {
+        for (Condition& condition : conditions) change(condition);
+    }
+    void change(ExpressionPtr& e, const Key& key) const { e = of(e, with(bound_, {key.letters.begin(), key.letters.end()})); }
+    void change(Law& law, const Key&) const { law.body = of(law.body, with(bound_, {law.variable})); }
+    void change(Property& property, const Key&) const { property.body = of(property.body, with(bound_, property.variables)); }
+    void change(Range& range, const Key&) const {
+        range.low = of(range.low);
+        range.high = of(range.high);
+    }
+    void change(Turn& turn, const Key&) const { turn.angle = of(turn.angle); }
+    void change(BlockPiece& piece, const Key&) const {
+        piece.length = of(piece.length);
+        piece.cells = of(piece.cells);
+    }
+    template <Plain Member>
+    requires(!std::same_as<Member, NamesWithPlaces> && !std::same_as<Member, std::vector<Condition>> &&
+             !std::same_as<Member, std::vector<Plot>>) void change(Member&, const Key&) const {}
+    template <class Member, std::size_t n>
+    void change(std::array<Member, n>& members, const Key& key) const {
+        for (Member& member : members) change(member, key);
+    }
+    template <class Member>
+    requires(!Plain<std::optional<Member>>) void change(std::optional<Member>& member, const Key& key) const {
+        if (member) change(*member, key);
+    }
+    template <class Member>
+    requires(!Plain<std::vector<Member>>) void change(std::vector<Member>& members, const Key& key) const {
+        for (Member& member : members) change(member, key);
+    }
+
+    const Renaming& to_;
+    std::vector<std::string> bound_;
+};
+
+}  // namespace
+
+void rename(Model& model, const Renaming& renaming) {
+    for_each_kind(model, [&](const char*, auto& items) {
+        for_each_item(items, [&](auto& item) {
+            using Element = std::remove_reference_t<decltype(item)>;
+            std::vector<std::string> bound;
+            const RenameWalk outside(renaming);
+            if constexpr (std::derived_from<Element, Item>) {
+                item.name = renaming.prefix + item.name;
+                if (item.family) {
+                    outside.change(*item.family);
+                    bound.push_back(item.family->index);
+                }
+            }
+            outside.change(item.when);
+            if constexpr (std::same_as<Element, ModeGroup>)
+                for (Mode& mode : item.modes) {
+                    mode.name = renaming.prefix + mode.name;
+                    outside.change(mode.when);
+                }
+            const RenameWalk inside(renaming, bound);
+            if constexpr (std::same_as<Element, PrintedEquation>) inside.change(item);
+            describe(inside, item);
+        });
+    });
+}
+
+ExpressionPtr renamed(const ExpressionPtr& expression, const Renaming& renaming) { return RenameWalk(renaming).of(expression); }
+
+bool is_named_as_coordinate(const Model& model, const std::string& coordinate) {
+    bool is_named = false;
+    for_each_kind(model, [&]<class Items>(const char*, const Items& items) {
+        for_each_item(items, [&](const auto& item) {
+            using Element = std::remove_cvref_t<decltype(item)>;
+            if constexpr (!std::same_as<Element, Port>)
+                visit_references(item, [&](const Referred& referred) {
+                    is_named = is_named || (referred.to.name == coordinate && contains(referred.kinds, "coordinate"));
+                });
+            visit(item, [&](const Site& site) {
+                for_each(*site.expression, [&](const Expression& e) {
+                    const QuantitySpec* quantity =
+                        e.kind == Expression::Kind::name && !e.children.empty() ? find_quantity(e.name) : nullptr;
+                    if (quantity == nullptr) return;
+                    for (const ExpressionPtr& child : e.children) is_named = is_named || child->name == coordinate;
+                });
+            });
+        });
+    });
+    return is_named;
+}
+
+}  // namespace dalembert

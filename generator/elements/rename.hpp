@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A visitor of descriptions that gives the elements of a model other names, wherever these stand.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "elements/item.hpp"
+#include "elements/kinds.hpp"
+
+namespace dalembert {
+
+struct Renaming {
+    std::string prefix;                                        ///< of the names of all elements: "left_"
+    std::set<std::string, std::less<>> formulas;               ///< names in expressions that get the prefix
+    std::map<std::string, ExpressionPtr, std::less<>> values;  ///< of a name in expressions: what stands instead
+    std::map<std::string, Reference, std::less<>> elements;    ///< what another element stands for; of a body as "body NAME"
+    std::map<std::string, std::string, std::less<>> effects;
+
+    static std::string key_of(const std::string& name, bool is_body) { return is_body ? "body " + name : name; }
+};
+
+void rename(Model& model, const Renaming& renaming);
+
+ExpressionPtr renamed(const ExpressionPtr& expression, const Renaming& renaming);
+
+/// Whether something but formulas names a coordinate: a generalised force on it, say.
+bool is_named_as_coordinate(const Model& model, const std::string& coordinate);
+
+}  // namespace dalembert
