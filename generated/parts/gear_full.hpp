@@ -22,9 +22,8 @@
 //   jacobian_p             6     14     0        0      0
 //   bias                   0      1     0        0      0
 //   generalised_force      1      1     0        0      0
-//   output                 2      4     1        0      0
-//   output_jacobian_x      3      7     1        0      0
-//   output_jacobian_u      2      6     1        0      0
+//   output                 0      2     0        0      0
+//   output_jacobian_x      0      1     0        0      0
 //   kinetic_energy         1      5     0        0      0
 //   supplied_power         1      2     0        0      0
 //   dissipated_power       0      2     0        0      0
@@ -57,14 +56,14 @@ inline constexpr std::size_t degrees_of_freedom = 1;
 inline constexpr std::size_t plain_state_count = 0;
 inline constexpr std::size_t state_count = 2;
 inline constexpr std::size_t input_count = 2;
-inline constexpr std::size_t output_count = 2;
+inline constexpr std::size_t output_count = 1;
 inline constexpr std::size_t parameter_count = 5;
 inline constexpr std::size_t guard_count = 0;
 
 // The index of each quantity in its vector. The state is x = [q; dq/dt; z].
 struct state { enum : std::size_t { phi = 0, phi_dot = 1 }; };
 struct input { enum : std::size_t { tau_1 = 0, tau_2 = 1 }; };
-struct output { enum : std::size_t { loss = 0, efficiency = 1 }; };
+struct output { enum : std::size_t { loss = 0 }; };
 struct parameter { enum : std::size_t { i = 0, J_1 = 1, J_2 = 2, d_1 = 3, d_2 = 4 }; };
 
 /// Name in the model, SI unit, description, and the declared range in SI.
@@ -86,7 +85,6 @@ inline constexpr std::array<Quantity, input_count> input_quantities{
 };
 inline constexpr std::array<Quantity, output_count> output_quantities{
     Quantity{"loss", "W", "power of both frictions"},
-    Quantity{"efficiency", "1", "of steady motion; the watt keeps it finite at rest"},
 };
 inline constexpr std::array<Quantity, parameter_count> parameter_quantities{
     Quantity{"i", "1", "ratio, speed of the input by that of the output", 0.01, 1000},
@@ -291,43 +289,26 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 2 + or -, 4 *, 1 /
+    /// Operations: 2 *
     ///     loss = (i^2*d_1 + d_2)*dot(phi)^2
-    ///     efficiency = tau_2*dot(phi)/(i^2*d_1*dot(phi)^2 + d_2*dot(phi)^2 + tau_2*dot(phi) + 1)
-    void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
+    void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
         const Scalar phi_dot = x[1];
-        const Scalar e1 = phi_dot * (c_.k1 * phi_dot);
-        const Scalar tau_2 = u[1];
-        const Scalar e2 = tau_2 * phi_dot;
-        y[0] = e1;
-        y[1] = e2 / (Scalar(1) + e2 + e1);
+        y[0] = c_.k1 * phi_dot * phi_dot;
     }
 
     /// C = dh/dx.
-    /// Operations: 3 + or -, 7 *, 1 /
-    void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
+    /// Operations: 1 *
+    void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         const Scalar phi_dot = x[1];
-        const Scalar e1 = c_.k1 * phi_dot;
-        const Scalar tau_2 = u[1];
-        const Scalar e2 = tau_2 * phi_dot;
-        const Scalar inverse_3 = Scalar(1) / (Scalar(1) + phi_dot * e1 + e2);
         C[0] = Scalar(0);
-        C[1] = Scalar(0);
-        C[2] = c_.k3 * phi_dot;
-        C[3] = inverse_3 * inverse_3 * (tau_2 - e1 * e2);
+        C[1] = c_.k3 * phi_dot;
     }
 
     /// D = dh/du.
-    /// Operations: 2 + or -, 6 *, 1 /
-    void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
-        const Scalar phi_dot = x[1];
-        const Scalar tau_2 = u[1];
-        const Scalar e1 = Scalar(1) + c_.k1 * phi_dot * phi_dot;
-        const Scalar inverse_2 = Scalar(1) / (tau_2 * phi_dot + e1);
+    /// Operations: none
+    void output_jacobian_u(const State& /*x*/, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         D[0] = Scalar(0);
         D[1] = Scalar(0);
-        D[2] = Scalar(0);
-        D[3] = phi_dot * inverse_2 * inverse_2 * e1;
     }
 
     /// Kinetic energy T in joules.

@@ -26,6 +26,13 @@ bool is_of_formulas(const std::vector<const char*>& kinds) {
                        [](std::string_view kind) { return kind == "coordinate" || kind == "state" || kind == "input"; });
 }
 
+/// Of the kinds that joins replace.
+bool can_stand_for_another(const std::vector<const char*>& kinds) {
+    return std::any_of(kinds.begin(), kinds.end(), [](std::string_view kind) {
+        return kind == "body" || kind == "volume" || kind == "reservoir" || kind == "junction" || kind == "node" || kind == "medium";
+    });
+}
+
 class RenameWalk {
 public:
     using Bound = std::vector<std::string>;
@@ -127,7 +134,7 @@ private:
         if (quantity != nullptr) {
             const std::vector<const char*> kinds = kinds_of_first(*quantity, e->children.size());
             const bool is_element = !kinds.empty() && !is_of_formulas(kinds) && e->children[0]->kind == Kind::name;
-            if (is_element) made->children[0] = element(*e->children[0], contains(kinds, "body"), bound);
+            if (is_element) made->children[0] = element(*e->children[0], kinds, bound);
             change_children(is_element ? 1 : 0, bound);
             return made;
         }
@@ -139,17 +146,20 @@ private:
         return made;
     }
 
+    /// What stands for an element that one of these kinds is; null for itself.
+    const Reference* other(const std::string& name, const std::vector<const char*>& kinds) const {
+        if (!can_stand_for_another(kinds)) return nullptr;
+        const auto found = to_.elements.find(Renaming::key_of(name, contains(kinds, "body")));
+        return found == to_.elements.end() ? nullptr : &found->second;
+    }
+
     /// In square brackets: "tank", "tank[2]", "bar.first".
-    ExpressionPtr element(const Expression& e, bool is_body, const Bound& bound) const {
+    ExpressionPtr element(const Expression& e, const std::vector<const char*>& kinds, const Bound& bound) const {
         auto made = std::make_shared<Expression>(e);
         for (ExpressionPtr& child : made->children) child = of(child, bound);
-        const auto found = to_.elements.find(Renaming::key_of(e.name, is_body));
-        if (found == to_.elements.end()) {
-            made->name = to_.prefix + e.name;
-            return made;
-        }
-        made->name = found->second.name;
-        if (found->second.index) made->children = {found->second.index};
+        const Reference* instead = other(e.name, kinds);
+        made->name = instead == nullptr ? to_.prefix + e.name : instead->name;
+        if (instead != nullptr && instead->index) made->children = {instead->index};
         return made;
     }
 
@@ -167,13 +177,9 @@ private:
         if (reference.name.empty()) return;
         if (is_of_formulas(key.refers)) return formula_reference(reference.name, reference.index);
         reference.index = of(reference.index);
-        const auto found = to_.elements.find(Renaming::key_of(reference.name, contains(key.refers, "body")));
-        if (found == to_.elements.end()) {
-            reference.name = to_.prefix + reference.name;
-        } else {
-            reference.name = found->second.name;
-            if (found->second.index) reference.index = found->second.index;
-        }
+        const Reference* instead = other(reference.name, key.refers);
+        reference.name = instead == nullptr ? to_.prefix + reference.name : instead->name;
+        if (instead != nullptr && instead->index) reference.index = instead->index;
     }
     void change(CoordinateEntry& entry, const Key&) const {
         if (!entry.coordinate.empty()) formula_reference(entry.coordinate, entry.index);

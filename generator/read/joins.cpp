@@ -8,6 +8,7 @@
 #include "check/checks.hpp"
 #include "elements/every_kind.hpp"
 #include "elements/kinds.hpp"
+#include "read/port_places.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -15,9 +16,6 @@ namespace dalembert {
 namespace {
 
 using Kind = Expression::Kind;
-
-/// What can go where two elements become one: the weaker one does.
-enum class Rank { given, follows, stores };
 
 const char* word_of(Port::Kind kind) {
     for (const auto& choice : port_kinds())
@@ -30,19 +28,6 @@ const T* find(const std::vector<T>& items, const std::string& name) {
     const auto found = std::find_if(items.begin(), items.end(), [&](const T& item) { return item.name == name; });
     return found == items.end() ? nullptr : &*found;
 }
-
-bool weighs_nothing(const ExpressionPtr& e) { return !e || (e->kind == Kind::number && zerop(e->value)); }
-
-/// An element where fluids, heat or bodies meet.
-struct Place {
-    Reference to;
-    const char* word = "";  ///< "volume"
-    Rank rank = Rank::stores;
-    std::string medium = {};
-    bool is_of_part = false;
-
-    bool can_go() const { return is_of_part && rank != Rank::stores; }
-};
 
 class Joins {
 public:
@@ -146,7 +131,7 @@ private:
     }
 
     void check_open(const Use& use, const PartPort& port) {
-        if (port.port.kind != Port::Kind::fluid || place_of(*port.port.at, port.port.kind).rank != Rank::given) return;
+        if (port.port.kind != Port::Kind::fluid || place_of(model_, *port.port.at, port.port.kind).rank != Rank::given) return;
         fail(Id::missing_key, use.span,
              fmt::format("fluid port '{0}' is open, and nothing is behind it; join it in [use.{1}]: ports = {{ {2} = ... }}, to a volume, "
                          "reservoir or junction",
@@ -269,35 +254,6 @@ private:
 
     // --- fluids, heat and bodies ---
 
-    Place place_of(const Reference& to, Port::Kind kind) const {
-        const std::vector<const char*> kinds = elements_at(kind, true);
-        Place place{to};
-        for_each_kind(model_, [&]<class Items>(const char*, const Items& items) {
-            using Element = typename Items::value_type;
-            if constexpr (std::derived_from<Element, Item>) {
-                if (std::find(kinds.begin(), kinds.end(), std::string_view(kind_of<Element>.word)) == kinds.end()) return;
-                const Element* element = find(items, to.name);
-                if (element == nullptr) return;
-                place.word = kind_of<Element>.word;
-                place.is_of_part = is_of_part(*element);
-                if constexpr (requires { element->medium; }) place.medium = element->medium.name;
-                if constexpr (std::same_as<Element, Reservoir>) place.rank = Rank::given;
-                if constexpr (std::same_as<Element, Junction>) place.rank = Rank::follows;
-                if constexpr (std::same_as<Element, HeatNode>)
-                    place.rank = element->is_held() ? Rank::given : element->capacity ? Rank::stores : Rank::follows;
-                if constexpr (std::same_as<Element, Body>)
-                    if (weighs_nothing(element->mass) && weighs_nothing(element->inertia) && element->tensor.empty() && !element->solid)
-                        place.rank = Rank::given;
-            }
-        });
-        return place;
-    }
-
-    static std::string said(const Place& place) {
-        const char* const nature[]{"is given", "follows from the balance", "is stored"};
-        return fmt::format("{} '{}', whose state {}", place.word, place.to.name, nature[static_cast<std::size_t>(place.rank)]);
-    }
-
     void join_places(PartPort& port, PartPort* other, const RunEntry& entry) {
         const Expression& value = *entry.value;
         const Port::Kind kind = port.port.kind;
@@ -305,9 +261,10 @@ private:
             fail(Id::wrong_type, value.span,
                  fmt::format("'{}' is not the name of {}, to which '{}' could be joined", value.written(),
                              with_article(words_of(elements_at(kind, true))), shown(port)));
-        const Place mine = place_of(resolved(*port.port.at, kind), kind);
+        const Place mine = place_of(model_, resolved(*port.port.at, kind), kind);
         const Place theirs =
-            place_of(resolved(other != nullptr ? *other->port.at
+            place_of(model_,
+                     resolved(other != nullptr ? *other->port.at
                                                : Reference{value.name, value.children.empty() ? nullptr : value.children[0], value.span},
                               kind),
                      kind);

@@ -54,10 +54,12 @@ TEST_CASE("damaged models") {
     std::mt19937 engine(2013);
     std::map<int, int> codes;
     const TemporaryFolder here;
+    fs::create_directory(here.path() / "drives");
+    fs::create_directory_symlink(source / "systems/parts", here.path() / "parts");  // which drives are made of
     for (int i = 0; i < count; ++i) {
         const fs::path& original = models[std::uniform_int_distribution<std::size_t>(0, models.size() - 1)(engine)];
         const std::string text = mutated(content(original), engine);
-        const fs::path model = here.path() / "model.toml";
+        const fs::path model = here.path() / "drives/model.toml";
         const fs::path results = here.path() / "results";
         std::ofstream(model, std::ios::binary) << text;
         const bool check = i % 4 == 0;
