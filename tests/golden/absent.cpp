@@ -26,10 +26,12 @@ TEST_CASE("the header of a scene is that of a model without what the scene leave
         if (!is_full_tier()) scenes.erase(scenes.begin(), scenes.end() - 1);  // of each model one
         for (const std::string& scene : scenes) {
             const TemporaryFolder folder;
-            const fs::path file = folder.path() / path.filename();
+            const fs::path domain = path.parent_path().filename(), file = folder.path() / domain / path.filename();
+            fs::create_directory(folder.path() / domain);
             std::ofstream(file) << model.without(scene);
             for (const auto& beside : fs::directory_iterator(path.parent_path()))  // points of curves
-                if (beside.path().extension() == ".csv") fs::copy(beside.path(), folder.path());
+                if (beside.path().extension() == ".csv") fs::copy(beside.path(), folder.path() / domain);
+            if (domain != "parts") fs::create_directory_symlink(source / "systems/parts", folder.path() / "parts");
             const Result result = run({"generate", file.string(), "-o", folder.path().string()});
             INFO(path.filename().string(), ", ", scene, ": ", result.err);
             CHECK(result.exit_code == 0);
