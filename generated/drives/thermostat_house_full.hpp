@@ -17,15 +17,15 @@
 // Operations          +,-      *     /  sin,cos  other
 //   update                12     45    14        0      0
 //   rhs                   35     27     0        0      8
-//   rhs_and_jacobian      55     47     0        0     16
+//   rhs_and_jacobian      59     47     0        0     16
 //   jacobian_u            16     12     0        0      8
 //   jacobian_p            74    189    14        0     20
 //   output                15     12     0        0      8
-//   output_jacobian_x     19     12     0        0     12
+//   output_jacobian_x     23     12     0        0     12
 //   output_jacobian_u     12      6     0        0      6
 //   internal_energy        5      6     0        0      0
 //   exchanged_power       23     18     0        0      4
-//   guards                12      2     0        0      2
+//   guards                14      6     0        0      2
 //
 // The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
 // <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
@@ -157,10 +157,10 @@ struct Guard {
 };
 
 inline constexpr std::array<Guard, guard_count> guard_list{
+    Guard{"100*heater_T - 100*sleeping_T_r - 1", "kink or jump where 100*heater_T - 100*sleeping_T_r - 1 is zero", false},
+    Guard{"100*living_T_r - 100*radiator_T + 1", "kink or jump where 100*living_T_r - 100*radiator_T + 1 is zero", false},
     Guard{"day_K*living_T_r/T_n - day_K*w_1/T_n - day_u_max - day_z", "kink or jump where day_K*living_T_r/T_n - day_K*w_1/T_n - day_u_max - day_z is zero", false},
     Guard{"day_u_max - max(-(living_T_r/T_n - w_1/T_n)*day_K + day_z, -day_u_max)", "kink or jump where day_u_max - max(-(living_T_r/T_n - w_1/T_n)*day_K + day_z, -day_u_max) is zero", false},
-    Guard{"heater_T - sleeping_T_r", "kink or jump where heater_T - sleeping_T_r is zero", false},
-    Guard{"living_T_r - radiator_T", "kink or jump where living_T_r - radiator_T is zero", false},
     Guard{"max(-(sleeping_T_r/T_n - w_2/T_n)*night_K + night_z, -night_u_max) - night_u_max", "kink or jump where max(-(sleeping_T_r/T_n - w_2/T_n)*night_K + night_z, -night_u_max) - night_u_max is zero", false},
     Guard{"night_K*sleeping_T_r/T_n - night_K*w_2/T_n - night_u_max - night_z", "kink or jump where night_K*sleeping_T_r/T_n - night_K*w_2/T_n - night_u_max - night_z is zero", false},
 };
@@ -396,23 +396,23 @@ public:
     /// dx/dt = f(x, u, t).
     /// Operations: 35 + or -, 27 *, 8 other functions
     ///     dot(living_T_r) = P/living_C_a + living_A_f*living_U_f*(T_o - living_T_r)/living_C_a - living_A_w*living_h_i*(living_T_r
-    ///     - living_T_w)/living_C_a + radiator_Q_n*(max(0, -living_T_r + radiator_T)/radiator_dT_n)^(radiator_n)/living_C_a
+    ///     - living_T_w)/living_C_a + radiator_Q_n*(max(1/100, -living_T_r + radiator_T)/radiator_dT_n)^(radiator_n)/living_C_a
     ///     dot(living_T_w) = living_A_w*living_U_w*(T_o - living_T_w)/living_C_w + living_A_w*living_h_i*(living_T_r -
     ///     living_T_w)/living_C_w - (living_T_w - sleeping_T_w)/(living_C_w*R_w)
     ///     dot(sleeping_T_r) = sleeping_P/sleeping_C_a + sleeping_A_f*sleeping_U_f*(T_o - sleeping_T_r)/sleeping_C_a -
-    ///     sleeping_A_w*sleeping_h_i*(sleeping_T_r - sleeping_T_w)/sleeping_C_a + heater_Q_n*(max(0, -sleeping_T_r +
+    ///     sleeping_A_w*sleeping_h_i*(sleeping_T_r - sleeping_T_w)/sleeping_C_a + heater_Q_n*(max(1/100, -sleeping_T_r +
     ///     heater_T)/heater_dT_n)^(heater_n)/sleeping_C_a
     ///     dot(sleeping_T_w) = sleeping_A_w*sleeping_U_w*(T_o - sleeping_T_w)/sleeping_C_w + (living_T_w -
     ///     sleeping_T_w)/(sleeping_C_w*R_w) + sleeping_A_w*sleeping_h_i*(sleeping_T_r - sleeping_T_w)/sleeping_C_w
     ///     dot(radiator_T) = radiator_c_w*radiator_m_n*T_v/(2*radiator_C) + radiator_c_w*radiator_m_n*T_v*min(day_u_max,
     ///     max(day_K*w_1/T_n - day_K*living_T_r/T_n + day_z, -day_u_max))/(2*radiator_C) -
     ///     radiator_c_w*radiator_m_n*radiator_T/(2*radiator_C) - radiator_c_w*radiator_m_n*radiator_T*min(day_u_max,
-    ///     max(day_K*w_1/T_n - day_K*living_T_r/T_n + day_z, -day_u_max))/(2*radiator_C) - radiator_Q_n*(max(0, -living_T_r +
+    ///     max(day_K*w_1/T_n - day_K*living_T_r/T_n + day_z, -day_u_max))/(2*radiator_C) - radiator_Q_n*(max(1/100, -living_T_r +
     ///     radiator_T)/radiator_dT_n)^(radiator_n)/radiator_C
     ///     dot(heater_T) = heater_c_w*heater_m_n*T_v/(2*heater_C) + heater_c_w*heater_m_n*T_v*min(night_u_max, max(night_K*w_2/T_n
     ///     - night_K*sleeping_T_r/T_n + night_z, -night_u_max))/(2*heater_C) - heater_c_w*heater_m_n*heater_T/(2*heater_C) -
     ///     heater_c_w*heater_m_n*heater_T*min(night_u_max, max(night_K*w_2/T_n - night_K*sleeping_T_r/T_n + night_z,
-    ///     -night_u_max))/(2*heater_C) - heater_Q_n*(max(0, -sleeping_T_r + heater_T)/heater_dT_n)^(heater_n)/heater_C
+    ///     -night_u_max))/(2*heater_C) - heater_Q_n*(max(1/100, -sleeping_T_r + heater_T)/heater_dT_n)^(heater_n)/heater_C
     ///     dot(day_z) = day_K*(1/day_T_i - 1/day_T_t)*w_1/T_n - day_K*(1/day_T_i - 1/day_T_t)*living_T_r/T_n - day_z/day_T_t +
     ///     min(day_u_max, max(day_K*w_1/T_n - day_K*living_T_r/T_n + day_z, -day_u_max))/day_T_t
     ///     dot(night_z) = night_K*(1/night_T_i - 1/night_T_t)*w_2/T_n - night_K*(1/night_T_i - 1/night_T_t)*sleeping_T_r/T_n -
@@ -425,14 +425,14 @@ public:
         const Scalar living_T_w = x[1];
         const Scalar e1 = living_T_r - living_T_w;
         const Scalar radiator_T = x[4];
-        const Scalar max_2 = detail::max<Scalar>(Scalar(0), radiator_T - living_T_r);
+        const Scalar max_2 = detail::max<Scalar>(Scalar(1) / Scalar(100), radiator_T - living_T_r);
         const Scalar power_3 = pow(c_.k25 * max_2, p_.radiator_n);
         const Scalar sleeping_T_w = x[3];
         const Scalar e4 = living_T_w - sleeping_T_w;
         const Scalar sleeping_T_r = x[2];
         const Scalar e5 = sleeping_T_r - sleeping_T_w;
         const Scalar heater_T = x[5];
-        const Scalar max_6 = detail::max<Scalar>(Scalar(0), heater_T - sleeping_T_r);
+        const Scalar max_6 = detail::max<Scalar>(Scalar(1) / Scalar(100), heater_T - sleeping_T_r);
         const Scalar power_7 = pow(c_.k24 * max_6, p_.heater_n);
         const Scalar T_v = u[2];
         const Scalar day_z = x[6];
@@ -457,7 +457,7 @@ public:
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 8 x 8, entry (i, j) at J[8*j + i].
-    /// Operations: 55 + or -, 47 *, 16 other functions
+    /// Operations: 59 + or -, 47 *, 16 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::pow;
         const Scalar P = u[4];
@@ -466,8 +466,8 @@ public:
         const Scalar living_T_w = x[1];
         const Scalar e1 = living_T_r - living_T_w;
         const Scalar radiator_T = x[4];
-        const Scalar e2 = radiator_T - living_T_r;
-        const Scalar max_3 = detail::max<Scalar>(Scalar(0), e2);
+        const Scalar e2 = living_T_r - radiator_T;
+        const Scalar max_3 = detail::max<Scalar>(Scalar(1) / Scalar(100), -e2);
         const Scalar e4 = c_.k25 * max_3;
         const Scalar power_5 = pow(e4, p_.radiator_n);
         const Scalar sleeping_T_w = x[3];
@@ -475,8 +475,8 @@ public:
         const Scalar sleeping_T_r = x[2];
         const Scalar e7 = sleeping_T_r - sleeping_T_w;
         const Scalar heater_T = x[5];
-        const Scalar e8 = heater_T - sleeping_T_r;
-        const Scalar max_9 = detail::max<Scalar>(Scalar(0), e8);
+        const Scalar e8 = sleeping_T_r - heater_T;
+        const Scalar max_9 = detail::max<Scalar>(Scalar(1) / Scalar(100), -e8);
         const Scalar e10 = c_.k24 * max_9;
         const Scalar power_11 = pow(e10, p_.heater_n);
         const Scalar w_1 = u[0];
@@ -506,7 +506,7 @@ public:
         dxdt[5] = e21 * e23 - c_.k17 * power_11;
         dxdt[6] = c_.k18 * e12 - c_.k19 * (day_z - min_day_u_max);
         dxdt[7] = c_.k20 * e18 - c_.k21 * (night_z - min_night_u_max);
-        const Scalar step_24 = detail::step<Scalar>(e2);
+        const Scalar step_24 = detail::step<Scalar>(-(Scalar(1) / Scalar(100)) - e2);
         const Scalar power_25 = pow(e4, -c_.k39);
         const Scalar e26 = step_24 * power_25;
         const Scalar e27 = c_.k27 * e26;
@@ -514,7 +514,7 @@ public:
         const Scalar step_29 = detail::step<Scalar>(p_.day_u_max + e13);
         const Scalar step_30 = detail::step<Scalar>(p_.day_u_max - max_14);
         const Scalar e31 = step_29 * step_30;
-        const Scalar step_32 = detail::step<Scalar>(e8);
+        const Scalar step_32 = detail::step<Scalar>(-(Scalar(1) / Scalar(100)) - e8);
         const Scalar power_33 = pow(e10, -c_.k38);
         const Scalar e34 = step_32 * power_33;
         const Scalar e35 = c_.k33 * e34;
@@ -674,7 +674,7 @@ public:
         const Scalar T_o = u[3];
         const Scalar e3 = T_o - living_T_r;
         const Scalar radiator_T = x[4];
-        const Scalar max_4 = detail::max<Scalar>(Scalar(0), radiator_T - living_T_r);
+        const Scalar max_4 = detail::max<Scalar>(Scalar(1) / Scalar(100), radiator_T - living_T_r);
         const Scalar e5 = c_.k25 * max_4;
         const Scalar power_6 = pow(e5, p_.radiator_n);
         const Scalar sleeping_T_w = x[3];
@@ -692,7 +692,7 @@ public:
         const Scalar inverse_16_squared = inverse_16 * inverse_16;
         const Scalar e17 = T_o - sleeping_T_r;
         const Scalar heater_T = x[5];
-        const Scalar max_18 = detail::max<Scalar>(Scalar(0), heater_T - sleeping_T_r);
+        const Scalar max_18 = detail::max<Scalar>(Scalar(1) / Scalar(100), heater_T - sleeping_T_r);
         const Scalar e19 = c_.k24 * max_18;
         const Scalar power_20 = pow(e19, p_.heater_n);
         const Scalar e21 = T_o - sleeping_T_w;
@@ -1090,13 +1090,13 @@ public:
     /// Operations: 15 + or -, 12 *, 8 other functions
     ///     living_loss = -living_A_f*living_U_f*(T_o - living_T_r) - living_A_w*living_U_w*(T_o - living_T_w)
     ///     sleeping_loss = -sleeping_A_f*sleeping_U_f*(T_o - sleeping_T_r) - sleeping_A_w*sleeping_U_w*(T_o - sleeping_T_w)
-    ///     radiator_Q = radiator_Q_n*(max(0, -living_T_r + radiator_T)/radiator_dT_n)^(radiator_n)
-    ///     heater_Q = heater_Q_n*(max(0, -sleeping_T_r + heater_T)/heater_dT_n)^(heater_n)
+    ///     radiator_Q = radiator_Q_n*(max(1/100, -living_T_r + radiator_T)/radiator_dT_n)^(radiator_n)
+    ///     heater_Q = heater_Q_n*(max(1/100, -sleeping_T_r + heater_T)/heater_dT_n)^(heater_n)
     ///     day_out = min(day_u_max, max(day_K*w_1/T_n - day_K*living_T_r/T_n + day_z, -day_u_max))
     ///     day_error = w_1/T_n - living_T_r/T_n
     ///     night_out = min(night_u_max, max(night_K*w_2/T_n - night_K*sleeping_T_r/T_n + night_z, -night_u_max))
     ///     night_error = w_2/T_n - sleeping_T_r/T_n
-    ///     heat_used = radiator_Q_n*(max(0, -living_T_r + radiator_T)/radiator_dT_n)^(radiator_n) + heater_Q_n*(max(0,
+    ///     heat_used = radiator_Q_n*(max(1/100, -living_T_r + radiator_T)/radiator_dT_n)^(radiator_n) + heater_Q_n*(max(1/100,
     ///     -sleeping_T_r + heater_T)/heater_dT_n)^(heater_n)
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::pow;
@@ -1106,11 +1106,11 @@ public:
         const Scalar sleeping_T_r = x[2];
         const Scalar sleeping_T_w = x[3];
         const Scalar radiator_T = x[4];
-        const Scalar max_1 = detail::max<Scalar>(Scalar(0), radiator_T - living_T_r);
+        const Scalar max_1 = detail::max<Scalar>(Scalar(1) / Scalar(100), radiator_T - living_T_r);
         const Scalar power_2 = pow(c_.k25 * max_1, p_.radiator_n);
         const Scalar e3 = p_.radiator_Q_n * power_2;
         const Scalar heater_T = x[5];
-        const Scalar max_4 = detail::max<Scalar>(Scalar(0), heater_T - sleeping_T_r);
+        const Scalar max_4 = detail::max<Scalar>(Scalar(1) / Scalar(100), heater_T - sleeping_T_r);
         const Scalar power_5 = pow(c_.k24 * max_4, p_.heater_n);
         const Scalar e6 = p_.heater_Q_n * power_5;
         const Scalar day_z = x[6];
@@ -1135,15 +1135,15 @@ public:
     }
 
     /// C = dh/dx.
-    /// Operations: 19 + or -, 12 *, 12 other functions
+    /// Operations: 23 + or -, 12 *, 12 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::pow;
-        const Scalar radiator_T = x[4];
         const Scalar living_T_r = x[0];
-        const Scalar e1 = radiator_T - living_T_r;
-        const Scalar max_2 = detail::max<Scalar>(Scalar(0), e1);
+        const Scalar radiator_T = x[4];
+        const Scalar e1 = living_T_r - radiator_T;
+        const Scalar max_2 = detail::max<Scalar>(Scalar(1) / Scalar(100), -e1);
         const Scalar power_3 = pow(c_.k25 * max_2, -c_.k39);
-        const Scalar step_4 = detail::step<Scalar>(e1);
+        const Scalar step_4 = detail::step<Scalar>(-(Scalar(1) / Scalar(100)) - e1);
         const Scalar e5 = power_3 * (c_.k45 * step_4);
         const Scalar e6 = -e5;
         const Scalar w_1 = u[0];
@@ -1154,12 +1154,12 @@ public:
         const Scalar step_10 = detail::step<Scalar>(p_.day_u_max - max_9);
         const Scalar e11 = step_8 * step_10;
         const Scalar e12 = -c_.k44;
-        const Scalar heater_T = x[5];
         const Scalar sleeping_T_r = x[2];
-        const Scalar e13 = heater_T - sleeping_T_r;
-        const Scalar max_14 = detail::max<Scalar>(Scalar(0), e13);
+        const Scalar heater_T = x[5];
+        const Scalar e13 = sleeping_T_r - heater_T;
+        const Scalar max_14 = detail::max<Scalar>(Scalar(1) / Scalar(100), -e13);
         const Scalar power_15 = pow(c_.k24 * max_14, -c_.k38);
-        const Scalar step_16 = detail::step<Scalar>(e13);
+        const Scalar step_16 = detail::step<Scalar>(-(Scalar(1) / Scalar(100)) - e13);
         const Scalar e17 = power_15 * (c_.k46 * step_16);
         const Scalar e18 = -e17;
         const Scalar w_2 = u[1];
@@ -1387,24 +1387,24 @@ public:
     }
 
     /// Functions whose sign an integrator must watch, in the order of guard_table().
-    /// Operations: 12 + or -, 2 *, 2 other functions
+    /// Operations: 14 + or -, 6 *, 2 other functions
     void guards(const State& x, const Input& u, Scalar /*t*/, Guards& g) const noexcept {
-        const Scalar w_1 = u[0];
+        const Scalar heater_T = x[5];
+        const Scalar sleeping_T_r = x[2];
         const Scalar living_T_r = x[0];
+        const Scalar radiator_T = x[4];
+        const Scalar w_1 = u[0];
         const Scalar day_z = x[6];
         const Scalar e1 = c_.k23 * (w_1 - living_T_r) + day_z;
         const Scalar max_2 = detail::max<Scalar>(e1, -p_.day_u_max);
-        const Scalar heater_T = x[5];
-        const Scalar sleeping_T_r = x[2];
-        const Scalar radiator_T = x[4];
         const Scalar w_2 = u[1];
         const Scalar night_z = x[7];
         const Scalar e3 = c_.k22 * (w_2 - sleeping_T_r) + night_z;
         const Scalar max_4 = detail::max<Scalar>(e3, -p_.night_u_max);
-        g[0] = -p_.day_u_max - e1;
-        g[1] = p_.day_u_max - max_2;
-        g[2] = heater_T - sleeping_T_r;
-        g[3] = living_T_r - radiator_T;
+        g[0] = Scalar(100) * heater_T - Scalar(1) - Scalar(100) * sleeping_T_r;
+        g[1] = Scalar(1) + Scalar(100) * living_T_r - Scalar(100) * radiator_T;
+        g[2] = -p_.day_u_max - e1;
+        g[3] = p_.day_u_max - max_2;
         g[4] = max_4 - p_.night_u_max;
         g[5] = -p_.night_u_max - e3;
     }

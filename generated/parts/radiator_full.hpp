@@ -17,15 +17,15 @@
 // Operations          +,-      *     /  sin,cos  other
 //   update                 1      6     2        0      0
 //   rhs                    3      4     0        0      2
-//   rhs_and_jacobian       5      6     0        0      4
-//   jacobian_u             3      5     0        0      3
+//   rhs_and_jacobian       7      6     0        0      4
+//   jacobian_u             5      5     0        0      3
 //   jacobian_p             6     19     2        0      4
 //   output                 1      2     0        0      2
-//   output_jacobian_x      2      3     0        0      3
-//   output_jacobian_u      3      3     0        0      3
+//   output_jacobian_x      4      3     0        0      3
+//   output_jacobian_u      5      3     0        0      3
 //   internal_energy        0      1     0        0      0
 //   exchanged_power        3      5     0        0      2
-//   guards                 1      0     0        0      0
+//   guards                 2      2     0        0      0
 //
 // The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
 // <https://www.boost.org/LICENSE_1_0.txt>, and may be used in closed programs.
@@ -103,7 +103,7 @@ struct Guard {
 };
 
 inline constexpr std::array<Guard, guard_count> guard_list{
-    Guard{"T - T_a", "kink or jump where T - T_a is zero", false},
+    Guard{"100*T - 100*T_a - 1", "kink or jump where 100*T - 100*T_a - 1 is zero", false},
 };
 
 /// Start values of the state in SI, for the default parameters.
@@ -217,21 +217,21 @@ public:
 
     /// dx/dt = f(x, u, t).
     /// Operations: 3 + or -, 4 *, 2 other functions
-    ///     dot(T) = c_w*m_n*valve*T_in/C - c_w*m_n*valve*T/C - Q_n*(max(0, -T_a + T)/dT_n)^(n)/C
+    ///     dot(T) = c_w*m_n*valve*T_in/C - c_w*m_n*valve*T/C - Q_n*(max(1/100, -T_a + T)/dT_n)^(n)/C
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::pow;
         const Scalar valve = u[0];
         const Scalar T_in = u[1];
         const Scalar T = x[0];
         const Scalar T_a = u[2];
-        const Scalar max_1 = detail::max<Scalar>(Scalar(0), T - T_a);
+        const Scalar max_1 = detail::max<Scalar>(Scalar(1) / Scalar(100), T - T_a);
         const Scalar power_2 = pow(c_.k2 * max_1, p_.n);
         dxdt[0] = c_.k0 * valve * (T_in - T) - c_.k1 * power_2;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: 5 + or -, 6 *, 4 other functions
+    /// Operations: 7 + or -, 6 *, 4 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::pow;
         const Scalar valve = u[0];
@@ -239,12 +239,12 @@ public:
         const Scalar T_in = u[1];
         const Scalar T = x[0];
         const Scalar T_a = u[2];
-        const Scalar e2 = T - T_a;
-        const Scalar max_3 = detail::max<Scalar>(Scalar(0), e2);
+        const Scalar e2 = T_a - T;
+        const Scalar max_3 = detail::max<Scalar>(Scalar(1) / Scalar(100), -e2);
         const Scalar e4 = c_.k2 * max_3;
         const Scalar power_5 = pow(e4, p_.n);
         const Scalar e6 = e1 * (T_in - T) - c_.k1 * power_5;
-        const Scalar step_7 = detail::step<Scalar>(e2);
+        const Scalar step_7 = detail::step<Scalar>(-(Scalar(1) / Scalar(100)) - e2);
         const Scalar power_8 = pow(e4, -c_.k4);
         const Scalar e9 = -c_.k3 * step_7 * power_8 - e1;
         dxdt[0] = e6;
@@ -258,16 +258,16 @@ public:
     }
 
     /// J = df/du. 1 x 3, entry (i, j) at J[1*j + i].
-    /// Operations: 3 + or -, 5 *, 3 other functions
+    /// Operations: 5 + or -, 5 *, 3 other functions
     void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         using std::pow;
         const Scalar T_in = u[1];
         const Scalar T = x[0];
         const Scalar valve = u[0];
         const Scalar T_a = u[2];
-        const Scalar e1 = T - T_a;
-        const Scalar step_2 = detail::step<Scalar>(e1);
-        const Scalar max_3 = detail::max<Scalar>(Scalar(0), e1);
+        const Scalar e1 = T_a - T;
+        const Scalar step_2 = detail::step<Scalar>(-(Scalar(1) / Scalar(100)) - e1);
+        const Scalar max_3 = detail::max<Scalar>(Scalar(1) / Scalar(100), -e1);
         const Scalar power_4 = pow(c_.k2 * max_3, -c_.k4);
         J[0] = c_.k0 * (T_in - T);
         J[1] = c_.k0 * valve;
@@ -281,7 +281,7 @@ public:
         using std::pow;
         const Scalar T = x[0];
         const Scalar T_a = u[2];
-        const Scalar max_1 = detail::max<Scalar>(Scalar(0), T - T_a);
+        const Scalar max_1 = detail::max<Scalar>(Scalar(1) / Scalar(100), T - T_a);
         const Scalar e2 = c_.k2 * max_1;
         const Scalar power_3 = pow(e2, p_.n);
         const Scalar inverse_4 = Scalar(1) / p_.C;
@@ -325,38 +325,38 @@ public:
 
     /// y = h(x, u, t).
     /// Operations: 1 + or -, 2 *, 2 other functions
-    ///     Q = Q_n*(max(0, -T_a + T)/dT_n)^(n)
+    ///     Q = Q_n*(max(1/100, -T_a + T)/dT_n)^(n)
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::pow;
         const Scalar T = x[0];
         const Scalar T_a = u[2];
-        const Scalar max_1 = detail::max<Scalar>(Scalar(0), T - T_a);
+        const Scalar max_1 = detail::max<Scalar>(Scalar(1) / Scalar(100), T - T_a);
         const Scalar power_2 = pow(c_.k2 * max_1, p_.n);
         y[0] = p_.Q_n * power_2;
     }
 
     /// C = dh/dx.
-    /// Operations: 2 + or -, 3 *, 3 other functions
+    /// Operations: 4 + or -, 3 *, 3 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::pow;
-        const Scalar T = x[0];
         const Scalar T_a = u[2];
-        const Scalar e1 = T - T_a;
-        const Scalar step_2 = detail::step<Scalar>(e1);
-        const Scalar max_3 = detail::max<Scalar>(Scalar(0), e1);
+        const Scalar T = x[0];
+        const Scalar e1 = T_a - T;
+        const Scalar step_2 = detail::step<Scalar>(-(Scalar(1) / Scalar(100)) - e1);
+        const Scalar max_3 = detail::max<Scalar>(Scalar(1) / Scalar(100), -e1);
         const Scalar power_4 = pow(c_.k2 * max_3, -c_.k4);
         C[0] = c_.k5 * step_2 * power_4;
     }
 
     /// D = dh/du.
-    /// Operations: 3 + or -, 3 *, 3 other functions
+    /// Operations: 5 + or -, 3 *, 3 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         using std::pow;
-        const Scalar T = x[0];
         const Scalar T_a = u[2];
-        const Scalar e1 = T - T_a;
-        const Scalar step_2 = detail::step<Scalar>(e1);
-        const Scalar max_3 = detail::max<Scalar>(Scalar(0), e1);
+        const Scalar T = x[0];
+        const Scalar e1 = T_a - T;
+        const Scalar step_2 = detail::step<Scalar>(-(Scalar(1) / Scalar(100)) - e1);
+        const Scalar max_3 = detail::max<Scalar>(Scalar(1) / Scalar(100), -e1);
         const Scalar power_4 = pow(c_.k2 * max_3, -c_.k4);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
@@ -413,17 +413,17 @@ public:
         const Scalar T_in = u[1];
         const Scalar T = x[0];
         const Scalar T_a = u[2];
-        const Scalar max_1 = detail::max<Scalar>(Scalar(0), T - T_a);
+        const Scalar max_1 = detail::max<Scalar>(Scalar(1) / Scalar(100), T - T_a);
         const Scalar power_2 = pow(c_.k2 * max_1, p_.n);
         return valve * (p_.c_w * p_.m_n) * (T_in - T) - p_.Q_n * power_2;
     }
 
     /// Functions whose sign an integrator must watch, in the order of guard_table().
-    /// Operations: 1 + or -
+    /// Operations: 2 + or -, 2 *
     void guards(const State& x, const Input& u, Scalar /*t*/, Guards& g) const noexcept {
         const Scalar T = x[0];
         const Scalar T_a = u[2];
-        g[0] = T - T_a;
+        g[0] = Scalar(100) * T - Scalar(1) - Scalar(100) * T_a;
     }
 
 private:
