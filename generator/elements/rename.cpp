@@ -259,7 +259,7 @@ void rename(Model& model, const Renaming& renaming) {
                     bound.push_back(item.family->index);
                 }
             }
-            outside.change(item.when);
+            if constexpr (requires { item.when; }) outside.change(item.when);
             if constexpr (std::same_as<Element, ModeGroup>)
                 for (Mode& mode : item.modes) {
                     mode.name = renaming.prefix + mode.name;

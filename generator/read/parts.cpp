@@ -156,6 +156,7 @@ private:
 /// What counts only where the part stands alone.
 void leave_out_what_stands_alone(Model& part) {
     part.gravity.reset();
+    part.view.reset();
     part.scenes.clear();
     part.printed.clear();
     part.runs.clear();
