@@ -54,7 +54,8 @@ public:
         std::vector<Item> kept;
         std::set<std::string> gone;
         for (Item item : items_) {
-            if (item.section == "effects" || item.section == "scenes" || item.section == "printed") continue;
+            // A view changes nothing of the machine.
+            if (item.section == "effects" || item.section == "scenes" || item.section == "printed" || item.section == "view") continue;
             const std::string when = value(item.text, "when");
             const bool is_other_run = item.section == "runs" && !value(item.text, "scene").empty() && value(item.text, "scene") != scene;
             const std::string left = when.empty() ? "yes" : left_of(when, effects);
