@@ -29,7 +29,8 @@ void Claims::check_all(const Model& model) const {
         if (!state.derivative && !claimed_.contains(state.name))
             diagnostics_.error(
                 Id::undetermined, state.span,
-                fmt::format("nothing determines state '{}': it has no derivative, and no volume, pipe, node, rod or block names it",
+                fmt::format("nothing determines state '{}': it has no derivative, and no volume, pipe, node, rod, block, capacitor or "
+                            "inductor names it",
                             state.name));
 }
 
@@ -38,6 +39,7 @@ void check_balances(const Model& model, Diagnostics& diagnostics) {
     Claims claims(names, diagnostics);
     check_fluids(model, names, claims, diagnostics);
     check_heat(model, names, claims, diagnostics);
+    check_circuits(model, claims, diagnostics);
     claims.check_all(model);
 }
 

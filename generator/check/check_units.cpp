@@ -3,8 +3,7 @@
 
 #include "check/checks.hpp"
 #include "check/units.hpp"
-#include "elements/kinds.hpp"
-#include "elements/model.hpp"
+#include "elements/every_kind.hpp"
 #include "elements/walk.hpp"
 
 namespace dalembert {

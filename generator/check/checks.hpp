@@ -40,7 +40,7 @@ void check_written_sizes(const PrintedEquation& printed, const Names& names, Dia
 /// Of letters that are in no header, so that only words of the model language are taken.
 void check_letter_names(const Model& letters, Diagnostics& diagnostics);
 
-/// States that volumes, pipes, nodes, rods and blocks determine.
+/// States that volumes, pipes, nodes, rods, blocks and branches determine.
 class Claims {
 public:
     Claims(const Names& names, Diagnostics& diagnostics) : names_(names), diagnostics_(diagnostics) {}
@@ -63,6 +63,8 @@ void check_balances(const Model& model, Diagnostics& diagnostics);
 void check_fluids(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics);
 /// Nodes, links, rods, blocks and enclosures.
 void check_heat(const Model& model, const Names& names, Claims& claims, Diagnostics& diagnostics);
+/// Capacitors and inductors.
+void check_circuits(const Model& model, Claims& claims, Diagnostics& diagnostics);
 /// Warns of volumes that can reach zero within the declared ranges of coordinates and states, at the default parameters.
 void warn_of_vanishing(const Model& model, Diagnostics& diagnostics);
 /// What items refer to by name: other elements, as their descriptions say, effects, scenes and what is plotted. The other checks say

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "elements/bodies.hpp"
+#include "elements/circuits.hpp"
 #include "elements/conduction.hpp"
 #include "elements/fluids.hpp"
 #include "elements/forces.hpp"

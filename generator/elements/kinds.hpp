@@ -38,6 +38,8 @@
     KIND("rods", rods, Rod) \
     KIND("blocks", blocks, Block) \
     KIND("enclosures", enclosures, Enclosure) \
+    KIND("pins", pins, Pin) \
+    KIND("branches", branches, Branch) \
     KIND("frictions", frictions, Friction) \
     KIND("stops", stops, Stop) \
     KIND("contacts", contacts, Contact) \

@@ -61,6 +61,8 @@ struct Model {
     std::vector<Rod> rods;
     std::vector<Block> blocks;
     std::vector<Enclosure> enclosures;
+    std::vector<Pin> pins;
+    std::vector<Branch> branches;
     std::vector<Friction> frictions;
     std::vector<Stop> stops;
     std::vector<Contact> contacts;

@@ -120,7 +120,7 @@ void describe(Visitor& v, E& input) {
     v.item({.has_family = true});
 }
 
-/// A first-order state: dot(name) = derivative, or, without one, what a volume, pipe, node, rod or block determines.
+/// A first-order state: dot(name) = derivative, or, without one, what a volume, pipe, node, rod, block or branch determines.
 struct State : Quantity {
     ExpressionPtr start;
     ExpressionPtr derivative;
@@ -131,7 +131,7 @@ struct State : Quantity {
 template <>
 inline constexpr KindSpec kind_of<State>{"state",
     "First-order states in addition to coordinates: each with its derivative, or determined by a volume, pipe, node, "
-    "rod or block.",
+    "rod, block, capacitor or inductor.",
     "[states.u_C]\nunit = \"V\"\nderivative = \"i_C/C\"", "", {.in_all_modes = true, .naming = Naming::formulas}};
 
 template <class Visitor, ElementOf<State> E>
@@ -139,7 +139,7 @@ void describe(Visitor& v, E& state) {
     describe_unit(v, state.unit);
     v("start", state.start, {.unit = state.unit, .depends = constant_only, .doc = "value at the start; 0 if left out"});
     v("derivative", state.derivative, {.dimension = state.unit.dimension / Dimension::time(), .depends = on_state_and_inputs | on_places,
-        .doc = "time derivative; left out for a state that a volume, pipe, node, rod or block determines"});
+        .doc = "time derivative; left out for a state that a volume, pipe, node, rod, block, capacitor or inductor determines"});
     v("root", state.root, {
         .doc = "true: the square root of the state is integrated. For a state that is never negative: an outflow proportional "
                "to the root then ends exactly"});

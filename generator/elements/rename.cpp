@@ -146,6 +146,11 @@ private:
         return made;
     }
 
+    /// The ground of a circuit is that of all parts.
+    static bool is_shared(const std::string& name, const std::vector<const char*>& kinds) {
+        return name == ground_pin && contains(kinds, "pin");
+    }
+
     /// What stands for an element that one of these kinds is; null for itself.
     const Reference* other(const std::string& name, const std::vector<const char*>& kinds) const {
         if (!can_stand_for_another(kinds)) return nullptr;
@@ -157,6 +162,7 @@ private:
     ExpressionPtr element(const Expression& e, const std::vector<const char*>& kinds, const Bound& bound) const {
         auto made = std::make_shared<Expression>(e);
         for (ExpressionPtr& child : made->children) child = of(child, bound);
+        if (is_shared(e.name, kinds)) return made;
         const Reference* instead = other(e.name, kinds);
         made->name = instead == nullptr ? to_.prefix + e.name : instead->name;
         if (instead != nullptr && instead->index) made->children = {instead->index};
@@ -174,7 +180,7 @@ private:
     }
 
     void change(Reference& reference, const Key& key) const {
-        if (reference.name.empty()) return;
+        if (reference.name.empty() || is_shared(reference.name, key.refers)) return;
         if (is_of_formulas(key.refers)) return formula_reference(reference.name, reference.index);
         reference.index = of(reference.index);
         const Reference* instead = other(reference.name, key.refers);

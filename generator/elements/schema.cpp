@@ -79,6 +79,7 @@ constexpr std::array domain_table{
     Domain{"mechanics", "Mechanics", "Bodies, forces and energies.", "gravity"},
     Domain{"fluids", "Fluids", "Media, volumes and the flows between them.", "media"},
     Domain{"heat", "Heat", "Nodes, links, rods, blocks and enclosures.", "nodes"},
+    Domain{"circuits", "Circuits", "Pins and branches of electric circuits, motors.", "pins"},
     Domain{"switching", "Modes and events", "Elements that switch, constraints and events.", "frictions"},
     Domain{"runs", "Effects, scenes and runs", "Variants of a model, equations to be checked, and simulations.", "effects"},
     Domain{"parts", "Parts", "Machines made of other files.", "use"},

@@ -29,16 +29,25 @@ struct NamedPart {
     const Generalised& values;
 };
 
+const char* title_of_bias(const System& s) {
+    if (s.circuit.empty())
+        return s.fluids.empty() ? "bias = c - gravity - elastic - dissipative" : "bias = c - gravity - elastic - dissipative - fluid";
+    return s.fluids.empty() ? "bias = c - gravity - elastic - dissipative - circuit"
+                            : "bias = c - gravity - elastic - dissipative - fluid - circuit";
+}
+
 /// The parts of the equations that have one entry a coordinate.
 std::vector<NamedPart> parts(const System& s) {
-    return {{"coriolis", "Coriolis and centrifugal forces c", s.coriolis},
-            {"gravity", "generalised forces of gravity", s.gravity},
-            {"elastic", "generalised forces of springs and potentials", s.elastic},
-            {"dissipative", "generalised forces of dampers", s.dissipative},
-            {"fluid", "generalised forces of fluids: p*dV/dq, shafts of pumps", s.fluids.force},
-            {"bias", s.fluids.empty() ? "bias = c - gravity - elastic - dissipative" : "bias = c - gravity - elastic - dissipative - fluid",
-             s.bias},
-            {"generalised_force", "Q, generalised forces of forces, torques and inputs", s.supplied}};
+    std::vector<NamedPart> all{{"coriolis", "Coriolis and centrifugal forces c", s.coriolis},
+                               {"gravity", "generalised forces of gravity", s.gravity},
+                               {"elastic", "generalised forces of springs and potentials", s.elastic},
+                               {"dissipative", "generalised forces of dampers", s.dissipative},
+                               {"fluid", "generalised forces of fluids: p*dV/dq, shafts of pumps", s.fluids.force}};
+    if (!s.circuit.empty())
+        all.push_back({"circuit", "generalised forces of circuits: k*i of motors, i^2/2*dL/dq, u^2/2*dC/dq", s.circuit.force});
+    all.push_back({"bias", title_of_bias(s), s.bias});
+    all.push_back({"generalised_force", "Q, generalised forces of forces, torques and inputs", s.supplied});
+    return all;
 }
 
 struct CellPart {

@@ -36,7 +36,7 @@ public:
             result_.internal_energy += volume.stored_energy();
         }
         for (const FlowState& flow : fluids_.flows) result_.internal_energy += flow.stored_energy;
-        result_.internal_energy += system_.heat.stored_energy;
+        result_.internal_energy += system_.heat.stored_energy + system_.circuit.stored_energy;
         result_.exchanged_power = fluids_.power_over_border() + system_.heat.exchanged_power;
         for (const NodeState& node : system_.heat.nodes) name_sought(node);
         shorten();

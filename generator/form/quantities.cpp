@@ -82,6 +82,17 @@ std::optional<ex> heat_quantity(const System& system, const Expression& e, const
     return e.name == "heat" ? system.heat.heat_into(*node) : node->stored_energy;
 }
 
+/// Of a pin or branch.
+std::optional<ex> circuit_quantity(const System& system, const Expression& e, const std::string& name) {
+    if (e.name == "voltage")
+        if (const PinState* pin = system.circuit.find_pin(name)) return pin->potential;
+    const BranchState* branch = system.circuit.find_branch(name);
+    if (branch == nullptr) return std::nullopt;
+    if (e.name == "voltage") return branch->voltage();
+    if (e.name == "current") return branch->current;
+    return e.name == "dissipated_power" ? branch->dissipated_power() : branch->stored_energy;
+}
+
 /// Of surfaces of an enclosure, counted from 1.
 ex surface_quantity(const System& system, const Expression& e, const Indices& indices) {
     const Expression& named = *e.children[0];
@@ -144,8 +155,10 @@ std::optional<ex> fluid_quantity(const System& system, const Expression& e, cons
         return property_of_medium(*medium, e, arguments[1], arguments[2]);
     }
     const int index = named.children.empty() ? 0 : index_value(*named.children[0], system.scene, indices);
-    if (const auto of_heat = heat_quantity(system, e, named.children.empty() ? named.name : fmt::format("{}[{}]", named.name, index)))
-        return *of_heat;
+    const std::string whole_name = named.children.empty() ? named.name : fmt::format("{}[{}]", named.name, index);
+    if (const auto of_heat = heat_quantity(system, e, whole_name)) return *of_heat;
+    if (const auto of_circuit = circuit_quantity(system, e, whole_name)) return *of_circuit;
+    if (spec.subscript >= Subscript::branch) throw absent(named);
     if (spec.subscript == Subscript::flow) {
         const FlowState* flow = fluids.find_flow(named.name, index);
         if (flow == nullptr) throw absent(named);
@@ -218,6 +231,13 @@ ex quantity(const System& system, const Expression& e, const Indices& indices, c
     if (e.name == "dissipated_power") {
         if (e.children.empty()) return system.dissipated_power;
         const int index = child(0).children.empty() ? 0 : index_value(*child(0).children[0], system.scene, indices);
+        if (system.names.find_element<Branch>(child(0).name) != nullptr) {
+            const auto of_branch =
+                circuit_quantity(system, e, child(0).children.empty() ? child(0).name : fmt::format("{}[{}]", child(0).name, index));
+            if (of_branch) return *of_branch;
+            throw Failure(Diagnostic{Id::needs_absent, child(0).span,
+                                     fmt::format("scene '{}' has no branch '{}'", system.scene.name, child(0).written())});
+        }
         const Friction* friction = system.names.find_element<Friction>(child(0).name);
         ex sum = 0;
         bool any = false;
@@ -262,7 +282,7 @@ ex quantity(const System& system, const Expression& e, const Indices& indices, c
     if (e.name == "generalised_force" || e.name == "nonpotential_force" || e.name == "bias") {
         const std::size_t j = coordinate(system, child(0), indices);
         if (e.name == "bias") return system.bias[j];
-        const ex nonpotential = system.supplied[j] + system.dissipative[j] + system.fluids.force[j];
+        const ex nonpotential = system.supplied[j] + system.dissipative[j] + system.fluids.force[j] + system.circuit.force[j];
         return e.name == "nonpotential_force" ? nonpotential : nonpotential + system.gravity[j] + system.elastic[j];
     }
     if (subscript == Subscript::two_coordinates) {

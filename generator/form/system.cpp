@@ -95,21 +95,24 @@ void forces(System& system) {
         system.prescribed_power += partial(p.energy, system.symbols.time()) + p.power;
     }
     for (const Resistance& r : system.resistances) system.prescribed_power += r.prescribed;
+    system.supplied_power += system.circuit.supplied_power;
     for (const Supply& s : system.supplies) {
         system.supplied_power += s.power;
         system.prescribed_power += s.prescribed;
     }
-    system.prescribed_power += system.fluids.prescribed_power;
+    system.prescribed_power += system.fluids.prescribed_power + system.circuit.prescribed_power;
     system.gravity = total_force(gravity, n);
     system.elastic = total_force(elastic, n);
     system.dissipative = total_force(system.resistances, n);
     system.supplied = total_force(system.supplies, n);
 }
 
-/// Dampers come before the balances, which may take up what they dissipate.
+/// Dampers and resistors come before the balances, which may take up what they dissipate.
 void resistances(System& system) {
     system.resistances = resistances(system.scene, system.translate, system.symbols, system.bodies);
     for (const Resistance& r : system.resistances) system.dissipated_power += r.power;
+    system.circuit = make_circuit(system.scene, system.translate, system.symbols);
+    system.dissipated_power += system.circuit.dissipated_power;
 }
 
 /// Heat and dampers are derived before the pressures of junctions are known.
@@ -153,11 +156,11 @@ void stores(System& system) {
     }
     refuse_pressures_of_junctions(system);
     complete_fluids(fluids, system.scene, system.translate, system.symbols, system.heat);
-    system.internal_energy = fluids.internal_energy + system.heat.stored_energy;
+    system.internal_energy = fluids.internal_energy + system.heat.stored_energy + system.circuit.stored_energy;
     system.exchanged_power = fluids.exchanged_power + system.heat.exchanged_power;
 }
 
-/// The rates of states that volumes, pipes, nodes, rods and blocks determine.
+/// The rates of states that volumes, pipes, nodes, rods, blocks and branches determine.
 void balances(System& system) {
     const Fluids& fluids = system.fluids;
     for (std::size_t i = 0; i < fluids.balances.size(); ++i)
@@ -169,12 +172,15 @@ void balances(System& system) {
             system.state_rates[*node.state] = system.heat.rate(node);
             if (node.boiling) system.state_rates[node.boiling->mass] = -system.heat.steam(node);
         }
+    for (const BranchState& branch : system.circuit.branches)
+        if (branch.state) system.state_rates[*branch.state] = branch.rate;
 }
 
 void equations(System& system) {
     const std::size_t n = system.symbols.degrees();
     for (std::size_t j = 0; j < n; ++j) {
-        system.bias.push_back(system.coriolis[j] - system.gravity[j] - system.elastic[j] - system.dissipative[j] - system.fluids.force[j]);
+        system.bias.push_back(system.coriolis[j] - system.gravity[j] - system.elastic[j] - system.dissipative[j] - system.fluids.force[j] -
+                              system.circuit.force[j]);
         GiNaC::exvector terms{system.bias[j], -system.supplied[j]};
         for (std::size_t l = 0; l < n; ++l)
             terms.push_back(system.mass(static_cast<unsigned>(j), static_cast<unsigned>(l)) *
@@ -213,7 +219,8 @@ void chain(System& system) {
     if (n < fewest || !system.scene.constraints.empty() || !system.scene.modes.empty()) return;
     system.chain = find_chain(system.scene, system.translate, system.bodies, system.symbols);
     for (std::size_t j = 0; system.chain && j < n; ++j)
-        system.chain->rest.push_back(system.supplied[j] + system.elastic[j] + system.dissipative[j] + system.fluids.force[j]);
+        system.chain->rest.push_back(system.supplied[j] + system.elastic[j] + system.dissipative[j] + system.fluids.force[j] +
+                                     system.circuit.force[j]);
 }
 
 }  // namespace

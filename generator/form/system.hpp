@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "balance/balance_equation.hpp"
+#include "balance/circuit.hpp"
 #include "balance/rod.hpp"
 #include "mechanics/chain.hpp"
 #include "mechanics/dalembert.hpp"
@@ -154,6 +155,7 @@ struct System {
     std::vector<Ejection> ejections;
     Fluids fluids;
     HeatNetwork heat;
+    Circuit circuit;
 
     GiNaC::matrix mass;             ///< M, from d'Alembert
     Generalised coriolis;           ///< inertial terms without qdd, from d'Alembert
@@ -161,7 +163,7 @@ struct System {
     Generalised elastic;            ///< of springs and other potentials
     Generalised dissipative;        ///< of dampers
     Generalised supplied;           ///< Q: of forces, torques and inputs
-    Generalised bias;               ///< coriolis - gravity - elastic - dissipative - (forces of fluids)
+    Generalised bias;               ///< coriolis - gravity - elastic - dissipative - (forces of fluids and circuits)
     Generalised residual;           ///< M qdd + bias - Q, zero on every motion
 
     std::vector<GiNaC::ex> kinetic; ///< kinetic energies: one a body, then one a plain term
@@ -170,10 +172,10 @@ struct System {
     GiNaC::ex supplied_power;
     GiNaC::ex dissipated_power;
     GiNaC::ex prescribed_power;     ///< contains accelerations where kinematics depend on time
-    GiNaC::ex internal_energy;      ///< of fluids and of what stores heat
+    GiNaC::ex internal_energy;      ///< of fluids, of what stores heat, and of circuits
     GiNaC::ex exchanged_power;      ///< of enthalpy flows, heat, shafts and jets over the border
     /// Whether anything stores internal energy; whether anything crosses the border.
-    bool has_balances() const { return !fluids.empty() || !heat.empty(); }
+    bool has_balances() const { return !fluids.empty() || !heat.empty() || !circuit.empty(); }
     bool has_exchange() const { return has_balances() || !ejections.empty(); }
 
     std::vector<GiNaC::ex> state_rates;  ///< zd

@@ -81,7 +81,7 @@ std::string Dimension::usual_unit() const {
         Dimension dimension;
         const char* name;
     };
-    const Dimension surface = length() * length();
+    const Dimension surface = length() * length(), ampere = base(3), volt = power() / ampere;
     const std::array named{
         Named{force(), "N"},
         Named{energy(), "J or N*m"},
@@ -100,6 +100,12 @@ std::string Dimension::usual_unit() const {
         Named{power() / surface, "W/m^2"},
         Named{power() / surface / temperature(), "W/(m^2*K)"},
         Named{power() / volume(), "W/m^3"},
+        Named{volt, "V"},
+        Named{volt / ampere, "Ohm"},
+        Named{volt * time() / ampere, "H"},
+        Named{ampere * time() / volt, "F"},
+        Named{volt * time(), "V*s or N*m/A"},
+        Named{volt / speed(), "V*s/m or N/A"},
     };
     for (const Named& entry : named)
         if (entry.dimension == *this) return entry.name;

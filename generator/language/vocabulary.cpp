@@ -84,7 +84,7 @@ constexpr std::array subscript_table{
     SubscriptSpec{S::body_and_two_axes, 3, "[body, 1..3, 1..3]", "a body, the number of one of its axes and 1, 2 or 3", {"body"}},
     SubscriptSpec{S::coordinate, 1, "[coordinate]", "a coordinate", {"coordinate"}},
     SubscriptSpec{S::two_coordinates, 2, "[coordinate, coordinate]", "two coordinates", {"coordinate"}},
-    SubscriptSpec{S::optional_damper, 1, " or [damper]", "nothing or a damper", {"damper", "friction"}},
+    SubscriptSpec{S::optional_damper, 1, " or [damper], [branch]", "nothing, a damper or a resistor", {"damper", "friction", "branch"}},
     SubscriptSpec{S::constraint, 1, "[constraint]", "a constraint", {"constraint"}},
     SubscriptSpec{S::cut, 1, "[cut]", "a cut", {"cut"}},
     SubscriptSpec{S::body_and_line, 2, "[body, coordinate]", "a body and a coordinate", {"body"}},
@@ -107,7 +107,10 @@ constexpr std::array subscript_table{
                   {"volume", "reservoir", "node", "rod", "block"}},
     SubscriptSpec{S::heated, 1, "[volume], [node], [link], [border]", "a volume, node or link, or an end of a rod or side of a block",
                   {"volume", "node", "link", "border of a rod or block"}},
-    SubscriptSpec{S::optional_store, 1, " or [volume], [node]", "nothing, a volume or a node", {"volume", "node"}},
+    SubscriptSpec{S::optional_store, 1, " or [volume], [node], [branch]", "nothing, a volume, a node or a branch",
+                  {"volume", "node", "branch"}},
+    SubscriptSpec{S::branch, 1, "[branch]", "a branch of a circuit", {"branch"}},
+    SubscriptSpec{S::pin_or_branch, 1, "[pin], [branch]", "a pin or a branch of a circuit", {"pin", "branch"}},
 };
 
 constexpr std::array quantity_table{
@@ -115,9 +118,9 @@ constexpr std::array quantity_table{
     QuantitySpec{"translational_energy", S::body, "J", "kinetic energy of the translation of a body"},
     QuantitySpec{"rotational_energy", S::body, "J", "kinetic energy of the rotation of a body about its centre of mass"},
     QuantitySpec{"potential_energy", S::nothing, "J", "potential energy of gravity, springs and potentials"},
-    QuantitySpec{"supplied_power", S::nothing, "W", "power of forces and torques"},
+    QuantitySpec{"supplied_power", S::nothing, "W", "power of forces, torques, and sources of circuits"},
     QuantitySpec{"dissipated_power", S::optional_damper, "W",
-                 "total dissipated power, or that of one damper; not negative if the laws resist motion"},
+                 "total dissipated power, or that of one damper or resistor; not negative if the laws resist motion"},
     QuantitySpec{"constraint_force", S::constraint, nullptr,
                  "constraint force along its rate, on the machine; of dry friction also while it slides"},
     QuantitySpec{"cut_force", S::cut, nullptr,
@@ -193,7 +196,10 @@ constexpr std::array quantity_table{
     QuantitySpec{"irradiation", S::surface, "W/m^2",
                  "radiation that arrives at a surface of an enclosure, by area: `irradiation[furnace, 1]` (4.48)"},
     QuantitySpec{"internal_energy", S::optional_store, "J",
-                 "energy stored in volumes, pipes, nodes, rods and blocks, or in one volume or node"},
+                 "energy stored in volumes, pipes, nodes, rods, blocks, capacitors and inductors, or in one volume, node or branch"},
+    QuantitySpec{"voltage", S::pin_or_branch, "V",
+                 "potential of a pin, or voltage of a branch: of a source from `from` up to `to`, else from `from` down to `to`"},
+    QuantitySpec{"current", S::branch, "A", "current through a branch, positive from `from` to `to`"},
     QuantitySpec{"exchanged_power", S::nothing, "W", "power of enthalpy flows, heat and shafts across the border of the model"},
 };
 

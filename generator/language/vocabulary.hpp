@@ -71,7 +71,9 @@ enum class Subscript {
     flow,
     warm,             ///< what has a temperature: a volume, reservoir, node or cell of a rod or block
     heated,           ///< what heat flows into or through: a volume, node or link, an end of a rod or side of a block
-    optional_store,   ///< a volume or node
+    optional_store,   ///< a volume, node or branch
+    branch,
+    pin_or_branch,
 };
 
 struct SubscriptSpec {

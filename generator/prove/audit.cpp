@@ -36,7 +36,7 @@ std::vector<AuditEntry> compare_derivations(const System& system, Prover& prover
     std::vector<AuditEntry> entries;
     for (std::size_t j = 0; j < symbols.degrees(); ++j) {
         const ex other = system.with_rates(lagrange[j]) + symbols.along(system.potential_energy, j) - system.dissipative[j] -
-                         system.supplied[j] - system.fluids.force[j] - carried[j];
+                         system.supplied[j] - system.fluids.force[j] - system.circuit.force[j] - carried[j];
         entries.push_back({fmt::format("d'Alembert = Euler-Lagrange, {}", symbols.all(SymbolKind::coordinate)[j].name),
                            prover.equal(system.residual[j], other)});
     }
@@ -139,6 +139,37 @@ std::vector<AuditEntry> compare_balances(const System& system, Prover& prover) {
     return entries;
 }
 
+/// At each pin as much current arrives as leaves, and each branch obeys its law between the potentials of its pins: by products of values
+/// and changes, which the solution does not use.
+std::vector<AuditEntry> compare_circuit(const System& system, Prover& prover) {
+    const Circuit& circuit = system.circuit;
+    std::vector<AuditEntry> entries;
+    for (std::size_t pin = 0; pin < circuit.pins.size(); ++pin)
+        entries.push_back({"balance of charge, " + circuit.pins[pin].name, prover.equal(circuit.outflow(pin), 0)});
+    const auto change = [&](const ex& e) { return system.with_rates(system.symbols.time_derivative(e)); };
+    for (const BranchState& b : circuit.branches) {
+        const ex fall = circuit.pins[b.from].potential - circuit.pins[b.to].potential;
+        AuditEntry entry{"law of the branch, " + b.name, {Verdict::proven}};
+        const auto compare = [&](const ex& one, const ex& other) {
+            Comparison found = prover.equal(one, other);
+            if (is_worse(found.verdict, entry.result.verdict)) entry.result = std::move(found);
+        };
+        switch (b.item->law) {
+            case Branch::Law::resistor: compare(fall, b.value * b.current); break;
+            case Branch::Law::inductor: compare(fall, change(b.value * b.current)); break;
+            case Branch::Law::capacitor:
+                compare(fall, b.fall);
+                compare(b.current, change(b.value * b.fall));
+                break;
+            case Branch::Law::voltage_source: compare(fall, -b.value); break;
+            case Branch::Law::current_source: compare(b.current, b.value); break;
+            case Branch::Law::motor: compare(fall, b.value * change(b.motion));
+        }
+        entries.push_back(std::move(entry));
+    }
+    return entries;
+}
+
 /// Identities of each medium in its letters p and T. Energy and density are those that are emitted.
 std::vector<AuditEntry> compare_media(const System& system, Prover& prover) {
     std::vector<AuditEntry> entries;
@@ -236,8 +267,10 @@ const char* Audit::power_balance_name(const System& system) {
 
 Audit audit(const System& system) {
     Prover prover(system);
+    std::vector<AuditEntry> balances = compare_balances(system, prover);
+    for (AuditEntry& entry : compare_circuit(system, prover)) balances.push_back(std::move(entry));
     return {compare_derivations(system, prover), compare_potentials(system, prover),   compare_media(system, prover),
-            compare_balances(system, prover),    compare_virtual_work(system, prover), dissipation_by_curves(system),
+            std::move(balances),                 compare_virtual_work(system, prover), dissipation_by_curves(system),
             compare_solids(system, prover),      compare_loads(system, prover),        balance_power(system, prover),
             passive_network(system, prover)};
 }

@@ -2,6 +2,7 @@
 // What every verb asks of the values that it works with.
 #pragma once
 
+#include "form/circuit_validity.hpp"
 #include "form/fluid_validity.hpp"
 #include "form/heat_validity.hpp"
 #include "prove/body_validity.hpp"
@@ -20,6 +21,7 @@ inline void check_values(const System& system, const Values& values, ValueCondit
     check_fluid_values(system, values, conditions);
     check_heat_values(system, values, conditions);
     check_view_values(system, values, conditions);
+    check_circuit_values(system, values, conditions);
 }
 
 }  // namespace dalembert

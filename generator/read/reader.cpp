@@ -34,6 +34,7 @@ void complete(Model& model, Diagnostics& diagnostics) {
     expand_contacts(model);
     expand_signals(model);
     expand_balances(model);
+    expand_circuits(model);
     diagnostics.stop_on_errors();
     check_names(model, diagnostics);
     diagnostics.stop_on_errors();

@@ -24,6 +24,7 @@ void check_rules(const Entry& e, Link& link);
 void check_rules(const Entry& e, Rod& rod);
 void check_rules(const Entry& e, Block& block);
 void check_rules(const Entry& e, Enclosure& enclosure);
+void check_rules(const Entry& e, Branch& branch);
 void check_rules(const Entry& e, ModeGroup& group);
 void check_rules(const Entry& e, Event& event);
 void check_rules(const Entry& e, Profile& profile);

@@ -34,7 +34,8 @@ constexpr auto of_derive = std::to_array<JsonField>({
     {"elastic[]", "generalised forces of springs and potentials"},
     {"dissipative[]", "generalised forces of dampers"},
     {"fluid[]", "part of the bias: pressures and the shafts of pumps"},
-    {"bias[]", "coriolis - gravity - elastic - dissipative - fluid"},
+    {"circuit[]", "part of the bias: motors, and inductors and capacitors that change with coordinates; if the scene has a circuit"},
+    {"bias[]", "coriolis - gravity - elastic - dissipative - fluid - circuit"},
     {"generalised_force[]", "Q in M*ddot(q) + bias = Q"},
     {"linear.D[][]", "damping matrix of a linear system M*ddot(q) + D*dot(q) + C*q = k + B*u, row by row; other systems have no `linear`"},
     {"linear.C[][]", "stiffness matrix"},
@@ -56,7 +57,7 @@ constexpr auto of_derive = std::to_array<JsonField>({
     {"supplied_power", "power of forces, torques and inputs"},
     {"dissipated_power", "power of dampers and friction"},
     {"prescribed_power", "power of prescribed motions"},
-    {"internal_energy", "energy stored in fluids, nodes, rods and blocks; the `energy` of each cell of `rods` is added"},
+    {"internal_energy", "energy stored in fluids, nodes, rods, blocks and circuits; the `energy` of each cell of `rods` is added"},
     {"exchanged_power",
      "power of enthalpy flows, heat and shafts across the border of the model; the `source` of each cell of `rods` is added"},
     {"guards[].name", "name of the element that the guard belongs to"},
@@ -167,8 +168,8 @@ constexpr auto of_evaluate = std::to_array<JsonField>({
     {"supplied_power", "power of forces, torques and inputs, W"},
     {"dissipated_power", "dissipated power, W"},
     {"prescribed_power", "power of prescribed motions, W"},
-    {"internal_energy", "energy stored in fluids and heat elements, J; if the model has any"},
-    {"exchanged_power", "power across the border of the model, W; if the model has fluids or heat elements"},
+    {"internal_energy", "energy stored in fluids, heat elements and circuits, J; if the model has any"},
+    {"exchanged_power", "power across the border of the model, W; if the model has fluids, heat elements or circuits"},
 });
 
 constexpr auto of_export = std::to_array<JsonField>({

@@ -94,6 +94,7 @@ constexpr auto table_of_traits = std::to_array<Trait>({
     {"boiling", "a liquid that evaporates", has_boiling},
     {"rod", "a rod, wall or shell in cells", holds_any<&Scene::rods>},
     {"cells in loops", "cells of a rod that the code computes in loops", holds_any<&Scene::fields>},
+    {"circuit", "resistors, inductors, capacitors, sources or motors in an electric circuit", holds_any<&Scene::branches>},
     {"block", "a body in rows and columns of cells", holds_any<&Scene::blocks>},
     {"family of N", "a size that is chosen when the code is generated", holds_any<&Scene::sizes>},
     {"inputs", "inputs that the run drives", holds_any<&Scene::inputs>},

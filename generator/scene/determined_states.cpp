@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "elements/circuits.hpp"
 #include "elements/conduction.hpp"
 #include "elements/fluids.hpp"
 #include "elements/heat.hpp"
@@ -33,6 +34,10 @@ public:
         }
         for (const auto& member : scene_.rods) claim_all(member.item->temperature, member);
         for (const auto& member : scene_.blocks) claim_all(member.item->temperature, member);
+        for (const auto& member : scene_.branches) {
+            if (member.item->law == Branch::Law::capacitor) claim(member.item->voltage, member);
+            if (member.item->law == Branch::Law::inductor) claim(member.item->current, member);
+        }
         for (const auto& member : scene_.states) is_claimed(member);
     }
 

@@ -91,6 +91,8 @@ struct Scene {
     std::vector<Member<Rod>> rods;
     std::vector<Member<Block>> blocks;
     std::vector<Member<Enclosure>> enclosures;
+    std::vector<Member<Pin>> pins;
+    std::vector<Member<Branch>> branches;
     std::vector<Member<Constraint>> constraints;  ///< of all modes, as the next one
     std::vector<Member<Event>> events;
     std::vector<const ModeGroup*> mode_groups;

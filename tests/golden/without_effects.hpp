@@ -108,7 +108,7 @@ private:
     };
 
     static bool is_list(const std::string& section) {
-        static const std::set<std::string> lists{"sizes", "parameters", "definitions", "coordinates", "inputs", "states", "outputs", "nodes", "links", "effects", "scenes", "springs", "dampers", "forces", "torques", "kinetic", "potentials", "generalised_forces", "flows", "reservoirs", "volumes", "frictions", "stops", "contacts", "saturations", "modes", "constraints", "events"};
+        static const std::set<std::string> lists{"sizes", "parameters", "definitions", "coordinates", "inputs", "states", "outputs", "nodes", "links", "effects", "scenes", "springs", "dampers", "forces", "torques", "kinetic", "potentials", "generalised_forces", "flows", "reservoirs", "volumes", "pins", "branches", "frictions", "stops", "contacts", "saturations", "modes", "constraints", "events"};
         return lists.contains(section);
     }
 

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "elements/circuits.hpp"
+#include "read/rules.hpp"
+
+namespace dalembert {
+
+void check_rules(const Entry& e, Branch& branch) {
+    if (branch.law != Branch::Law::motor || e.has("angle") != e.has("position")) return;
+    e.error(e.has("angle") ? Id::doubly_determined : Id::missing_key, e.span(),
+            fmt::format("motor '{}' needs either the angle or the position that it moves", e.name()));
+}
+
+}  // namespace dalembert
