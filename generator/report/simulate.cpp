@@ -77,10 +77,11 @@ std::string why_it_stopped(const SimulateResult& result) {
 }
 
 std::string second_order_text(const SecondOrder& second) {
-    std::string text = second.numbers == 0 ? "second derivatives: none is certain\n"
-                                           : fmt::format("second derivatives: good to {:.0e} of the largest of their column\n", second.doubt);
-    if (second.left_out > 0 && second.numbers > 0)
-        text += fmt::format("{} of {} are not certain and left out, as next to events\n", second.left_out, second.left_out + second.numbers);
+    if (second.numbers == 0) return "second derivatives: none is certain\n";
+    std::string text = fmt::format("second derivatives: good to {:.0e} of the largest of their column\n", second.doubt);
+    if (second.left_out > 0)
+        text += fmt::format("{} of {} second derivatives are left out, because they are not certain, as next to events\n", second.left_out,
+                            second.left_out + second.numbers);
     return text;
 }
 

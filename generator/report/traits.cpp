@@ -101,11 +101,13 @@ constexpr auto table_of_traits = std::to_array<Trait>({
     {"effects", "effects that a scene may call for or leave out", has<&Model::effects>},
     {"stiff", "the method `automatic` used its implicit integrator for a part of the run",
      [](const TraitFacts& f) { return f.stiff_steps > 0; }},
-    {"exact solution", "a run with closed forms to compare with", [](const TraitFacts& f) { return f.run != nullptr && !f.run->exact.empty(); }},
+    {"exact solution", "a run with closed forms to compare with",
+     [](const TraitFacts& f) { return f.run != nullptr && !f.run->exact.empty(); }},
     {"printed equations", "equations of a text, checked against the derivation", [](const TraitFacts& f) { return f.printed.entries > 0; }},
     {"misprint", "a printed equation that is wrong, with numbers that show it",
      [](const TraitFacts& f) {
-         return f.printed.of[static_cast<std::size_t>(Verdict::wrong)] + f.printed.of[static_cast<std::size_t>(Verdict::dimensionally_wrong)] > 0;
+         const auto count = [&](Verdict verdict) { return f.printed.of[static_cast<std::size_t>(verdict)]; };
+         return count(Verdict::wrong) + count(Verdict::dimensionally_wrong) > 0;
      }},
 });
 

@@ -20,7 +20,7 @@ namespace {
 using RowsOfRun = std::vector<std::vector<double>>;
 constexpr std::size_t steps_of_moved = detail::steps_of_extrapolation;
 
-/// First derivatives of the moved runs: of each that is moved, in each step, behind and ahead.
+/// First derivatives of the moved runs: for each value that is moved and each step, those of the run behind and of the one ahead.
 std::vector<std::array<std::array<RowsOfRun, 2>, steps_of_moved>> rows_of_moved(const dalembert_plant& plant,
                                                                                 const std::vector<MovedRuns>& moved) {
     std::vector<std::array<std::array<RowsOfRun, 2>, steps_of_moved>> rows(moved.size());
@@ -36,7 +36,8 @@ std::vector<std::array<std::array<RowsOfRun, 2>, steps_of_moved>> rows_of_moved(
     return rows;
 }
 
-/// Of an entry of first derivatives, in a row that stands at a time, by one that is moved. Where an event ends runs, rows may stand at others.
+/// The derivative of one first derivative by a value that is moved, in the row of this time. A run that an event ended has its last row at
+/// another time: that row does not count.
 detail::Extrapolated<double> second_by_differences(const std::array<std::array<RowsOfRun, 2>, steps_of_moved>& rows, const MovedRuns& moved,
                                                    std::size_t row, double time, std::size_t entry) {
     std::array<double, steps_of_moved> differences{};
@@ -49,8 +50,8 @@ detail::Extrapolated<double> second_by_differences(const std::array<std::array<R
     return detail::extrapolated(differences);
 }
 
-/// Takes out what is not certain beside the largest number of its column, or where that is small beside `sizes`, beside a thousandth of
-/// that.
+/// Replaces each number by NaN whose doubt is above a thousandth of the largest number of its column. A column that is small beside its
+/// natural size counts as a thousandth of that: what is zero but for rounding is certain too.
 void leave_out_doubtful(SecondOrder& second, const RowsOfRun& doubts, const std::vector<double>& sizes) {
     constexpr double worst = 1e-3, nothing = 1e-3;
     RowsOfRun& rows = second.recording.rows;
@@ -127,7 +128,7 @@ SecondOrder second_order_of(const dalembert_plant& plant, const std::vector<Vari
                                                     quotient_of_units(of.unit, varied[d].unit)});
             }
     const auto rows = rows_of_moved(plant, moved);
-    // As large as they would be if a change by all of it changed the state or output by all of it.
+    // The natural size of a column: the largest value of the state or output, divided by the sizes of both that are varied.
     std::vector<double> sizes{0};
     const auto largest = [&](std::size_t i) {
         double value = 0;

@@ -27,7 +27,7 @@ struct MovedRuns {
 std::vector<MovedRuns> moved_runs(const std::vector<NamedVariable>& named, const System& system, const Values& values,
                                   const SimulationSettings& settings, const KinksOfRun& kinks);
 
-/// Second derivatives along a run, and how far they can be trusted.
+/// Second derivatives along a run, and an estimate of their error.
 struct SecondOrder {
     Recording recording;       ///< time, and d2(state or output)/(d(varied) d(varied)), in SI; what does not exist is not a number
     std::size_t left_out = 0;  ///< numbers that do not exist, or of which hardly a digit is certain

@@ -2,8 +2,7 @@
 // How the sensitivities of a run depend on parameters and start values themselves: d2x/(dp dp), for small systems.
 //
 // The first derivatives are those of simulate_sensitivities(). The second ones are differences of them, extrapolated over steps that are
-// halved: any machine that has first derivatives has these, with events, modes and constraints. What such a number is good to is told
-// with it.
+// halved: any machine that has first derivatives has these, with events, modes and constraints. Each number comes with its doubt.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +23,7 @@ struct SecondSensitivities {
     State x{};
     Sensitivities<System, count> S{};                      ///< dx/d(varied c) at S[c]
     std::array<std::array<State, count>, count> second{};  ///< d2x/(d(varied c) d(varied d)) at second[c][d]; symmetric
-    std::array<std::array<State, count>, count> doubt{};   ///< how far it can be trusted; infinite where it does not exist
+    std::array<std::array<State, count>, count> doubt{};   ///< an estimate of the error; infinite where there is none
     Outcome outcome{};                                     ///< of the run itself
 };
 

@@ -11,9 +11,10 @@ namespace {
 
 /// One to three changes of characters, words or lines.
 std::string mutated(std::string text, std::mt19937& engine) {
-    static const std::vector<std::string> words{"(",  ")",   "[",    "]",    "\"",  "=",     "^",     "/0",    "0",      "-1",   "1e400", "dot(",   "sum(k,1,3,", "t",
-                                                "\\", "\n",  ",",    "..",   "sin", "kg",    "m",     "1/2",   "when",   "unit", "\xc3\xa9", "{",  "}",        "#",
-                                                "'",  "^99", "sqrt(", "ddot(", "inf", "N", "phi[0]", "*", "+", "10000000000", "abs(", "\"\"\""};
+    static const std::vector<std::string> words{
+        "(",    ")",    "[",    "]",   "\"",  "=",   "^",    "/0",        "0",  "-1", "1e400", "dot(", "sum(k,1,3,", "t",
+        "\\",   "\n",   ",",    "..",  "sin", "kg",  "m",    "1/2",       "when", "unit", "\xc3\xa9", "{", "}", "#",
+        "'",    "^99",  "sqrt(", "ddot(", "inf", "N", "phi[0]", "*", "+", "10000000000", "abs(", "\"\"\""};
     const auto pick = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(engine); };
     for (std::size_t changes = 1 + pick(3); changes > 0 && text.size() > 10; --changes) {
         const std::size_t at = pick(text.size());

@@ -38,8 +38,8 @@ protected:
 
     static constexpr bool is_watched = has_measure<Rhs, State>;
 
-    /// Looks ahead of a usual step of h, not beyond `limit`. Makes the step over a singular position, if one is so near; at(t) is then the state at
-    /// a time on the way, for inside(end, at). Else shortens the way to `target`, if need be.
+    /// Looks ahead of a usual step of h, not beyond `limit`. If a singular position is so near, it makes the step over it; at(t) is then
+    /// the state at a time on the way, for inside(end, at). Else it shortens the way to `target`, if need be.
     template <class Inside>
     Ahead look_ahead(const Scalar& h, const Scalar& limit, Scalar& target, const Inside& inside) {
         if constexpr (!is_watched) {
@@ -50,8 +50,9 @@ protected:
             const Scalar reach = distance(h);
             if (!(reach > Scalar(0))) return Ahead::clear;
             const SlopePolynomial<State> guess = extrapolation(min(reach, h));
-            const Scalar middle = place_of_least<Scalar>([&](const Scalar& s) { return independence(guess.at(s), t_ + s, false).value; }, Scalar(5) / Scalar(2) * reach);
-            if (!(independence(guess.at(middle), t_ + middle, false).value <= now_.value / Scalar(10))) return Ahead::clear;
+            const auto independence_after = [&](const Scalar& s) { return independence(guess.at(s), t_ + s, false).value; };
+            const Scalar middle = place_of_least<Scalar>(independence_after, Scalar(5) / Scalar(2) * reach);
+            if (!(independence_after(middle) <= now_.value / Scalar(10))) return Ahead::clear;
             const Scalar end = min(Scalar(t_ + Scalar(2) * middle), limit);
             if (!(end - t_ > middle / Scalar(2))) return Ahead::clear;
             if (cross(guess, middle, end, inside)) return Ahead::crossed;
@@ -61,7 +62,8 @@ protected:
         }
     }
 
-    /// Whether a state is too near to a singular position to be brought back to the constraints, or for a step to end there that comes from further away.
+    /// Whether a state is too near to a singular position to be brought back to the constraints, or for a step to end there that comes from
+    /// further away.
     bool is_close(const State& x, const Scalar& t) {
         if constexpr (is_watched) return independence(x, t, false).value <= close();
         else return (void)x, (void)t, false;
@@ -96,9 +98,10 @@ protected:
     Outcome stop(Status status) { return named(Run::stop(status)); }
     Outcome named(const Outcome& usual) {
         if constexpr (is_watched) {
-            if (usual.status != Status::step_too_small && usual.status != Status::not_finite && usual.status != Status::singular_position) return usual;
+            const bool is_singular = usual.status == Status::singular_position;
+            if (!is_singular && usual.status != Status::step_too_small && usual.status != Status::not_finite) return usual;
             const Independence<Scalar> here = independence(x_, t_, false);
-            if (usual.status != Status::singular_position && !(here.value <= Scalar(1) / Scalar(20))) return usual;
+            if (!is_singular && !(here.value <= Scalar(1) / Scalar(20))) return usual;
             outcome_.constraint = here.constraint;
             return this->end(Status::singular_position);
         }
@@ -142,8 +145,8 @@ private:
         const Scalar since = t_ - std::exchange(measured_, t_);
         if (now_.rank != before.rank || !(since > Scalar(0)) || !(now_.value < before.value)) return Scalar(0);
         const Scalar reach = now_.value / (before.value - now_.value) * since;
-        const bool is_near = reach <= Scalar(3) / Scalar(2) * h || (now_.value <= std::max(Scalar(Scalar(3) * close()), Scalar(Scalar(8) * noisy())) && reach <= Scalar(50) * h);
-        return is_near ? reach : Scalar(0);
+        const bool is_close_by = now_.value <= std::max(Scalar(Scalar(3) * close()), Scalar(Scalar(8) * noisy()));
+        return reach <= Scalar(is_close_by ? 50.0 : 1.5) * h ? reach : Scalar(0);
     }
 
     /// The motion for a while, from slopes here and before; its argument is the time from here.

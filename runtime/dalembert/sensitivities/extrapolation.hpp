@@ -13,7 +13,7 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-/// A derivative, and how far it can be trusted: infinite where differences tell nothing.
+/// A derivative and an estimate of its error, which is infinite where differences tell nothing.
 template <class Scalar>
 struct Extrapolated {
     Scalar value = std::numeric_limits<Scalar>::quiet_NaN(), doubt = std::numeric_limits<Scalar>::infinity();

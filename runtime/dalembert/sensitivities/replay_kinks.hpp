@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSL-1.0
+// Sensitivities over kinks and jumps of the rates within a mode.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+
+#include "dalembert/sensitivities/replay_state.hpp"
+
+namespace dalembert {
+inline namespace v1 {
+namespace detail {
+
+/// Knows on which side of each kink the motion is. See note [jumps] in replay.hpp.
+template <class System, class Inputs, class List>
+class ReplayKinks : public ReplayState<System, Inputs, List> {
+    using Base = ReplayState<System, Inputs, List>;
+
+public:
+    using Base::Base;
+    using typename Base::Mode;
+
+protected:
+    using typename Base::Asked, typename Base::Kinks, typename Base::Plain, typename Base::Scalar;
+    template <class T>
+    using ColumnsOf = typename Base::template ColumnsOf<T>;
+    using Base::fail, Base::here, Base::instant, Base::jump, Base::kinks_at, Base::rate, Base::times_of_zero;
+    using Base::inputs_, Base::known_kinks_, Base::mode_, Base::options_, Base::outcome_, Base::span_, Base::system_, Base::t_,
+        Base::varied_, Base::x_;
+
+    /// The signs that kinks have in a mode that begins here; of one at zero that to which it goes.
+    void find_sides(Mode mode) {
+        mode_ = mode;
+        knows_sides_ = true;
+        if constexpr (may_have_entries<Kinks>) {
+            const Kinks here = kinks_at(mode, x_, t_);
+            for (std::size_t i = 0; i < sides_.size(); ++i)
+                sides_[i] = here[i] != Scalar(0) ? (here[i] < Scalar(0) ? -1 : 1) : side_ahead(mode, i);
+            sides_since_ = t_;
+        }
+    }
+    /// The sign of a kink a little later, by trial steps of second order: from rest it does not go along the rates. 1 where it stays.
+    int side_ahead(Mode mode, std::size_t kink) const {
+        const Plain here = rate(mode, x_, t_);
+        for (Scalar h = instant(t_); h <= span_ / Scalar(1000); h *= Scalar(16)) {
+            const Plain there = rate(mode, moved(x_, here, h), t_ + h);
+            const Scalar value = kinks_at(mode, moved(moved(x_, here, h / Scalar(2)), there, h / Scalar(2)), t_ + h)[kink];
+            if (value != Scalar(0)) return value < Scalar(0) ? -1 : 1;
+        }
+        return 1;
+    }
+
+    /// Over a kink of the rates, where they may jump.
+    void pass_kink(std::size_t kink) {
+        if (++outcome_.events > options_.max_events) return fail(Status::event_storm, kink);
+        const Scalar d = instant(t_);
+        Plain before;
+        if (!rate_before(kink, Scalar(0), before)) {  // it is one of time
+            if (known_kinks_.is_at_one(t_)) {         // where all is done already
+                sides_[kink] = -sides_[kink];
+                return;
+            }
+            if (!rate_before(kink, Scalar(1), before)) {
+                // From rest, next to it but for roundings, nothing has come through it.
+                const bool is_left = t_ - sides_since_ <= Scalar(1e-6) * span_ && side_ahead(mode_, kink) != sides_[kink];
+                if (!is_left) return fail(Status::event_storm, kink);
+                sides_[kink] = -sides_[kink];
+                return;
+            }
+        }
+        const auto value_of = [&](std::size_t i) {
+            return [this, i](const System& system, const Plain& x, const Scalar& t) {
+                Kinks k;
+                Asked::kinks(system, mode_, x, inputs_with(inputs_, system)(x, t), t, k);
+                return k[i];
+            };
+        };
+        // Past it by the state alone, if that does: a kink at a known time next to it is passed on its own.
+        const auto is_past = [&](std::size_t i, const Scalar& t) {
+            return value_of(i)(system_, moved(x_, before, d), t) * Scalar(sides_[i]) < Scalar(0);
+        };
+        const bool waits = is_past(kink, t_);
+        const auto behind = [&](const Scalar& distance) { return rate(mode_, moved(x_, before, distance), waits ? t_ : t_ + distance); };
+        const Plain near = behind(d), far = behind(Scalar(16) * d);
+        const auto times_of = [&](std::size_t i) {
+            const auto value = value_of(i);
+            return times_of_zero(value, here().by_time(before, [&](const Plain& x, const Scalar& t) { return value(system_, x, t); }), i);
+        };
+        const bool jumps = is_jump(before, near, far);
+        ColumnsOf<Scalar> shift = Columns<List>::filled(varied_, Scalar(0));
+        if (jumps) shift = times_of(kink);
+        // Others that fall together with it are passed at once. What is varied must not move them apart.
+        for (std::size_t i = 0; i < sides_.size(); ++i) {
+            if (i != kink && !(Asked::is_kink(i) && is_past(i, waits ? t_ : t_ + d))) continue;
+            if (i != kink && jumps && !are_equal(shift, times_of(i))) fail(Status::not_finite, i);
+            sides_[i] = -sides_[i];
+        }
+        if (outcome_.status != Status::success) return;
+        if (jumps) jump(before, near, shift);
+        x_ = moved(x_, before, d);
+        if (!waits) t_ += d;
+    }
+    static bool are_equal(const ColumnsOf<Scalar>& a, const ColumnsOf<Scalar>& b) {
+        using std::abs;
+        for (std::size_t c = 0; c < a.size(); ++c)
+            if (abs(a[c] - b[c]) > Scalar(1e-6) * (abs(a[c]) + abs(b[c]))) return false;
+        return true;
+    }
+    /// The rate on the side where a kink comes from, which may lie behind: where it was passed in the instant of another, or of an output.
+    bool rate_before(std::size_t kink, const Scalar& of_time, Plain& before) const {
+        const Plain here = rate(mode_, x_, t_);
+        const Scalar step = instant(t_);
+        for (Scalar distance = step; distance <= Scalar(64) * step; distance += step) {
+            const Plain x = moved(x_, here, -distance);
+            const Scalar t = t_ - of_time * distance;
+            if (!(kinks_at(mode_, x, t)[kink] * Scalar(sides_[kink]) > Scalar(0))) continue;
+            before = rate(mode_, x, t);
+            return true;
+        }
+        return false;
+    }
+    /// Behind an infinite slope rates go on growing; behind a jump they do not.
+    static bool is_jump(const Plain& before, const Plain& near, const Plain& far) {
+        using std::abs;
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            const Scalar there = near[i] - before[i];
+            const bool is_seen = abs(there) > Scalar(1e-9) * (abs(before[i]) + abs(near[i]));
+            if (is_seen && abs(far[i] - near[i]) <= abs(there) / Scalar(2)) return true;
+        }
+        return false;
+    }
+    void pass_known_kink(const Scalar& t) {
+        if (const auto* kink = known_kinks_.moving(t)) jump(rate(mode_, x_, t - instant(t)), rate(mode_, x_, t + instant(t)), kink->slope);
+    }
+
+    Like<Kinks, int> sides_{};
+    bool knows_sides_ = false;
+    Scalar sides_since_{};
+};
+
+}  // namespace detail
+}  // namespace v1
+}  // namespace dalembert
