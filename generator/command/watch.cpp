@@ -4,9 +4,9 @@
 
 #include <chrono>
 #include <filesystem>
-#include <map>
 #include <ostream>
 #include <thread>
+#include <vector>
 
 #include "command/page_server.hpp"
 #include "command/report.hpp"
@@ -21,29 +21,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// When the files were written last that a model may be made of: models and data of its folder.
-using Stamps = std::map<fs::path, std::pair<fs::file_time_type, std::uintmax_t>>;
+/// The files that a page was made of: the model, its parts and its data.
+using Stamps = std::vector<std::pair<fs::path, FileStamp>>;
 
-Stamps stamps_beside(const fs::path& model) {
-    Stamps stamps;
-    std::error_code error;
-    const fs::path folder = model.parent_path().empty() ? "." : model.parent_path();
-    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-        const std::string ending = at->path().extension().string();
-        if (ending != ".toml" && ending != ".csv" && at->path() != model) continue;
-        std::error_code gone;
-        const fs::file_time_type time = at->last_write_time(gone);
-        const std::uintmax_t size = gone ? 0 : at->file_size(gone);
-        if (!gone) stamps[at->path()] = {time, size};
-    }
+Stamps as_they_are_now(Stamps stamps) {
+    for (auto& [path, stamp] : stamps) stamp = stamp_of(path);
     return stamps;
+}
+
+void wait_for_change(const Stamps& shown) {
+    using namespace std::chrono_literals;
+    Stamps now = as_they_are_now(shown);
+    for (; now == shown; now = as_they_are_now(shown)) std::this_thread::sleep_for(200ms);
+    for (Stamps before; before != now; now = as_they_are_now(shown)) {  // an editor may still write
+        before = std::move(now);
+        std::this_thread::sleep_for(50ms);
+    }
 }
 
 std::string script_of_version(std::size_t version) {
     return fmt::format("<script>\nconst watched_version = {};\n{}</script>\n", version, embedded_file("report_watch.js"));
 }
 
-/// The page of the model as it is now, or of what is wrong with it.
+/// The page of the model as its files say now. Where the model has errors, a page that shows these.
 std::string watched_page(const Options& options, std::size_t version, Streams streams) {
     const auto wrong = [&](const std::vector<Diagnostic>& diagnostics) {
         SourcePtr text;
@@ -70,7 +70,6 @@ std::string watched_page(const Options& options, std::size_t version, Streams st
 }  // namespace
 
 ExitCode watch_command(const Options& options, Streams streams) {
-    using namespace std::chrono_literals;
     read_text_file(options.choice.model);  // throws where there is none
     PageServer server(options.port);
     std::size_t version = 1;
@@ -78,20 +77,11 @@ ExitCode watch_command(const Options& options, Streams streams) {
     streams.out << fmt::format("http://127.0.0.1:{}/ shows {} and follows its changes; Ctrl-C ends\n", server.port(),
                                options.choice.model.string());
     streams.out.flush();
-    Stamps shown;
-    for (bool is_first = true;; is_first = false) {  // until a signal comes, see guardian.hpp
-        enter_stage("waiting for changes");
-        Stamps now = stamps_beside(options.choice.model);
-        while (!is_first && now == shown) {
-            std::this_thread::sleep_for(200ms);
-            now = stamps_beside(options.choice.model);
-        }
-        for (Stamps before; before != now; now = stamps_beside(options.choice.model)) {  // an editor may still write
-            before = std::move(now);
-            std::this_thread::sleep_for(50ms);
-        }
-        shown = std::move(now);
+    while (true) {  // until a signal comes, see guardian.hpp
+        const FilesRead read;
         server.show(watched_page(options, ++version, streams));
+        enter_stage("waiting for changes");
+        wait_for_change(read.files());
     }
 }
 

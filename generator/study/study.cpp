@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "elements/model.hpp"
+#include "read/reader.hpp"
 #include "run/in_parallel.hpp"
 #include "text/files.hpp"
 #include "text/guardian.hpp"
@@ -21,6 +22,16 @@ namespace {
 constexpr std::size_t most_runs = 10000000;
 
 [[noreturn]] void refuse_study(const std::string& sentence) { throw Failure(Diagnostic{Id::bad_option, {}, sentence}); }
+
+/// Of a model with its parts and data, one behind the other.
+std::string text_of_files(const std::filesystem::path& model) {
+    const FilesRead read;
+    Diagnostics told_before;
+    read_model(model, told_before);
+    std::string text;
+    for (const auto& [path, stamp] : read.files()) text += read_file(path);
+    return text;
+}
 
 /// FNV-1a: tells models apart that were changed between two calls.
 std::string digest_of(const std::string& text) {
@@ -35,7 +46,7 @@ nlohmann::ordered_json description(const Study& study, const Options& options, c
     nlohmann::ordered_json json;
     json["dalembert"] = program_version;
     json["model"] = scene.model->name;
-    json["digest"] = digest_of(read_file(options.choice.model));
+    json["digest"] = digest_of(text_of_files(options.choice.model));
     json["scene"] = scene.name;
     json["sizes"] = nlohmann::ordered_json::object();
     for (const auto& [name, value] : scene.sizes) json["sizes"][name] = value;

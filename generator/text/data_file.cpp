@@ -140,6 +140,7 @@ DataFile parse_data(const SourcePtr& source) {
 }
 
 DataFile read_data_file(const std::filesystem::path& path) {
+    FilesRead::note(path);
     std::string text = read_file(path);
     if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // the mark of UTF-8 that spreadsheets write
     return parse_data(std::make_shared<const Source>(path.string(), text));

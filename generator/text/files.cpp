@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <iterator>
@@ -59,7 +60,31 @@ std::string read_file(const fs::path& path) {
     return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
+FileStamp stamp_of(const fs::path& path) {
+    std::error_code error;
+    FileStamp stamp{fs::last_write_time(path, error)};
+    if (error) return {};
+    stamp.size = fs::file_size(path, error);
+    return error ? FileStamp{} : stamp;
+}
+
+namespace {
+
+thread_local FilesRead* files_read = nullptr;
+
+}  // namespace
+
+FilesRead::FilesRead() : outer_(std::exchange(files_read, this)) {}
+FilesRead::~FilesRead() { files_read = outer_; }
+
+void FilesRead::note(const fs::path& path) {
+    for (FilesRead* to = files_read; to != nullptr; to = to->outer_)
+        if (std::none_of(to->files_.begin(), to->files_.end(), [&](const auto& file) { return file.first == path; }))
+            to->files_.emplace_back(path, stamp_of(path));
+}
+
 SourcePtr read_text_file(const fs::path& path) {
+    FilesRead::note(path);
     std::error_code error;
     check_size(path.string(), fs::file_size(path, error));
     return source_of(path.string(), read_file(path));

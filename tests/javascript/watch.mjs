@@ -74,6 +74,30 @@ try {
     fs.writeFileSync(file, good);
     page = await next(page.version);
     check(/<section id="player"/.test(page.text), 'the page does not come back');
+    // It follows a part in another folder, and the points of its curve.
+    const part = path.join(folder, 'parts', 'carriage.toml'), points = path.join(folder, 'data', 'force.csv');
+    for (const one of [part, points]) fs.mkdirSync(path.dirname(one));
+    const head = (name) => `[model]\nformat = 1\nname = "${name}"\n`;
+    const carriage = (start) => head('carriage') + `[curves.F]\nof = "s [m]"\nunit = "N"\nfile = "../data/force.csv"\n` +
+        `outside = "held"\n[coordinates]\nx = { unit = "m", start = ${start} }\n[bodies.b]\nmass = "1 kg"\n` +
+        `position = ["x", 0, 0]\n[springs.s]\nelongation = "x"\nforce = "e -> F(e)"\n`;
+    fs.writeFileSync(points, 's [m],F [N]\n-1,-2\n0,0\n1,3\n');
+    fs.writeFileSync(part, carriage(0.5));
+    fs.writeFileSync(file, head('rail') + '[use.left]\nfile = "parts/carriage.toml"\n[runs.r]\nuntil = 1\n');
+    page = await next(page.version);
+    check(/<section id="player"/.test(page.text), 'no page of a model with a part: ' + page.text.slice(-2000));
+    fs.writeFileSync(points, 's [m],F [N]\n-1,-2\n0,0\nx,3\n');
+    page = await next(page.version);
+    check(page.text.includes('force.csv'), 'the points of a curve are not followed');
+    fs.writeFileSync(points, 's [m],F [N]\n-1,-2\n0,0\n1,4\n');
+    page = await next(page.version);
+    check(/<section id="player"/.test(page.text), 'the page does not come back after better points');
+    fs.rmSync(part);
+    page = await next(page.version);
+    check(page.text.includes('there is no file'), 'a part that is gone is not told');
+    fs.writeFileSync(part, carriage(0.25));
+    page = await next(page.version);
+    check(/<section id="player"/.test(page.text) && page.text.includes('0.25'), 'a part that comes back is not followed');
     // Somebody who asks half and waits keeps nobody off, and other addresses of this computer have no such port.
     const slow = net.connect(port, '127.0.0.1');
     slow.write('GET / HT');

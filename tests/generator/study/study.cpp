@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 
 #include "generator/command/verb.hpp"
@@ -126,4 +127,33 @@ TEST_CASE("what makes no study is refused with a sentence, and nothing is writte
     refused({"--vary", "u=0:1:3", "--input", "w=sin(t/1s)"}, "an input can be varied where all inputs are constant");
     refused({"--vary", "a=0:1:3", "--only", "3"}, "its runs are 0 to 2");
     CHECK(std::filesystem::is_empty(scratch.path()));
+}
+
+TEST_CASE("a study of a model whose part was changed is another study") {
+    const ScratchFolder scratch;
+    const std::string folder = scratch.path(), model = folder + "/m.toml";
+    const auto write = [&](const std::string& file, const std::string& text) { std::ofstream(file) << "[model]\nformat = 1\n" << text; };
+    const auto write_part = [&](const char* mass) {
+        write(folder + "/part.toml", std::string("name = \"part\"\n[parameters]\nk = { value = 1, unit = \"N\" }\n"
+                                                 "[coordinates]\nx = { unit = \"m\" }\n[bodies.b]\nmass = \"") + mass +
+                                         "\"\nposition = [\"x\", 0, 0]\n[forces.f]\non = \"b\"\nforce = [\"k\", 0, 0]\n");
+    };
+    write(model, "name = \"m\"\n[use.a]\nfile = \"part.toml\"\n");
+    const auto run = [&](const char* shard) {
+        return ask("study", {model, "--vary", "a.k=1:2:4", "--until", "0.1", "--observe", "a.x", "--no-plot", "--shard", shard, "-o",
+                             folder});
+    };
+    write_part("1 kg");
+    const Answer first = run("1/2");
+    INFO(first.err);
+    REQUIRE(first.code == 0);
+    write_part("2 kg");
+    REQUIRE(run("2/2").code == 0);
+    std::vector<std::string> shards;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        if (entry.path().extension() == ".csv") shards.push_back(entry.path().string());
+    REQUIRE(shards.size() == 2);
+    const Answer merged = ask("study", {"--merge", shards[0], "--merge", shards[1], "-o", folder});
+    CHECK(merged.code == 2);
+    CHECK(merged.err.find("are not shards of the same study") != std::string::npos);
 }
