@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    /// What is drawn goes by the name of what it is of; a shape is that of a body.
+    /// [view] names elements that the page draws. Only bodies can have a shape and a colour.
     void viewed(const View& view) {
         for (const ViewPart& part : view.parts) {
             element({{part.name, nullptr, part.span}, "parts", viewed_kinds(), true}, "the view");

@@ -49,7 +49,7 @@ struct Port : Item {
     ExpressionPtr value;
     std::optional<Reference> at;
     std::optional<Reference> input;
-    NamesWithPlaces alone;  ///< what is there only while it is not joined
+    NamesWithPlaces alone;  ///< names of elements that a join of this port takes out of the model: a load, say
 };
 
 template <>

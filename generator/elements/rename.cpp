@@ -35,9 +35,12 @@ bool can_stand_for_another(const std::vector<const char*>& kinds) {
 
 class RenameWalk {
 public:
-    using Bound = std::vector<std::string>;
+    using Bound = std::map<std::string, std::string, std::less<>>;  ///< names of indices and variables of laws: what they are called then
 
-    explicit RenameWalk(const Renaming& to, std::vector<std::string> bound = {}) : to_(to), bound_(std::move(bound)) {}
+    /// Inside a family, if there is one.
+    explicit RenameWalk(const Renaming& to, std::optional<Family>* family = nullptr) : to_(to) {
+        if (family != nullptr && *family) bind((*family)->index, bound_);
+    }
 
     template <class Member>
     void operator()(const char*, Member& member, const Key& key) const {
@@ -86,7 +89,7 @@ public:
     }
     void change(PrintedEquation& printed) const {
         Bound letters = bound_;
-        for (const PrintedLetter& letter : printed.letters) letters.push_back(letter.name);
+        for (const PrintedLetter& letter : printed.letters) letters[letter.name] = letter.name;
         const auto each = [&](ExpressionPtr& e) { e = of(e, letters); };
         for (auto* list : {&printed.letters, &printed.shown_letters})
             for (PrintedLetter& letter : *list) each(letter.value);
@@ -108,9 +111,11 @@ public:
 private:
     using Kind = Expression::Kind;
 
-    static Bound with(Bound bound, const std::vector<std::string>& more) {
-        bound.insert(bound.end(), more.begin(), more.end());
-        return bound;
+    /// An index or variable that means something else in the model gets the prefix, too.
+    void bind(std::string& name, Bound& bound) const {
+        const std::string now = to_.taken.contains(name) ? to_.prefix + name : name;
+        bound[name] = now;
+        name = now;
     }
 
     std::string of_effect(const std::string& name) const {
@@ -127,7 +132,9 @@ private:
         if (e->kind == Kind::sum) {
             made->children[0] = of(e->children[0], bound);
             made->children[1] = of(e->children[1], bound);
-            made->children[2] = of(e->children[2], with(bound, {e->name}));
+            Bound inside = bound;
+            bind(made->name, inside);
+            made->children[2] = of(e->children[2], inside);
             return made;
         }
         const QuantitySpec* quantity = e->kind == Kind::name && !e->children.empty() ? find_quantity(e->name) : nullptr;
@@ -140,7 +147,11 @@ private:
         }
         change_children(0, bound);
         if (e->kind == Kind::call) made->name = of_name(e->name);
-        if (e->kind != Kind::name || std::find(bound.begin(), bound.end(), e->name) != bound.end()) return made;
+        if (e->kind != Kind::name) return made;
+        if (const auto found = bound.find(e->name); found != bound.end()) {
+            made->name = found->second;
+            return made;
+        }
         if (const auto found = to_.values.find(e->name); found != to_.values.end() && e->children.empty()) return found->second;
         made->name = of_name(e->name);
         return made;
@@ -218,9 +229,21 @@ private:
     void change(std::vector<Condition>& conditions, const Key&) const {
         for (Condition& condition : conditions) change(condition);
     }
-    void change(ExpressionPtr& e, const Key& key) const { e = of(e, with(bound_, {key.letters.begin(), key.letters.end()})); }
-    void change(Law& law, const Key&) const { law.body = of(law.body, with(bound_, {law.variable})); }
-    void change(Property& property, const Key&) const { property.body = of(property.body, with(bound_, property.variables)); }
+    void change(ExpressionPtr& e, const Key& key) const {
+        Bound inside = bound_;
+        for (const char* letter : key.letters) inside[letter] = letter;
+        e = of(e, inside);
+    }
+    void change(Law& law, const Key&) const {
+        Bound inside = bound_;
+        bind(law.variable, inside);
+        law.body = of(law.body, inside);
+    }
+    void change(Property& property, const Key&) const {
+        Bound inside = bound_;
+        for (std::string& variable : property.variables) bind(variable, inside);
+        property.body = of(property.body, inside);
+    }
     void change(Range& range, const Key&) const {
         range.low = of(range.low);
         range.high = of(range.high);
@@ -247,7 +270,7 @@ private:
     }
 
     const Renaming& to_;
-    std::vector<std::string> bound_;
+    Bound bound_;
 };
 
 }  // namespace
@@ -256,22 +279,20 @@ void rename(Model& model, const Renaming& renaming) {
     for_each_kind(model, [&](const char*, auto& items) {
         for_each_item(items, [&](auto& item) {
             using Element = std::remove_reference_t<decltype(item)>;
-            std::vector<std::string> bound;
             const RenameWalk outside(renaming);
+            std::optional<Family>* family = nullptr;
             if constexpr (std::derived_from<Element, Item>) {
                 item.name = renaming.prefix + item.name;
-                if (item.family) {
-                    outside.change(*item.family);
-                    bound.push_back(item.family->index);
-                }
+                family = &item.family;
+                if (item.family) outside.change(*item.family);
             }
+            const RenameWalk inside(renaming, family);
             if constexpr (requires { item.when; }) outside.change(item.when);
             if constexpr (std::same_as<Element, ModeGroup>)
                 for (Mode& mode : item.modes) {
                     mode.name = renaming.prefix + mode.name;
                     outside.change(mode.when);
                 }
-            const RenameWalk inside(renaming, bound);
             if constexpr (std::same_as<Element, PrintedEquation>) inside.change(item);
             describe(inside, item);
         });

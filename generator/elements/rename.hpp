@@ -17,6 +17,7 @@ struct Renaming {
     std::map<std::string, ExpressionPtr, std::less<>> values;  ///< of a name in expressions: what stands instead
     std::map<std::string, Reference, std::less<>> elements;    ///< what another element stands for; of a body as "body NAME"
     std::map<std::string, std::string, std::less<>> effects;
+    std::set<std::string, std::less<>> taken = {};             ///< names that an index or a variable of a law cannot have any more
 
     static std::string key_of(const std::string& name, bool is_body) { return is_body ? "body " + name : name; }
 };

@@ -102,7 +102,7 @@ private:
             parameter->values = {in_unit(entry.value, parameter->unit)};
             return;
         }
-        const bool is_name = entry.value->kind == Kind::name && entry.value->children.empty();
+        const bool is_name = entry.value->kind == Kind::name && entry.value->children.empty() && !parameter->family;
         if (const auto other = is_name ? units_.find(entry.value->name) : units_.end();
             other != units_.end() && other->second.dimension == parameter->unit.dimension) {
             everywhere_.values[full(entry)] = entry.value;
@@ -126,7 +126,14 @@ private:
     void start(const RunEntry& entry) {
         const Expression& variable = *entry.variable;
         const bool is_rate = variable.kind == Kind::call && variable.name == "dot" && variable.children.size() == 1;
-        const std::string name = is_rate ? variable.children[0]->name : variable.name;
+        const Expression& whose = is_rate ? *variable.children[0] : variable;
+        const std::string& name = whose.name;
+        if (whose.kind == Kind::name && !whose.children.empty()) {
+            diagnostics_.error(Id::not_allowed_here, entry.span,
+                               fmt::format("'{}' is one member of a family; a start is set for all of them, as in start = {{ {} = 0 }}",
+                                           whose.written(), is_rate ? fmt::format("\"dot({})\"", name) : name));
+            return;
+        }
         if (Coordinate* coordinate = find(part_.model.coordinates, prefix_ + name)) {
             Unit unit = coordinate->unit;
             if (is_rate) unit.offset = 0;
@@ -164,6 +171,18 @@ void leave_out_what_stands_alone(Model& part) {
     for (Use& use : part.uses) use.joins.clear();
 }
 
+/// What takes the place of a thing of a part must be there, and not be replaced itself.
+template <class Items>
+void check_targets(const std::vector<RunEntry>& entries, const Items& items, const char* word, Diagnostics& diagnostics) {
+    for (const RunEntry& entry : entries) {
+        const std::vector<std::string> known = names_within(items, "");
+        if (std::find(known.begin(), known.end(), entry.value->name) == known.end())
+            diagnostics.error(Id::unknown_name, entry.value->span,
+                              fmt::format("this model has no {} '{}'{}", word, entry.value->written(),
+                                          did_you_mean(entry.value->name, known)));
+    }
+}
+
 /// Parts first, in their order.
 void merge(Model& model, std::vector<Part>& parts) {
     for (auto part = parts.rbegin(); part != parts.rend(); ++part)
@@ -181,6 +200,18 @@ void add_names_in_expressions(const Model& model, NameSet& names) {
             if (e.kind == Expression::Kind::name || e.kind == Expression::Kind::call) names.insert(e.name);
         });
     });
+}
+
+/// What formulas of the model itself may name.
+NameSet names_in_formulas(const Model& model) {
+    NameSet names;
+    for_each_kind(model, [&]<class Items>(const char*, const Items& items) {
+        using Element = typename Items::value_type;
+        if constexpr (std::derived_from<Element, Item>)
+            if (kind_of<Element>.facts.naming == Naming::formulas)
+                for (const Element& item : items) names.insert(item.name);
+    });
+    return names;
 }
 
 /// What stands for a name may be made of names for which something stands.
@@ -223,6 +254,7 @@ void leave_out_unneeded(Model& model, const NameSet& needed) {
 }  // namespace
 
 void join_parts(Model& model, std::vector<Part> parts, Diagnostics& diagnostics) {
+    const NameSet taken = names_in_formulas(model);
     Renaming everywhere;
     std::vector<PartPort> ports;
     NameSet needed;
@@ -235,7 +267,7 @@ void join_parts(Model& model, std::vector<Part> parts, Diagnostics& diagnostics)
                             "with [0, 0, 0] for none",
                             part.name),
                 {{part.model.gravity->span, "that of the part stands here"}});
-        rename(part.model, {part.name + "_", part.formulas, {}, {}, {}});
+        rename(part.model, {part.name + "_", part.formulas, {}, {}, {}, taken});
         add_names_in_expressions(part.model, needed);
         leave_out_what_stands_alone(part.model);
         for (Port& port : part.model.ports) ports.push_back({part.name, std::move(port)});
@@ -249,6 +281,11 @@ void join_parts(Model& model, std::vector<Part> parts, Diagnostics& diagnostics)
     const std::vector<Use> uses = model.uses;
     diagnostics.stop_on_errors();
     merge(model, parts);
+    for (const Use& use : uses) {
+        check_targets(use.media, model.media, "medium", diagnostics);
+        check_targets(use.effects, model.effects, "effect", diagnostics);
+    }
+    diagnostics.stop_on_errors();
     join_ports(model, uses, std::move(ports), everywhere, diagnostics);
     diagnostics.stop_on_errors();
     resolve(everywhere);

@@ -9,7 +9,7 @@
 
 namespace dalembert {
 
-/// The weaker one goes.
+/// The weaker one goes. Of bodies the ground is given.
 enum class Rank { given, follows, stores };
 
 /// An element where fluids, heat or bodies meet.
@@ -19,13 +19,17 @@ struct Place {
     Rank rank = Rank::stores;
     std::string medium = {};
     bool is_of_part = false;
+    bool is_family = false;  ///< the place is one member of it
 
-    bool can_go() const { return is_of_part && rank != Rank::stores; }
+    bool can_go() const { return is_of_part && !is_family && rank != Rank::stores; }
+    bool is(const Place& other) const;
 };
 
+/// "volume 'tank[1]'"
+std::string named(const Place& place);
 Place place_of(const Model& model, const Reference& to, Port::Kind kind);
 
-/// "volume 'tank', whose state is stored"
+/// "volume 'tank[1]', whose state is stored"
 std::string said(const Place& place);
 
 }  // namespace dalembert

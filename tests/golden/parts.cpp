@@ -37,7 +37,7 @@ TEST_CASE("machines of parts have the headers of the same machines written by ha
         }
         ++compared;
     }
-    CHECK(compared >= (is_full_tier() ? 7 : 4));
+    CHECK(compared >= (is_full_tier() ? 9 : 6));
 }
 
 TEST_CASE("what became of joined ports is told") {
