@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <ostream>
@@ -48,6 +49,25 @@ std::vector<std::pair<std::string, int>> read_sizes(const std::vector<std::strin
         sizes.emplace_back(text.substr(0, equals), *whole);
     }
     return sizes;
+}
+
+/// "left.p_1", as model files call what a part has, is left_p_1.
+void join_names(std::string& text) {
+    const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+    char first = ' ';  // of the word
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '.' && is_letter(first) && i + 1 < text.size() && is_letter(text[i + 1])) text[i] = '_';
+        const bool is_in_word = is_letter(text[i]) || text[i] == '_' || std::isdigit(static_cast<unsigned char>(text[i])) != 0;
+        first = !is_in_word ? ' ' : first == ' ' ? text[i] : first;
+    }
+}
+
+/// In all options that hold names of the model.
+void join_names(Options& o) {
+    for (std::string* text : {&o.choice.scene, &o.against, &o.fit, &o.fix, &o.mode, &o.maximise, &o.minimise, &o.over}) join_names(*text);
+    for (auto* texts : {&o.parameters, &o.states, &o.inputs, &o.measured, &o.noise, &o.held_inputs, &o.priors, &o.sensitivities, &o.vary,
+                        &o.observe, &o.hold, &o.moving, &o.free})
+        for (std::string& text : *texts) join_names(text);
 }
 
 class Parser {
@@ -105,8 +125,11 @@ private:
         if (!std::isfinite(options.tolerance) || !std::isfinite(options.step) || !std::isfinite(options.periods))
             throw Failure(Diagnostic{Id::bad_option, {}, "tolerance, step and periods are finite numbers"});
         options.verb = parsed_verb();
+        join_names(options);
         options.choice.model = given_.model;
-        for (const auto& [name, value] : read_sizes(given_.sizes)) {
+        std::vector<std::string> sizes = given_.sizes;
+        for (std::string& text : sizes) join_names(text);
+        for (const auto& [name, value] : read_sizes(sizes)) {
             options.choice.sizes[name] = value;
             options.size_lists[name].push_back(value);
         }

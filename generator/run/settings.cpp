@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -20,27 +19,13 @@ namespace dalembert {
 
 namespace {
 
-/// "left.p_1", as model files call what a part has, is left_p_1.
-ExpressionPtr parse_joined(const SourcePtr& source, std::size_t begin, std::size_t end) {
-    Excerpt excerpt = excerpt_of(source, begin, end);
-    std::string& text = excerpt.text;
-    const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
-    char first = ' ';  // of the word
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == '.' && is_letter(first) && i + 1 < text.size() && is_letter(text[i + 1])) text[i] = '_';
-        const bool is_in_word = is_letter(text[i]) || text[i] == '_' || std::isdigit(static_cast<unsigned char>(text[i])) != 0;
-        first = !is_in_word ? ' ' : first == ' ' ? text[i] : first;
-    }
-    return parse_expression(excerpt);
-}
-
 Setting parse_setting(const SourcePtr& source, std::size_t begin, std::size_t end, const std::string& option) {
     const std::size_t equals = source->text().find('=', begin);
     if (equals == std::string::npos || equals >= end)
         throw Failure(
             Diagnostic{Id::bad_option, Span{source, begin, end},
                        fmt::format("'--{} {}' is not of the form NAME=VALUE", option, source->text().substr(begin, end - begin))});
-    return {parse_joined(source, begin, equals), parse_joined(source, equals + 1, end)};
+    return {parse_expression(excerpt_of(source, begin, equals)), parse_expression(excerpt_of(source, equals + 1, end))};
 }
 
 }  // namespace
@@ -129,7 +114,7 @@ FixWish parse_fixed(const std::string& text, const Names& names) {
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = end_of_part(text, begin);
         if (const std::size_t equals = text.find('=', begin); equals == std::string::npos || equals >= end) {
-            wish.some.push_back({parse_joined(source, begin, end), nullptr});
+            wish.some.push_back({parse_expression(excerpt_of(source, begin, end)), nullptr});
         } else {
             const Setting setting = parse_setting(source, begin, end, "fix");
             wish.some.push_back({setting.variable, value_of(setting, nothing, names)});

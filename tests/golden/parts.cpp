@@ -58,4 +58,24 @@ TEST_CASE("results of a run are named as the header names them, and values are s
     CHECK(one.exit_code == 0);
     CHECK(one.out == other.out);
     CHECK(one.out.find("left_p_1") != std::string::npos);
+    const auto told = [](std::vector<std::string> arguments) {
+        const TemporaryFolder results;
+        arguments.insert(arguments.end(), {"-o", results.path().string(), "--no-plot"});
+        Result result = run(arguments);
+        INFO(result.err);
+        CHECK(result.exit_code == 0);
+        for (std::size_t at; (at = result.out.find(results.path().string())) != std::string::npos;)
+            result.out.erase(at, results.path().string().size());
+        return result.out;
+    };
+    const auto same = [&](std::vector<std::string> arguments, const char* option, const char* joined, const char* pointed) {
+        std::vector<std::string> with_point = arguments;
+        arguments.insert(arguments.end(), {option, joined});
+        with_point.insert(with_point.end(), {option, pointed});
+        CHECK_MESSAGE(told(arguments) == told(with_point), option);
+    };
+    const std::string file = model.string();
+    same({"simulate", file, "--until", "0.01"}, "--sensitivities", "left_p_1,left_m", "left.p_1,left.m");
+    same({"study", file, "--until", "0.01"}, "--vary", "left_m=1:2:3", "left.m=1:2:3");
+    same({"study", file, "--until", "0.01", "--vary", "left_m=1:2:3"}, "--observe", "max(left_p_1)", "max(left.p_1)");
 }
