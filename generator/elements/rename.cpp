@@ -196,7 +196,9 @@ private:
         reference.index = of(reference.index);
         const Reference* instead = other(reference.name, key.refers);
         reference.name = instead == nullptr ? to_.prefix + reference.name : instead->name;
-        if (instead != nullptr && instead->index) reference.index = instead->index;
+        if (instead == nullptr || !instead->index) return;
+        reference.index = instead->index;
+        reference.span = instead->span;  // where a member is named that may not be there
     }
     void change(CoordinateEntry& entry, const Key&) const {
         if (!entry.coordinate.empty()) formula_reference(entry.coordinate, entry.index);

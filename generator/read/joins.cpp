@@ -96,6 +96,7 @@ void Joins::take(PartPort& port, const Span& where) {
 
 void Joins::check_open(const Use& use, const PartPort& port) {
     if (port.port.kind != Port::Kind::fluid || place_of(model_, *port.port.at, port.port.kind).rank != Rank::given) return;
+    if (everywhere_.elements.contains(port.port.at->name)) return;  // another port at the same place is joined
     fail(Id::missing_key, use.span,
          fmt::format("fluid port '{0}' is open, and nothing is behind it; join it in [use.{1}]: ports = {{ {2} = ... }}, to a volume, "
                      "reservoir or junction",

@@ -81,7 +81,7 @@ void Joins::hand_over_heat(const PartPort& port, const Place& going, const Place
     const auto add = [&](ExpressionPtr& heat) { heat = heat ? make_binary(Expression::Kind::add, heat, node->heat) : node->heat; };
     HeatNode* to_node = find(model_.nodes, staying.to.name);
     Volume* to_volume = find(model_.volumes, staying.to.name);
-    if (to_node != nullptr && !staying.is_family) return add(to_node->heat);
+    if (to_node != nullptr && !staying.is_family && !to_node->is_held()) return add(to_node->heat);
     if (to_volume != nullptr && !staying.is_family) return add(to_volume->heat);
     fail(Id::doubly_determined, node->heat->span,
          fmt::format("the heat of {} would be lost, because {} takes its place; let it enter another node of the part, with a link to "
