@@ -9,6 +9,7 @@
 
 #include "elements/every_kind.hpp"
 #include "elements/kinds.hpp"
+#include "language/expression_text.hpp"
 #include "read/joins.hpp"
 #include "read/port_places.hpp"
 
@@ -39,6 +40,10 @@ private:
 
     /// "left.rod"
     static std::string shown(const PartPort& port) { return port.part + "." + port.port.name.substr(port.part.size() + 1); }
+    /// As this file writes it; of a port of a part, with names of this model.
+    std::string shown(const Expression& value) const {
+        return value.span.source == model_.source ? value.written() : in_model_language(value);
+    }
     static std::vector<Note> declared(const PartPort& port) {
         return {{port.port.span, fmt::format("'{}' is declared here", shown(port))}};
     }

@@ -121,7 +121,7 @@ void Joins::join_signal(PartPort& port, PartPort* other, const RunEntry& entry) 
     const Input* input = find(model_.inputs, name);
     if (input == nullptr) fail(Id::unknown_name, entry.span, fmt::format("input '{}' has its value from another port already", name));
     const ExpressionPtr value = source == nullptr ? entry.value : source->port.value;
-    tell(*sink, fmt::format("input '{}' is '{}'", name, value->written()));
+    tell(*sink, fmt::format("input '{}' is '{}'", name, shown(*value)));
     define(*input, value, entry.span);
     std::erase_if(model_.inputs, [&](const Input& item) { return item.name == name; });
 }

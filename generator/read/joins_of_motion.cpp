@@ -114,7 +114,7 @@ void Joins::become_one(const PartPort& port, const Motion& going, const Motion& 
 
 void Joins::follow(const PartPort& port, const Motion& going, const Motion& staying, const RunEntry& entry) {
     refuse_lost_start(port, going, staying, entry);
-    tell(port, fmt::format("coordinate '{}' is '{}'", going.coordinate->name, staying.place->written()));
+    tell(port, fmt::format("coordinate '{}' is '{}'", going.coordinate->name, shown(*staying.place)));
     define(*going.coordinate, staying.place, entry.span);
     std::erase_if(model_.coordinates, [&, name = going.coordinate->name](const Coordinate& item) { return item.name == name; });
 }
@@ -124,7 +124,7 @@ void Joins::refuse_lost_start(const PartPort& port, const Motion& going, const M
     if (const auto set = set_starts_.find(going.coordinate->name); set != set_starts_.end())
         fail(Id::doubly_defined, set->second,
              fmt::format("the start of '{}' is set here, but it follows from '{}', to which '{}' is joined; leave it out",
-                         going.coordinate->name, staying.place->written(), shown(port)),
+                         going.coordinate->name, shown(*staying.place), shown(port)),
              {{entry.span, "the port is joined here"}});
 }
 

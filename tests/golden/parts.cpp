@@ -47,6 +47,13 @@ TEST_CASE("what became of joined ports is told") {
               .ends_with("\njoined ports\n  lever.end: constraint 'lever_end' holds it there, because no coordinate can go; "
                          "constraint_force[lever_end] is its force\n"));
     CHECK(derived("drive.toml").find("  motor.shaft: coordinate 'motor_phi' is 'i*shaft.phi_1'\n") != std::string::npos);
+    const TemporaryFolder folder;
+    fs::copy_file(source / "tests/golden/parts/pieces/controller.toml", folder.path() / "controller.toml");
+    std::ofstream(folder.path() / "cascade.toml") << "[model]\nformat = 1\nname = \"cascade\"\n[use]\n"
+                                                     "inner = { file = \"controller.toml\", ports = { w = \"outer.u\" } }\n"
+                                                     "outer = { file = \"controller.toml\" }\n";
+    CHECK(run({"derive", (folder.path() / "cascade.toml").string()})
+              .out.ends_with("\njoined ports\n  inner.w: input 'inner_w' is 'outer_u'\n"));
 }
 
 TEST_CASE("results of a run are named as the header names them, and values are set by either name") {
