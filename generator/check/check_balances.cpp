@@ -24,6 +24,10 @@ const State* Claims::claim(const std::string& name, const Span& span, const char
     return &state;
 }
 
+const State* Claims::claim(const Expression& named, const char* key, const std::string& what) {
+    return claim(named.kind == Expression::Kind::name ? named.name : named.written(), named.span, key, what);
+}
+
 void Claims::check_all(const Model& model) const {
     for (const State& state : model.states)
         if (!state.derivative && !claimed_.contains(state.name))

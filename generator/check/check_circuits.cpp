@@ -11,7 +11,7 @@ void check_circuits(const Model& model, Claims& claims, Diagnostics& diagnostics
     const auto claim = [&](const ExpressionPtr& state, const char* key, const char* kind, const Branch& branch) {
         if (!state) return;
         const std::string what = fmt::format("{} '{}'", kind, branch.name);
-        const State* found = claims.claim(state->name, state->span, key, what);
+        const State* found = claims.claim(*state, key, what);
         if (found != nullptr && found->root)
             diagnostics.error(Id::not_allowed_here, state->span,
                               fmt::format("the {} of {} cannot be integrated as its root: it may be negative", key, what),

@@ -28,8 +28,7 @@ private:
 
     const State* claim(const ExpressionPtr& named, const char* key, const char* kind, const Item& item) {
         if (!named) return nullptr;
-        return claims_.claim(named->kind == Expression::Kind::name ? named->name : named->written(), named->span, key,
-                             fmt::format("{} '{}'", kind, item.name));
+        return claims_.claim(*named, key, fmt::format("{} '{}'", kind, item.name));
     }
 
     void wrong(const Span& span, std::string message, const Medium& medium) {

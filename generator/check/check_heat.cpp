@@ -18,9 +18,10 @@ public:
     void run() {
         for (const HeatNode& node : model_.nodes) {
             const std::string what = fmt::format("node '{}'", node.name);
-            if (node.capacity && node.temperature) temperature(node.temperature->name, node.temperature->span, what);
+            if (node.capacity && node.temperature)
+                (void)without_root(claims_.claim(*node.temperature, "temperature", what), node.temperature->span, what);
             if (node.boiling && node.boiling->mass) {
-                const State* mass = claims_.claim(node.boiling->mass->name, node.boiling->mass->span, "mass", what);
+                const State* mass = claims_.claim(*node.boiling->mass, "mass", what);
                 if (mass != nullptr && (mass->root || mass->family))
                     diagnostics_.error(
                         Id::not_allowed_here, node.boiling->mass->span,
@@ -37,7 +38,7 @@ private:
     void temperatures(const Reference& named, const std::string& what) {
         const Named* found = names_.find(named.name);
         if (found == nullptr || found->kind != Named::Kind::state) return;  // which was said already
-        const State* states = temperature(named.name, named.span, what);
+        const State* states = without_root(claims_.claim(named.name, named.span, "temperature", what), named.span, what);
         if (states != nullptr && !states->family)
             diagnostics_.error(Id::index_missing, named.span,
                                fmt::format("the temperature of {} must be a family of states, one for each cell, but '{}' is a single one",
@@ -45,11 +46,10 @@ private:
                                {{states->span, fmt::format("'{}' is declared here", states->name)}});
     }
 
-    const State* temperature(const std::string& name, const Span& span, const std::string& what) {
-        const State* state = claims_.claim(name, span, "temperature", what);
+    const State* without_root(const State* state, const Span& span, const std::string& what) {
         if (state != nullptr && state->root)
             diagnostics_.error(Id::not_allowed_here, span, fmt::format("the temperature of {} cannot be integrated as its root", what),
-                               {{state->span, fmt::format("'{}' is declared here", name)}});
+                               {{state->span, fmt::format("'{}' is declared here", state->name)}});
         return state;
     }
 

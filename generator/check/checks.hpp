@@ -48,6 +48,7 @@ public:
     /// The state that a key of an item names, which nothing else may determine. `what` is "volume 'tank'". Null, with an error, if it names
     /// none.
     const State* claim(const std::string& name, const Span& span, const char* key, const std::string& what);
+    const State* claim(const Expression& named, const char* key, const std::string& what);
     /// Reports states that nothing determines.
     void check_all(const Model& model) const;
 

@@ -115,7 +115,7 @@ private:
         const unsigned serial = ex_to<GiNaC::function>(e).get_serial();
         if (serial == whole_SERIAL::serial) {
             const Polynomial inside = folded((*this)(e.op(0)), atoms_);
-            return inside.is_zero() ? inside : kept_whole(inside, 1, atoms_);
+            return kept_whole(inside, 1, atoms_);
         }
         if (serial == unlocated_SERIAL::serial) return (*this)(e.op(0));
         if (is_network_function(e)) return network(e);
@@ -206,6 +206,8 @@ Polynomial folded(Polynomial p, const Atoms& atoms) {
 }
 
 Polynomial kept_whole(const Polynomial& p, int exponent, Atoms& atoms) {
+    if (p.is_zero() && exponent <= 0) throw GiNaC::pole_error("division by zero", exponent);
+    if (p.is_zero()) return p;
     if (p.is_monomial()) {
         const auto& [monomial, coefficient] = *p.terms().begin();
         Polynomial result;

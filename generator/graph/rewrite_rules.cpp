@@ -305,6 +305,14 @@ const std::vector<RewriteRule>& rewrite_rules() {
     return rules;
 }
 
+namespace {
+
+bool is_divided_by(const Polynomial& p, Letter letter) {
+    return std::any_of(p.terms().begin(), p.terms().end(), [&](const auto& term) { return exponent_of(term.first, letter) < 0; });
+}
+
+}  // namespace
+
 const std::vector<OtherForm>& other_forms(const Polynomial& p, Atoms& atoms, FormMemory& known) {
     if (const auto found = known.find(p); found != known.end()) return found->second;
     std::vector<OtherForm> result;
@@ -320,6 +328,7 @@ const std::vector<OtherForm>& other_forms(const Polynomial& p, Atoms& atoms, For
         const std::vector<Polynomial> arguments = atoms[letter].arguments;
         for (std::size_t i = 0; i < arguments.size(); ++i)
             for (const OtherForm& inner : other_forms(arguments[i], atoms, known)) {
+                if (op == Op::sum && inner.form.is_zero() && is_divided_by(p, letter)) continue;
                 Polynomial form;
                 for (const auto& [monomial, coefficient] : p.terms()) {
                     const int exponent = exponent_of(monomial, letter);

@@ -150,6 +150,27 @@ TEST_CASE("the larger and the smaller of two with one factor are their sum") {
     CHECK_FALSE(same(maximum(x, v) * minimum(x, v), x * v));  // it is, but of another rule
 }
 
+TEST_CASE("a sum that is zero once it is multiplied out: its square is zero, and a fraction of it has no value") {
+    const Machine machine = machine_from(block);
+    const Symbols& symbols = machine.system->symbols;
+    const ex x = symbols.get(SymbolKind::coordinate, 0), m = symbols.get(SymbolKind::parameter, 0);
+    const ex c = symbols.get(SymbolKind::parameter, 1);
+    const ex nothing = m * (m + c) - m * m - m * c;
+    Atoms atoms(symbols);
+    CHECK(lower(x + pow(nothing, 2), atoms) == lower(x, atoms));
+    CHECK(lower(x * whole(nothing), atoms).is_zero());
+    CHECK_THROWS_AS(lower(x / nothing, atoms), GiNaC::pole_error);
+}
+
+TEST_CASE("a voltage divider whose rest is nothing: the square of what vanishes is proven to vanish") {
+    Machine machine = machine_from("[parameters]\nR_1 = { value = 10, unit = \"Ohm\", range = [1, 100] }\n"
+                                   "R_2 = { value = 10, unit = \"Ohm\", range = [1, 100] }\nT = { value = 1, unit = \"s\" }\n"
+                                   "[states]\nu = { unit = \"V\", start = 2, derivative = \"-u/T\" }\n"
+                                   "[outputs]\ng = { value = \"(u - u*R_1/(R_1 + R_2) - u*R_2/(R_1 + R_2))^2\", unit = \"V^2\" }\n");
+    (void)generate(machine);
+    CHECK(proofs_of(machine).all_proven());
+}
+
 TEST_CASE("the sign of a difference in a denominator does not depend on how it is written") {
     const auto machine = [](const char* law) {
         return machine_from("[parameters]\nm = { value = 1, unit = \"kg\" }\nk = { value = 1, unit = \"N*m\" }\n"
