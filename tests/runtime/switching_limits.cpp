@@ -54,7 +54,41 @@ struct Kinky {
     static constexpr Candidates<Mode, 1> next_modes(std::size_t, Mode) { return {{Mode::only}, 1}; }
 };
 
+/// x' = 1 in the first quarter of each period of 1/8 s, which begins with a jump of what is watched.
+struct Pulsed : Relay {
+    static constexpr double period = 0.125;
+    enum class Mode : unsigned { on, off };
+    using State = std::array<double, 1>;
+    using Events = std::array<double, 2>;
+    static constexpr std::array<const char*, 2> mode_table() { return {"on", "off"}; }
+    static constexpr std::array<const char*, 2> event_table() { return {"ends", "begins"}; }
+    void rhs(Mode mode, const State&, const Input&, double, State& dxdt) const { dxdt = {mode == Mode::on ? 1.0 : 0.0}; }
+    void guards(Mode, const State&, const Input&, double t, Events& g) const {
+        g = {period / 4 - std::fmod(t, period), std::fmod(t, period) - period / 4};
+    }
+    void guard_rates(Mode, const State&, const Input&, double, Events& r) const { r = {-1, 1}; }
+    static constexpr bool is_watched(Mode mode, std::size_t event) { return static_cast<std::size_t>(mode) == event; }
+    void reset(std::size_t, Mode, State&, const Input&, double) const {}
+    static constexpr Candidates<Mode, 1> next_modes(std::size_t event, Mode) { return {{event == 0 ? Mode::off : Mode::on}, 1}; }
+};
+
 }  // namespace
+
+TEST_CASE("a run may end where a guard jumps") {
+    std::vector<Entry> events;
+    for (const Method method : explicit_methods) {
+        CAPTURE(static_cast<int>(method));
+        for (const double end : {1.0, 1.0 - 1.0 / 32, 1.0 + 1.0 / 32, 8.0}) {
+            CAPTURE(end);
+            Pulsed pulsed;
+            Pulsed::State x{0};
+            const auto outcome = run(pulsed, x, end, with<Pulsed>(method, 1e-9), events);
+            CHECK(outcome.status == Status::success);
+            CHECK(outcome.t == end);
+            CHECK(x[0] == doctest::Approx(std::floor(end) / 4 + (end > 1 && end < 2 ? 1.0 / 32 : 0)).epsilon(1e-12));
+        }
+    }
+}
 
 TEST_CASE("no mode can go on, or none is meant to") {
     std::vector<Entry> events;

@@ -71,6 +71,12 @@ public:
                 if (status != Status::event) return end(status);
             }
             const Status status = pass(event);
+            // A jump at the end: a mode accepts what is behind it only.
+            if (status == Status::no_mode && to_ - t_ <= control_.tiny(t_)) {
+                t_ = to_;
+                observe_output(t_, x_);
+                return end(Status::success);
+            }
             if (status != Status::success) return end(status);
         }
     }
