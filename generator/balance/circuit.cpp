@@ -14,6 +14,7 @@ using GiNaC::ex;
 namespace {
 
 using BranchLaw = Branch::Law;
+using Known = BranchState::Known;
 
 class CircuitReading {
 public:
@@ -42,23 +43,47 @@ private:
             case BranchLaw::resistor: branch.value = value(item.resistance); break;
             case BranchLaw::inductor:
                 branch.value = value(item.inductance);
-                branch.current = state(branch, *item.current, indices);
+                branch.known = Known::current;
+                branch.current = branch.level = state(branch, *item.current, indices);
                 break;
             case BranchLaw::capacitor:
                 branch.value = value(item.capacitance);
-                branch.fall = state(branch, *item.voltage, indices);
+                branch.known = Known::voltage;
+                branch.fall = branch.level = state(branch, *item.voltage, indices);
                 break;
             case BranchLaw::voltage_source:
+                branch.known = Known::voltage;
                 branch.value = value(item.voltage);
                 branch.fall = -branch.value;
                 break;
-            case BranchLaw::current_source: branch.current = branch.value = value(item.current); break;
+            case BranchLaw::current_source:
+                branch.known = Known::current;
+                branch.current = branch.value = value(item.current);
+                break;
+            case BranchLaw::diode:
+            case BranchLaw::switching: in_its_mode(branch, value); break;
             case BranchLaw::motor:
+                branch.known = Known::voltage;
                 branch.value = value(item.constant);
                 branch.motion = value(item.angle ? item.angle : item.position);
                 branch.fall = branch.value * symbols_.time_derivative(branch.motion);
         }
         circuit_.branches.push_back(std::move(branch));
+    }
+
+    template <class Value>
+    void in_its_mode(BranchState& branch, const Value& value) const {
+        const Branch& item = *branch.item;
+        branch.conducts = scene_.mode && scene_.modes[*scene_.mode].is_in(fmt::format("{}_{}", item.name, modes_of(item)[1]));
+        if (branch.conducts) {
+            if (item.forward_voltage) branch.forward_voltage = value(item.forward_voltage);
+            branch.known = item.resistance ? Known::ratio : Known::voltage;
+            if (item.resistance) branch.value = value(item.resistance);
+            else branch.fall = branch.forward_voltage;
+        } else {
+            branch.known = item.conductance ? Known::ratio : Known::current;
+            if (item.conductance) branch.value = 1 / value(item.conductance);
+        }
     }
 
     ex state(BranchState& branch, const Expression& named, const Indices& indices) const {
@@ -116,9 +141,11 @@ void account(Circuit& circuit, BranchState& branch, const Symbols& symbols) {
         push(z * z / 2, branch.value);
     };
     switch (branch.item->law) {
-        case BranchLaw::resistor: circuit.dissipated_power += branch.dissipated_power(); break;
-        case BranchLaw::inductor: store(branch.current, branch.fall); break;
-        case BranchLaw::capacitor: store(branch.fall, branch.current); break;
+        case BranchLaw::resistor:
+        case BranchLaw::diode:
+        case BranchLaw::switching: circuit.dissipated_power += branch.dissipated_power(); break;
+        case BranchLaw::inductor: store(branch.level, branch.fall); break;
+        case BranchLaw::capacitor: store(branch.level, branch.current); break;
         case BranchLaw::voltage_source:
         case BranchLaw::current_source: circuit.supplied_power += branch.voltage() * branch.current; break;
         case BranchLaw::motor: {
@@ -130,6 +157,11 @@ void account(Circuit& circuit, BranchState& branch, const Symbols& symbols) {
 }
 
 }  // namespace
+
+ex BranchState::dissipated_power() const {
+    if (item->law != Branch::Law::resistor && !item->has_modes()) return 0;
+    return known == Known::ratio ? value * current * current + forward_voltage * current : fall * current;
+}
 
 const PinState* Circuit::find_pin(const std::string& name) const {
     const auto found = std::find_if(pins.begin(), pins.end(), [&](const PinState& p) { return p.name == name; });

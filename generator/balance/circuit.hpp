@@ -18,9 +18,14 @@ struct BranchState {
     const Branch* item;
     std::string name;
     std::size_t from, to;                     ///< pins
-    GiNaC::ex value = 0;                      ///< R, L, C or k; of a source what is given
+    GiNaC::ex value = 0;                      ///< R, L, C or k; of a source what is given; of a diode or switch in its mode R or 1/G
     GiNaC::ex motion = 0;                     ///< angle or position
     std::optional<std::size_t> state = {};    ///< of an inductor or capacitor
+    GiNaC::ex level = 0;                      ///< the letter of that state: a current or voltage
+    enum class Known { voltage, current, ratio } known = Known::ratio;  ///< before the circuit is solved; ratio: of voltage and current
+    GiNaC::ex forward_voltage = 0;            ///< of a diode that conducts
+    bool conducts = true;                     ///< of a diode or switch: as its mode says
+    bool is_cut_off = false;                  ///< of an inductor: only diodes that block and open switches lead on, so that its current is zero
     GiNaC::ex fall = 0;                       ///< V, from `from` to `to`
     GiNaC::ex current = 0;                    ///< A, from `from` to `to`
     GiNaC::ex rate = 0;                       ///< of the state
@@ -29,8 +34,10 @@ struct BranchState {
     bool is_source() const { return item->law == Branch::Law::voltage_source || item->law == Branch::Law::current_source; }
     /// Of a source the rise from `from` to `to`.
     GiNaC::ex voltage() const { return is_source() ? -fall : fall; }
-    /// W that a resistor dissipates.
-    GiNaC::ex dissipated_power() const { return item->law == Branch::Law::resistor ? value * current * current : GiNaC::ex(0); }
+    /// Neither current nor conductance: a diode that blocks, an open switch.
+    bool is_interrupted() const { return item->has_modes() && !conducts && known == Known::current; }
+    /// W that a resistor, diode or switch dissipates.
+    GiNaC::ex dissipated_power() const;
 };
 
 struct Circuit {
@@ -50,8 +57,9 @@ struct Circuit {
     GiNaC::ex outflow(std::size_t pin) const;
 };
 
-/// Throws Failure (doubly-determined: a loop of capacitors, voltage sources and motors; undetermined: a part without ground, or that only
-/// inductors and current sources join to it; not-allowed-here; index-out-of-range; too-large).
+/// In the mode of the scene. Throws Failure (doubly-determined: a loop of capacitors, voltage sources, motors and what conducts without a
+/// resistance, or a current without a path, for which the mode is left out; undetermined: a part without ground, or that only inductors and
+/// current sources join to it; not-allowed-here; index-out-of-range; too-large).
 Circuit make_circuit(const Scene& scene, const Translator& translate, const Symbols& symbols);
 
 /// Potentials and currents of a circuit of which values and what is known of branches are there. Throws likewise.

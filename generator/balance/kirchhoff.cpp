@@ -8,9 +8,8 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
-#include "balance/circuit.hpp"
+#include "balance/interruptions.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -20,16 +19,10 @@ using GiNaC::ex;
 namespace {
 
 using BranchLaw = Branch::Law;
+using Known = BranchState::Known;
 
 /// Of groups with three neighbours or more, how many are written out at most: closed forms of more contain each other.
 constexpr std::size_t most_meshed = 4;
-
-std::string quoted_names(const std::vector<std::string>& names) {
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        text += fmt::format("{}'{}'", i == 0 ? "" : i + 1 == names.size() ? " and " : ", ", names[i]);
-    return text;
-}
 
 /// A potential minus that of a neighbour, as a fraction whose terms are not over each other.
 struct PotentialDifference {
@@ -55,7 +48,11 @@ private:
     void give_letters() {
         for (const BranchState& b : circuit_.branches) {
             letters_.push_back(GiNaC::symbol(b.name));
-            known_[letters_.back()] = b.item->law == BranchLaw::resistor ? b.value : b.item->has_known_voltage() ? b.fall : b.current;
+            known_[letters_.back()] = b.known == Known::ratio ? b.value : b.known == Known::voltage ? b.fall : b.current;
+            forward_.emplace_back(0);
+            if (b.known != Known::ratio || b.forward_voltage.is_zero()) continue;
+            forward_.back() = GiNaC::symbol("u_" + b.name);
+            known_[forward_.back()] = b.forward_voltage;
         }
     }
 
@@ -76,7 +73,7 @@ private:
     /// Trees of branches with known voltages. Throws Failure (doubly-determined) where one closes a loop.
     void group() {
         for (std::size_t b = 0; b < circuit_.branches.size(); ++b) {
-            if (!branch(b).item->has_known_voltage()) continue;
+            if (branch(b).known != Known::voltage) continue;
             std::vector<std::size_t> way;
             if (find_way(branch(b).from, branch(b).to, way)) refuse_loop(b, way);
             tree_.push_back(b);
@@ -107,42 +104,40 @@ private:
         way.push_back(closing);
         std::sort(way.begin(), way.end());
         std::vector<std::string> names;
-        bool any_capacitor = false, any_source = false, any_motor = false;
-        for (const std::size_t b : way) {
-            names.push_back(branch(b).name);
-            any_capacitor = any_capacitor || branch(b).item->law == BranchLaw::capacitor;
-            any_source = any_source || branch(b).item->law == BranchLaw::voltage_source;
-            any_motor = any_motor || branch(b).item->law == BranchLaw::motor;
-        }
+        for (const std::size_t b : way) names.push_back(branch(b).name);
         std::vector<std::string> kinds;
-        if (any_capacitor) kinds.push_back("capacitors");
-        if (any_source) kinds.push_back("ideal voltage sources");
-        if (any_motor) kinds.push_back("motors");
+        for (const auto& [law, words] : {std::pair(BranchLaw::capacitor, "capacitors"),
+                                         std::pair(BranchLaw::voltage_source, "ideal voltage sources"), std::pair(BranchLaw::motor, "motors"),
+                                         std::pair(BranchLaw::diode, "diodes that conduct"), std::pair(BranchLaw::switching, "closed switches")})
+            if (std::any_of(way.begin(), way.end(), [&, law = law](std::size_t b) { return branch(b).item->law == law; }))
+                kinds.emplace_back(words);
         std::string of;
-        for (std::size_t i = 0; i < kinds.size(); ++i) of += (i == 0 ? "" : " and ") + kinds[i];
+        for (std::size_t i = 0; i < kinds.size(); ++i) of += (i == 0 ? "" : i + 1 == kinds.size() ? " and " : ", ") + kinds[i];
+        const auto with_modes = std::find_if(way.begin(), way.end(), [&](std::size_t b) { return branch(b).item->has_modes(); });
+        const std::string remedy = with_modes == way.end() ? "put a resistor in series with one of them"
+                                                           : fmt::format("give '{}' a resistance", branch(*with_modes).name);
         throw Failure(Diagnostic{Id::doubly_determined, branch(closing).item->span,
-                                 fmt::format("branch '{}' closes a loop of {}, {}, in which each voltage follows from the others; put a "
-                                             "resistor in series with one of them",
-                                             branch(closing).name, of, quoted_names(names))});
+                                 fmt::format("branch '{}' closes a loop of {}, {}, in which each voltage follows from the others; {}",
+                                             branch(closing).name, of, quoted_names(names), remedy)});
     }
 
     /// Throws Failure (undetermined) where resistors do not join all groups to ground.
     void join_groups() const {
-        std::vector<std::size_t> part = group_;
-        for (const BranchState& b : circuit_.branches) {
-            if (b.item->law != BranchLaw::resistor) continue;
-            const std::size_t low = std::min(part[b.from], part[b.to]), high = std::max(part[b.from], part[b.to]);
-            std::replace(part.begin(), part.end(), high, low);
-        }
+        const std::vector<std::size_t> part = parts_of(circuit_, [](const BranchState& b) { return b.known == Known::current; });
         const auto away = std::find_if(part.begin(), part.end(), [](std::size_t p) { return p != 0; });
         if (away == part.end()) return;
         std::vector<std::string> pins, currents;
+        std::vector<const BranchState*> around;
         for (std::size_t pin = 0; pin < part.size(); ++pin)
             if (part[pin] == *away) pins.push_back(circuit_.pins[pin].name);
         for (const BranchState& b : circuit_.branches)
-            if ((part[b.from] == *away) != (part[b.to] == *away)) currents.push_back(b.name);
+            if ((part[b.from] == *away) != (part[b.to] == *away)) {
+                if (b.is_interrupted()) around.push_back(&b);
+                else currents.push_back(b.name);
+            }
         const std::string those = fmt::format("pin{} {}", pins.size() == 1 ? "" : "s", quoted_names(pins));
         const Span& place = circuit_.pins[*away].place;
+        if (!around.empty()) refuse_interruption(around, currents, those, pins.size() == 1, place);
         if (currents.empty())
             throw Failure(Diagnostic{Id::undetermined, place,
                                      fmt::format("no branch joins {} to pin '{}', so {} not determined; join one of them to '{}'", those,
@@ -153,9 +148,23 @@ private:
                                              quoted_names(currents), those)});
     }
 
+    [[noreturn]] static void refuse_interruption(const std::vector<const BranchState*>& around, const std::vector<std::string>& currents,
+                                                 const std::string& those, bool is_one, const Span& place) {
+        const std::string rest =
+            currents.empty() ? fmt::format("no branch joins {} to pin '{}', so {} not determined", those, ground_pin,
+                                           is_one ? "its potential is" : "their potentials are")
+                             : fmt::format("nothing but {}, inductors or current sources, joins {} to the rest of the circuit, so each of "
+                                           "their currents follows from the others",
+                                           quoted_names(currents), those);
+        throw Failure(Diagnostic{Id::undetermined, place,
+                                 fmt::format("where {}, {}; give '{}' a conductance", interruption(around), rest, around.front()->name)});
+    }
+
     /// Pins whose potentials are known are neighbours of their own; of other groups, the first pin.
     std::size_t place_of(std::size_t pin) const { return group_[pin] == 0 ? pin : group_[pin]; }
     ex rest_of(std::size_t pin) const { return group_[pin] == 0 ? ex(0) : offset_[pin]; }
+    /// What the voltage of a resistance has beside the difference of the sought potentials.
+    ex rest_between(std::size_t b) const { return rest_of(branch(b).from) - rest_of(branch(b).to) - forward_[b]; }
 
     void gather() {
         conductances_.resize(circuit_.pins.size());
@@ -164,14 +173,14 @@ private:
         for (std::size_t pin = 0; pin < circuit_.pins.size(); ++pin)
             potentials_.push_back(group_[pin] == 0 ? offset_[pin] : ex(GiNaC::symbol(circuit_.pins[pin].name)));
         for (std::size_t b = 0; b < circuit_.branches.size(); ++b) {
-            if (branch(b).item->has_known_voltage()) continue;
+            if (branch(b).known == Known::voltage) continue;
             const std::size_t from = place_of(branch(b).from), to = place_of(branch(b).to);
             if (from == to) continue;
             ex flow = letters_[b];
-            if (branch(b).item->law == BranchLaw::resistor) {
+            if (branch(b).known == Known::ratio) {
                 conductances_[from][to] += 1 / letters_[b];
                 conductances_[to][from] += 1 / letters_[b];
-                flow = (rest_of(branch(b).from) - rest_of(branch(b).to)) / letters_[b];
+                flow = rest_between(b) / letters_[b];
             }
             sources_[from] -= flow;
             sources_[to] += flow;
@@ -243,22 +252,22 @@ private:
 
     ex through_resistor(std::size_t b) const {
         const std::size_t from = place_of(branch(b).from), to = place_of(branch(b).to);
-        const ex rest = rest_of(branch(b).from) - rest_of(branch(b).to);
+        const ex rest = rest_between(b);
         const auto over = [&](const PotentialDifference& d, int sign) {
             return ((sign * d.numerator + rest * d.denominator) / letters_[b]).expand() / d.denominator;
         };
         if (from == to) return rest / letters_[b];
         if (const auto found = differences_[from].find(to); found != differences_[from].end()) return over(found->second, 1);
         if (const auto found = differences_[to].find(from); found != differences_[to].end()) return over(found->second, -1);
-        return (potentials_[from] - potentials_[to]) / letters_[b];
+        return (potentials_[from] - potentials_[to] - forward_[b]) / letters_[b];
     }
 
     void find_currents() {
         std::vector<std::size_t> open = tree_;
         for (std::size_t b = 0; b < circuit_.branches.size(); ++b) {
             BranchState& found = circuit_.branches[b];
-            if (found.item->law == BranchLaw::resistor) found.current = finished(through_resistor(b));
-            if (!found.item->has_known_voltage()) found.fall = circuit_.pins[found.from].potential - circuit_.pins[found.to].potential;
+            if (found.known == Known::ratio) found.current = finished(through_resistor(b));
+            if (found.known != Known::voltage) found.fall = circuit_.pins[found.from].potential - circuit_.pins[found.to].potential;
         }
         while (!open.empty()) {
             const auto is_leaf = [&](std::size_t pin) {
@@ -281,6 +290,7 @@ private:
 
     Circuit& circuit_;
     std::vector<ex> letters_;                                    ///< of branches
+    std::vector<ex> forward_;                                    ///< forward voltages of diodes with a resistance
     GiNaC::exmap known_;
     std::vector<std::size_t> tree_;                              ///< branches with known voltages
     std::vector<std::size_t> group_;                             ///< of pins, by the first pin in it
@@ -297,6 +307,9 @@ private:
 
 }  // namespace
 
-void solve_kirchhoff(Circuit& circuit) { Kirchhoff(circuit).run(); }
+void solve_kirchhoff(Circuit& circuit) {
+    cut_off_inductors(circuit);
+    Kirchhoff(circuit).run();
+}
 
 }  // namespace dalembert

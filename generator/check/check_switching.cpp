@@ -60,7 +60,7 @@ private:
     void check(const Event& event) {
         // What an element watches may depend on a profile alone: it jumps where the phase ends.
         const unsigned still = on_parameters | on_modes, depends = dependence(*event.guard, names_);
-        if ((depends & ~still) == 0 && !(event.is_made && (depends & on_modes) != 0))
+        if ((depends & ~still) == 0 && !(event.is_made && (depends & on_modes) != 0) && told_.insert(event.guard->span.begin).second)
             wrong(event.guard->span,
                   fmt::format("the guard of event '{}' contains nothing that moves, so it never crosses zero", event.name));
         if (!event.ends && event.next.empty() && event.reset.empty() && !event.meets)
@@ -129,6 +129,7 @@ private:
     Names names_;
     Diagnostics& diagnostics_;
     std::set<std::string> modes_;
+    std::set<std::size_t> told_;  ///< places of guards that never move: several events of an element may watch one
 };
 
 }  // namespace

@@ -2,6 +2,8 @@
 // Pins and branches of circuits as they were written, each key in one place.
 #pragma once
 
+#include <array>
+
 #include "elements/key.hpp"
 
 namespace dalembert {
@@ -11,6 +13,7 @@ inline Dimension current() { return Dimension::base(3); }
 inline Dimension voltage() { return Dimension::power() / current(); }
 inline Dimension electrical_resistance() { return voltage() / current(); }
 inline Dimension inductance() { return voltage() * Dimension::time() / current(); }
+inline Dimension electrical_conductance() { return current() / voltage(); }
 inline Dimension capacitance() { return current() * Dimension::time() / voltage(); }
 }  // namespace dimension
 
@@ -33,11 +36,11 @@ void describe(Visitor& v, E&) {
 
 /// What lies between two pins. Its current is positive from `from` to `to`.
 struct Branch : Item {
-    enum class Law { resistor, inductor, capacitor, voltage_source, current_source, motor };
+    enum class Law { resistor, inductor, capacitor, voltage_source, current_source, motor, diode, switching };
     Law law = Law::resistor;
     Reference from;
     Reference to;
-    ExpressionPtr resistance;
+    ExpressionPtr resistance;       ///< of a diode or switch: while it conducts; null: none
     ExpressionPtr inductance;
     ExpressionPtr capacitance;
     ExpressionPtr voltage;  ///< of a capacitor a state
@@ -45,15 +48,24 @@ struct Branch : Item {
     ExpressionPtr constant;
     ExpressionPtr angle;
     ExpressionPtr position;
+    ExpressionPtr forward_voltage;  ///< null: none
+    ExpressionPtr closed;           ///< 1 where the switch is closed, else -1
+    ExpressionPtr conductance;      ///< of a diode or switch: while it does not conduct; null: none
 
-    /// Whether its voltage is known before the circuit is solved; else, where it is no resistor, its current is.
-    bool has_known_voltage() const { return law == Law::capacitor || law == Law::voltage_source || law == Law::motor; }
+    bool has_modes() const { return law == Law::diode || law == Law::switching; }
 };
+
+/// The modes of a diode or switch, behind its name: first where it does not conduct.
+inline std::array<const char*, 2> modes_of(const Branch& branch) {
+    if (branch.law == Branch::Law::diode) return {"blocks", "conducts"};
+    return {"open", "closed"};
+}
 
 template <>
 inline constexpr KindSpec kind_of<Branch>{"branch",
     "Parts of electric circuits between two pins. Kirchhoff's laws and the states, which are voltages of capacitors and currents of "
-    "inductors, determine potentials and currents. Energy in capacitors and inductors counts as internal energy, sources supply power, "
+    "inductors, determine potentials and currents. Diodes and switches add modes: NAME_blocks and NAME_conducts, NAME_open and "
+    "NAME_closed. Energy in capacitors and inductors counts as internal energy, sources supply power, "
     "resistors dissipate it: `heat = \"dissipated_power[R_a]\"` puts it into a node. Of a source, `voltage[X]` rises from `from` to "
     "`to`; of other branches it falls.",
     "[branches]\nbattery = { law = \"voltage_source\", from = \"ground\", to = \"plus\", voltage = \"u\" }\n"
@@ -70,6 +82,8 @@ inline const KeyChoices<Branch::Law>& branch_laws() {
         {"capacitor", L::capacitor, {"capacitance", "voltage"}, {}, ": i = d(C*u)/dt"},
         {"voltage_source", L::voltage_source, {"voltage"}},
         {"current_source", L::current_source, {"current"}},
+        {"diode", L::diode, {}, {"forward_voltage", "resistance", "conductance"}, ": u = u_F + R*i while i > 0, else i = G*u"},
+        {"switch", L::switching, {"closed"}, {"resistance", "conductance"}, ": u = R*i while it is closed, else i = G*u"},
         {"motor", L::motor, {"constant"}, {"angle", "position"}, " or generator: u = k*d(phi)/dt and the torque k*i"},
     };
     return choices;
@@ -83,8 +97,14 @@ void describe(Visitor& v, E& branch) {
     v.choice("law", branch.law, {.required = true}, branch_laws());
     v("resistance", branch.resistance, {.dimension = dimension::electrical_resistance(), .depends = on_plain_states_and_inputs,
         .sign = above_zero("Ohm"),
-        .doc = "of a resistor; may depend on states and inputs: \"R_20*(1 + alpha*(T - T_20))\", and for a switch "
-               "\"if(u_gate - u_0, R_on, R_off)\""});
+        .doc = "of a resistor; may depend on states and inputs: \"R_20*(1 + alpha*(T - T_20))\". Of a diode or switch: while it "
+               "conducts; none if left out"});
+    v("conductance", branch.conductance, {.dimension = dimension::electrical_conductance(), .depends = on_plain_states_and_inputs,
+        .sign = above_zero("1/Ohm"), .doc = "of a diode or switch: while it does not conduct; none if left out"});
+    v("forward_voltage", branch.forward_voltage, {.dimension = dimension::voltage(), .depends = on_plain_states_and_inputs,
+        .sign = not_below_zero("V"), .doc = "of a diode: the voltage at which it begins to conduct; 0 if left out"});
+    v("closed", branch.closed, {.type = ValueType::comparison, .depends = on_anything & ~on_outputs,
+        .doc = "of a switch: where it is closed: \"mod(t, T_p) < d*T_p\""});
     v("inductance", branch.inductance, {.dimension = dimension::inductance(), .depends = on_parameters | on_coordinates,
         .sign = above_zero("H"), .doc = "of an inductor; if it depends on coordinates, the force i^2/2*dL/dq acts on the mechanics"});
     v("capacitance", branch.capacitance, {.dimension = dimension::capacitance(), .depends = on_parameters | on_coordinates,

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "elements/bodies.hpp"
+#include "elements/circuits.hpp"
 #include "elements/element.hpp"
 #include "elements/expand_switching.hpp"
 #include "elements/fluids.hpp"
@@ -40,6 +41,7 @@ double combinations(const Model& model) {
     for (const ModeGroup& group : model.modes) count *= static_cast<double>(std::max<std::size_t>(group.modes.size(), 1));
     for (const Volume& volume : model.volumes) count *= volume.empties ? 2 : 1;
     for (const HeatNode& node : model.nodes) count *= node.boiling ? 2 : 1;
+    for (const Branch& branch : model.branches) count *= branch.has_modes() ? 2 : 1;
     count *= std::pow(3, model.saturations.size());
     for (const Flow& flow : model.flows)
         if (flow.switches) count *= static_cast<double>(modes_of(flow).size());

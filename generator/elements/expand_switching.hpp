@@ -21,7 +21,7 @@ void expand_contacts(Model& model);
 void expand_signals(Model& model);
 /// Check valves and orifices that switch, volumes that run empty, nodes that boil: modes and events.
 void expand_balances(Model& model);
-/// Pins that branches name without listing them.
+/// Modes and events of diodes and switches; pins that branches name without listing them.
 void expand_circuits(Model& model);
 
 }  // namespace dalembert

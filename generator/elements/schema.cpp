@@ -52,6 +52,7 @@ constexpr std::array value_table{
     ValueWord{T::equations, "list of equations", "several equations in quotes"},
     ValueWord{T::family, "\"k = 1..N\"", "an index with its first and last value"},
     ValueWord{T::condition, "condition", "names of effects or modes, joined by and, or, not and brackets"},
+    ValueWord{T::comparison, "comparison", "values compared by <, <=, > or >=, joined by and, or, not and brackets: \"t < t_1 and u >= u_0\""},
     ValueWord{T::effects, "list of names", "names of other elements in quotes, in brackets: [\"a\", \"b\"]"},
     ValueWord{T::modes, "mode or list of modes", "conditions, each made of names of modes"},
     ValueWord{T::part, "name", "the name of another element, in quotes; with an index if it is a family: \"body[k]\""},

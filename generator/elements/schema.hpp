@@ -28,6 +28,7 @@ enum class ValueType {
     equations,
     family,
     condition,
+    comparison,  ///< a condition on values
     effects,
     modes,       ///< conditions, one or a list
     part,        ///< the name of another element

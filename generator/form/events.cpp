@@ -28,6 +28,7 @@ public:
             meet(event.reset, *item.meets, item.restitution ? system_.translate(item.restitution, {}) : ex(0));
             if (!item.rest.empty()) meet(event.rest, *item.meets, 0);
         }
+        end_current(event);
         values(event.reset, item.reset);
         values(event.rest, item.rest_reset);
         return event;
@@ -46,6 +47,15 @@ private:
         if (!GiNaC::is_a<GiNaC::power>(guard) || !guard.op(1).is_equal(2)) return guard;
         const Variable* root = symbols_.find(guard.op(0));
         return root != nullptr && root->is_root ? guard.op(0) : guard;
+    }
+
+    /// The current of a diode that ends may be that of an inductor, which is cut off: then it is zero exactly.
+    void end_current(EventEquation& event) const {
+        if (!event.item->is_made || event.item->guard->name != "current") return;
+        for (const BranchState& branch : system_.circuit.branches)
+            if (branch.item->law == Branch::Law::inductor && event.guard.has(branch.level) &&
+                event.guard.subs(branch.level == 0, GiNaC::subs_options::no_pattern).is_zero())
+                set(event.reset, symbols_.place(SymbolKind::state, *branch.state), 0);
     }
 
     void values(Reset& reset, const std::vector<RunEntry>& entries) const {

@@ -132,6 +132,8 @@ std::vector<ex> functions_of_time(const System& system, const std::vector<ex>& i
         add_switches(value);
         add(value);
     }
+    for (const EventEquation& event : system.events)
+        if (event.is_watched) add_switches(symbols.without_definitions(event.guard).subs(given, GiNaC::subs_options::no_pattern));
     return functions;
 }
 

@@ -76,7 +76,7 @@ std::vector<std::unique_ptr<System>> derive_modes(const Names& names, const Scen
         modes.push_back(derive(names, scene));
         return modes;
     }
-    std::optional<Failure> overdetermined;
+    std::vector<std::pair<std::size_t, Failure>> overdetermined;
     std::vector<Diagnostic> left_out;
     for (std::size_t mode = 0; mode < scene.modes.size(); ++mode) {
         try {
@@ -84,17 +84,18 @@ std::vector<std::unique_ptr<System>> derive_modes(const Names& names, const Scen
             if (modes.size() > budget::modes) too_many(scene);
         } catch (const Failure& failure) {
             if (failure.diagnostics().front().id != Id::doubly_determined) throw;
-            if (!overdetermined) overdetermined = failure;
+            overdetermined.emplace_back(mode, failure);
             if (failure.diagnostics().front().severity == Severity::warning) left_out.push_back(failure.diagnostics().front());
         }
     }
-    if (overdetermined) {
-        const auto is_left = [&](const Mode& part) {
-            return std::any_of(modes.begin(), modes.end(),
-                               [&](const auto& system) { return system->scene.modes[*system->scene.mode].is_in(part.name); });
-        };
+    if (!overdetermined.empty()) {
         for (const ModeGroup* group : scene.mode_groups)
-            if (!std::all_of(group->modes.begin(), group->modes.end(), is_left)) throw *overdetermined;
+            for (const Mode& part : group->modes) {
+                const auto is_left = [&](const auto& system) { return system->scene.modes[*system->scene.mode].is_in(part.name); };
+                if (std::any_of(modes.begin(), modes.end(), is_left)) continue;
+                const auto has_part = [&](const auto& failed) { return scene.modes[failed.first].is_in(part.name); };
+                throw std::find_if(overdetermined.begin(), overdetermined.end(), has_part)->second;
+            }
         renumber(modes);
         std::vector<Diagnostic>& warnings = modes.front()->warnings;
         warnings.insert(warnings.begin(), left_out.begin(), left_out.end());

@@ -39,6 +39,8 @@ std::vector<ModeCondition> conditions(const System& system) {
         if (c.position) result.push_back({std::nullopt, *c.position, true});
         result.push_back({std::nullopt, c.whole_rate, false});
     }
+    for (const BranchState& branch : system.circuit.branches)
+        if (branch.is_cut_off) result.push_back({place(SymbolKind::state, *branch.state), 0, false});
     return result;
 }
 

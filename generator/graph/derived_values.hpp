@@ -17,7 +17,7 @@ std::vector<GiNaC::ex> output_values(const System& system);
 /// What the model gives as start of x = [q; v; z].
 std::vector<GiNaC::ex> start_values(const System& system);
 
-/// What a mode asks for that holds constraints: entries of x, by place, that these determine, and their values; and what is to be zero
+/// What a mode asks for that holds constraints or cuts off inductors: entries of x, by place, that these determine, and their values; and what is to be zero
 /// itself.
 struct ModeCondition {
     std::optional<std::size_t> place;

@@ -64,6 +64,12 @@ public:
         return result;
     }
 
+    ExpressionPtr whole_comparison() {
+        const Condition condition = disjunction();
+        expect_end("'and', 'or' or the end of the condition");
+        return chosen(condition, make_number(1, whole_), make_number(-1, whole_), whole_);
+    }
+
     Family family() {
         const std::string index = word("an index, as in 'k = 1..N'");
         sign("=", "'=' behind the index");
@@ -433,6 +439,7 @@ private:
 ExpressionPtr parse_expression(const Excerpt& excerpt) { return Parser(excerpt).whole_expression(); }
 Property parse_property(const Excerpt& excerpt) { return Parser(excerpt).property(); }
 Law parse_law(const Excerpt& excerpt) { return Parser(excerpt).law(); }
+ExpressionPtr parse_comparison(const Excerpt& excerpt) { return Parser(excerpt).whole_comparison(); }
 Equation parse_equation(const Excerpt& excerpt) { return Parser(excerpt).equation(); }
 Family parse_family(const Excerpt& excerpt) { return Parser(excerpt).family(); }
 

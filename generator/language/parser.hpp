@@ -15,6 +15,8 @@ Law parse_law(const Excerpt& excerpt);
 Property parse_property(const Excerpt& excerpt);
 /// "side = side [= side ...]"
 Equation parse_equation(const Excerpt& excerpt);
+/// "a < b and c >= d": 1 where the condition holds, and -1 elsewhere: if(difference, 1, -1), or several in each other
+ExpressionPtr parse_comparison(const Excerpt& excerpt);
 /// "index = from..to"
 Family parse_family(const Excerpt& excerpt);
 

@@ -84,7 +84,7 @@ constexpr std::array subscript_table{
     SubscriptSpec{S::body_and_two_axes, 3, "[body, 1..3, 1..3]", "a body, the number of one of its axes and 1, 2 or 3", {"body"}},
     SubscriptSpec{S::coordinate, 1, "[coordinate]", "a coordinate", {"coordinate"}},
     SubscriptSpec{S::two_coordinates, 2, "[coordinate, coordinate]", "two coordinates", {"coordinate"}},
-    SubscriptSpec{S::optional_damper, 1, " or [damper], [branch]", "nothing, a damper or a resistor", {"damper", "friction", "branch"}},
+    SubscriptSpec{S::optional_damper, 1, " or [damper], [branch]", "nothing, a damper or a branch", {"damper", "friction", "branch"}},
     SubscriptSpec{S::constraint, 1, "[constraint]", "a constraint", {"constraint"}},
     SubscriptSpec{S::cut, 1, "[cut]", "a cut", {"cut"}},
     SubscriptSpec{S::body_and_line, 2, "[body, coordinate]", "a body and a coordinate", {"body"}},

@@ -156,13 +156,21 @@ std::vector<AuditEntry> compare_circuit(const System& system, Prover& prover) {
         };
         switch (b.item->law) {
             case Branch::Law::resistor: compare(fall, b.value * b.current); break;
-            case Branch::Law::inductor: compare(fall, change(b.value * b.current)); break;
+            case Branch::Law::inductor:
+                compare(fall, change(b.value * b.level));
+                compare(b.current, b.is_cut_off ? ex(0) : b.level);
+                break;
             case Branch::Law::capacitor:
                 compare(fall, b.fall);
                 compare(b.current, change(b.value * b.fall));
                 break;
             case Branch::Law::voltage_source: compare(fall, -b.value); break;
             case Branch::Law::current_source: compare(b.current, b.value); break;
+            case Branch::Law::diode:
+            case Branch::Law::switching:
+                if (b.is_interrupted()) compare(b.current, 0);
+                else compare(fall, b.forward_voltage + b.value * b.current);
+                break;
             case Branch::Law::motor: compare(fall, b.value * change(b.motion));
         }
         entries.push_back(std::move(entry));

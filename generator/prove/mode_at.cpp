@@ -32,6 +32,10 @@ std::optional<std::string> why_mode_refuses(const System& system, const MotionAt
         const cln::cl_R rate = at(constraint.whole_rate);
         if (cln::abs(rate) > small) return fmt::format("the rate of '{}' is {} and not 0", constraint.name, shown(rate));
     }
+    for (const BranchState& branch : system.circuit.branches)
+        if (branch.is_cut_off)
+            if (const cln::cl_R current = at(branch.level); cln::abs(current) > small)
+                return fmt::format("the current of '{}' is {} A and has no path", branch.name, shown(current));
     for (const EventEquation& event : system.events) {
         if (!event.is_watched) continue;
         const cln::cl_R guard = at(event.guard);

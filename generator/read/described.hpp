@@ -124,7 +124,8 @@ private:
         member.span = e_.span_of(name);
     }
     void read(const char* name, ExpressionPtr& member, const Key& key) const {
-        member = key.unit ? e_.constant(name, *key.unit) : e_.expression(name);
+        if (key.type == ValueType::comparison) member = e_.comparison(name);
+        else member = key.unit ? e_.constant(name, *key.unit) : e_.expression(name);
     }
     void read(const char* name, std::vector<ExpressionPtr>& member, const Key& key) const {
         if (key.type == ValueType::one_or_two) member = e_.one_or_two(name);

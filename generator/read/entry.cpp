@@ -180,6 +180,10 @@ ExpressionPtr Entry::expression(std::string_view key) const {
     return node == nullptr ? nullptr : expression(*node, ValueType::expression);
 }
 
+ExpressionPtr Entry::comparison(std::string_view key) const {
+    return parsed(key, ValueType::comparison, parse_comparison).value_or(nullptr);
+}
+
 std::optional<Law> Entry::law(std::string_view key) const { return parsed(key, ValueType::law, parse_law); }
 
 std::optional<Property> Entry::property(std::string_view key) const {

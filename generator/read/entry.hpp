@@ -33,6 +33,8 @@ public:
     std::optional<Unit> unit(std::string_view key) const;
     std::optional<Range> range(std::string_view key, const Unit& unit) const;
     ExpressionPtr expression(std::string_view key) const;
+    /// "a < b": 1 where it holds, else -1.
+    ExpressionPtr comparison(std::string_view key) const;
     std::optional<VectorExpression> vector(std::string_view key) const;
     bool is_list(std::string_view key) const;
     /// Of a list, whatever its elements are; 0 of what is none.

@@ -230,7 +230,24 @@ std::vector<Panel> panels_of(const std::vector<Plot>& plots) {
 }
 
 /// How it ended, in words of the model.
-void name_end(SimulationReport& report, const PlantRunResult& run, const System& system) {
+/// "; in mode 'S_open' the current of inductor 'L_1' has no path": why an event leads to no mode.
+std::string interrupted_currents(const Machine& machine, std::size_t event, const std::string& from) {
+    const Scene& scene = machine.system->scene;
+    std::string text;
+    for (std::size_t mode = 0; mode < scene.modes.size(); ++mode) {
+        if (scene.modes[mode].name != from) continue;
+        for (const std::size_t to : scene.modes_after(machine.system->events[event].next(), mode)) {
+            const System& system = to == 0 ? *machine.system : *machine.other_modes[to - 1].system;
+            for (const BranchState& branch : system.circuit.branches)
+                if (branch.is_cut_off)
+                    text += fmt::format("; in mode '{}' the current of inductor '{}' has no path", scene.modes[to].name, branch.name);
+        }
+    }
+    return text;
+}
+
+void name_end(SimulationReport& report, const PlantRunResult& run, const Machine& machine) {
+    const System& system = *machine.system;
     const Outcome& outcome = run.outcome;
     if (outcome.guard < system.guards.size() && system.scene.modes.empty()) report.guard = system.guards[outcome.guard].doc;
     if (!system.scene.modes.empty()) {
@@ -239,6 +256,8 @@ void name_end(SimulationReport& report, const PlantRunResult& run, const System&
         report.message = run.message;
         report.ended = is_event && system.events[event].item != nullptr && !system.events[event].item->is_limit;
         report.guard = is_event && !report.ended ? system.events[event].doc : "";
+        if (outcome.status == Status::no_mode && event < system.events.size())
+            report.message += interrupted_currents(machine, event, report.mode);
         if (report.ended && !system.events[event].doc.empty()) report.message += ": " + system.events[event].doc;
     }
     if (outcome.status == Status::constraint_broken || outcome.status == Status::singular_position)
@@ -321,7 +340,7 @@ SimulationReport run_simulation(const PreparedSimulation& prepared, const std::f
     SimulationReport report = report_of_run(run, library.table(), prepared.settings);
     report.plant = library.origin();
     if (prepared.run.is_of_heat && std::isfinite(run.euler_step)) report.euler_step = run.euler_step;
-    name_end(report, run, *prepared.machine.system);
+    name_end(report, run, prepared.machine);
     if (run.outcome.status == Status::no_start_mode) return report;  // no motion to record
     report.files.emplace_back(folder / prepared.header.file_name, prepared.header.text);
     add_results(report, run, library.table(), prepared.settings, prepared.units, prepared.title, folder, prepared.name);

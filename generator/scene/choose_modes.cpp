@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/choose_modes.hpp"
 #include "elements/bodies.hpp"
+#include "elements/circuits.hpp"
 #include "elements/fluids.hpp"
 #include "elements/forces.hpp"
 #include "elements/heat.hpp"
@@ -25,14 +26,15 @@ bool leads_to(const std::vector<Condition>& next, const std::string& mode) {
 
 bool leads_to(const Event& event, const std::string& mode) { return leads_to(event.next, mode) || leads_to(event.rest, mode); }
 
-/// Whether an expression, or a definition that it mentions, is another one in another mode: by the name of a mode, or by a force.
+/// Whether an expression, or a definition that it mentions, is another one in another mode: by the name of a mode, by a force,
+/// or by a voltage or current of a circuit that switches.
 bool jumps_with_modes(const Expression& e, const Scene& scene, std::set<std::string>& followed) {
     bool result = false;
     for_each(e, [&](const Expression& part) {
         if (part.kind == Expression::Kind::call && part.name == "ddot") result = true;
         if (part.kind != Expression::Kind::name || result || !followed.insert(part.name).second) return;
         result =
-            part.name == "constraint_force" || std::any_of(scene.mode_groups.begin(), scene.mode_groups.end(), [&](const ModeGroup* group) {
+            part.name == "constraint_force" || part.name == "voltage" || part.name == "current" || std::any_of(scene.mode_groups.begin(), scene.mode_groups.end(), [&](const ModeGroup* group) {
                 return std::any_of(group->modes.begin(), group->modes.end(), [&](const Mode& mode) { return mode.name == part.name; });
             });
         const auto definition = std::find_if(scene.model->definitions.begin(), scene.model->definitions.end(),
@@ -43,8 +45,13 @@ bool jumps_with_modes(const Expression& e, const Scene& scene, std::set<std::str
     return result;
 }
 
-/// Whether a part of the machine may be driven out of its mode where another one changes its own.
+/// Whether a part of the machine may be driven out of its mode where another one changes its own. Of switches one input or one time may
+/// drive several.
 bool may_be_driven_out(const Scene& scene, const ModeGroup& group) {
+    const auto& branches = scene.model->branches;
+    if (std::any_of(branches.begin(), branches.end(),
+                    [&](const Branch& branch) { return branch.law == Branch::Law::switching && branch.name == group.name; }))
+        return true;
     return std::any_of(scene.events.begin(), scene.events.end(), [&](const auto& event) {
         std::set<std::string> followed;
         return std::any_of(group.modes.begin(), group.modes.end(), [&](const Mode& mode) { return leads_to(*event.item, mode.name); }) &&

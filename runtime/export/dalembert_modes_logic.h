@@ -98,16 +98,16 @@ static inline void dalembert_go_on(const dalembert_modes* m, unsigned mode, cons
 /* The run is in front of the zero, with m->before. Where an input jumps, or a guard leaves zero with a rate that is zero itself but
  * grows, as with friction that is the same at rest, a mode only accepts what is behind: the motion goes on for an instant before the
  * reset. Where `is_late`, another event may have happened in that instant: it is the next. */
-static inline int dalembert_change_behind(dalembert_modes* m, const dalembert_effect* effect, size_t count, int is_late, double* t,
-                                          double* x, size_t* event) {
+static inline int dalembert_change_behind(dalembert_modes* m, const dalembert_effect* effect, const unsigned* modes, size_t count,
+                                          int is_late, double instant, double* t, double* x, size_t* event) {
     const size_t n = m->plant->states;
     const unsigned to = m->mode;
-    const double here = *t, ahead = here + dalembert_tiny(m, here);
+    const double here = *t, ahead = here + instant;
     size_t next = DALEMBERT_NONE;
     memcpy(m->after, x, n * sizeof(double));
     dalembert_go_on(m, effect->from, m->before, here, here, ahead, x);
     dalembert_apply(m, effect, ahead, x);
-    if (ahead > here && dalembert_all_finite(n, x) && dalembert_choose(m, m->candidates, count, ahead, x, is_late, &next) &&
+    if (ahead > here && dalembert_all_finite(n, x) && dalembert_choose(m, modes, count, ahead, x, is_late, &next) &&
         (next == DALEMBERT_NONE || is_late)) {
         *t = ahead;
         *event = next;
@@ -116,6 +116,22 @@ static inline int dalembert_change_behind(dalembert_modes* m, const dalembert_ef
     m->mode = to;
     memcpy(x, m->after, n * sizeof(double));
     return 0;
+}
+
+/* The same, first a few roundings of the time behind where the guard jumps over its zero. */
+static inline int dalembert_change_behind_zero(dalembert_modes* m, const dalembert_effect* effect, const unsigned* modes, size_t count,
+                                               int is_late, int is_jump, double* t, double* x, size_t* event) {
+    return (is_jump &&
+            dalembert_change_behind(m, effect, modes, count, is_late, dalembert_smallest(m->kept->span, *t) / 4, t, x, event)) ||
+           dalembert_change_behind(m, effect, modes, count, is_late, dalembert_tiny(m, *t), t, x, event);
+}
+
+/* Whether the guard jumps over its zero. Then a few roundings of the time lie between both sides, and no more. */
+static inline int dalembert_jumps(dalembert_modes* m, size_t event, double t, const double* x) {
+    dalembert_inputs_at(m, t, x, m->u);
+    m->plant->guard_values(m->self, m->mode, x, m->u, t, m->g);
+    m->plant->guard_rates(m->self, m->mode, x, m->u, t, m->rates);
+    return m->g[event] > 2 * dalembert_tiny(m, t) * fabs(m->rates[event]);
 }
 
 /* A guard that is zero but for a rounding, on the wrong side, and rises: a mode accepts it an instant later, or a few, where the guard
@@ -148,12 +164,13 @@ static inline enum dalembert_status dalembert_change(dalembert_modes* m, const d
                                                      size_t* next) {
     const dalembert_plant* const p = m->plant;
     const size_t n = p->states;
+    const int is_jump = dalembert_jumps(m, effect->event, *t, x);
     memcpy(m->before, x, n * sizeof(double));
     dalembert_apply(m, effect, *t, x);
     const int is_finite = dalembert_all_finite(n, x);
     int is_found = is_finite && dalembert_choose(m, m->candidates, count, *t, x, 0, next);
     if (is_finite && (!is_found || *next != DALEMBERT_NONE))
-        is_found = dalembert_change_behind(m, effect, count, 0, t, x, next) || is_found;
+        is_found = dalembert_change_behind_zero(m, effect, m->candidates, count, 0, is_jump, t, x, next) || is_found;
     if (is_finite && (is_found ? *next != DALEMBERT_NONE && m->kept->is_circle : !effect->is_end)) {
         const size_t others = p->transitions(effect->event, effect->from, dalembert_beside, m->others);
         /* Two frictions on one rate: where one lets go, the other holds. */
@@ -164,7 +181,11 @@ static inline enum dalembert_status dalembert_change(dalembert_modes* m, const d
     }
     if (!is_found && is_finite) is_found = dalembert_change_ahead(m, m->candidates, count, t, x, next);
     /* Two springs that meet a body at one position: between the two events stands a mode that only that position allows. */
-    if (!is_found && is_finite) is_found = dalembert_change_behind(m, effect, count, 1, t, x, next);
+    if (!is_found && is_finite) is_found = dalembert_change_behind_zero(m, effect, m->candidates, count, 1, is_jump, t, x, next);
+    /* A switch opens, and the diode beside it takes its current over: it does so behind the zero. */
+    if (!is_found && is_finite && !effect->is_end)
+        is_found = dalembert_change_behind_zero(
+            m, effect, m->others, p->transitions(effect->event, effect->from, dalembert_beside, m->others), 0, is_jump, t, x, next);
     if (!is_found) {
         memcpy(x, m->before, n * sizeof(double));
         m->mode = effect->from;

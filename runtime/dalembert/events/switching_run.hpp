@@ -173,9 +173,14 @@ private:
     Status change(std::size_t event, const Modes& candidates, const Reset& reset, bool is_accumulation, std::size_t& next) {
         const State before = x_;
         const Mode from = here_.mode;
+        const bool is_jump = jumps(event);
         reset(x_, inputs_(x_, t_));
+        const auto behind = [&](const auto& modes, bool is_late = false) {
+            return (is_jump && change_behind(before, from, modes, reset, next, is_late, control_.smallest(t_) / Scalar(4))) ||
+                   change_behind(before, from, modes, reset, next, is_late, control_.tiny(t_));
+        };
         bool is_found = is_finite() && choose(candidates, next);
-        if (result_.state == x_.size() && (!is_found || next != none)) is_found = change_behind(before, from, candidates, reset, next) || is_found;
+        if (result_.state == x_.size() && (!is_found || next != none)) is_found = behind(candidates) || is_found;
         if constexpr (has_modes_beside<System>) {
             // Two frictions on one rate: where one lets go, the other holds.
             if (is_found && next != none && is_circle_) change_ahead(System::modes_beside(event, from), next);
@@ -183,7 +188,10 @@ private:
         }
         if (!is_found && is_finite()) is_found = change_ahead(candidates, next);
         // Two springs that meet a body at one position: between the two events stands a mode that only that position allows.
-        if (!is_found && is_finite()) is_found = change_behind(before, from, candidates, reset, next, true);
+        if (!is_found && is_finite()) is_found = behind(candidates, true);
+        // A switch opens, and the diode beside it takes its current over: it does so behind the zero.
+        if constexpr (has_modes_beside<System>)
+            if (!is_found && !is_accumulation && is_finite()) is_found = behind(System::modes_beside(event, from));
         if (!is_found) {
             x_ = before;
             return result_.state < x_.size() ? Status::not_finite : Status::no_mode;
@@ -195,11 +203,22 @@ private:
         return Status::success;
     }
 
+    /// Whether the guard jumps over its zero. Then a few roundings of the time lie between both sides, and no more.
+    bool jumps(std::size_t event) const {
+        using std::abs;
+        const Input u = inputs_(x_, t_);
+        typename System::Events g{}, rates{};
+        system_.guards(here_.mode, x_, u, t_, g);
+        system_.guard_rates(here_.mode, x_, u, t_, rates);
+        return g[event] > Scalar(2) * control_.tiny(t_) * abs(rates[event]);
+    }
+
     /// The run is in front of the zero. Where an input jumps, or a guard leaves zero with a rate that is zero itself but grows, as with
     /// friction that is the same at rest, a mode only accepts what is behind: the motion goes on for an instant before the reset.
     /// Where `is_late`, another event may have happened in that instant: it is the next.
     template <class Modes, class Reset>
-    bool change_behind(const State& before, Mode from, const Modes& candidates, const Reset& reset, std::size_t& event, bool is_late = false) {
+    bool change_behind(const State& before, Mode from, const Modes& candidates, const Reset& reset, std::size_t& event, bool is_late,
+                       const Scalar& instant) {
         const Mode to = here_.mode;
         const State after = x_;
         const Scalar t = t_;
@@ -207,7 +226,7 @@ private:
         here_.mode = from;
         State dxdt;
         here_.rhs(before, inputs_(before, t), t, dxdt);
-        t_ += control_.tiny(t);
+        t_ += instant;
         for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = before[i] + (t_ - t) * dxdt[i];
         reset(x_, inputs_(x_, t_));
         if (t_ > t && t_ <= to_ && is_finite() && choose(candidates, next, is_late) && (next == none || is_late)) {

@@ -100,7 +100,7 @@ void three(const char* name, const InC& in_c, const InCpp& in_cpp) {
 
 template <class Real>
 void compare_scalars() {
-    LIBRARY(fabs), LIBRARY(sqrt), LIBRARY(sin), LIBRARY(cos), LIBRARY(tan), LIBRARY(asin), LIBRARY(acos), LIBRARY(atan);
+    LIBRARY(fabs), LIBRARY(floor), LIBRARY(sqrt), LIBRARY(sin), LIBRARY(cos), LIBRARY(tan), LIBRARY(asin), LIBRARY(acos), LIBRARY(atan);
     LIBRARY(sinh), LIBRARY(cosh), LIBRARY(tanh), LIBRARY(exp), LIBRARY(expm1), LIBRARY(log), LIBRARY(log1p);
     two<Real>("pow", C(pow), [](Real x, Real y) { return std::pow(x, y); });
     two<Real>("atan2", C(atan2), [](Real x, Real y) { return std::atan2(x, y); });
