@@ -102,6 +102,7 @@ std::string Dimension::usual_unit() const {
         Named{power() / volume(), "W/m^3"},
         Named{volt, "V"},
         Named{volt / ampere, "Ohm"},
+        Named{ampere / volt, "1/Ohm or A/V"},
         Named{volt * time() / ampere, "H"},
         Named{ampere * time() / volt, "F"},
         Named{volt * time(), "V*s or N*m/A"},
