@@ -76,8 +76,8 @@ struct Quantity {
 };
 
 inline constexpr std::array<Quantity, state_count> state_quantities{
-    Quantity{"i", "A", "current of the choke", -100, 100},
-    Quantity{"u", "V", "voltage of the load", -1000, 1000},
+    Quantity{"i", "A", "current of the choke", 0, 10},
+    Quantity{"u", "V", "voltage of the load", 0, 24},
 };
 inline constexpr std::array<Quantity, input_count> input_quantities{};
 inline constexpr std::array<Quantity, output_count> output_quantities{
