@@ -25,7 +25,7 @@ struct BranchState {
     enum class Known { voltage, current, ratio } known = Known::ratio;  ///< before the circuit is solved; ratio: of voltage and current
     GiNaC::ex forward_voltage = 0;            ///< of a diode that conducts
     bool conducts = true;                     ///< of a diode or switch: as its mode says
-    bool is_cut_off = false;                  ///< of an inductor: only diodes that block and open switches lead on, so that its current is zero
+    bool is_cut_off = false;                  ///< of an inductor: by diodes that block and open switches; its current is zero
     GiNaC::ex fall = 0;                       ///< V, from `from` to `to`
     GiNaC::ex current = 0;                    ///< A, from `from` to `to`
     GiNaC::ex rate = 0;                       ///< of the state

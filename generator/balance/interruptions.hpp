@@ -12,8 +12,8 @@ namespace dalembert {
 std::vector<std::size_t> parts_of(const Circuit& circuit, const std::function<bool(const BranchState&)>& is_out);
 
 /// Where nothing but diodes that block and open switches leads on from an inductor, its current is zero and stays zero: then it has no
-/// voltage. Throws Failure (doubly-determined) for a current that nothing brings to zero first: of a current source, and where open switches
-/// alone interrupt it.
+/// voltage. Throws Failure (doubly-determined) for a current that nothing brings to zero first: of a current source, and where open
+/// switches alone interrupt it.
 void cut_off_inductors(Circuit& circuit);
 
 /// "'a', 'b' and 'c'"

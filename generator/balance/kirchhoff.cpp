@@ -106,9 +106,10 @@ private:
         std::vector<std::string> names;
         for (const std::size_t b : way) names.push_back(branch(b).name);
         std::vector<std::string> kinds;
-        for (const auto& [law, words] : {std::pair(BranchLaw::capacitor, "capacitors"),
-                                         std::pair(BranchLaw::voltage_source, "ideal voltage sources"), std::pair(BranchLaw::motor, "motors"),
-                                         std::pair(BranchLaw::diode, "diodes that conduct"), std::pair(BranchLaw::switching, "closed switches")})
+        for (const auto& [law, words] :
+             {std::pair(BranchLaw::capacitor, "capacitors"), std::pair(BranchLaw::voltage_source, "ideal voltage sources"),
+              std::pair(BranchLaw::motor, "motors"), std::pair(BranchLaw::diode, "diodes that conduct"),
+              std::pair(BranchLaw::switching, "closed switches")})
             if (std::any_of(way.begin(), way.end(), [&, law = law](std::size_t b) { return branch(b).item->law == law; }))
                 kinds.emplace_back(words);
         std::string of;
@@ -137,27 +138,17 @@ private:
             }
         const std::string those = fmt::format("pin{} {}", pins.size() == 1 ? "" : "s", quoted_names(pins));
         const Span& place = circuit_.pins[*away].place;
-        if (!around.empty()) refuse_interruption(around, currents, those, pins.size() == 1, place);
-        if (currents.empty())
-            throw Failure(Diagnostic{Id::undetermined, place,
-                                     fmt::format("no branch joins {} to pin '{}', so {} not determined; join one of them to '{}'", those,
-                                                 ground_pin, pins.size() == 1 ? "its potential is" : "their potentials are", ground_pin)});
-        throw Failure(Diagnostic{Id::undetermined, place,
-                                 fmt::format("nothing but {}, inductors or current sources, joins {} to the rest of the circuit, so each "
-                                             "of their currents follows from the others; put a resistor across one of them",
-                                             quoted_names(currents), those)});
-    }
-
-    [[noreturn]] static void refuse_interruption(const std::vector<const BranchState*>& around, const std::vector<std::string>& currents,
-                                                 const std::string& those, bool is_one, const Span& place) {
-        const std::string rest =
+        const std::string where = around.empty() ? "" : fmt::format("where {}, ", interruption(around));
+        const std::string fact =
             currents.empty() ? fmt::format("no branch joins {} to pin '{}', so {} not determined", those, ground_pin,
-                                           is_one ? "its potential is" : "their potentials are")
+                                           pins.size() == 1 ? "its potential is" : "their potentials are")
                              : fmt::format("nothing but {}, inductors or current sources, joins {} to the rest of the circuit, so each of "
                                            "their currents follows from the others",
                                            quoted_names(currents), those);
-        throw Failure(Diagnostic{Id::undetermined, place,
-                                 fmt::format("where {}, {}; give '{}' a conductance", interruption(around), rest, around.front()->name)});
+        const std::string remedy = !around.empty()    ? fmt::format("give '{}' a conductance", around.front()->name)
+                                   : currents.empty() ? fmt::format("join one of them to '{}'", ground_pin)
+                                                      : "put a resistor across one of them";
+        throw Failure(Diagnostic{Id::undetermined, place, fmt::format("{}{}; {}", where, fact, remedy)});
     }
 
     /// Pins whose potentials are known are neighbours of their own; of other groups, the first pin.

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "check/checks.hpp"
+#include "elements/circuits.hpp"
 #include "elements/every_kind.hpp"
 #include "elements/kinds.hpp"
 #include "text/nearest.hpp"
@@ -60,9 +61,15 @@ private:
     void check(const Event& event) {
         // What an element watches may depend on a profile alone: it jumps where the phase ends.
         const unsigned still = on_parameters | on_modes, depends = dependence(*event.guard, names_);
-        if ((depends & ~still) == 0 && !(event.is_made && (depends & on_modes) != 0) && told_.insert(event.guard->span.begin).second)
+        if ((depends & ~still) == 0 && !(event.is_made && (depends & on_modes) != 0) && told_.insert(event.guard->span.begin).second) {
+            const Branch* driven = switch_of(event);
             wrong(event.guard->span,
-                  fmt::format("the guard of event '{}' contains nothing that moves, so it never crosses zero", event.name));
+                  driven != nullptr
+                      ? fmt::format("what closes switch '{}' contains nothing that moves, so it is open or closed for ever; put a resistor "
+                                    "in its place, or leave it out",
+                                    driven->name)
+                      : fmt::format("the guard of event '{}' contains nothing that moves, so it never crosses zero", event.name));
+        }
         if (!event.ends && event.next.empty() && event.reset.empty() && !event.meets)
             wrong(event.span,
                   fmt::format("event '{}' leads to no mode, resets nothing and does not end the run, so it would happen again at once",
@@ -70,6 +77,14 @@ private:
         for (const auto* next : {&event.next, &event.rest})
             for (const Condition& condition : *next) target(event, condition);
         for (const auto* reset : {&event.reset, &event.rest_reset}) resets(event, *reset);
+    }
+
+    /// The switch of a circuit that an event opens or closes; null for others.
+    const Branch* switch_of(const Event& event) const {
+        const auto found = std::find_if(model_.branches.begin(), model_.branches.end(), [&](const Branch& branch) {
+            return branch.law == Branch::Law::switching && event.is_made && event.name.starts_with(branch.name + "_");
+        });
+        return found == model_.branches.end() ? nullptr : &*found;
     }
 
     /// "open", "open and cold": modes of different groups.
