@@ -34,10 +34,7 @@ private:
         const Branch& item = *member.item;
         const Indices indices = Translator::indices_of(member);
         BranchState branch{&item, member.name(), pin(item.from, indices), pin(item.to, indices)};
-        if (branch.from == branch.to)
-            throw Failure(Diagnostic{
-                Id::not_allowed_here, item.to.span,
-                fmt::format("branch '{}' goes from pin '{}' to itself", branch.name, circuit_.pins[branch.from].name)});
+        refuse_short(branch, item.to.span);
         const auto value = [&](const ExpressionPtr& e) { return translate_(e, indices); };
         switch (item.law) {
             case BranchLaw::resistor: branch.value = value(item.resistance); break;
@@ -60,6 +57,19 @@ private:
                 branch.known = Known::current;
                 branch.current = branch.value = value(item.current);
                 break;
+            case BranchLaw::transformer: {
+                branch.value = value(item.ratio);
+                branch.other = circuit_.branches.size() + 1;
+                BranchState second = branch;
+                second.name += ", second winding";
+                second.from = pin(*item.second_from, indices);
+                second.to = pin(*item.second_to, indices);
+                second.other = circuit_.branches.size();
+                refuse_short(second, item.second_to->span);
+                circuit_.branches.push_back(std::move(branch));
+                circuit_.branches.push_back(std::move(second));
+                return;
+            }
             case BranchLaw::diode:
             case BranchLaw::switching: in_its_mode(branch, value); break;
             case BranchLaw::motor:
@@ -69,6 +79,12 @@ private:
                 branch.fall = branch.value * symbols_.time_derivative(branch.motion);
         }
         circuit_.branches.push_back(std::move(branch));
+    }
+
+    void refuse_short(const BranchState& branch, const Span& place) const {
+        if (branch.from != branch.to) return;
+        throw Failure(Diagnostic{Id::not_allowed_here, place,
+                                 fmt::format("branch '{}' goes from pin '{}' to itself", branch.name, circuit_.pins[branch.from].name)});
     }
 
     template <class Value>
@@ -144,6 +160,7 @@ void account(Circuit& circuit, BranchState& branch, const Symbols& symbols) {
         case BranchLaw::resistor:
         case BranchLaw::diode:
         case BranchLaw::switching: circuit.dissipated_power += branch.dissipated_power(); break;
+        case BranchLaw::transformer: break;
         case BranchLaw::inductor: store(branch.level, branch.fall); break;
         case BranchLaw::capacitor: store(branch.level, branch.current); break;
         case BranchLaw::voltage_source:

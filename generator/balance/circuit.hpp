@@ -18,12 +18,13 @@ struct BranchState {
     const Branch* item;
     std::string name;
     std::size_t from, to;                     ///< pins
-    GiNaC::ex value = 0;                      ///< R, L, C or k; of a source what is given; of a diode or switch in its mode R or 1/G
+    GiNaC::ex value = 0;                      ///< R, L, C, k or the ratio; of a source what is given; of a diode or switch in its mode R or 1/G
     GiNaC::ex motion = 0;                     ///< angle or position
     std::optional<std::size_t> state = {};    ///< of an inductor or capacitor
     GiNaC::ex level = 0;                      ///< the letter of that state: a current or voltage
     enum class Known { voltage, current, ratio } known = Known::ratio;  ///< before the circuit is solved; ratio: of voltage and current
     GiNaC::ex forward_voltage = 0;            ///< of a diode that conducts
+    std::optional<std::size_t> other = {};    ///< of a winding of a transformer: the other one, by place; the first one comes first
     bool conducts = true;                     ///< of a diode or switch: as its mode says
     bool is_cut_off = false;                  ///< of an inductor: by diodes that block and open switches; its current is zero
     GiNaC::ex fall = 0;                       ///< V, from `from` to `to`

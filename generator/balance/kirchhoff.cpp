@@ -10,6 +10,7 @@
 #include <map>
 
 #include "balance/interruptions.hpp"
+#include "balance/transformers.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -108,7 +109,8 @@ private:
         std::vector<std::string> kinds;
         for (const auto& [law, words] :
              {std::pair(BranchLaw::capacitor, "capacitors"), std::pair(BranchLaw::voltage_source, "ideal voltage sources"),
-              std::pair(BranchLaw::motor, "motors"), std::pair(BranchLaw::diode, "diodes that conduct"),
+              std::pair(BranchLaw::motor, "motors"), std::pair(BranchLaw::transformer, "transformers"),
+              std::pair(BranchLaw::diode, "diodes that conduct"),
               std::pair(BranchLaw::switching, "closed switches")})
             if (std::any_of(way.begin(), way.end(), [&, law = law](std::size_t b) { return branch(b).item->law == law; }))
                 kinds.emplace_back(words);
@@ -296,11 +298,17 @@ private:
     std::size_t meshed_ = 0;
 };
 
+void solve_without_transformers(Circuit& circuit) {
+    cut_off_inductors(circuit);
+    Kirchhoff(circuit).run();
+}
+
 }  // namespace
 
 void solve_kirchhoff(Circuit& circuit) {
-    cut_off_inductors(circuit);
-    Kirchhoff(circuit).run();
+    if (std::any_of(circuit.branches.begin(), circuit.branches.end(), [](const BranchState& b) { return b.other.has_value(); }))
+        return solve_with_transformers(circuit, solve_without_transformers);
+    solve_without_transformers(circuit);
 }
 
 }  // namespace dalembert

@@ -36,7 +36,7 @@ void describe(Visitor& v, E&) {
 
 /// What lies between two pins. Its current is positive from `from` to `to`.
 struct Branch : Item {
-    enum class Law { resistor, inductor, capacitor, voltage_source, current_source, motor, diode, switching };
+    enum class Law { resistor, inductor, capacitor, voltage_source, current_source, motor, transformer, diode, switching };
     Law law = Law::resistor;
     Reference from;
     Reference to;
@@ -48,6 +48,9 @@ struct Branch : Item {
     ExpressionPtr constant;
     ExpressionPtr angle;
     ExpressionPtr position;
+    std::optional<Reference> second_from;  ///< of a transformer: the second winding
+    std::optional<Reference> second_to;
+    ExpressionPtr ratio;            ///< of the voltages of the first and the second winding
     ExpressionPtr forward_voltage;  ///< null: none
     ExpressionPtr closed;           ///< 1 where the switch is closed, else -1
     ExpressionPtr conductance;      ///< of a diode or switch: while it does not conduct; null: none
@@ -82,6 +85,7 @@ inline const KeyChoices<Branch::Law>& branch_laws() {
         {"capacitor", L::capacitor, {"capacitance", "voltage"}, {}, ": i = d(C*u)/dt"},
         {"voltage_source", L::voltage_source, {"voltage"}},
         {"current_source", L::current_source, {"current"}},
+        {"transformer", L::transformer, {"second_from", "second_to", "ratio"}, {}, ", ideal: u = n*u_2 and n*i + i_2 = 0"},
         {"diode", L::diode, {}, {"forward_voltage", "resistance", "conductance"}, ": u = u_F + R*i while i > 0, else i = G*u"},
         {"switch", L::switching, {"closed"}, {"resistance", "conductance"}, ": u = R*i while it is closed, else i = G*u"},
         {"motor", L::motor, {"constant"}, {"angle", "position"}, " or generator: u = k*d(phi)/dt and the torque k*i"},
@@ -95,6 +99,10 @@ void describe(Visitor& v, E& branch) {
     v("from", branch.from, {.required = true, .refers = {"pin"}, .doc = "pin at the beginning; the current is positive away from it"});
     v("to", branch.to, {.required = true, .refers = {"pin"}, .doc = "pin at the end"});
     v.choice("law", branch.law, {.required = true}, branch_laws());
+    v("second_from", branch.second_from, {.refers = {"pin"}, .doc = "of a transformer: pin at the beginning of the second winding"});
+    v("second_to", branch.second_to, {.refers = {"pin"}, .doc = "of a transformer: pin at the end of the second winding"});
+    v("ratio", branch.ratio, {.dimension = Dimension::none(), .depends = constant_only, .sign = above_zero("1"),
+        .doc = "of a transformer: voltage of the first winding, from `from` to `to`, divided by that of the second"});
     v("resistance", branch.resistance, {.dimension = dimension::electrical_resistance(), .depends = on_plain_states_and_inputs,
         .sign = above_zero("Ohm"),
         .doc = "of a resistor; may depend on states and inputs: \"R_20*(1 + alpha*(T - T_20))\". Of a diode or switch: while it "

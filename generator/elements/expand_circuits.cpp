@@ -70,8 +70,9 @@ void expand_circuits(Model& model) {
                std::any_of(found.begin(), found.end(), [&](const Pin& pin) { return pin.name == name; });
     };
     for (const Branch& branch : model.branches)
-        for (const Reference* end : {&branch.from, &branch.to}) {
-            if (end->name.empty() || end->index || is_known(end->name)) continue;
+        for (const Reference* end : {&branch.from, &branch.to, branch.second_from ? &*branch.second_from : nullptr,
+                                     branch.second_to ? &*branch.second_to : nullptr}) {
+            if (end == nullptr || end->name.empty() || end->index || is_known(end->name)) continue;
             Pin& pin = found.emplace_back();
             pin.name = end->name;
             pin.span = end->span;

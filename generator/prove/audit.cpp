@@ -166,6 +166,14 @@ std::vector<AuditEntry> compare_circuit(const System& system, Prover& prover) {
                 break;
             case Branch::Law::voltage_source: compare(fall, -b.value); break;
             case Branch::Law::current_source: compare(b.current, b.value); break;
+            case Branch::Law::transformer: {
+                const BranchState& other = circuit.branches[*b.other];
+                const bool is_first = &b < &other;
+                compare(is_first ? fall : circuit.pins[other.from].potential - circuit.pins[other.to].potential,
+                        b.value * (is_first ? circuit.pins[other.from].potential - circuit.pins[other.to].potential : fall));
+                compare(is_first ? ex(b.value * b.current + other.current) : ex(b.value * other.current + b.current), 0);
+                break;
+            }
             case Branch::Law::diode:
             case Branch::Law::switching:
                 if (b.is_interrupted()) compare(b.current, 0);

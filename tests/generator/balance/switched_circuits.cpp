@@ -20,7 +20,7 @@ void for_each_mode(Machine& machine, const std::function<void(System&)>& look) {
     for (Machine& other : machine.other_modes) look(*other.system);
 }
 
-std::string mode_of(const System& system) { return system.scene.modes[*system.scene.mode].name; }
+std::string mode_of(const System& system) { return system.scene.mode ? system.scene.modes[*system.scene.mode].name : "always"; }
 
 std::set<std::string> modes_of(Machine& machine) {
     std::set<std::string> names;
@@ -70,6 +70,16 @@ struct Numbers {
             case Branch::Law::switching:
                 if (is_in("_conducts") || is_in("_closed")) return voltage(value(item.forward_voltage), value(item.resistance));
                 return current(0, value(item.conductance));
+            case Branch::Law::transformer: {
+                const auto& second = system.circuit.branches[*branch.other];
+                if (*branch.other > std::size_t(row) - system.circuit.pins.size()) {  // the first winding: of the voltages
+                    A(row, from) += 1, A(row, to) -= 1;
+                    A(row, Eigen::Index(second.from)) -= value(item.ratio), A(row, Eigen::Index(second.to)) += value(item.ratio);
+                } else {  // of the currents
+                    A(row, row) += 1, A(row, row - 1) += value(item.ratio);
+                }
+                return;
+            }
             case Branch::Law::motor: FAIL("no motor is in these circuits");
         }
     }
@@ -148,6 +158,38 @@ TEST_CASE("an inductor that is cut off has neither current nor voltage, and the 
         CHECK(system.state_rates[*choke.state].is_zero());
         const ex chopped = system.circuit.find_pin("chopped")->potential;
         CHECK(is_zero_for_all(chopped - symbol_named(system, SymbolKind::state, "u")));
+    });
+}
+
+TEST_CASE("transformers: two in a row between resistors, and one with a magnetising inductance in a converter") {
+    Machine row = machine_from(parameters + "[states]\nu = { unit = \"V\", start = 2 }\n[branches]\n" + battery +
+                               "R_1 = { law = \"resistor\", from = \"plus\", to = \"a\", resistance = \"R\" }\n"
+                               "T_1 = { law = \"transformer\", from = \"a\", to = \"ground\", second_from = \"b\", second_to = \"e\", "
+                               "ratio = 3 }\n"
+                               "R_2 = { law = \"resistor\", from = \"b\", to = \"c\", resistance = \"R/2\" }\n"
+                               "R_3 = { law = \"resistor\", from = \"c\", to = \"ground\", resistance = \"4*R\" }\n"
+                               "R_4 = { law = \"resistor\", from = \"e\", to = \"ground\", resistance = \"R/3\" }\n"
+                               "T_2 = { law = \"transformer\", from = \"c\", to = \"ground\", second_from = \"ground\", second_to = \"d\", "
+                               "ratio = 0.2 }\n"
+                               "R_5 = { law = \"resistor\", from = \"d\", to = \"f\", resistance = \"2*R\" }\n"
+                               "C_1 = { law = \"capacitor\", from = \"f\", to = \"ground\", capacitance = \"C\", voltage = \"u\" }\n");
+    CHECK(all_proven(*row.system));
+    compare_with_numbers(*row.system);
+    for (BranchState& branch : row.system->circuit.branches) flipped_is_wrong(*row.system, branch.current, "current of " + branch.name);
+    for (PinState& pin : row.system->circuit.pins) flipped_is_wrong(*row.system, pin.potential, "potential of " + pin.name);
+
+    Machine flyback = machine_from(
+        parameters + "[inputs]\ns = { unit = \"1\" }\n[states]\ni = { unit = \"A\", start = 2 }\nu = { unit = \"V\", start = 5 }\n" +
+        "[branches]\n" + battery + "L_m = { law = \"inductor\", from = \"plus\", to = \"a\", inductance = \"L\", current = \"i\" }\n"
+        "T = { law = \"transformer\", from = \"plus\", to = \"a\", second_from = \"ground\", second_to = \"b\", ratio = 0.5 }\n"
+        "S = { law = \"switch\", from = \"a\", to = \"ground\", closed = \"s > 0\" }\n"
+        "D = { law = \"diode\", from = \"b\", to = \"c\", forward_voltage = \"U/20\", conductance = \"1/(1000*R)\" }\n"
+        "C_1 = { law = \"capacitor\", from = \"c\", to = \"ground\", capacitance = \"C\", voltage = \"u\" }\n"
+        "load = { law = \"resistor\", from = \"c\", to = \"ground\", resistance = \"R\" }\n");
+    CHECK(modes_of(flyback) == std::set<std::string>{"S_open_and_D_blocks", "S_open_and_D_conducts", "S_closed_and_D_blocks"});
+    for_each_mode(flyback, [](System& system) {
+        CHECK(all_proven(system));
+        compare_with_numbers(system);
     });
 }
 
