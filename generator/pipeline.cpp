@@ -229,8 +229,9 @@ void make_and_prove_code(Machine& machine, Stopwatch& watch, bool with_series) {
     const std::string name = scene.name + (scene.mode ? "', mode '" + scene.modes[*scene.mode].name : "");
     enter_stage(fmt::format("the code of scene '{}'", name));
     machine.code = code_of(machine, wish_of(machine, with_series));
-    const OperationCount count = machine.code->count(Function::rhs);
-    watch.lap("graph", fmt::format("{} operations in rhs, {} cached values", count.total(), machine.code->cache.values().size()));
+    const OperationCount count = machine.code->count(main_function(machine));
+    watch.lap("graph", fmt::format("{} operations in {}, {} cached values", count.total(), name_of(main_function(machine)),
+                                     machine.code->cache.values().size()));
     enter_stage(fmt::format("the proof of the code of scene '{}'", name));
     machine.emitted = verify(*machine.code);
     keep_proofs(machine, with_series);
@@ -334,6 +335,10 @@ Proofs proofs_of(const Machine& machine) {
             proofs.derivation.power_balance = other.audit.power_balance;
     }
     return proofs;
+}
+
+Function main_function(const Machine& machine) {
+    return machine.system->scene.sampling != nullptr ? Function::sample : Function::rhs;
 }
 
 OperationCount operations(const Machine& machine, Function function) {

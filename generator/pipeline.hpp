@@ -89,6 +89,9 @@ Header generate(Machine& machine, SeriesWish wish = SeriesWish::none);
 /// After generate.
 bool has_series(const Machine& machine);
 
+/// What a machine computes at each instant: its right-hand side, or a sample of a controller.
+Function main_function(const Machine& machine);
+
 /// Of a function, in the mode that needs most. After generate.
 OperationCount operations(const Machine& machine, Function function);
 

@@ -8,6 +8,7 @@
 
 #include "c/print.hpp"
 #include "c/tables.hpp"
+#include "program/plant_tables.hpp"
 #include "text/safe_text.hpp"
 #include "text/template.hpp"
 
@@ -32,7 +33,10 @@ public:
         start_state(values);
         const std::string tables = print_.curves(plant_.curves);
         values["HELPERS"] = c_helper_source(print_.called(), name_) + tables;  // of all that was printed so far
-        return fill_template(embedded_file("plant.h.in"), values);
+        if (!plant_.sampling) return fill_template(embedded_file("plant.h.in"), values);
+        values.merge(sampling_texts(*plant_.sampling));
+        const std::string_view controller = embedded_file("controller.h.in");
+        return fill_template(controller, values_for(controller, values));
     }
 
 private:

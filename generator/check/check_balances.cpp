@@ -30,7 +30,7 @@ const State* Claims::claim(const Expression& named, const char* key, const std::
 
 void Claims::check_all(const Model& model) const {
     for (const State& state : model.states)
-        if (!state.derivative && !claimed_.contains(state.name))
+        if (!state.derivative && !state.next && !claimed_.contains(state.name))
             diagnostics_.error(
                 Id::undetermined, state.span,
                 fmt::format("nothing determines state '{}': it has no derivative, and no volume, pipe, node, rod, block, capacitor or "

@@ -75,6 +75,9 @@ void check_references(const Model& model, Diagnostics& diagnostics);
 /// Modes, constraints and events: what they refer to, what a mode must not change, guards that never move.
 void check_switching(const Model& model, Diagnostics& diagnostics);
 
+/// Of a controller that samples: what it may have, and that it does not know the time. Of other models: that no state has a next value.
+void check_sampling(const Model& model, Diagnostics& diagnostics);
+
 /// Units of every expression, and that both sides of everything agree.
 void check_units(const Model& model, Diagnostics& diagnostics);
 

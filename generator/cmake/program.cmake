@@ -48,6 +48,9 @@ set(embedded
     templates/meet_constraints.hpp.in
     templates/meet_constraints.h.in
     templates/plant.h.in
+    templates/controller.hpp.in
+    templates/controller.h.in
+    templates/controller_plant.cpp.in
     templates/header.h.in
     templates/module.js.in
     templates/series.h.in

@@ -19,14 +19,15 @@ GeneratedHeader generated_header(const Machine& machine, const Header& header, c
                            header.text.size(),
                            machine.system->symbols.degrees(),
                            proofs_of(machine).all_proven(),
-                           operations(machine, Function::rhs).total(),
+                           machine.system->scene.sampling != nullptr,
+                           operations(machine, main_function(machine)).total(),
                            {},
                            {},
                            machine.stages,
                            rewritten_places(machine)};
     for (std::size_t i = 0; i < function_count; ++i) {
         const auto function = static_cast<Function>(i);
-        if (header_function(function).in != HeaderFunction::In::wished || machine.wished.contains(function))
+        if (is_made(header_function(function), *machine.system, machine.wished))
             result.operations.emplace_back(name_of(function), operations(machine, function));
     }
     for (std::size_t i = 0; machine.fields && i < machine.fields->fields.size(); ++i) {

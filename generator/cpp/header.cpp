@@ -7,6 +7,7 @@
 #include "cpp/helpers.hpp"
 #include "cpp/print.hpp"
 #include "cpp/tables.hpp"
+#include "program/plant_tables.hpp"
 #include "text/safe_text.hpp"
 #include "text/template.hpp"
 
@@ -117,7 +118,10 @@ std::string cpp_plant(const Plant& plant, const std::string& name_space) {
     values["CONSTRAINT_FUNCTIONS"] = constraint_functions(plant);
     values["CACHED"] = cached_members(plant);
     values["HELPERS"] = helper_source(plant.helpers) + cpp_curves(plant.curves);
-    return fill_template(embedded_file("system.hpp.in"), values);
+    if (!plant.sampling) return fill_template(embedded_file("system.hpp.in"), values);
+    values.merge(sampling_texts(*plant.sampling));
+    const std::string_view controller = embedded_file("controller.hpp.in");
+    return fill_template(controller, values_for(controller, values));
 }
 
 }  // namespace dalembert

@@ -54,6 +54,8 @@
     KIND("runs", runs, Run) \
     KIND("view", view, View) \
     KIND("measurements", measurements, Measurement) \
+    KIND("sampling", sampling, ControllerSampling) \
+    KIND("samplers", samplers, Sampler) \
     KIND("use", uses, Use) \
     KIND("ports", ports, Port)
 

@@ -8,6 +8,7 @@
 #include "elements/kinds.hpp"
 #include "elements/quantities.hpp"
 #include "elements/runs.hpp"
+#include "elements/samplers.hpp"
 #include "elements/switching.hpp"
 #include "elements/view.hpp"
 
@@ -78,6 +79,8 @@ struct Model {
     std::vector<Run> runs;
     std::optional<View> view;
     std::vector<Measurement> measurements;
+    std::optional<ControllerSampling> sampling;  ///< of a controller
+    std::vector<Sampler> samplers;
     std::vector<Use> uses;    ///< whose elements are among those above
     std::vector<Port> ports;
 };

@@ -120,10 +120,12 @@ void describe(Visitor& v, E& input) {
     v.item({.has_family = true});
 }
 
-/// A first-order state: dot(name) = derivative, or, without one, what a volume, pipe, node, rod, block or branch determines.
+/// A first-order state: dot(name) = derivative, or, without one, what a volume, pipe, node, rod, block or branch determines. Of a controller
+/// that samples: what it is at the next sample.
 struct State : Quantity {
     ExpressionPtr start;
     ExpressionPtr derivative;
+    ExpressionPtr next;
     bool root = false;  ///< integrated as its square root
     std::optional<int> quaternion_part = {};  ///< of an attitude: 0 the scalar, 1 to 3 the vector
 };
@@ -140,6 +142,9 @@ void describe(Visitor& v, E& state) {
     v("start", state.start, {.unit = state.unit, .depends = constant_only, .doc = "value at the start; 0 if left out"});
     v("derivative", state.derivative, {.dimension = state.unit.dimension / Dimension::time(), .depends = on_state_and_inputs | on_places,
         .doc = "time derivative; left out for a state that a volume, pipe, node, rod, block, capacitor or inductor determines"});
+    v("next", state.next, {.dimension = state.unit.dimension, .depends = on_plain_states_and_inputs,
+        .excludes = {{"derivative", "has a next value and a derivative; a controller that samples has the first"}},
+        .doc = "of a controller that samples, instead of a derivative: the value at the next sample"});
     v("root", state.root, {
         .doc = "true: the square root of the state is integrated. For a state that is never negative: an outflow proportional "
                "to the root then ends exactly"});

@@ -184,6 +184,10 @@ std::vector<std::pair<ex, ex>> motion_equations(const System& s) {
     return result;
 }
 
+std::string rate_of_state(const System& s, std::size_t state) {
+    return fmt::format("{}({})", s.scene.sampling == nullptr ? "dot" : "next", s.symbols.all(SymbolKind::state)[state].name);
+}
+
 std::string equations_as_text(const System& s) {
     const Notation write(s.symbols, Style::text);
     const auto& q = s.symbols.all(SymbolKind::coordinate);
@@ -219,15 +223,15 @@ std::string equations_as_text(const System& s) {
     for (const auto& [letter, inflow] : s.named.junctions) text += fmt::format("  {}: 0 = {}\n", write(letter), write(inflow));
     if (!s.state_rates.empty()) text += "\nstates\n";
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
-        text += fmt::format("  dot({}) = {}\n", s.symbols.all(SymbolKind::state)[i].name, write(s.named.state_rates[i]));
+        text += fmt::format("  {} = {}\n", rate_of_state(s, i), write(s.named.state_rates[i]));
     for (const RodField& f : s.heat.fields) {
         text += fmt::format("\nrod {}: {} cells in a loop; what stands above of its cells comes from elsewhere and is added\n", f.rod->name,
                             f.geometry.cells());
         for (const CellPart& part : parts(f)) text += fmt::format("  {} = {}\n", part.title, write(part.value));
         text += "  capacity*dot(T_here) = heat from the cell before - heat to the next + source\n";
     }
-    text += "\nenergies and powers\n";
-    for (const auto& [name, value] : scalars(s)) text += fmt::format("  {} = {}\n", name, write(value));
+    if (s.scene.sampling == nullptr) text += "\nenergies and powers\n";
+    for (const auto& [name, value] : s.scene.sampling == nullptr ? scalars(s) : decltype(scalars(s)){}) text += fmt::format("  {} = {}\n", name, write(value));
     const auto of_cells = [&](const char* part, GiNaC::ex RodField::* what) {
         std::string sums;
         for (const RodField& f : s.heat.fields)
@@ -271,12 +275,17 @@ std::string equations_as_latex(const System& s) {
     for (const auto* balances : {&s.named.balanced, &s.named.junctions})
         for (const auto& [letter, sum] : *balances) lines.push_back(fmt::format("0 &= {} \\quad ({})", write(sum), write(letter)));
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
-        lines.push_back(fmt::format("{} &= {}", write.symbol(s.symbols.all(SymbolKind::state_rate)[i]), write(s.named.state_rates[i])));
+        lines.push_back(fmt::format("{} &= {}",
+                                    s.scene.sampling == nullptr ? write.symbol(s.symbols.all(SymbolKind::state_rate)[i])
+                                                                : write.symbol(s.symbols.all(SymbolKind::state)[i]) + "^{+}",
+                                    write(s.named.state_rates[i])));
     for (const RodField& f : s.heat.fields)
         for (const CellPart& part : parts(f))
             lines.push_back(fmt::format("\\text{{{}, {}}} &= {}", f.rod->name, part.title, write(part.value)));
     aligned(lines);
-    lines = {fmt::format("T &= {}", write(s.kinetic_energy)), fmt::format("V &= {}", write(s.potential_energy))};
+    lines.clear();
+    if (s.scene.sampling == nullptr)
+        lines = {fmt::format("T &= {}", write(s.kinetic_energy)), fmt::format("V &= {}", write(s.potential_energy))};
     for (const OutputEquation& output : s.outputs)
         lines.push_back(fmt::format("{} &= {}", latex_name(output.base), write(s.named.shortened(output.shown()))));
     aligned(lines);

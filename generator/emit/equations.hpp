@@ -12,6 +12,9 @@ namespace dalembert {
 /// Left and right sides: M*ddot(q) + bias = Q, or what constraints leave of it, and accelerations that they determine.
 std::vector<std::pair<GiNaC::ex, GiNaC::ex>> motion_equations(const System& system);
 
+/// The left side of the equation of a state: "dot(z)", or "next(z)" of a controller that samples.
+std::string rate_of_state(const System& system, std::size_t state);
+
 std::string equations_as_text(const System& system);
 std::string equations_as_latex(const System& system);
 nlohmann::ordered_json equations_as_json(const System& system);

@@ -32,7 +32,7 @@ std::vector<std::string> written_motion(const System& s, const Notation& write) 
     for (const auto& [letter, value] : s.named.names) motion.push_back(fmt::format("{} = {}", write(letter), write(value)));
     for (const auto& [left, right] : motion_equations(s)) motion.push_back(fmt::format("{} = {}", write(left), write(right)));
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
-        motion.push_back(fmt::format("dot({}) = {}", s.symbols.all(SymbolKind::state)[i].name, write(s.named.state_rates[i])));
+        motion.push_back(fmt::format("{} = {}", rate_of_state(s, i), write(s.named.state_rates[i])));
     return motion;
 }
 
@@ -83,8 +83,9 @@ std::map<Function, std::vector<std::string>> header_equations(const std::vector<
         result[row.function] = in_modes(modes, [&](const System& s, const Notation& write) {
             if (row.kind == HeaderFunction::Kind::motion) return written_motion(s, write);
             const std::vector<std::string> left = left_sides(row, s);
-            const std::vector<GiNaC::ex> right = row.shown_values(s);
+            const std::vector<GiNaC::ex> right = (row.kind == HeaderFunction::Kind::sample ? header_function(Function::output) : row).shown_values(s);
             std::vector<std::string> rows;
+            if (row.kind == HeaderFunction::Kind::sample) rows = written_motion(s, write);
             for (std::size_t i = 0; i < right.size(); ++i) rows.push_back(fmt::format("{} = {}", left[i], write(right[i])));
             return rows;
         });

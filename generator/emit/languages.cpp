@@ -48,6 +48,10 @@ std::string file_in_javascript(const Plant& plant, const PlantFields* fields, co
                                  fmt::format("scene '{}' has a rod whose cells are computed in loops, which JavaScript does not express yet; "
                                              "--language c and c++ do, and so does a rod of fewer cells",
                                              scene.name)});
+    if (plant.sampling)
+        throw Failure(Diagnostic{Id::bad_option, scene.model->name_span,
+                                 fmt::format("'{}' is a controller that samples, and JavaScript has none yet; --language c and c++ do",
+                                             scene.model->name)});
     return js_module(plant, prefix_of(scene), banner);
 }
 

@@ -58,6 +58,7 @@ private:
             case Kind::together:    // the same as others
             case Kind::hessian:     // only where it is asked for
             case Kind::conditions:  // no number
+            case Kind::sample:      // of a controller, which is not measured
                 return;
         }
     }

@@ -39,15 +39,20 @@ std::string double_literal(double value) {
     return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;
 }
 
+/// "m_W", or "phi[2]" of a family: the members of the struct of parameters.
+std::vector<std::string> parameter_members(const Symbols& symbols) {
+    std::vector<std::string> members;
+    std::map<std::string, int> position;
+    for (const Variable& p : symbols.all(SymbolKind::parameter))
+        members.push_back(p.is_member ? fmt::format("{}[{}]", p.base, position[p.base]++) : p.base);
+    return members;
+}
+
 std::string parameter_statements(const Symbols& symbols, const Values& values) {
     std::string text;
-    const auto& parameters = symbols.all(SymbolKind::parameter);
-    std::map<std::string, int> position;
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const Variable& p = parameters[i];
-        const std::string member = p.is_member ? fmt::format("{}[{}]", p.base, position[p.base]++) : p.base;
-        text += fmt::format("    p_.{} = {};\n", member, double_literal(values.parameter(i)));
-    }
+    const std::vector<std::string> members = parameter_members(symbols);
+    for (std::size_t i = 0; i < members.size(); ++i)
+        text += fmt::format("    p_.{} = {};\n", members[i], double_literal(values.parameter(i)));
     return text;
 }
 
@@ -126,15 +131,23 @@ bool steps_freely(const System& system, const std::vector<ex>& inputs) {
     return std::none_of(acting.begin(), acting.end(), [&](const ex& e) { return e.has(system.symbols.time()); });
 }
 
+std::string controller_source(const System& controller, const Header& header) {
+    const bool is_float = controller.scene.sampling->numbers == ControllerSampling::Numbers::floats;
+    const char* numbers = is_float ? "float" : "double";
+    std::string set;
+    const std::vector<std::string> members = parameter_members(controller.symbols);
+    for (std::size_t i = 0; i < members.size(); ++i) set += fmt::format("        p_.{} = {}(numbers[{}]);\n", members[i], numbers, i);
+    return fill_template(
+        embedded_file("controller_plant.cpp.in"),
+        {{"NAMESPACE", header.name_space}, {"HEADER", header.file_name}, {"NUMBERS", numbers}, {"SET_PARAMETERS", set}});
+}
+
 std::string plant_source(Code& code, const Header& header, const SimulationSettings& settings) {
-    const auto& parameters = code.system.symbols.all(SymbolKind::parameter);
     std::string set, get;
-    std::map<std::string, std::size_t> position;
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const Variable& p = parameters[i];
-        const std::string member = p.is_member ? fmt::format("{}[{}]", p.base, position[p.base]++) : p.base;
-        set += fmt::format("        p_.{} = numbers[{}];\n", member, i);
-        get += fmt::format("        numbers[{}] = p_.{};\n", i, member);
+    const std::vector<std::string> members = parameter_members(code.system.symbols);
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        set += fmt::format("        p_.{} = numbers[{}];\n", members[i], i);
+        get += fmt::format("        numbers[{}] = p_.{};\n", i, members[i]);
     }
     const bool has_inputs = !settings.inputs.empty();
     const InputSeriesTexts series = input_series_texts(code, settings, "&p_", "double");

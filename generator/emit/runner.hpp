@@ -31,6 +31,9 @@ bool steps_freely(const System& system, const std::vector<GiNaC::ex>& inputs);
 /// What makes a plant of a header: the file that exports it, with the inputs of a run. Without inputs it is the plant alone.
 std::string plant_source(Code& code, const Header& header, const SimulationSettings& settings);
 
+/// What makes a library of the header of a controller that samples, in the numbers that its [sampling] names.
+std::string controller_source(const System& controller, const Header& header);
+
 /// The source of a program that measures one call of the right-hand side at the start, and the bytes of its code.
 std::string cost_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings);
 

@@ -302,7 +302,7 @@ std::unique_ptr<System> derive(const Names& names, Scene scene) {
     SharedForces shared(*system);
     outputs(*system);
     system->guards = system->fluids.guards;
-    model_edges(*system);
+    if (system->scene.sampling == nullptr) model_edges(*system);  // a controller that samples steps over its kinks anyway
     events(*system);
     shared.settle();
     separate_sums(*system);

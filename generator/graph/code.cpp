@@ -36,7 +36,7 @@ public:
         choose_solve();
         code_->has_long_chain = lowered_.has_long_chain;
         for (const HeaderFunction* row : in_order_of_making())
-            if (row->in != HeaderFunction::In::wished || wish.functions.contains(row->function)) make(*row);
+            if (is_made(*row, system_, wish.functions)) make(*row);
         if (wish.series) series();
         if (wish.functions.contains(Function::together)) together();
         if (wish.functions.contains(Function::hessian) && code_->solve.unrolled) make_hessian(*code_, lowered_, motion_);
@@ -67,6 +67,7 @@ private:
             case Kind::motion: return motion_function(row.function, row.by);
             case Kind::jacobian: return jacobian(row);
             case Kind::output_jacobian: return output_jacobian(row);
+            case Kind::sample: return motion_function(row.function, {}, lowered_[Function::output]);
             case Kind::resets:
                 return make_resets(*code_, lowered_,
                                    [this](Program& program, const std::vector<NodeId>& mass) { return motion_.factors(program, mass); });

@@ -197,6 +197,12 @@ std::span<const HeaderFunction> header_functions() {
                        .doc = "The smallest step, measured with M, that removes residuals of positions (move back by it) or of rates "
                               "(subtract it from the velocities):\nM^-1 A' (A M^-1 A')^-1 residual.", .type = "Generalised",
                        .array = "step", .takes_input = false, .names = coordinate_names},
+
+        // --- controllers that sample
+        HeaderFunction{.function = Function::sample, .name = "sample", .kind = Kind::sample, .in = In::controllers, .parts = cached,
+                       .doc = "Takes a sample: the outputs y from the measured inputs u and the states x; then x is that of the next "
+                              "sample.", .group = "outputs", .type = "Output", .array = "y", .names = output_names,
+                       .has_equations = true},
     };
     static_assert([] {
         std::array<bool, function_count> has_row{};
@@ -209,6 +215,14 @@ std::span<const HeaderFunction> header_functions() {
 const HeaderFunction& header_function(Function function) {
     const auto rows = header_functions();
     return *std::find_if(rows.begin(), rows.end(), [&](const HeaderFunction& row) { return row.function == function; });
+}
+
+bool is_made(const HeaderFunction& row, const System& system, const std::set<Function>& wished) {
+    using In = HeaderFunction::In;
+    if (row.in == In::none) return true;
+    if (system.scene.sampling != nullptr || row.in == In::controllers)
+        return system.scene.sampling != nullptr && row.in == In::controllers;
+    return row.in != In::wished || wished.contains(row.function);
 }
 
 std::string flag_of(Function function) {

@@ -3,6 +3,7 @@
 // row; what they do, they do by its kind.
 #pragma once
 
+#include <set>
 #include <span>
 
 #include "form/jacobian.hpp"
@@ -46,8 +47,9 @@ enum class Function {
     hessian,
     output_jacobian_p,
     output_jacobian_t,
+    sample,
 };
-inline constexpr std::size_t function_count = static_cast<std::size_t>(Function::output_jacobian_t) + 1;
+inline constexpr std::size_t function_count = static_cast<std::size_t>(Function::sample) + 1;
 
 struct HeaderFunction {
     enum class Kind {
@@ -66,9 +68,10 @@ struct HeaderFunction {
         resets,           ///< new values of x, by event
         correction,       ///< a step that takes residuals of constraints away
         hessian,          ///< second derivatives of dx/dt, contracted
+        sample,           ///< outputs and next states of a controller
     };
     /// Which headers have it.
-    enum class In { none, all, switching, constrained, wished };
+    enum class In { none, all, switching, constrained, wished, controllers };
     using Values = std::vector<GiNaC::ex> (*)(const System&);
     using Names = std::vector<std::string> (*)(const System&);
 
@@ -102,6 +105,8 @@ const HeaderFunction& header_function(Function function);
 inline const char* name_of(Function function) { return header_function(function).name; }
 /// By which the command line asks for it: "--output-jacobian-p".
 std::string flag_of(Function function);
+/// Whether code of it is made: of a controller that samples `sample` alone, with what parameters and start values need.
+bool is_made(const HeaderFunction& row, const System& system, const std::set<Function>& wished);
 /// The function in which the derivatives of dx/dt are computed.
 Function jacobian_by(By by);
 

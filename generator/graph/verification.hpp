@@ -48,6 +48,8 @@ private:
     void columns(Function function, By by);
     /// Rates and Jacobian, and behind them outputs and energies.
     void together();
+    /// Next states, and behind them outputs.
+    void sample();
     /// Its parts as they are derived, in letters of the unknowns and of w, and made of them as note [Hessian] says.
     void hessian();
     /// Each w is a letter again, unless its node stands for something else as well: then the letter is what the node is.

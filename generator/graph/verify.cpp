@@ -21,7 +21,7 @@ std::vector<AuditEntry> Verification::run() {
 }
 
 void Verification::prove(const HeaderFunction& row) {
-    if (row.in == HeaderFunction::In::wished && !code_.wished.contains(row.function)) return;
+    if (!is_made(row, system_, code_.wished)) return;
     switch (row.kind) {
         case Kind::update: return definitions();
         case Kind::motion: motion(row.function); [[fallthrough]];
@@ -30,6 +30,7 @@ void Verification::prove(const HeaderFunction& row) {
             return;
         case Kind::output_jacobian: return output_columns(row.function, *row.by);
         case Kind::together: return together();
+        case Kind::sample: return sample();
         case Kind::hessian: return hessian();
         case Kind::resets: return resets();
         case Kind::correction:
@@ -180,6 +181,15 @@ void Verification::together() {
     for (std::size_t i = 0; i < values.size(); ++i)
         compare_moving(Function::together, raise, f.results[system_.state_rates.size() + i],
                        values[i].subs(held, GiNaC::subs_options::no_pattern));
+}
+
+void Verification::sample() {
+    motion(Function::sample);
+    const FunctionCode& f = code_[Function::sample];
+    Raiser raise(f.program, code_.atoms, cached_);
+    const std::vector<ex> outputs = output_values(system_);
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+        compare(Function::sample, raise(f.results[system_.state_rates.size() + i]), outputs[i]);
 }
 
 void Verification::held_column(Function function, const FunctionCode& f, std::size_t c, const std::vector<ex>& at_fixed) {

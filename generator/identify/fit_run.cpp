@@ -21,6 +21,7 @@ FitRun::FitRun(const std::shared_ptr<const LoadedModel>& model, const Options& o
       machine_(derive_machine(model, preparation_.scene(options_.choice.scene), options_.choice.sizes)) {
     const System& system = *machine_.system;
     refuse_rest(system, "identify");
+    refuse_samplers(system, "identify");
     std::string without_outputs;
     header_ = generate_with_slopes(machine_, without_outputs);
     fitted_ = fitted_of(fitted, system);

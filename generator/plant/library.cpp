@@ -168,7 +168,7 @@ void compile_plant(const PlantSource& source, const fs::path& library) {
     compile(arguments);
 }
 
-PlantLibrary::PlantLibrary(const PlantSource& source, PlantCache cache) {
+PlantLibrary::PlantLibrary(const PlantSource& source, PlantCache cache, Exports exports) : exports_(exports) {
     const auto begin = std::chrono::steady_clock::now();
     origin_.text = take(source, cache);
     origin_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -216,6 +216,10 @@ void PlantLibrary::load(const fs::path& file) {
     };
     handle_.reset(::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL));
     if (handle_ == nullptr) refuse(::dlerror());
+    if (exports_ == Exports::controller) {  // the program has made it
+        controller_ = reinterpret_cast<dalembert_controller_function>(::dlsym(handle_.get(), DALEMBERT_CONTROLLER_FUNCTION))();
+        return;
+    }
     const auto function = reinterpret_cast<dalembert_plant_function>(::dlsym(handle_.get(), DALEMBERT_PLANT_FUNCTION));
     if (function == nullptr) refuse(fmt::format("it does not export the function {}", DALEMBERT_PLANT_FUNCTION));
     table_ = function();

@@ -2,6 +2,7 @@
 // Plants as shared libraries: compiled, kept in the user's cache, loaded.
 #pragma once
 
+#include <dalembert/controller.h>
 #include <dalembert/plant.h>
 
 #include <filesystem>
@@ -26,14 +27,18 @@ struct PlantOrigin {
     bool is_kept = false;  ///< it was compiled before
 };
 
+/// What a library exports: a plant, or a controller that samples.
+enum class Exports { plant, controller };
+
 class PlantLibrary {
 public:
     /// Compiles, or takes what was compiled before from the same text with the same compiler, and loads. Throws Failure (tool-failed).
-    PlantLibrary(const PlantSource& source, PlantCache cache);
+    PlantLibrary(const PlantSource& source, PlantCache cache, Exports exports = Exports::plant);
     /// Loads a library that somebody else made. Throws Failure (unreadable-file, bad-plant).
     explicit PlantLibrary(const std::filesystem::path& file);
 
     const dalembert_plant& table() const { return *table_; }
+    const dalembert_controller& controller() const { return *controller_; }
     /// How long it took, and what was done.
     const PlantOrigin& origin() const { return origin_; }
 
@@ -45,7 +50,9 @@ private:
         void operator()(void* handle) const;
     };
     std::unique_ptr<void, Close> handle_;
+    Exports exports_ = Exports::plant;
     const dalembert_plant* table_ = nullptr;
+    const dalembert_controller* controller_ = nullptr;
     PlantOrigin origin_;
 };
 

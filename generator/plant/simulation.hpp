@@ -2,6 +2,7 @@
 // A run of a plant, by the integrators that are compiled into the program.
 #pragma once
 
+#include <dalembert/controller.h>
 #include <dalembert/plant.h>
 
 #include <cstddef>
@@ -40,6 +41,16 @@ struct VariedOfRun {
     std::vector<double> kinks;   ///< and of PlantRun::kinks
 };
 
+/// A controller in a run.
+struct ControllerOfRun {
+    const dalembert_controller* table = nullptr;  ///< of a loaded library
+    std::string name;                        ///< of its sampler
+    std::vector<double> parameters;          ///< in SI, in the order of its table
+    double period, first, delay;             ///< s
+    std::vector<std::size_t> measures;       ///< for each of its inputs, the output of the plant that it is
+    std::vector<std::size_t> outputs, sets;  ///< its output, and the input of the plant that it sets
+};
+
 /// What is to be run. Numbers are in SI; parameters and inputs in the order of the tables of the plant.
 struct PlantRun {
     std::vector<double> parameters;        ///< behind them, where inputs were measured, the delay of each input
@@ -59,6 +70,7 @@ struct PlantRun {
     bool keeps_all = true;           ///< else only the last row
     std::vector<VariedOfRun> varied = {};  ///< derivatives are recorded of plants that have those by parameters
     bool inputs_of_time_alone = false;  ///< they follow neither the state nor what is varied
+    std::vector<ControllerOfRun> controllers = {};  ///< that sample, in the order in which they do where instants agree
     bool is_for_fit = false;         ///< energies and the error of derivatives are not asked for: as fast as it can be
     bool is_of_heat = false;         ///< the largest step of the explicit Euler method is asked for
 };

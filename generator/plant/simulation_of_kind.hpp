@@ -15,6 +15,7 @@
 #include <dalembert/sensitivities/options.hpp>
 
 #include "plant/methods.hpp"
+#include "plant/sampled_run.hpp"
 #include "plant/sensitivities.hpp"
 #include "plant/simulation.hpp"
 
@@ -73,13 +74,19 @@ class Runner {
 
 public:
     explicit Runner(const PlantRun& run)
-        : run_(run), system_(run.parameters), inputs_(system_, held_inputs(run), &run.sampled, run.inputs_of_time_alone) {}
+        : run_(run),
+          system_(run.parameters),
+          controllers_(run.controllers),
+          inputs_(system_, held_inputs(run), &run.sampled, run.inputs_of_time_alone, &controllers_.set()) {}
 
     PlantRunResult operator()() {
         State x = system_.start_state();
         for (std::size_t i = 0; i < run_.start.size(); ++i) x[run_.places[i]] = run_.start[i];
         result_.recording = empty_recording();
+        ClockOfRun clock(*this);
+        controllers_.begin([&] { return clock.outputs(x, 0, 0); });
         typename Running::Options options;
+        if (!controllers_.empty()) options.clock = &clock;
         options.method = method_named(run_.method).method;
         dalembert::detail::set_run(options, system_, inputs_, x, run_.tolerance, run_.step, run_.intervals, run_.until, energy(x));
         if (run_.steps_freely) options.max_step = 0;
@@ -111,6 +118,27 @@ public:
     }
 
 private:
+    /// Controllers act on the run, whose state has the work behind that of the system.
+    class ClockOfRun final : public Clock<dalembert::detail::Longer<State>> {
+    public:
+        explicit ClockOfRun(Runner& runner) : runner_(runner) {}
+        double next() const override { return runner_.controllers_.next(); }
+        void act(const dalembert::detail::Longer<State>& x, double t, std::size_t mode) override {
+            State plain;
+            std::copy_n(x.begin(), plain.size(), plain.begin());
+            runner_.controllers_.act(t, [&] { return outputs(plain, t, mode); });
+        }
+        typename System::Output outputs(const State& x, double t, [[maybe_unused]] std::size_t mode) const {
+            typename System::Output y;
+            if constexpr (switches) runner_.system_.output(static_cast<typename System::Mode>(mode), x, runner_.inputs_(x, t), t, y);
+            else runner_.system_.output(x, runner_.inputs_(x, t), t, y);
+            return y;
+        }
+
+    private:
+        Runner& runner_;
+    };
+
     double energy(const State& x) const {
         const auto of = [&](auto... mode) {
             return system_.kinetic_energy(mode..., x, 0.0) + std::fabs(system_.potential_energy(mode..., x, 0.0)) +
@@ -126,6 +154,7 @@ private:
         Recording recording;
         auto& columns = recording.columns;
         columns = recorded_columns<System>(run_);
+        for (const Column& column : controllers_.columns()) columns.push_back(column);
         for (const char* each : {"kinetic_energy", "potential_energy", "internal_energy", "work"}) columns.push_back({each, "J"});
         if (switches) columns.push_back({"mode", ""});
         return recording;
@@ -157,6 +186,7 @@ private:
             row.push_back(state.is_root ? sample.x[state.place] * sample.x[state.place] : sample.x[state.place]);
         row.insert(row.end(), sample.y.begin(), sample.y.end());
         row.insert(row.end(), sample.u.begin(), sample.u.end());
+        controllers_.add_states(row);
         row.insert(row.end(), {sample.kinetic_energy, sample.potential_energy, sample.internal_energy, sample.work});
         if constexpr (switches) row.push_back(static_cast<double>(static_cast<unsigned>(sample.mode)));
         auto& rows = result_.recording.rows;
@@ -179,6 +209,7 @@ private:
 
     const PlantRun& run_;
     System system_;
+    Controllers controllers_;
     InputsOfPlant inputs_;
     PlantRunResult result_;
     std::unique_ptr<SensitivitiesOfRun<System>> sensitivities_;  ///< where they are asked for

@@ -139,6 +139,7 @@ FunctionBody FunctionBodies::body(const HeaderFunction& row) {
     switch (row.kind) {
         case Kind::motion: return row.by ? rhs_and_jacobian() : rhs();
         case Kind::together: return together();
+        case Kind::sample: return sample();
         case Kind::jacobian: return jacobian(row);
         case Kind::symmetric: return symmetric(row);
         case Kind::values: return values(row);
@@ -185,6 +186,28 @@ FunctionBody FunctionBodies::values(const HeaderFunction& row) {
         append(statements, assigned(maker, Value::element(Value::name(row.array), i), f.results[i]));
     return finish(maker, std::move(statements), {result_of(row.type, row.array, !f.results.empty())},
                   {.everything = f.uses_accelerations, .has_input = row.takes_input});
+}
+
+/// Everything is read before anything is written.
+FunctionBody FunctionBodies::sample() {
+    const FunctionCode& f = code_[Function::sample];
+    StatementMaker maker(code_, f, cached_values_, arguments_);
+    Statements statements = maker.compute(f.results);
+    for (std::size_t i = m_; i < f.results.size(); ++i)
+        append(statements, assigned(maker, Value::element(Value::name("y"), i - m_), f.results[i]));
+    std::vector<Value> next;
+    for (std::size_t i = 0; i < m_; ++i) next.push_back(maker.value(f.results[i], statements));
+    for (std::size_t i = 0; m_ > 1 && i < m_; ++i) {
+        const std::string name = maker.new_name("next_" + identifier(code_.system.symbols.all(SymbolKind::state)[i]));
+        statements.push_back(Declaration{{}, {name}, next[i]});
+        next[i] = Value::name(name);
+    }
+    for (std::size_t i = 0; i < m_; ++i) statements.push_back(Assignment{Value::element(Value::name("x"), i), next[i]});
+    helpers_.insert(maker.helpers().begin(), maker.helpers().end());
+    return {{{"Input", "u", Argument::Passing::read, maker.uses_input()},
+             result_of("State", "x", m_ > 0),
+             result_of("Output", "y", f.results.size() > m_)},
+            std::move(statements)};
 }
 
 FunctionBody FunctionBodies::matrix(const HeaderFunction& row) {

@@ -56,6 +56,7 @@ private:
     FunctionBody symmetric(const HeaderFunction& row);
     FunctionBody values(const HeaderFunction& row);
     FunctionBody number(const HeaderFunction& row);
+    FunctionBody sample();
     FunctionBody matrix(const HeaderFunction& row);
     FunctionBody output_jacobian(const HeaderFunction& row);
     FunctionBody whole_output_jacobian(StatementMaker& maker, const FunctionCode& f, const HeaderFunction& row);

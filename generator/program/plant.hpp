@@ -125,6 +125,11 @@ struct PlantCurve {
     std::size_t size() const;              ///< of the whole table
 };
 
+/// When a controller samples, in s, for the default parameters.
+struct PlantSampling {
+    double period, first, delay;
+};
+
 struct Plant {
     std::string model, scene, title;
     std::size_t degrees = 0;
@@ -136,6 +141,7 @@ struct Plant {
     std::vector<PlantGuard> guards;
     std::vector<double> start_values;         ///< for the default parameters
     PlantPattern by_state, by_input, by_parameter;
+    std::optional<PlantSampling> sampling;    ///< of a controller, whose functions are `sample` alone
     std::optional<PlantModes> modes;
     std::optional<PlantConstraints> constraints;
     FunctionBody update;                      ///< fills what is cached

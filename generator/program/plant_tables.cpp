@@ -7,6 +7,7 @@
 
 #include "check/units.hpp"
 #include "elements/model.hpp"
+#include "form/sampling.hpp"
 #include "program/constants.hpp"
 #include "symbolic/curve_functions.hpp"
 #include "program/identifiers.hpp"
@@ -56,6 +57,10 @@ public:
         Values defaults(scene, system_.translate);
         meet_constraints(system_, defaults);
         for (const ex& value : defaults.state()) plant_.start_values.push_back(double_value(value));
+        if (scene.sampling != nullptr) {
+            const SampleTimes times = sample_times(system_, defaults);
+            plant_.sampling = PlantSampling{times.every, times.offset, times.delay};
+        }
         parameters();
         cached();
         plant_.by_state = pattern(By::state);
@@ -153,6 +158,12 @@ std::vector<PlantCurve> curve_tables(const std::vector<const Code*>& codes) {
 
 void set_tables(Plant& plant, const std::vector<const Code*>& modes, const SharedMembers& shared, const std::vector<Guard>& guards) {
     Tables(plant, modes, shared).run(guards);
+}
+
+std::map<std::string, std::string> sampling_texts(const PlantSampling& sampling) {
+    return {{"PERIOD", fmt::format("{}", sampling.period)},
+            {"FIRST_SAMPLE", fmt::format("{}", sampling.first)},
+            {"OUTPUT_DELAY", fmt::format("{}", sampling.delay)}};
 }
 
 PlantModes mode_tables(const std::vector<const Code*>& machine) {

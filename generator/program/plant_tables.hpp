@@ -2,6 +2,8 @@
 // Names, units, descriptions, ranges and sizes of a plant.
 #pragma once
 
+#include <map>
+
 #include "program/shared_members.hpp"
 #include "program/plant.hpp"
 
@@ -12,6 +14,9 @@ void set_tables(Plant& plant, const std::vector<const Code*>& modes, const Share
 
 /// Of the curves that some of the code calls, by name.
 std::vector<PlantCurve> curve_tables(const std::vector<const Code*>& codes);
+
+/// PERIOD, FIRST_SAMPLE and OUTPUT_DELAY of templates.
+std::map<std::string, std::string> sampling_texts(const PlantSampling& sampling);
 
 /// Modes, events, and where they lead.
 PlantModes mode_tables(const std::vector<const Code*>& modes);

@@ -45,14 +45,9 @@ SharedMembers::SharedMembers(std::vector<const Code*> modes) : modes_(std::move(
 
 bool SharedMembers::has(const HeaderFunction& function) const {
     using In = HeaderFunction::In;
-    switch (function.in) {
-        case In::none: return false;
-        case In::all: return true;
-        case In::switching: return has_modes();
-        case In::constrained: return has_projection();
-        case In::wished: return modes_.front()->wished.contains(function.function);
-    }
-    throw std::logic_error("a function that no header has");
+    if (function.in == In::none || !is_made(function, modes_.front()->system, modes_.front()->wished)) return false;
+    if (function.in == In::switching) return has_modes();
+    return function.in != In::constrained || has_projection();
 }
 
 bool SharedMembers::has_projection() const {

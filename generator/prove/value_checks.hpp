@@ -5,6 +5,7 @@
 #include "form/circuit_validity.hpp"
 #include "form/fluid_validity.hpp"
 #include "form/heat_validity.hpp"
+#include "form/sampling.hpp"
 #include "prove/body_validity.hpp"
 #include "prove/statics_validity.hpp"
 #include "prove/switching_validity.hpp"
@@ -22,6 +23,7 @@ inline void check_values(const System& system, const Values& values, ValueCondit
     check_heat_values(system, values, conditions);
     check_view_values(system, values, conditions);
     check_circuit_values(system, values, conditions);
+    if (system.scene.sampling != nullptr) sample_times(system, values);
 }
 
 }  // namespace dalembert

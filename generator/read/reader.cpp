@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "check/checks.hpp"
 #include "check/written_values.hpp"
 #include "elements/bodies.hpp"
@@ -14,6 +16,7 @@
 #include "read/described.hpp"
 #include "read/parts.hpp"
 #include "read/rules.hpp"
+#include "read/samplers.hpp"
 #include "text/budgets.hpp"
 #include "text/files.hpp"
 #include "text/nearest.hpp"
@@ -35,11 +38,13 @@ void complete(Model& model, Diagnostics& diagnostics) {
     expand_signals(model);
     expand_balances(model);
     expand_circuits(model);
+    expand_samplers(model, diagnostics);
     diagnostics.stop_on_errors();
     check_names(model, diagnostics);
     diagnostics.stop_on_errors();
     check_references(model, diagnostics);
     check_balances(model, diagnostics);
+    check_sampling(model, diagnostics);
     check_expressions(model, diagnostics);
     diagnostics.stop_on_errors();
     check_written_sizes(model, diagnostics);
@@ -51,6 +56,8 @@ void complete(Model& model, Diagnostics& diagnostics) {
     diagnostics.stop_on_errors();
     convert_values(model, diagnostics);
     diagnostics.stop_on_errors();
+    for (State& state : model.states)
+        if (state.next) state.derivative = state.next;
 }
 
 class Reader {
@@ -63,6 +70,7 @@ public:
     Model read_all() {
         header();
         std::vector<Part> parts = read_parts();
+        std::map<std::string, Model> controllers = read_controllers();
         std::vector<std::string> known;
         for (const SectionSpec& section : sections()) known.emplace_back(section.name);
         for (const DocumentNode::Member& member : root_.members)
@@ -71,6 +79,8 @@ public:
                                    fmt::format("a model has no section [{}]{}", member.key, did_you_mean(member.key, known)));
         for_each_kind(model_, [&](const char* section, auto& items) { collection(section, items); });
         check_default_scene();
+        for (Sampler& sampler : model_.samplers)
+            if (const auto found = controllers.find(sampler.name); found != controllers.end()) complete_controller(sampler, found->second);
         if (!model_.uses.empty()) {
             diagnostics_.stop_on_errors();
             join_parts(model_, std::move(parts), diagnostics_);
@@ -94,6 +104,10 @@ private:
             part.name = use.key;
             part.model = Reader(source_of_part(use, file), of_part).read_all();
             of_part.stop_on_errors();
+            if (!part.model.samplers.empty())
+                throw Failure(Diagnostic{Id::not_allowed_here, file.span,
+                                         fmt::format("part '{}' has [samplers]; controllers belong to the model that uses the part", use.key),
+                                         {{part.model.samplers.front().span, "they stand here"}}});
             Model alone = part.model;
             complete(alone, of_part);
             const Names of_alone(alone);
@@ -106,6 +120,30 @@ private:
         }
         join_names(root_, names);
         return parts;
+    }
+
+    /// As their files say, by sampler.
+    std::map<std::string, Model> read_controllers() {
+        std::map<std::string, Model> controllers;
+        const DocumentNode* samplers = section_table("samplers");
+        if (samplers == nullptr) return controllers;
+        for (const DocumentNode::Member& sampler : samplers->members) {
+            const DocumentNode::Member* key = sampler.value.find("file");
+            const DocumentNode& file = key == nullptr ? sampler.value : key->value;
+            if (file.kind != DocumentNode::Kind::string) continue;  // told where it is read
+            Diagnostics of_controller;
+            controllers.emplace(sampler.key, Reader(source_of_part(sampler, file), of_controller).read_all());
+            of_controller.stop_on_errors();
+        }
+        return controllers;
+    }
+
+    void complete_controller(Sampler& sampler, Model& controller) {
+        set_controller(controller, sampler, model_.name, diagnostics_);
+        diagnostics_.stop_on_errors();
+        Diagnostics of_controller;
+        complete(controller, of_controller);
+        sampler.controller = std::make_shared<const Model>(std::move(controller));
     }
 
     void header() {

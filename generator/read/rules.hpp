@@ -32,5 +32,6 @@ void check_rules(const Entry& e, PrintedEquation& printed);
 void check_rules(const Entry& e, Run& run);
 void check_rules(const Entry& e, Use& use);
 void check_rules(const Entry& e, Port& port);
+void check_rules(const Entry& e, Sampler& sampler);
 
 }  // namespace dalembert

@@ -16,6 +16,13 @@ void check_rules(const Entry& e, Use& use) {
     use.effects = e.by_name("effects");
 }
 
+void check_rules(const Entry& e, Sampler& sampler) {
+    sampler.file_span = e.span_of("file");
+    sampler.parameters = e.by_name("parameters");
+    sampler.measures = e.by_name("measures");
+    sampler.sets = e.by_name("sets");
+}
+
 void check_rules(const Entry& e, Port&) {
     const std::string kind = e.text("kind");
     if ((kind == "shaft" || kind == "flange") && !e.has("coordinate") && !e.has("value"))

@@ -42,8 +42,12 @@ std::string as_text(const GenerateResult& result) {
         std::string cells;
         for (const GeneratedHeader::Cells& one : header.cells)
             cells += fmt::format(" and {} for each of the {} cells of {}", one.operations, one.count, one.rod);
-        text += fmt::format("{}: {} degrees of freedom, {} operations in the right-hand side{}, {}\n", header.path.string(), header.degrees,
-                            header.rhs_operations, cells, header.all_proven ? "everything proven" : "some parts only numerically equal");
+        const char* proofs = header.all_proven ? "everything proven" : "some parts only numerically equal";
+        if (header.samples)
+            text += fmt::format("{}: a controller, {} operations in a sample, {}\n", header.path.string(), header.main_operations, proofs);
+        else
+            text += fmt::format("{}: {} degrees of freedom, {} operations in the right-hand side{}, {}\n", header.path.string(),
+                                header.degrees, header.main_operations, cells, proofs);
         if (result.explained) text += stage_table(header.stages) + rewritten_text(header.rewritten);
     }
     return text;

@@ -21,8 +21,8 @@ struct GeneratedHeader {
     std::filesystem::path path;
     std::string name_space;
     std::size_t bytes, degrees;
-    bool all_proven;
-    int rhs_operations;
+    bool all_proven, samples;
+    int main_operations;  ///< in the right-hand side, or in a sample of a controller
     std::vector<std::pair<std::string, OperationCount>> operations;  ///< of each function
     std::vector<Cells> cells;
     std::vector<StageReport> stages;

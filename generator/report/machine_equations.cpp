@@ -31,7 +31,7 @@ public:
             for (const auto& [letter, sum] : *balances) add("0 = " + write_(sum), write_(letter));
         begin("Rates of states");
         for (std::size_t i = 0; i < system_.state_rates.size(); ++i)
-            add(fmt::format("dot({}) = {}", system_.symbols.all(SymbolKind::state)[i].name, write_(system_.named.state_rates[i])));
+            add(fmt::format("{} = {}", rate_of_state(system_, i), write_(system_.named.state_rates[i])));
         begin("Energies");
         energy("kinetic_energy", system_.kinetic_energy);
         energy("potential_energy", system_.potential_energy);

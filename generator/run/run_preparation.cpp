@@ -300,6 +300,15 @@ std::vector<ex> RunPreparation::inputs(const Values& values, const System& syste
                                      fmt::format("scene '{}' has no input '{}'", system.scene.name, setting.variable->written())});
         check_range(*setting.variable, *value);
     }
+    for (const Sampler* sampler : system.scene.samplers)
+        for (const RunEntry& entry : sampler->sets) {
+            const std::size_t input = system.symbols.find(SymbolKind::input, entry.value->name, 0)->position;
+            if (is_given[input])
+                throw Failure(Diagnostic{Id::doubly_defined, entry.span,
+                                         fmt::format("sampler '{}' sets input '{}', so that a run of scene '{}' cannot give it a value",
+                                                     sampler->name, entry.value->name, system.scene.name)});
+            is_given[input] = true;
+        }
     for (const Variable& input : system.symbols.all(SymbolKind::input))
         if (std::count(options_.measured_inputs.begin(), options_.measured_inputs.end(), input.name) > 0) is_given[input.position] = true;
     check_inputs_given(is_given, system);

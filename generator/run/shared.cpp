@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <ostream>
 
 #include "elements/model.hpp"
@@ -16,6 +18,13 @@ std::shared_ptr<const LoadedModel> loaded(const Options& options, Streams stream
     Diagnostics diagnostics;
     auto model = load(options.choice.model, diagnostics);
     for (const Diagnostic& warning : diagnostics.all()) streams.err << render(warning);
+    constexpr std::array of_controllers{"check", "derive", "generate", "scenes"};
+    if (model->model.sampling && std::find(of_controllers.begin(), of_controllers.end(), options.verb) == of_controllers.end())
+        throw Failure(Diagnostic{Id::not_allowed_here, model->model.name_span,
+                                 fmt::format("'{}' is a controller that samples, and '{}' is for machines; name it in [samplers] of the "
+                                             "machine that it controls",
+                                             model->model.name, options.verb),
+                                 {{model->model.sampling->span, "it samples because of this section"}}});
     return model;
 }
 
@@ -65,6 +74,15 @@ void refuse_fields(const System& system, const char* verb) {
                                  fmt::format("the {} cells of rod '{}' are computed in a loop, and '{}' needs each cell separately; choose "
                                              "fewer cells, or set loops = false",
                                              field.geometry.cells(), field.rod->name, verb)});
+}
+
+void refuse_samplers(const System& system, const std::string& verb) {
+    const std::vector<const Sampler*>& samplers = system.scene.samplers;
+    if (samplers.empty()) return;
+    throw Failure(Diagnostic{Id::not_allowed_here, samplers.front()->span,
+                             fmt::format("scene '{}' has sampler '{}', and '{}' knows no controllers yet; leave it out by an effect, with "
+                                         "`when`, and give the run its inputs",
+                                         system.scene.name, samplers.front()->name, verb)});
 }
 
 void refuse_rest(const System& system, const char* verb) {

@@ -25,6 +25,9 @@ const Machine& in_chosen_mode(const Machine& machine, const Options& options);
 /// Throws Failure (too-large) where cells of rods are computed in loops, so that they have no equations of their own.
 void refuse_fields(const System& system, const char* verb);
 /// Throws Failure (nothing-left) where nothing can move: statics alone.
+/// Throws Failure (not-allowed-here) where a controller samples.
+void refuse_samplers(const System& system, const std::string& verb);
+
 void refuse_rest(const System& system, const char* verb);
 
 }  // namespace dalembert

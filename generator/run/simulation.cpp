@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include <dalembert/plot.hpp>
 
@@ -140,6 +141,8 @@ PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const s
     Machine machine = derive_machine(model, preparation.scene(scene), options.choice.sizes);
     const System& system = *machine.system;
     refuse_rest(system, verb);
+    if (std::string_view(verb) != "simulate") refuse_samplers(system, verb);
+    if (!options.sensitivities.empty()) refuse_samplers(system, "simulate --sensitivities");
     const SeriesWish wish = tries_series                       ? SeriesWish::if_possible
                             : preparation.method() == "taylor" ? SeriesWish::wanted
                                                                : SeriesWish::none;
@@ -154,6 +157,11 @@ PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const s
     SimulationSettings settings = preparation.make_settings(values, system);
     const KinksOfRun kinks_of = kinks_of_run(preparation, machine);
     settings.kinks = kinks_of([](const System&, Values&) {});
+    if (!system.scene.samplers.empty() && settings.method == "taylor")
+        throw Failure(Diagnostic{Id::bad_option, system.scene.samplers.front()->span,
+                                 fmt::format("the method taylor needs series of all inputs, and sampler '{}' sets one at its samples; choose "
+                                             "another method",
+                                             system.scene.samplers.front()->name)});
     const std::vector<NamedVariable> named = named_variables(options.sensitivities, system);
     std::vector<VariedOfRun> varied = varied_of_run(named, system, unmet, kinks_of);
     std::vector<MovedRuns> moved;
@@ -173,6 +181,7 @@ PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& 
     const System& system = *run.machine.system;
     prepared.plant = source_of_plant(*run.machine.code, run.header, run.settings);
     prepared.run = run_of_plant(system, run.values, run.settings);
+    prepared.controllers = prepare_controllers(system, run.settings.until);
     prepared.run.varied = std::move(run.varied);
     prepared.moved = std::move(run.moved);
     prepared.without_slopes_of_outputs = std::move(run.without_slopes_of_outputs);
@@ -336,7 +345,10 @@ void add_second_order(SimulationReport& report, const PlantRunResult& run, const
 
 SimulationReport run_simulation(const PreparedSimulation& prepared, const std::filesystem::path& folder) {
     const PlantLibrary library(prepared.plant, prepared.cache);
-    const PlantRunResult run = simulate_plant(library.table(), prepared.run);
+    const LoadedControllers controllers(prepared.controllers, prepared.cache);
+    PlantRun of_plant = prepared.run;
+    of_plant.controllers = controllers.of_run();
+    const PlantRunResult run = simulate_plant(library.table(), of_plant);
     SimulationReport report = report_of_run(run, library.table(), prepared.settings);
     report.plant = library.origin();
     if (prepared.run.is_of_heat && std::isfinite(run.euler_step)) report.euler_step = run.euler_step;

@@ -2,6 +2,7 @@
 // One simulation of a model: what is to be run, the run itself, and its results.
 #pragma once
 
+#include "run/controllers.hpp"
 #include "run/options.hpp"
 #include "run/plant_run.hpp"
 #include "run/run_preparation.hpp"
@@ -19,6 +20,7 @@ struct PreparedSimulation {
     Header header;
     PlantSource plant;
     PlantRun run;
+    std::vector<PreparedController> controllers;
     std::vector<MovedRuns> moved;  ///< for second derivatives
     PlantCache cache = PlantCache::used;
     std::string title;   ///< of plots

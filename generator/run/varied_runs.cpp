@@ -49,6 +49,7 @@ VariedRuns::VariedRuns(const std::shared_ptr<const LoadedModel>& model, const Op
       preparation_(model->model, options),
       machine_(derive_machine(model, preparation_.scene(options.choice.scene), options.choice.sizes)) {
     refuse_rest(*machine_.system, verb);
+    refuse_samplers(*machine_.system, verb);
     header_ = generate(machine_, preparation_.method() == "taylor" ? SeriesWish::wanted : SeriesWish::none);
     vary({});
 }

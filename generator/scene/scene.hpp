@@ -93,6 +93,8 @@ struct Scene {
     std::vector<Member<Enclosure>> enclosures;
     std::vector<Member<Pin>> pins;
     std::vector<Member<Branch>> branches;
+    const ControllerSampling* sampling = nullptr;           ///< of a controller
+    std::vector<const Sampler*> samplers;
     std::vector<Member<Constraint>> constraints;  ///< of all modes, as the next one
     std::vector<Member<Event>> events;
     std::vector<const ModeGroup*> mode_groups;

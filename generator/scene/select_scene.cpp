@@ -70,7 +70,8 @@ public:
         check_determined(scene_, names_);
         const bool is_at_rest =
             !scene_.loads.empty() || !scene_.solids.empty() || !scene_.stickings.empty();  // statics need nothing that moves
-        if (scene_.coordinates.empty() && scene_.states.empty() && !is_at_rest)
+        check_samplers();
+        if (scene_.coordinates.empty() && scene_.states.empty() && !is_at_rest && scene_.sampling == nullptr)
             fail(Id::nothing_left, model_.name_span,
                  fmt::format("scene '{}' has neither a coordinate nor a state that anything uses", scene_.name));
         return std::move(scene_);
@@ -103,6 +104,7 @@ private:
     /// Sizes are set and modes chosen before; gravity acts where there is a mass.
     void choose(const std::vector<Size>&, std::map<std::string, int, std::less<>>&) {}
     void choose(const std::optional<Gravity>&, const Gravity*) {}
+    void choose(const std::optional<ControllerSampling>& sampling, const ControllerSampling*& chosen) { chosen = sampling ? &*sampling : nullptr; }
     void choose(const std::vector<ModeGroup>&, std::vector<SceneMode>&) {}
 
     /// Media are in the scene already.
@@ -122,6 +124,26 @@ private:
                 add_members(definition, scene_.definitions);
         for (const Solid& solid : model_.solids)
             if (used.contains_solid(solid.name)) scene_.solids.push_back(&solid);
+    }
+
+    /// Each sets inputs that are there, and none sets what another one does.
+    void check_samplers() {
+        std::map<std::string, const Sampler*> set;
+        for (const Sampler* sampler : scene_.samplers)
+            for (const RunEntry& entry : sampler->sets) {
+                const std::string& name = entry.value->name;
+                const bool is_there = std::any_of(scene_.inputs.begin(), scene_.inputs.end(),
+                                                  [&](const Member<Input>& input) { return input.item->name == name; });
+                if (!is_there)
+                    fail(Id::needs_absent, entry.span,
+                         fmt::format("sampler '{}' sets input '{}', which scene '{}' leaves out; give the sampler a 'when'", sampler->name,
+                                     name, scene_.name));
+                if (const auto [known, is_new] = set.emplace(name, sampler); !is_new)
+                    fail(Id::doubly_defined, entry.span,
+                         fmt::format("in scene '{}', input '{}' is set by the samplers '{}' and '{}'", scene_.name, name,
+                                     known->second->name, sampler->name),
+                         {{known->second->span, "one of them is here"}});
+            }
     }
 
     const Model& model_;

@@ -68,6 +68,10 @@ void UsedNames::find_all() {
         owner_ = "gravity";
         use_expressions(*scene_.gravity);
     }
+    if (scene_.sampling != nullptr) {
+        owner_ = owner_of(*scene_.sampling);
+        use_expressions(*scene_.sampling);
+    }
     use_declared();
     use_in_runs();
 }

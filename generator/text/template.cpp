@@ -36,4 +36,11 @@ std::string fill_template(std::string_view text, const std::map<std::string, std
     return result;
 }
 
+std::map<std::string, std::string> values_for(std::string_view text, const std::map<std::string, std::string>& values) {
+    std::map<std::string, std::string> some;
+    for (const auto& value : values)
+        if (text.find("@" + value.first + "@") != std::string_view::npos) some.insert(value);
+    return some;
+}
+
 }  // namespace dalembert

@@ -21,5 +21,7 @@ std::span<const EmbeddedFile> embedded_files();
 std::string_view embedded_file(std::string_view name);
 
 std::string fill_template(std::string_view text, const std::map<std::string, std::string>& values);
+/// Those of the values that the template has a place for.
+std::map<std::string, std::string> values_for(std::string_view text, const std::map<std::string, std::string>& values);
 
 }  // namespace dalembert

@@ -60,6 +60,7 @@ public:
         if (!are_finite(x_, x_)) return end_not_finite(Scalar(0));
         this->project(x_, t_);
         if (this->is_broken()) return end(Status::constraint_broken);
+        this->act();
         evaluate(x_, t_, dxdt_);
         if (!are_finite(x_, dxdt_)) return end_not_finite(Scalar(0));
         observe(t_);
@@ -85,12 +86,14 @@ private:
     Outcome fixed_steps() {
         using std::ceil;
         for (std::size_t i = next_; i <= options_.output_count();) {
-            const Scalar target = control_.output_time(i);
-            if (!(t_ < target)) {
-                observe(target);
+            if (!(t_ < control_.output_time(i))) {
+                observe(control_.output_time(i));
                 ++i;
                 continue;
             }
+            // Kinks are stepped over, but not instants at which somebody acts.
+            const auto instant = control_.next_kink(t_);
+            const Scalar target = options_.clock != nullptr ? std::min(control_.output_time(i), instant.before) : control_.output_time(i);
             const Scalar begin = t_;
             const Scalar length = target - begin;
             const Scalar wanted = ceil(length / options_.step * (Scalar(1) - Scalar(1e-9)));
@@ -117,6 +120,7 @@ private:
             if (is_crossed) continue;
             const Status status = pass_event();
             if (status != Status::success) return stop(status);
+            if (options_.clock != nullptr && t_ == instant.before && t_ < to_) pass_kink(instant.behind);
         }
         return end(Status::success);
     }

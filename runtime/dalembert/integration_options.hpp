@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "dalembert/clock.hpp"
+
 namespace dalembert {
 inline namespace v1 {
 
@@ -68,6 +70,7 @@ struct IntegrationOptions {
     Scalar max_step = Scalar(0);      ///< s; the longest step, to catch short pulses; 0: as long as the run
     /// s, rising; known times of kinks and jumps of the right-hand side, for example of an input: no controlled step reaches across one.
     std::vector<Scalar> kinks = {};
+    Clock<State>* clock = nullptr;    ///< acts on the run at its instants; steps of all methods end there
     std::size_t order = 0;            ///< of Method::taylor; 0: from the tolerance
     std::size_t intervals = 1;        ///< number of equal parts of the run; the observer sees their ends
     /// s, rising; the observer sees the state at these times within the run, and at its ends, and `intervals` does not count.

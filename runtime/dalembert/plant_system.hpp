@@ -334,23 +334,31 @@ private:
     }
 };
 
-/// The inputs that a plant was compiled for; where it was compiled for none, numbers that stay. Inputs that were measured come before both.
+/// Inputs that somebody sets during a run: a controller that samples, say.
+struct SetInputs {
+    std::vector<std::size_t> places;  ///< in u
+    std::vector<double> values;       ///< in SI, one for each
+};
+
+/// The inputs that a plant was compiled for; where it was compiled for none, numbers that stay. Inputs that were
+/// measured come before both, and inputs that somebody sets before all.
 class InputsOfPlant {
 public:
     static constexpr std::size_t series_rows = 0;
     /// Refers to the system and to what was measured. `of_time_alone`: they follow neither the state nor parameters nor delays that are
     /// varied.
     InputsOfPlant(const detail::PlantBase& system, detail::PlantBase::Input held, const std::vector<SampledInput>* sampled = nullptr,
-                  bool of_time_alone = false)
-        : system_(system), held_(std::move(held)), sampled_(sampled), of_time_alone_(of_time_alone) {}
+                  bool of_time_alone = false, const SetInputs* set = nullptr)
+        : system_(system), held_(std::move(held)), sampled_(sampled), of_time_alone_(of_time_alone), set_(set) {}
     bool of_time_alone() const { return of_time_alone_; }
     /// The same with the parameters and delays of another system.
-    InputsOfPlant of(const detail::PlantBase& system) const { return {system, held_, sampled_, of_time_alone_}; }
+    InputsOfPlant of(const detail::PlantBase& system) const { return {system, held_, sampled_, of_time_alone_, set_}; }
     detail::PlantBase::Input operator()(const detail::PlantBase::State& x, double t) const {
         detail::PlantBase::Input u = held_;
         if (detail::plant_in_use->inputs_of_run != nullptr) detail::plant_in_use->inputs_of_run(system_.self(), x.data(), t, u.data());
         if (sampled_ != nullptr)
             for (const SampledInput& one : *sampled_) u[one.input] = one(t - system_.delay(one.input));
+        for (std::size_t i = 0; set_ != nullptr && i < set_->places.size(); ++i) u[set_->places[i]] = set_->values[i];
         return u;
     }
 
@@ -359,6 +367,7 @@ private:
     detail::PlantBase::Input held_;
     const std::vector<SampledInput>* sampled_;
     bool of_time_alone_;
+    const SetInputs* set_;
 };
 
 }  // namespace v1

@@ -89,6 +89,8 @@ protected:
         options.max_events -= result_.events;
         options.intervals = options.output_count();
         options.output_times.clear();
+        ClockInMode clock(options_.clock, here_.mode);
+        if (options_.clock != nullptr) options.clock = &clock;
         if (to < to_)
             for (options.intervals = next_; outputs_.time(options.intervals) < to;) ++options.intervals;
         Integration<State, decltype(rhs), decltype(observe), decltype(guards), typename Here::Guards> run(rhs, x, t_, to, options, observe,
@@ -130,6 +132,15 @@ protected:
         observed_ = t;
         observe_(t, x, here_.mode);
     }
+
+    /// That of the whole run, which is told the mode.
+    struct ClockInMode final : Clock<State> {
+        ClockInMode(Clock<State>* of_run, Mode mode) : clock(of_run), number(static_cast<std::size_t>(mode)) {}
+        Scalar next() const override { return clock->next(); }
+        void act(const State& x, Scalar t, std::size_t) override { clock->act(x, t, number); }
+        Clock<State>* clock;
+        std::size_t number;
+    };
 
     using Here = InMode<System>;
     struct WithoutDerivatives : NoDerivatives {

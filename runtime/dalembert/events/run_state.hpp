@@ -176,11 +176,17 @@ protected:
         dxdt_ = dxdt;
     }
 
+    /// What is due now: a sample of a controller, say.
+    void act() {
+        if (options_.clock != nullptr) options_.clock->act(x_, t_, 0);
+    }
+
     /// From just before a kink that is known to just behind it.
     void pass_kink(Scalar behind) {
         State x;
         for (std::size_t i = 0; i < x_.size(); ++i) x[i] = x_[i] + (behind - t_) * dxdt_[i];
         move(behind, x);
+        act();
         if constexpr (may_have_entries<Values>) outcome_.events += events_.pass_known(x_, t_);
         control_.forget();
         evaluate(x_, t_, dxdt_);
@@ -206,6 +212,7 @@ protected:
             }
             is_anew_ = true;
             move(t, x);
+            act();
             const std::size_t changed = events_.changed_guard();
             outcome_.events += events_.pass(t_);
             stalled_ = outcome_.events > 1 && !(t_ - last_event_ > control_.smallest(t_)) ? stalled_ + 1 : 0;

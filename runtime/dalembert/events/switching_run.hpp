@@ -311,6 +311,7 @@ private:
 
     /// To the end of accumulations, without a look at their events. False, and nothing has happened, if there is another one before.
     bool coast(const EachEvent& is_ignored, Scalar end) {
+        if (options_.clock != nullptr && options_.clock->next() <= end) return false;  // nobody acts twice
         here_.is_ignored = is_ignored;
         State x = x_;
         std::size_t other = none;

@@ -67,6 +67,14 @@ public:
         Scalar before, behind;
     };
     Kink next_kink(Scalar t) const {
+        const Kink known = next_known_kink(t);
+        if (options_.clock == nullptr) return known;
+        const Scalar instant = options_.clock->next();
+        const Scalar room = smallest(instant);
+        return instant - room < known.before && instant + room < to_ ? Kink{instant - room, instant + room} : known;
+    }
+    /// Of those in the options.
+    Kink next_known_kink(Scalar t) const {
         for (auto kink = std::upper_bound(options_.kinks.begin(), options_.kinks.end(), t); kink != options_.kinks.end(); ++kink) {
             const Scalar room = smallest(*kink);
             if (*kink - room > t && *kink + room < to_) return {*kink - room, *kink + room};

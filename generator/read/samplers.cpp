@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "read/samplers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "check/checks.hpp"
+#include "check/written_values.hpp"
+#include "text/nearest.hpp"
+
+namespace dalembert {
+
+namespace {
+
+using Kind = Expression::Kind;
+
+bool is_name(const Expression& e) { return e.kind == Kind::name && e.children.empty(); }
+
+/// The item of a list that an entry names; null, with an error, if there is none.
+template <class Items>
+auto* named(Items& items, const RunEntry& entry, const Sampler& sampler, const char* word, Diagnostics& diagnostics) {
+    const auto found = std::find_if(items.begin(), items.end(),
+                                    [&](const auto& item) { return is_name(*entry.variable) && item.name == entry.variable->name; });
+    if (found != items.end()) return &*found;
+    std::vector<std::string> known;
+    for (const auto& item : items) known.push_back(item.name);
+    diagnostics.error(Id::unknown_name, entry.span,
+                      fmt::format("the controller of sampler '{}' has no {} '{}'{}", sampler.name, word, entry.variable->written(),
+                                  did_you_mean(entry.variable->written(), known)),
+                      {{sampler.file_span, "its file is named here"}});
+    return static_cast<decltype(&*found)>(nullptr);
+}
+
+class SamplerCheck {
+public:
+    SamplerCheck(Model& model, Diagnostics& diagnostics) : model_(model), diagnostics_(diagnostics) {}
+
+    void run() {
+        for (const Sampler& sampler : model_.samplers) {
+            measures(sampler);
+            sets(sampler);
+        }
+    }
+
+private:
+    void measures(const Sampler& sampler) {
+        std::vector<std::string> measured;
+        for (const RunEntry& entry : sampler.measures) {
+            const Input* input = named(sampler.controller->inputs, entry, sampler, "input", diagnostics_);
+            if (input == nullptr) continue;
+            measured.push_back(input->name);
+            Output output;
+            output.name = sampler.name + "_" + input->name;
+            output.span = entry.span;
+            output.doc = fmt::format("measured by sampler '{}'", sampler.name);
+            output.when = sampler.when;
+            output.value = entry.value;
+            output.unit = input->unit;
+            model_.outputs.push_back(std::move(output));
+        }
+        for (const Input& input : sampler.controller->inputs)
+            if (std::find(measured.begin(), measured.end(), input.name) == measured.end())
+                diagnostics_.error(Id::missing_key, sampler.span,
+                                   fmt::format("sampler '{}' does not say what '{}' of its controller is; add it to measures", sampler.name,
+                                               input.name),
+                                   {{input.span, "the input is declared here"}});
+    }
+
+    void sets(const Sampler& sampler) {
+        for (const RunEntry& entry : sampler.sets) {
+            const Output* output = named(sampler.controller->outputs, entry, sampler, "output", diagnostics_);
+            if (output == nullptr) continue;
+            const auto input = std::find_if(model_.inputs.begin(), model_.inputs.end(), [&](const Input& one) {
+                return is_name(*entry.value) && one.name == entry.value->name;
+            });
+            if (input == model_.inputs.end()) {
+                std::vector<std::string> known;
+                for (const Input& one : model_.inputs) known.push_back(one.name);
+                diagnostics_.error(Id::unknown_name, entry.value->span,
+                                   fmt::format("sampler '{}' sets '{}', which is no input of this model{}", sampler.name,
+                                               entry.value->written(), did_you_mean(entry.value->written(), known)));
+                continue;
+            }
+            if (input->family)
+                diagnostics_.error(Id::not_indexed, entry.value->span,
+                                   fmt::format("sampler '{}' sets '{}', which is a family; samplers set single inputs", sampler.name,
+                                               input->name),
+                                   {{input->span, "the input is declared here"}});
+            if (!output->unit)
+                diagnostics_.error(Id::missing_key, entry.span,
+                                   fmt::format("output '{}' of the controller of sampler '{}' needs a unit, since it sets an input",
+                                               output->name, sampler.name),
+                                   {{output->span, "the output is declared here"}});
+            else if (output->unit->dimension != input->unit.dimension)
+                diagnostics_.error(Id::unit_mismatch, entry.value->span,
+                                   fmt::format("sampler '{}' sets '{}', which counts in {}, to '{}', which counts in {}", sampler.name,
+                                               input->name, input->unit.written, output->name, output->unit->written),
+                                   {{input->span, "the input is declared here"}, {output->span, "the output is declared here"}});
+            once(sampler, *input, entry);
+        }
+    }
+
+    /// Samplers that effects choose may set the same input; whether a scene has two of them is checked there.
+    void once(const Sampler& sampler, const Input& input, const RunEntry& entry) {
+        for (const auto& [known, by, span] : set_)
+            if (known == input.name && (by == &sampler || (!by->when && !sampler.when)))
+                diagnostics_.error(Id::doubly_defined, entry.span,
+                                   fmt::format("input '{}' is set twice, by {}", input.name,
+                                               by == &sampler ? fmt::format("sampler '{}'", by->name)
+                                                              : fmt::format("samplers '{}' and '{}'", by->name, sampler.name)),
+                                   {{span, "it is also set here"}});
+        set_.push_back({input.name, &sampler, entry.span});
+    }
+
+    struct Set {
+        std::string input;
+        const Sampler* by;
+        Span span;
+    };
+
+    Model& model_;
+    Diagnostics& diagnostics_;
+    std::vector<Set> set_;
+};
+
+}  // namespace
+
+void set_controller(Model& controller, const Sampler& sampler, const std::string& machine, Diagnostics& diagnostics) {
+    if (!controller.sampling)
+        throw Failure(Diagnostic{Id::not_allowed_here, sampler.file_span,
+                                 fmt::format("sampler '{}' takes '{}', which is no controller: it has no [sampling]", sampler.name,
+                                             controller.name),
+                                 {{controller.name_span, "it is named here"}}});
+    controller.name = machine + "_" + sampler.name;
+    for (const RunEntry& entry : sampler.parameters) {
+        Parameter* parameter = named(controller.parameters, entry, sampler, "parameter", diagnostics);
+        if (parameter == nullptr) continue;
+        bool has_names = false;
+        for_each(*entry.value, [&](const Expression& e) { has_names = has_names || (e.kind == Kind::name && e.name != "pi"); });
+        if (has_names)
+            diagnostics.error(Id::not_allowed_here, entry.value->span,
+                              fmt::format("parameter '{}' of the controller of sampler '{}' is a number with its unit, since the "
+                                          "controller does not know the names of this model",
+                                          parameter->name, sampler.name));
+        parameter->values = {is_plain_number(*entry.value) ? to_si(entry.value, parameter->unit) : entry.value};
+    }
+}
+
+void expand_samplers(Model& model, Diagnostics& diagnostics) { SamplerCheck(model, diagnostics).run(); }
+
+}  // namespace dalembert

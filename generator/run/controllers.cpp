@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/controllers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "elements/model.hpp"
+#include "emit/runner.hpp"
+#include "form/sampling.hpp"
+#include "run/plant_run.hpp"
+#include "text/budgets.hpp"
+
+namespace dalembert {
+
+namespace {
+
+/// The place of a name in a list of what has names.
+template <class Items>
+std::size_t place_of(const std::string& name, const Items& items) {
+    const auto found = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
+    return static_cast<std::size_t>(found - items.begin());
+}
+
+PreparedController prepare(const Sampler& sampler, const System& machine, double until) {
+    const auto loaded = std::make_shared<const LoadedModel>(*sampler.controller);
+    Machine controller = derive_machine(loaded, "", {});
+    const System& system = *controller.system;
+    const Values values(system.scene, system.translate);
+    const SampleTimes times = sample_times(system, values);
+    if (until / times.every > budget::steps)
+        throw Failure(Diagnostic{Id::bad_option, sampler.span,
+                                 fmt::format("sampler '{}' takes {:.3g} samples in a run of {:g} s; the limit is {:g}", sampler.name,
+                                             until / times.every, until, budget::steps)});
+    const Header header = generate(controller);
+    PreparedController result;
+    result.source = {header.file_name, header.text, controller_source(system, header)};
+    ControllerOfRun& run = result.run;
+    run.name = sampler.name;
+    run.parameters = parameter_numbers(system, values);
+    run.period = times.every;
+    run.first = times.offset;
+    run.delay = times.delay;
+    for (const Variable& input : system.symbols.all(SymbolKind::input))
+        run.measures.push_back(place_of(sampler.name + "_" + input.name, machine.outputs));
+    for (const RunEntry& entry : sampler.sets) {
+        run.outputs.push_back(place_of(entry.variable->name, system.outputs));
+        run.sets.push_back(machine.symbols.find(SymbolKind::input, entry.value->name, 0)->position);
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<PreparedController> prepare_controllers(const System& machine, double until) {
+    std::vector<PreparedController> prepared;
+    for (const Sampler* sampler : machine.scene.samplers) prepared.push_back(prepare(*sampler, machine, until));
+    return prepared;
+}
+
+LoadedControllers::LoadedControllers(const std::vector<PreparedController>& prepared, PlantCache cache) {
+    for (const PreparedController& one : prepared) {
+        libraries_.push_back(std::make_unique<PlantLibrary>(one.source, cache, Exports::controller));
+        of_run_.push_back(one.run);
+        of_run_.back().table = &libraries_.back()->controller();
+    }
+}
+
+}  // namespace dalembert
