@@ -29,6 +29,7 @@ const State* Claims::claim(const Expression& named, const char* key, const std::
 }
 
 void Claims::check_all(const Model& model) const {
+    if (model.sampling) return;  // see check_sampling
     for (const State& state : model.states)
         if (!state.derivative && !state.next && !claimed_.contains(state.name))
             diagnostics_.error(

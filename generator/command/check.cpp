@@ -6,6 +6,7 @@
 #include "book/entry_process.hpp"
 #include "command/write_result.hpp"
 #include "elements/model.hpp"
+#include "run/controllers.hpp"
 #include "run/shared.hpp"
 #include "text/safe_text.hpp"
 
@@ -51,16 +52,23 @@ public:
     }
 
 private:
+    /// With its controllers. Errors of any of them come before results.
     void check_scene(const std::string& name) {
-        Machine machine = derive_machine(model_, name, options_.choice.sizes);
-        show_warnings(machine, streams_);
-        show_doubts(machine, streams_);
-        generate(machine);
-        file_.scenes.push_back(checked_scene(machine));
-        file_.failed = file_.failed || file_.scenes.back().failed();
-        write_(as_text(file_.scenes.back()));
-        verdicts_.add(*machine.system);
-        for (const Machine& other : machine.other_modes) verdicts_.add(*other.system);
+        std::vector<Machine> machines;
+        machines.push_back(derive_machine(model_, name, options_.choice.sizes));
+        for (const Sampler* sampler : machines.front().system->scene.samplers) machines.push_back(derive_controller(*sampler));
+        for (Machine& machine : machines) {
+            show_warnings(machine, streams_);
+            show_doubts(machine, streams_);
+            generate(machine);
+        }
+        for (const Machine& machine : machines) {
+            file_.scenes.push_back(checked_scene(machine));
+            file_.failed = file_.failed || file_.scenes.back().failed();
+            write_(as_text(file_.scenes.back()));
+        }
+        verdicts_.add(*machines.front().system);
+        for (const Machine& other : machines.front().other_modes) verdicts_.add(*other.system);
     }
 
     void judge_printed() {

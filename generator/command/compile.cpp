@@ -12,6 +12,7 @@ namespace dalembert {
 ExitCode compile_command(const Options& options, Streams streams) {
     Machine machine = derived(options, streams);
     refuse_rest(*machine.system, "compile");
+    tell_of_samplers(*machine.system, streams);
     ask_of_code(machine, options);
     const Header header = generate(machine);
     const Scene& scene = machine.system->scene;

@@ -91,6 +91,7 @@ ExitCode export_command(const Options& options, Streams streams) {
     show_warnings(machine, streams);
     show_doubts(machine, streams);
     refuse_rest(*machine.system, "export");
+    tell_of_samplers(*machine.system, streams);
     if (!options.mode.empty()) check_mode(machine, target, options);
     ask_of_code(machine, options);
     machine.language = &language_named("c");

@@ -143,6 +143,7 @@ void describe(Visitor& v, E& state) {
     v("derivative", state.derivative, {.dimension = state.unit.dimension / Dimension::time(), .depends = on_state_and_inputs | on_places,
         .doc = "time derivative; left out for a state that a volume, pipe, node, rod, block, capacitor or inductor determines"});
     v("next", state.next, {.dimension = state.unit.dimension, .depends = on_plain_states_and_inputs,
+        .words = "next value",
         .excludes = {{"derivative", "has a next value and a derivative; a controller that samples has the first"}},
         .doc = "of a controller that samples, instead of a derivative: the value at the next sample"});
     v("root", state.root, {

@@ -104,8 +104,9 @@ std::string banner(const std::vector<const Code*>& modes, const Proofs& proofs, 
     if (!solids.empty()) text += fmt::format("//     integrals over solids, and Steiner's theorem: {}\n", verdicts(solids));
     if (!loads.empty()) text += fmt::format("//     equilibrium of loads: {}\n", verdicts(loads));
     if (!balances.empty()) text += fmt::format("//     balances of mass and energy: {} balances\n", verdicts(balances));
-    text += fmt::format("//     {} + prescribed: {}\n", Audit::power_balance_name(code.system),
-                        to_string(proofs.derivation.power_balance.result.verdict));
+    if (scene.sampling == nullptr)
+        text += fmt::format("//     {} + prescribed: {}\n", Audit::power_balance_name(code.system),
+                            to_string(proofs.derivation.power_balance.result.verdict));
     text += fmt::format("//     this code = the derivation: {} functions\n", verdicts(emitted));
 
     text += "//\n";

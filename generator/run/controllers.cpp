@@ -23,8 +23,7 @@ std::size_t place_of(const std::string& name, const Items& items) {
 }
 
 PreparedController prepare(const Sampler& sampler, const System& machine, double until) {
-    const auto loaded = std::make_shared<const LoadedModel>(*sampler.controller);
-    Machine controller = derive_machine(loaded, "", {});
+    Machine controller = derive_controller(sampler);
     const System& system = *controller.system;
     const Values values(system.scene, system.translate);
     const SampleTimes times = sample_times(system, values);
@@ -51,6 +50,10 @@ PreparedController prepare(const Sampler& sampler, const System& machine, double
 }
 
 }  // namespace
+
+Machine derive_controller(const Sampler& sampler) {
+    return derive_machine(std::make_shared<const LoadedModel>(*sampler.controller), "", {});
+}
 
 std::vector<PreparedController> prepare_controllers(const System& machine, double until) {
     std::vector<PreparedController> prepared;

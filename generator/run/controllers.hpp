@@ -16,6 +16,9 @@ struct PreparedController {
     ControllerOfRun run;  ///< without its table
 };
 
+/// The controller of a sampler, derived. Throws Failure.
+Machine derive_controller(const Sampler& sampler);
+
 /// Derives, proves and generates them. Throws Failure; also (bad-option) where a run until then has too many samples.
 std::vector<PreparedController> prepare_controllers(const System& machine, double until);
 

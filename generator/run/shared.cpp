@@ -76,6 +76,17 @@ void refuse_fields(const System& system, const char* verb) {
                                              field.geometry.cells(), field.rod->name, verb)});
 }
 
+void tell_of_samplers(const System& system, Streams streams) {
+    std::vector<std::string> names, inputs;
+    for (const Sampler* sampler : system.scene.samplers) {
+        names.push_back(sampler->name);
+        for (const RunEntry& entry : sampler->sets) inputs.push_back(entry.value->name);
+    }
+    if (names.empty()) return;
+    streams.err << fmt::format("dalembert: warning: this is the machine without its controllers {}; whoever runs it sets its inputs {}\n",
+                               quoted_list(names), quoted_list(inputs));
+}
+
 void refuse_samplers(const System& system, const std::string& verb) {
     const std::vector<const Sampler*>& samplers = system.scene.samplers;
     if (samplers.empty()) return;

@@ -25,6 +25,8 @@ const Machine& in_chosen_mode(const Machine& machine, const Options& options);
 /// Throws Failure (too-large) where cells of rods are computed in loops, so that they have no equations of their own.
 void refuse_fields(const System& system, const char* verb);
 /// Throws Failure (nothing-left) where nothing can move: statics alone.
+/// Tells that what is written is the machine without its controllers.
+void tell_of_samplers(const System& system, Streams streams);
 /// Throws Failure (not-allowed-here) where a controller samples.
 void refuse_samplers(const System& system, const std::string& verb);
 

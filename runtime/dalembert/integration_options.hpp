@@ -59,9 +59,10 @@ inline constexpr std::array methods_of_integration{
     MethodSpec{"symplectic", Method::symplectic, true, "for accelerations that depend on coordinates alone"},
 };
 
-template <class State>
+template <class StateOfRun>
 struct IntegrationOptions {
-    using Scalar = typename State::value_type;
+    using State = StateOfRun;
+    using Scalar = typename StateOfRun::value_type;
     Method method = Method::automatic;
     Scalar tolerance = Scalar(1e-9);  ///< error of a step relative to max(|x_i|, scale_i)
     State scale = filled(Scalar(1));  ///< scale of each state, in SI: smaller values count as this

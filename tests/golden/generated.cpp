@@ -115,7 +115,8 @@ void write_gallery(const fs::path& root) {
     for (const std::string& domain : domains)
         for (const fs::path& path : models)
             if (path.parent_path().filename() == domain) arguments.push_back((root / "systems" / domain / path.filename()).string());
-    CHECK(arguments.size() == models.size() + 1);
+    const auto controllers = std::count_if(models.begin(), models.end(), is_controller);
+    CHECK(arguments.size() + static_cast<std::size_t>(controllers) == models.size() + 1);
     arguments.insert(arguments.end(), {"-o", (root / "systems").string(), "--generated", (root / "generated").string()});
     const Result result = run(arguments);
     INFO(result.err);
@@ -128,6 +129,7 @@ TEST_CASE("the gallery has every system, as its model and its header are") {
     if (accepting()) return;
     const std::string page = content(source / "systems/GALLERY.md"), html = content(source / "systems/gallery.html");
     for (const fs::path& path : system_models()) {
+        if (is_controller(path)) continue;
         const std::string model = content(path), link = fs::relative(path, source / "systems").string();
         INFO(link, "; ./dev accept writes the gallery anew");
         const std::size_t at = page.find("](" + link + ")");

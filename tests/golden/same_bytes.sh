@@ -6,7 +6,7 @@ here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
 runs=$1
 for ((run = 1; run <= runs; ++run)); do
-  for model in "$SOURCE"/systems/{mechanics,hydraulics,pneumatics,heat,drives,parts}/*.toml; do
+  for model in "$SOURCE"/systems/{mechanics,hydraulics,pneumatics,heat,drives,parts,controllers}/*.toml; do
     "$PROGRAM" generate "$model" --every-scene -o "$here/$run" >/dev/null
     "$PROGRAM" derive "$model" --format latex >"$here/$run/$(basename "$model").tex"
   done

@@ -54,6 +54,9 @@ inline std::set<fs::path> system_models() {
     return models;
 }
 
+/// Whether a model is a controller that samples: it has a header, but nothing that moves.
+inline bool is_controller(const fs::path& model) { return model.parent_path().filename() == "controllers"; }
+
 /// Models and catalogues that take seconds each: of the full tier, but for one header a model.
 inline bool is_slow(const fs::path& model) {
     static const std::set<std::string> slow{"enclosure",        "arm_6r", "block", "pneumatic_cylinder", "3_3_mass_and_momentum",

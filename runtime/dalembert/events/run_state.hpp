@@ -180,16 +180,27 @@ protected:
     void act() {
         if (options_.clock != nullptr) options_.clock->act(x_, t_, 0);
     }
+    /// What is due halfway to `behind`.
+    void act_halfway(Scalar behind) {
+        const Scalar half = (behind - t_) / Scalar(2);
+        State x;
+        for (std::size_t i = 0; i < x_.size(); ++i) x[i] = x_[i] + half * dxdt_[i];
+        options_.clock->act(x, t_ + half, 0);
+    }
 
     /// From just before a kink that is known to just behind it.
     void pass_kink(Scalar behind) {
+        if (options_.clock != nullptr) act_halfway(behind);
+        const Scalar half = (behind - t_) / Scalar(2);
+        const State before = dxdt_;
         State x;
         for (std::size_t i = 0; i < x_.size(); ++i) x[i] = x_[i] + (behind - t_) * dxdt_[i];
         move(behind, x);
-        act();
         if constexpr (may_have_entries<Values>) outcome_.events += events_.pass_known(x_, t_);
         control_.forget();
         evaluate(x_, t_, dxdt_);
+        // What acts does so from halfway on.
+        for (std::size_t i = 0; options_.clock != nullptr && i < x_.size(); ++i) x_[i] += half * (dxdt_[i] - before[i]);
     }
 
     /// At the end of a step that was cut for an event: ends the run there, or starts anew behind it.

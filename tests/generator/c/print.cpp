@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Statements as C: the same operations in the same order as in C++, with the names that C needs.
+#include "c/helpers.hpp"
 #include "c/print.hpp"
+#include "symbolic/scalar_functions.hpp"
 
 #include <doctest/doctest.h>
 
@@ -31,6 +33,16 @@ TEST_CASE("values in C") {
     CHECK(print.text(Value::call(Value::Where::plant, "rhs", {Value::name("x"), Value::name("dxdt")})) == "cart_rhs(plant_, x, dxdt)");
     CHECK(print.text(Value::all_of({})) == "true");
     CHECK(print.called() == std::set<CHelper>{{"compression_by_decay", 0}, {"fabs", 0}, {"ldlt_solve", 3}});
+}
+
+TEST_CASE("C has every function that languages are said to bring along") {
+    const Plant plant = plant_of(4);
+    CPrinter print(plant, "cart");
+    for (int op = 0; op <= static_cast<int>(Op::curve_third); ++op)
+        if (const ScalarFunction& function = scalar_function(static_cast<Op>(op)); function.in_library && function.op != Op::power)  // pow
+            print.text(Value::call(Value::Where::library, function.name, {Value::name("x"), Value::name("y")}));
+    CHECK(print.called().size() > 10);
+    CHECK_NOTHROW(c_helper_source(print.called(), "cart"));
 }
 
 TEST_CASE("statements in C") {
