@@ -20,8 +20,8 @@ void check_plain(const Model& model, Diagnostics& diagnostics) {
     for (const State& state : model.states)
         if (state.next)
             diagnostics.error(Id::not_allowed_here, state.next->span,
-                              fmt::format("state '{}' has a next value, but the model has no [sampling], which says when that is; states of "
-                                          "machines have derivatives",
+                              fmt::format("state '{}' has a next value, but the model has no [sampling], which says when that is; "
+                                          "states of machines have derivatives",
                                           state.name));
 }
 
@@ -36,8 +36,8 @@ void check_sampling(const Model& model, Diagnostics& diagnostics) {
             if (is_of_controllers<T> || is_told) return;
             is_told = true;
             diagnostics.error(Id::not_allowed_here, item.span,
-                              fmt::format("a controller that samples has parameters, definitions, curves, inputs, states and outputs, and no "
-                                          "[{}]",
+                              fmt::format("a controller that samples has parameters, definitions, curves, inputs, states and outputs, "
+                                          "and no [{}]",
                                           section),
                               {samples});
         });
@@ -62,8 +62,8 @@ void check_sampling(const Model& model, Diagnostics& diagnostics) {
         for_each(*site.expression, [&](const Expression& e) {
             if (e.kind == Expression::Kind::name && e.name == "t" && e.children.empty())
                 diagnostics.error(Id::not_allowed_here, e.span,
-                                  fmt::format("{} depends on the time, which a controller that samples does not know; count samples in a "
-                                              "state, or measure the time as an input",
+                                  fmt::format("{} depends on the time, which a controller that samples does not know; count samples "
+                                              "in a state, or measure the time as an input",
                                               site.what),
                                   {samples});
         });

@@ -120,8 +120,8 @@ void describe(Visitor& v, E& input) {
     v.item({.has_family = true});
 }
 
-/// A first-order state: dot(name) = derivative, or, without one, what a volume, pipe, node, rod, block or branch determines. Of a controller
-/// that samples: what it is at the next sample.
+/// A first-order state: dot(name) = derivative, or, without one, what a volume, pipe, node, rod, block or branch determines. Of a
+/// controller that samples: what it is at the next sample.
 struct State : Quantity {
     ExpressionPtr start;
     ExpressionPtr derivative;

@@ -230,8 +230,9 @@ std::string equations_as_text(const System& s) {
         for (const CellPart& part : parts(f)) text += fmt::format("  {} = {}\n", part.title, write(part.value));
         text += "  capacity*dot(T_here) = heat from the cell before - heat to the next + source\n";
     }
-    if (s.scene.sampling == nullptr) text += "\nenergies and powers\n";
-    for (const auto& [name, value] : s.scene.sampling == nullptr ? scalars(s) : decltype(scalars(s)){}) text += fmt::format("  {} = {}\n", name, write(value));
+    const bool has_energy = s.scene.sampling == nullptr;
+    if (has_energy) text += "\nenergies and powers\n";
+    for (const auto& [name, value] : has_energy ? scalars(s) : decltype(scalars(s)){}) text += fmt::format("  {} = {}\n", name, write(value));
     const auto of_cells = [&](const char* part, GiNaC::ex RodField::* what) {
         std::string sums;
         for (const RodField& f : s.heat.fields)

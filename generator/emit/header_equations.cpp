@@ -83,9 +83,10 @@ std::map<Function, std::vector<std::string>> header_equations(const std::vector<
         result[row.function] = in_modes(modes, [&](const System& s, const Notation& write) {
             if (row.kind == HeaderFunction::Kind::motion) return written_motion(s, write);
             const std::vector<std::string> left = left_sides(row, s);
-            const std::vector<GiNaC::ex> right = (row.kind == HeaderFunction::Kind::sample ? header_function(Function::output) : row).shown_values(s);
+            const bool is_sample = row.kind == HeaderFunction::Kind::sample;
+            const std::vector<GiNaC::ex> right = (is_sample ? header_function(Function::output) : row).shown_values(s);
             std::vector<std::string> rows;
-            if (row.kind == HeaderFunction::Kind::sample) rows = written_motion(s, write);
+            if (is_sample) rows = written_motion(s, write);
             for (std::size_t i = 0; i < right.size(); ++i) rows.push_back(fmt::format("{} = {}", left[i], write(right[i])));
             return rows;
         });

@@ -106,7 +106,8 @@ private:
             of_part.stop_on_errors();
             if (!part.model.samplers.empty())
                 throw Failure(Diagnostic{Id::not_allowed_here, file.span,
-                                         fmt::format("part '{}' has [samplers]; controllers belong to the model that uses the part", use.key),
+                                         fmt::format("part '{}' has [samplers]; controllers belong to the model that uses the part",
+                                                     use.key),
                                          {{part.model.samplers.front().span, "they stand here"}}});
             Model alone = part.model;
             complete(alone, of_part);

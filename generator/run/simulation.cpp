@@ -159,8 +159,8 @@ PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const s
     settings.kinks = kinks_of([](const System&, Values&) {});
     if (!system.scene.samplers.empty() && settings.method == "taylor")
         throw Failure(Diagnostic{Id::bad_option, system.scene.samplers.front()->span,
-                                 fmt::format("the method taylor needs series of all inputs, and sampler '{}' sets one at its samples; choose "
-                                             "another method",
+                                 fmt::format("the method taylor needs series of all inputs, and sampler '{}' sets one at its samples; "
+                                             "choose another method",
                                              system.scene.samplers.front()->name)});
     const std::vector<NamedVariable> named = named_variables(options.sensitivities, system);
     std::vector<VariedOfRun> varied = varied_of_run(named, system, unmet, kinks_of);

@@ -104,7 +104,9 @@ private:
     /// Sizes are set and modes chosen before; gravity acts where there is a mass.
     void choose(const std::vector<Size>&, std::map<std::string, int, std::less<>>&) {}
     void choose(const std::optional<Gravity>&, const Gravity*) {}
-    void choose(const std::optional<ControllerSampling>& sampling, const ControllerSampling*& chosen) { chosen = sampling ? &*sampling : nullptr; }
+    void choose(const std::optional<ControllerSampling>& sampling, const ControllerSampling*& chosen) {
+        chosen = sampling ? &*sampling : nullptr;
+    }
     void choose(const std::vector<ModeGroup>&, std::vector<SceneMode>&) {}
 
     /// Media are in the scene already.
@@ -136,8 +138,8 @@ private:
                                                   [&](const Member<Input>& input) { return input.item->name == name; });
                 if (!is_there)
                     fail(Id::needs_absent, entry.span,
-                         fmt::format("sampler '{}' sets input '{}', which scene '{}' leaves out; give the sampler a 'when'", sampler->name,
-                                     name, scene_.name));
+                         fmt::format("sampler '{}' sets input '{}', which scene '{}' leaves out; give the sampler a 'when'",
+                                     sampler->name, name, scene_.name));
                 if (const auto [known, is_new] = set.emplace(name, sampler); !is_new)
                     fail(Id::doubly_defined, entry.span,
                          fmt::format("in scene '{}', input '{}' is set by the samplers '{}' and '{}'", scene_.name, name,

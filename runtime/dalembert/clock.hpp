@@ -17,8 +17,8 @@ public:
     virtual ~Clock() = default;
     /// The first instant that is not over yet, in s; infinity if there is none.
     virtual Scalar next() const = 0;
-    /// Does what is due up to t, and a rounding behind it. The run is at (x, t), in a mode of the machine by number. What it changes, such as
-    /// inputs, acts from then on.
+    /// Does what is due up to t, and a rounding behind it. The run is at (x, t), in a mode of the machine by number. What it changes, such
+    /// as inputs, acts from then on.
     virtual void act(const State& x, Scalar t, std::size_t mode) = 0;
 };
 

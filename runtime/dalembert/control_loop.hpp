@@ -58,8 +58,8 @@ private:
 };
 
 template <class System, class Controller, class Measure>
-ControlLoop<System, Controller, Measure> control_loop(const Controller& controller, const SampleClock& clock, const typename System::State& x,
-                                                      Measure measure) {
+ControlLoop<System, Controller, Measure> control_loop(const Controller& controller, const SampleClock& clock,
+                                                      const typename System::State& x, Measure measure) {
     return {controller, clock, x, std::move(measure)};
 }
 
