@@ -27,6 +27,18 @@ void check_plain(const Model& model, Diagnostics& diagnostics) {
 
 }  // namespace
 
+void check_controller_parameters(const Model& model, Diagnostics& diagnostics) {
+    if (model.samplers.empty()) return;
+    const Names names(model);
+    for (const Sampler& sampler : model.samplers)
+        for (const RunEntry& entry : sampler.of_machine)
+            if ((dependence(*entry.value, names) & ~on_parameters) != 0)
+                diagnostics.error(Id::not_allowed_here, entry.value->span,
+                                  fmt::format("parameter '{}' of the controller of sampler '{}' is constant in a run, but '{}' is not; "
+                                              "what changes is measured",
+                                              entry.variable->name, sampler.name, entry.value->written()));
+}
+
 void check_sampling(const Model& model, Diagnostics& diagnostics) {
     if (!model.sampling) return check_plain(model, diagnostics);
     const Note samples{model.sampling->span, "it samples because of this section"};
@@ -57,7 +69,8 @@ void check_sampling(const Model& model, Diagnostics& diagnostics) {
     for (const Input& input : model.inputs)
         if (input.family)
             diagnostics.error(Id::not_allowed_here, input.span,
-                              fmt::format("input '{}' is a family; a controller that samples measures single values", input.name), {samples});
+                              fmt::format("input '{}' is a family; a controller that samples measures single values", input.name),
+                              {samples});
     visit(model, [&](const Site& site) {
         for_each(*site.expression, [&](const Expression& e) {
             if (e.kind == Expression::Kind::name && e.name == "t" && e.children.empty())

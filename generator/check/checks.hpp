@@ -77,6 +77,8 @@ void check_switching(const Model& model, Diagnostics& diagnostics);
 
 /// Of a controller that samples: what it may have, and that it does not know the time. Of other models: that no state has a next value.
 void check_sampling(const Model& model, Diagnostics& diagnostics);
+/// That parameters of controllers depend on parameters alone. For what has passed check_expressions().
+void check_controller_parameters(const Model& model, Diagnostics& diagnostics);
 
 /// Units of every expression, and that both sides of everything agree.
 void check_units(const Model& model, Diagnostics& diagnostics);

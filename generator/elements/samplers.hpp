@@ -49,7 +49,8 @@ struct Sampler : Item {
     std::string file;
     Span file_span;
     std::vector<RunEntry> parameters, measures, sets;  ///< NAME of the controller = value here
-    std::shared_ptr<const Model> controller;           ///< with these parameters
+    std::shared_ptr<const Model> controller;           ///< with those parameters that are numbers
+    std::vector<RunEntry> of_machine;                  ///< of the parameters those that are made of parameters of this model
 };
 
 template <>
@@ -66,7 +67,8 @@ void describe(Visitor& v, E& sampler) {
     v("file", sampler.file, {.required = true, .doc = "the model file of the controller, with [sampling], beside this file or with a path "
         "from there"});
     v.by_hand("parameters", {.type = by_name,
-        .doc = "values of parameters of the controller; a number without a unit counts in the declared unit"});
+        .doc = "values of parameters of the controller: numbers, which count in the declared unit, or expressions of parameters of this "
+               "model"});
     v.by_hand("measures", {.required = true, .type = by_name,
         .doc = "{ NAME = expression }: what each input of the controller is here. It becomes the output `SAMPLER_NAME` of this model"});
     v.by_hand("sets", {.required = true, .type = by_name, .doc = "{ NAME = input }: the input of this model that an output of the "

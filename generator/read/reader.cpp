@@ -47,6 +47,7 @@ void complete(Model& model, Diagnostics& diagnostics) {
     check_sampling(model, diagnostics);
     check_expressions(model, diagnostics);
     diagnostics.stop_on_errors();
+    check_controller_parameters(model, diagnostics);
     check_written_sizes(model, diagnostics);
     diagnostics.stop_on_errors();
     check_switching(model, diagnostics);

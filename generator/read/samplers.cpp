@@ -40,6 +40,7 @@ public:
         for (const Sampler& sampler : model_.samplers) {
             measures(sampler);
             sets(sampler);
+            parameters(sampler);
         }
     }
 
@@ -65,6 +66,21 @@ private:
                                    fmt::format("sampler '{}' does not say what '{}' of its controller is; add it to measures", sampler.name,
                                                input.name),
                                    {{input.span, "the input is declared here"}});
+    }
+
+    void parameters(const Sampler& sampler) {
+        for (const RunEntry& entry : sampler.of_machine) {
+            const auto& list = sampler.controller->parameters;
+            const auto parameter =
+                std::find_if(list.begin(), list.end(), [&](const Parameter& one) { return one.name == entry.variable->name; });
+            Definition definition;
+            definition.name = sampler.name + "_" + parameter->name;
+            definition.span = entry.span;
+            definition.doc = parameter->doc;
+            definition.value = entry.value;
+            definition.unit = parameter->unit;
+            model_.definitions.push_back(std::move(definition));
+        }
     }
 
     void sets(const Sampler& sampler) {
@@ -126,7 +142,7 @@ private:
 
 }  // namespace
 
-void set_controller(Model& controller, const Sampler& sampler, const std::string& machine, Diagnostics& diagnostics) {
+void set_controller(Model& controller, Sampler& sampler, const std::string& machine, Diagnostics& diagnostics) {
     if (!controller.sampling)
         throw Failure(Diagnostic{Id::not_allowed_here, sampler.file_span,
                                  fmt::format("sampler '{}' takes '{}', which is no controller: it has no [sampling]", sampler.name,
@@ -138,12 +154,8 @@ void set_controller(Model& controller, const Sampler& sampler, const std::string
         if (parameter == nullptr) continue;
         bool has_names = false;
         for_each(*entry.value, [&](const Expression& e) { has_names = has_names || (e.kind == Kind::name && e.name != "pi"); });
-        if (has_names)
-            diagnostics.error(Id::not_allowed_here, entry.value->span,
-                              fmt::format("parameter '{}' of the controller of sampler '{}' is a number with its unit, since the "
-                                          "controller does not know the names of this model",
-                                          parameter->name, sampler.name));
-        parameter->values = {is_plain_number(*entry.value) ? to_si(entry.value, parameter->unit) : entry.value};
+        if (has_names) sampler.of_machine.push_back(entry);
+        else parameter->values = {is_plain_number(*entry.value) ? to_si(entry.value, parameter->unit) : entry.value};
     }
 }
 

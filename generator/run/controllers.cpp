@@ -22,30 +22,20 @@ std::size_t place_of(const std::string& name, const Items& items) {
     return static_cast<std::size_t>(found - items.begin());
 }
 
-PreparedController prepare(const Sampler& sampler, const System& machine, double until) {
-    Machine controller = derive_controller(sampler);
-    const System& system = *controller.system;
-    const Values values(system.scene, system.translate);
-    const SampleTimes times = sample_times(system, values);
-    if (until / times.every > budget::steps)
-        throw Failure(Diagnostic{Id::bad_option, sampler.span,
-                                 fmt::format("sampler '{}' takes {:.3g} samples in a run of {:g} s; the limit is {:g}", sampler.name,
-                                             until / times.every, until, budget::steps)});
-    const Header header = generate(controller);
-    PreparedController result;
-    result.source = {header.file_name, header.text, controller_source(system, header)};
+PreparedController prepare(const Sampler& sampler, const System& machine, const Values& values, double until) {
+    const auto controller = std::make_shared<Machine>(derive_controller(sampler));
+    const System& system = *controller->system;
+    const Header header = generate(*controller);
+    PreparedController result{&sampler, controller, {header.file_name, header.text, controller_source(system, header)}, {}};
     ControllerOfRun& run = result.run;
     run.name = sampler.name;
-    run.parameters = parameter_numbers(system, values);
-    run.period = times.every;
-    run.first = times.offset;
-    run.delay = times.delay;
     for (const Variable& input : system.symbols.all(SymbolKind::input))
         run.measures.push_back(place_of(sampler.name + "_" + input.name, machine.outputs));
     for (const RunEntry& entry : sampler.sets) {
         run.outputs.push_back(place_of(entry.variable->name, system.outputs));
         run.sets.push_back(machine.symbols.find(SymbolKind::input, entry.value->name, 0)->position);
     }
+    set_parameters(run, result, machine, values, until);
     return result;
 }
 
@@ -55,9 +45,31 @@ Machine derive_controller(const Sampler& sampler) {
     return derive_machine(std::make_shared<const LoadedModel>(*sampler.controller), "", {});
 }
 
-std::vector<PreparedController> prepare_controllers(const System& machine, double until) {
+void set_parameters(ControllerOfRun& run, const PreparedController& controller, const System& machine, const Values& values, double until) {
+    const System& system = *controller.machine->system;
+    Values own(system.scene, system.translate);
+    for (const RunEntry& entry : controller.sampler->of_machine) {
+        const auto number = value_at(machine.translate(*entry.value, {}), values.substitution(), 40);
+        if (!number)
+            throw Failure(Diagnostic{Id::division_by_zero, entry.value->span,
+                                     fmt::format("parameter '{}' of the controller of sampler '{}' has no value", entry.variable->name,
+                                                 controller.sampler->name)});
+        own.set(*entry.variable, *make_number(cln::rational(*number), entry.value->span), on_parameters);
+    }
+    const SampleTimes times = sample_times(system, own);
+    if (until / times.every > budget::steps)
+        throw Failure(Diagnostic{Id::bad_option, controller.sampler->span,
+                                 fmt::format("sampler '{}' takes {:.3g} samples in a run of {:g} s; the limit is {:g}", run.name,
+                                             until / times.every, until, budget::steps)});
+    run.parameters = parameter_numbers(system, own);
+    run.period = times.every;
+    run.first = times.offset;
+    run.delay = times.delay;
+}
+
+std::vector<PreparedController> prepare_controllers(const System& machine, const Values& values, double until) {
     std::vector<PreparedController> prepared;
-    for (const Sampler* sampler : machine.scene.samplers) prepared.push_back(prepare(*sampler, machine, until));
+    for (const Sampler* sampler : machine.scene.samplers) prepared.push_back(prepare(*sampler, machine, values, until));
     return prepared;
 }
 

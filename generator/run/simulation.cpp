@@ -181,7 +181,7 @@ PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& 
     const System& system = *run.machine.system;
     prepared.plant = source_of_plant(*run.machine.code, run.header, run.settings);
     prepared.run = run_of_plant(system, run.values, run.settings);
-    prepared.controllers = prepare_controllers(system, run.settings.until);
+    prepared.controllers = prepare_controllers(system, run.values, run.settings.until);
     prepared.run.varied = std::move(run.varied);
     prepared.moved = std::move(run.moved);
     prepared.without_slopes_of_outputs = std::move(run.without_slopes_of_outputs);

@@ -49,7 +49,7 @@ VariedRuns::VariedRuns(const std::shared_ptr<const LoadedModel>& model, const Op
       preparation_(model->model, options),
       machine_(derive_machine(model, preparation_.scene(options.choice.scene), options.choice.sizes)) {
     refuse_rest(*machine_.system, verb);
-    refuse_samplers(*machine_.system, verb);
+    if (preparation_.method() == "taylor") refuse_samplers(*machine_.system, std::string(verb) + " --method taylor");
     header_ = generate(machine_, preparation_.method() == "taylor" ? SeriesWish::wanted : SeriesWish::none);
     vary({});
 }
@@ -91,6 +91,7 @@ void VariedRuns::vary(std::vector<const Variable*> varied) {
         letters_.push_back(GiNaC::realsymbol(fmt::format("varied_{}", letters_.size())));
     }
     settings_ = settings_with(values(), {});
+    if (prepared_controllers_.empty()) prepared_controllers_ = prepare_controllers(*machine_.system, values(), settings_.until);
     settings_.series = has_series(machine_);
     hold_inputs();
     find_what_moves();
@@ -128,7 +129,7 @@ void VariedRuns::find_what_moves() {
         return std::any_of(letters.begin(), letters.end(), [&](const ex& letter) { return e.has(letter); });
     };
     const Values values = lettered(system);
-    is_made_anew_ = determines_starts(system) || preparation_.settings_move(values, system, letters);
+    is_made_anew_ = determines_starts(system) || preparation_.settings_move(values, system, letters) || controllers_have(letters);
     for (const Machine& other : machine_.other_modes)
         is_made_anew_ = is_made_anew_ || preparation_.settings_move(lettered(*other.system), *other.system, letters);
     if (is_made_anew_) return;
@@ -142,6 +143,18 @@ void VariedRuns::find_what_moves() {
         }
         if (!one.varied && has_letter(start)) one.made_of = start;
     }
+}
+
+/// Whether parameters of controllers are made of them.
+bool VariedRuns::controllers_have(const GiNaC::exset& letters) const {
+    const System& system = *machine_.system;
+    const GiNaC::exmap at = lettered(system).substitution();
+    for (const Sampler* sampler : system.scene.samplers)
+        for (const RunEntry& entry : sampler->of_machine) {
+            const ex value = system.translate(*entry.value, {}).subs(at, GiNaC::subs_options::no_pattern);
+            if (std::any_of(letters.begin(), letters.end(), [&](const ex& letter) { return value.has(letter); })) return true;
+        }
+    return false;
 }
 
 void VariedRuns::stay_between(std::span<const double> low, std::span<const double> high) {
@@ -162,7 +175,11 @@ void VariedRuns::stay_between(std::span<const double> low, std::span<const doubl
     }
 }
 
-void VariedRuns::compile() { library_.emplace(source_of_plant(*machine_.code, header_, settings_), plant_cache(options_)); }
+void VariedRuns::compile() {
+    library_.emplace(source_of_plant(*machine_.code, header_, settings_), plant_cache(options_));
+    controllers_.emplace(prepared_controllers_, plant_cache(options_));
+    base_.controllers = controllers_->of_run();
+}
 
 PlantRun VariedRuns::anew(std::span<const double> numbers) const {
     const System& system = *machine_.system;
@@ -172,6 +189,9 @@ PlantRun VariedRuns::anew(std::span<const double> numbers) const {
     check_values(system, values);
     PlantRun run = run_of_plant(system, values, settings_with(values, numbers));
     if (holds_inputs_) run.held_inputs = numbers_of(values.inputs());
+    run.controllers = controllers_->of_run();
+    for (std::size_t i = 0; i < run.controllers.size(); ++i)
+        set_parameters(run.controllers[i], prepared_controllers_[i], system, values, run.until);
     return run;
 }
 

@@ -61,6 +61,7 @@ private:
     Values lettered(const System& system) const;
     void find_what_moves();
     void hold_inputs();
+    bool controllers_have(const GiNaC::exset& letters) const;
     PlantRun anew(std::span<const double> numbers) const;
 
     const Options& options_;
@@ -77,6 +78,8 @@ private:
     std::vector<Start> starts_;    ///< as PlantRun::start
     mutable std::mutex symbolic_;  ///< GiNaC works in one thread at a time
     std::optional<PlantLibrary> library_;
+    std::vector<PreparedController> prepared_controllers_;
+    std::optional<LoadedControllers> controllers_;
 };
 
 }  // namespace dalembert

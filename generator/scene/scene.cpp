@@ -102,6 +102,8 @@ void warn_of_unused(const Model& model, Diagnostics& diagnostics) {
     });
     for (const Rod& rod : model.rods) used.insert(rod.temperature.name);
     for (const Block& block : model.blocks) used.insert(block.temperature.name);
+    for (const Sampler& sampler : model.samplers)
+        for (const RunEntry& entry : sampler.of_machine) used.insert(sampler.name + "_" + entry.variable->name);
     const auto warn = [&](const auto& items, const char* kind) {
         for (const auto& item : items)
             if (!used.contains(item.name))

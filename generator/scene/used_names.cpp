@@ -68,6 +68,10 @@ void UsedNames::find_all() {
         owner_ = "gravity";
         use_expressions(*scene_.gravity);
     }
+    for (const Sampler* sampler : scene_.samplers) {
+        owner_ = owner_of(*sampler);
+        for (const RunEntry& entry : sampler->of_machine) use({.expression = entry.value.get(), .allowed = constant_only, .what = owner_});
+    }
     if (scene_.sampling != nullptr) {
         owner_ = owner_of(*scene_.sampling);
         use_expressions(*scene_.sampling);

@@ -134,6 +134,48 @@ x = { unit = "m", start = 0.25, derivative = "u_a - u_b" }
     }
 }
 
+TEST_CASE("parameters of controllers may be made of those of the machine, which studies vary") {
+    const Folder folder;
+    folder.write("hold.toml", text_of("hold", R"m(
+[sampling]
+every = "T"
+[parameters]
+T = { value = 1, unit = "s" }
+K = { value = 1, unit = "1/s" }
+[inputs]
+x = { unit = "m" }
+[outputs]
+u = { value = "-K*x", unit = "m/s" }
+)m"));
+    const std::string model = folder.write("decay.toml", text_of("decay", R"m(
+[samplers.c]
+file = "hold.toml"
+parameters = { T = "T_s", K = "0.1/T_s" }
+measures = { x = "x" }
+sets = { u = "u" }
+[parameters]
+T_s = { value = 0.5, unit = "s" }
+[inputs]
+u = { unit = "m/s" }
+[states]
+x = { unit = "m", start = 1, derivative = "u" }
+)m"));
+    // Each sample takes a tenth of x away.
+    const auto closed = [](double T) { return std::pow(0.9, std::floor(10 / T)) * (1 - 0.1 * (10 / T - std::floor(10 / T))); };
+    CHECK(std::fabs(last_row(folder, model, {"--until", "10"}).at("x") - std::pow(0.9, 20)) < 1e-12);
+    CHECK(std::fabs(last_row(folder, model, {"--until", "10", "--parameter", "T_s=0.3"}).at("x") - closed(0.3)) < 1e-12);
+    const Answer study = ask("study", {model, "--vary", "T_s=0.3:0.7:3", "--observe", "end(x)", "--until", "10", "--no-plot", "-o", folder.path()});
+    INFO(study.err);
+    REQUIRE(study.code == 0);
+    std::ifstream in(folder.path() / "decay_full_study.csv");
+    std::string line;
+    std::vector<double> ends;
+    while (std::getline(in, line))
+        if (!line.empty() && std::isdigit(static_cast<unsigned char>(line[0])) != 0) ends.push_back(std::stod(line.substr(line.rfind(',') + 1)));
+    REQUIRE(ends.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(std::fabs(ends[i] - closed(0.3 + 0.2 * static_cast<double>(i))) < 1e-9);
+}
+
 TEST_CASE("samples and events, also at the same time: a block that a controller pushes every other second") {
     const Folder folder;
     folder.write("push.toml", text_of("push", R"m(
