@@ -166,6 +166,7 @@ endforeach()
 # Integrators and matrices take the compiler seconds each: side by side.
 file(GLOB plant_sources generator/plant/simulation_*.cpp generator/plant/sensitivities_*.cpp generator/plant/equilibrium.cpp generator/plant/modal.cpp)
 set_source_files_properties(${plant_sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
+set_source_files_properties(generator/plant/equilibrium.cpp generator/plant/modal.cpp PROPERTIES COMPILE_OPTIONS -O1)  # once a call
 
 # The state of the checkout is looked at in every build. It is told by --version alone: headers are the same for the same input.
 set(version_source ${CMAKE_CURRENT_BINARY_DIR}/version.cpp)

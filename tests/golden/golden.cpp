@@ -51,8 +51,9 @@ TEST_CASE("outputs of the verbs") {
     std::set<fs::path> models{source / "tests/golden/capacitor.toml"};
     for (const auto& entry : fs::recursive_directory_iterator(source / "systems"))
         if (entry.path().extension() == ".toml") models.insert(entry.path());
+    std::size_t number = 0;  // of machines every other one is of the quick tier, which proves all of them where it makes their headers
     for (const fs::path& path : models)
-        if (is_full_tier() || accepting() || !is_slow(path))
+        if (is_full_tier() || accepting() || (!is_slow(path) && (path.parent_path().filename() == "book" || number++ % 2 == 0)))
             kept.push_back({"check_" + path.stem().string() + ".txt", {"check", path.string()}});
     for (const Kept& one : kept) {
         const Result result = run(one.arguments);
