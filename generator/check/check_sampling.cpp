@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <map>
+
 #include "check/checks.hpp"
 #include "elements/every_kind.hpp"
 #include "elements/kinds.hpp"
@@ -30,6 +32,18 @@ void check_plain(const Model& model, Diagnostics& diagnostics) {
 void check_controller_parameters(const Model& model, Diagnostics& diagnostics) {
     if (model.samplers.empty()) return;
     const Names names(model);
+    std::map<std::string, const Sampler*> columns;
+    for (const Sampler& sampler : model.samplers)
+        for (const State& state : sampler.controller->states) {
+            const std::string column = sampler.name + "_" + state.name;
+            const Named* other = names.find(column);
+            const auto [known, is_new] = columns.emplace(column, &sampler);
+            if (other == nullptr && is_new) continue;
+            diagnostics.error(Id::doubly_defined, sampler.span,
+                              fmt::format("state '{}' of the controller of sampler '{}' is '{}' in results, as something else is",
+                                          state.name, sampler.name, column),
+                              {{other != nullptr ? other->item->span : known->second->span, "that is defined here"}});
+        }
     for (const Sampler& sampler : model.samplers)
         for (const RunEntry& entry : sampler.of_machine)
             if ((dependence(*entry.value, names) & ~on_parameters) != 0)

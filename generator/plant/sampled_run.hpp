@@ -45,18 +45,18 @@ public:
         }
     }
 
-    /// What is due at t, in the order of time; where instants agree, first what takes effect, then samples in the order of the list.
+    /// What is due up to then; where instants agree, first what takes effect, then samples in the order of the list.
     template <class Outputs>
-    void act(double t, const Outputs& outputs) {
+    void act(double until, const Outputs& outputs) {
         for (bool is_done = false; !is_done;) {
             is_done = true;
             for (One& one : list_)
-                while (one.clock.is_effect_due(t)) {
+                while (one.clock.is_effect_due(until)) {
                     apply(one);
                     one.clock.take_effect();
                 }
             for (One& one : list_) {
-                if (!one.clock.is_sample_due(t)) continue;
+                if (!one.clock.is_sample_due(until)) continue;
                 sample(one, outputs);
                 one.clock.take_sample();
                 if (one.of.delay == 0) {

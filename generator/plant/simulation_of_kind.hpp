@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <type_traits>
@@ -123,10 +124,21 @@ private:
     public:
         explicit ClockOfRun(Runner& runner) : runner_(runner) {}
         double next() const override { return runner_.controllers_.next(); }
-        void act(const dalembert::detail::Longer<State>& x, double t, std::size_t mode) override {
+        void act(const dalembert::detail::Longer<State>& x, double t, double until, std::size_t mode) override {
             State plain;
             std::copy_n(x.begin(), plain.size(), plain.begin());
-            runner_.controllers_.act(t, [&] { return outputs(plain, t, mode); });
+            const double at = behind_kink(t);
+            const auto measured = [&] { return outputs(plain, at, mode); };
+            if (is_first_) runner_.controllers_.begin(measured);  // now the mode is known
+            is_first_ = false;
+            runner_.controllers_.act(until, measured);
+        }
+        /// A sample that falls onto a jump of an input sees what holds behind it.
+        double behind_kink(double t) const {
+            const std::vector<double>& kinks = runner_.run_.kinks;
+            const double room = 64 * std::numeric_limits<double>::epsilon() * std::fabs(t);
+            const auto kink = std::lower_bound(kinks.begin(), kinks.end(), t - room);
+            return kink != kinks.end() && *kink <= t + room ? std::max(t, *kink + room) : t;
         }
         typename System::Output outputs(const State& x, double t, [[maybe_unused]] std::size_t mode) const {
             typename System::Output y;
@@ -137,6 +149,7 @@ private:
 
     private:
         Runner& runner_;
+        bool is_first_ = true;
     };
 
     double energy(const State& x) const {

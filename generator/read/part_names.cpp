@@ -73,7 +73,7 @@ void join_names(DocumentNode& root, const std::vector<std::string>& parts) {
     if (!parts.empty()) NameJoin(parts).run(root, 0);
 }
 
-SourcePtr source_of_part(const DocumentNode::Member& use, const DocumentNode& file) {
+SourcePtr source_of_part(const DocumentNode::Member& use, const DocumentNode& file, const char* word) {
     namespace fs = std::filesystem;
     const SourcePtr& user = use.key_span.source;
     const fs::path path = (fs::path(user->name()).parent_path() / file.string.text).lexically_normal();
@@ -87,7 +87,8 @@ SourcePtr source_of_part(const DocumentNode::Member& use, const DocumentNode& fi
         const WayIn* in = outer->way_in();
         if (is_same(*outer))
             throw Failure(
-                Diagnostic{Id::cyclic_definition, file.span, fmt::format("'{}' is used as a part of itself", path.filename().string())});
+                Diagnostic{Id::cyclic_definition, file.span,
+                           fmt::format("'{}' is used as a {} of itself", path.filename().string(), word)});
         outer = in == nullptr ? nullptr : in->place.source.get();
     }
     if (depth > budget::part_depth)
@@ -99,7 +100,7 @@ SourcePtr source_of_part(const DocumentNode::Member& use, const DocumentNode& fi
         const Diagnostic& first = failure.diagnostics().front();
         if (first.span) throw;
         throw Failure(Diagnostic{first.id, file.span,
-                                 fmt::format("{}; the path of part '{}' begins beside the file that uses it", first.message, use.key)});
+                                 fmt::format("{}; the path of {} '{}' begins beside the file that uses it", first.message, word, use.key)});
     }
 }
 

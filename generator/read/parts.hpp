@@ -28,6 +28,7 @@ void join_parts(Model& model, std::vector<Part> parts, Diagnostics& diagnostics)
 void join_names(DocumentNode& root, const std::vector<std::string>& parts);
 
 /// The text of a file that a model uses as a part. Throws Failure, also where the part would contain itself.
-SourcePtr source_of_part(const DocumentNode::Member& use, const DocumentNode& file);
+/// `word` is what it is in sentences.
+SourcePtr source_of_part(const DocumentNode::Member& use, const DocumentNode& file, const char* word = "part");
 
 }  // namespace dalembert

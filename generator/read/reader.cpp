@@ -105,6 +105,11 @@ private:
             part.name = use.key;
             part.model = Reader(source_of_part(use, file), of_part).read_all();
             of_part.stop_on_errors();
+            if (part.model.sampling)
+                throw Failure(Diagnostic{Id::not_allowed_here, file.span,
+                                         fmt::format("part '{}' is a controller that samples; name it in [samplers], not in [use]",
+                                                     use.key),
+                                         {{part.model.sampling->span, "it samples because of this section"}}});
             if (!part.model.samplers.empty())
                 throw Failure(Diagnostic{Id::not_allowed_here, file.span,
                                          fmt::format("part '{}' has [samplers]; controllers belong to the model that uses the part",
@@ -134,7 +139,7 @@ private:
             const DocumentNode& file = key == nullptr ? sampler.value : key->value;
             if (file.kind != DocumentNode::Kind::string) continue;  // told where it is read
             Diagnostics of_controller;
-            controllers.emplace(sampler.key, Reader(source_of_part(sampler, file), of_controller).read_all());
+            controllers.emplace(sampler.key, Reader(source_of_part(sampler, file, "controller"), of_controller).read_all());
             of_controller.stop_on_errors();
         }
         return controllers;

@@ -148,7 +148,9 @@ void set_controller(Model& controller, Sampler& sampler, const std::string& mach
                                  fmt::format("sampler '{}' takes '{}', which is no controller: it has no [sampling]", sampler.name,
                                              controller.name),
                                  {{controller.name_span, "it is named here"}}});
+    if (const auto problem = problem_of_model_name(sampler.name)) throw Failure(Diagnostic{problem->id, sampler.span, problem->sentence});
     controller.name = machine + "_" + sampler.name;
+    if (problem_of_model_name(controller.name)) controller.name = sampler.name;  // too long together
     for (const RunEntry& entry : sampler.parameters) {
         Parameter* parameter = named(controller.parameters, entry, sampler, "parameter", diagnostics);
         if (parameter == nullptr) continue;

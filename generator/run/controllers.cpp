@@ -15,10 +15,14 @@ namespace dalembert {
 
 namespace {
 
-/// The place of a name in a list of what has names.
+/// The place of what an entry names in a list of the controller, or of its machine.
 template <class Items>
-std::size_t place_of(const std::string& name, const Items& items) {
+std::size_t place_of(const std::string& name, const Items& items, const RunEntry& entry, const Sampler& sampler, const Scene& scene) {
     const auto found = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
+    if (found == items.end())
+        throw Failure(Diagnostic{Id::needs_absent, entry.span,
+                                 fmt::format("sampler '{}' needs '{}', which scene '{}' of '{}' leaves out", sampler.name, name, scene.name,
+                                             scene.model->name)});
     return static_cast<std::size_t>(found - items.begin());
 }
 
@@ -29,10 +33,13 @@ PreparedController prepare(const Sampler& sampler, const System& machine, const 
     PreparedController result{&sampler, controller, {header.file_name, header.text, controller_source(system, header)}, {}};
     ControllerOfRun& run = result.run;
     run.name = sampler.name;
-    for (const Variable& input : system.symbols.all(SymbolKind::input))
-        run.measures.push_back(place_of(sampler.name + "_" + input.name, machine.outputs));
+    run.measures.resize(system.symbols.count(SymbolKind::input));
+    for (const RunEntry& entry : sampler.measures) {
+        const std::size_t input = place_of(entry.variable->name, system.symbols.all(SymbolKind::input), entry, sampler, system.scene);
+        run.measures[input] = place_of(sampler.name + "_" + entry.variable->name, machine.outputs, entry, sampler, machine.scene);
+    }
     for (const RunEntry& entry : sampler.sets) {
-        run.outputs.push_back(place_of(entry.variable->name, system.outputs));
+        run.outputs.push_back(place_of(entry.variable->name, system.outputs, entry, sampler, system.scene));
         run.sets.push_back(machine.symbols.find(SymbolKind::input, entry.value->name, 0)->position);
     }
     set_parameters(run, result, machine, values, until);

@@ -187,6 +187,12 @@ PreparedSimulation prepare_simulation(const std::shared_ptr<const LoadedModel>& 
     prepared.without_slopes_of_outputs = std::move(run.without_slopes_of_outputs);
     prepared.cache = plant_cache(options);
     prepared.units = shown_units(system);
+    for (const PreparedController& controller : prepared.controllers)
+        for (const ShownUnit& unit : shown_units(*controller.machine->system))
+            if (controller.machine->system->symbols.find(SymbolKind::state, unit.column, 0) != nullptr) {
+                prepared.units.push_back(unit);
+                prepared.units.back().column = controller.sampler->name + "_" + unit.column;
+            }
     const std::string title = system.scene.model->title.empty() ? system.scene.sized_name() : system.scene.model->title;
     prepared.title = fmt::format("{} ({})", title, system.scene.name);
     if (options.compares_scenes) prepared.cost = cost_source(*run.machine.code, run.header, run.values, run.settings);

@@ -2,9 +2,7 @@
 // What acts on a run at instants, as a controller that samples.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace dalembert {
 inline namespace v1 {
@@ -17,9 +15,9 @@ public:
     virtual ~Clock() = default;
     /// The first instant that is not over yet, in s; infinity if there is none.
     virtual Scalar next() const = 0;
-    /// Does what is due up to t, and a rounding behind it. The run is at (x, t), in a mode of the machine by number. What it changes, such
-    /// as inputs, acts from then on.
-    virtual void act(const State& x, Scalar t, std::size_t mode) = 0;
+    /// Does what is due up to `until`, which is t but for roundings. The run is at (x, t), in a mode of the machine by number. What it
+    /// changes, such as inputs, acts from then on.
+    virtual void act(const State& x, Scalar t, Scalar until, std::size_t mode) = 0;
 };
 
 /// When a controller takes samples, and when what it computed takes effect: at first + k*period, and `delay` later. Instants are products,
@@ -31,9 +29,9 @@ public:
 
     /// The next instant, in s.
     double next() const { return is_pending_ ? effect() : sample(); }
-    /// Up to t, and a rounding behind it. A sample takes effect before the next one is taken.
-    bool is_effect_due(double t) const { return is_pending_ && is_over(effect(), t); }
-    bool is_sample_due(double t) const { return !is_pending_ && is_over(sample(), t); }
+    /// Up to a time. A sample takes effect before the next one is taken.
+    bool is_effect_due(double until) const { return is_pending_ && effect() <= until; }
+    bool is_sample_due(double until) const { return !is_pending_ && sample() <= until; }
     void take_sample() {
         ++taken_;
         is_pending_ = true;
@@ -43,7 +41,6 @@ public:
 private:
     double sample() const { return first_ + static_cast<double>(taken_) * period_; }
     double effect() const { return first_ + static_cast<double>(taken_ - 1) * period_ + delay_; }
-    static bool is_over(double instant, double t) { return instant <= t + 64 * std::numeric_limits<double>::epsilon() * std::fabs(t); }
 
     double period_, first_, delay_;
     unsigned long long taken_ = 0;

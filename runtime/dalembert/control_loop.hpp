@@ -33,12 +33,12 @@ public:
     const typename Controller::State& state() const { return z_; }
 
     double next() const override { return clock_.next(); }
-    void act(const StateAndWork& x, double t, std::size_t) override {
+    void act(const StateAndWork& x, double t, double until, std::size_t) override {
         while (true) {
-            if (clock_.is_effect_due(t)) {
+            if (clock_.is_effect_due(until)) {
                 output_ = computed_;
                 clock_.take_effect();
-            } else if (clock_.is_sample_due(t)) {
+            } else if (clock_.is_sample_due(until)) {
                 typename System::State state;
                 std::copy_n(x.begin(), state.size(), state.begin());
                 controller_.sample(measure_(state, t), z_, computed_);

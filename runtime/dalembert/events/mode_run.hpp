@@ -137,7 +137,7 @@ protected:
     struct ClockInMode final : Clock<State> {
         ClockInMode(Clock<State>* of_run, Mode mode) : clock(of_run), number(static_cast<std::size_t>(mode)) {}
         Scalar next() const override { return clock->next(); }
-        void act(const State& x, Scalar t, std::size_t) override { clock->act(x, t, number); }
+        void act(const State& x, Scalar t, Scalar until, std::size_t) override { clock->act(x, t, until, number); }
         Clock<State>* clock;
         std::size_t number;
     };

@@ -178,19 +178,21 @@ protected:
 
     /// What is due now: a sample of a controller, say.
     void act() {
-        if (options_.clock != nullptr) options_.clock->act(x_, t_, 0);
+        if (options_.clock != nullptr) options_.clock->act(x_, t_, t_ + room(), 0);
     }
-    /// What is due halfway to `behind`.
-    void act_halfway(Scalar behind) {
-        const Scalar half = (behind - t_) / Scalar(2);
+    /// Instants within it are not told apart.
+    Scalar room() const { return Scalar(4) * control_.smallest(t_); }
+    /// What is due between here and `behind`, at its own instant.
+    void act_before(Scalar behind) {
+        const Scalar instant = std::min(std::max(options_.clock->next(), t_), behind);
         State x;
-        for (std::size_t i = 0; i < x_.size(); ++i) x[i] = x_[i] + half * dxdt_[i];
-        options_.clock->act(x, t_ + half, 0);
+        for (std::size_t i = 0; i < x_.size(); ++i) x[i] = x_[i] + (instant - t_) * dxdt_[i];
+        options_.clock->act(x, instant, behind + room(), 0);
     }
 
     /// From just before a kink that is known to just behind it.
     void pass_kink(Scalar behind) {
-        if (options_.clock != nullptr) act_halfway(behind);
+        if (options_.clock != nullptr) act_before(behind);
         const Scalar half = (behind - t_) / Scalar(2);
         const State before = dxdt_;
         State x;

@@ -51,6 +51,8 @@ public:
             result_.last.event = happened_before();
             return end(Status::no_start_mode);
         }
+        if (options_.clock != nullptr)
+            options_.clock->act(x_, t_, t_ + control_.smallest(t_), static_cast<std::size_t>(here_.mode));
         // Friction that cannot hold at the start slides there: what is observed first is what holds from then on.
         if constexpr (has_events_at_once<System>)
             while (event != none && System::happens_at_once(event))

@@ -71,7 +71,8 @@ public:
         if (options_.clock == nullptr) return known;
         const Scalar instant = options_.clock->next();
         const Scalar room = smallest(instant);
-        return instant - room < known.before && instant + room < to_ ? Kink{instant - room, instant + room} : known;
+        const bool is_ahead = instant - room > t && instant + room < to_;
+        return is_ahead && instant - room < known.before ? Kink{instant - room, instant + room} : known;
     }
     /// Of those in the options.
     Kink next_known_kink(Scalar t) const {

@@ -164,14 +164,16 @@ x = { unit = "m", start = 1, derivative = "u" }
     const auto closed = [](double T) { return std::pow(0.9, std::floor(10 / T)) * (1 - 0.1 * (10 / T - std::floor(10 / T))); };
     CHECK(std::fabs(last_row(folder, model, {"--until", "10"}).at("x") - std::pow(0.9, 20)) < 1e-12);
     CHECK(std::fabs(last_row(folder, model, {"--until", "10", "--parameter", "T_s=0.3"}).at("x") - closed(0.3)) < 1e-12);
-    const Answer study = ask("study", {model, "--vary", "T_s=0.3:0.7:3", "--observe", "end(x)", "--until", "10", "--no-plot", "-o", folder.path()});
+    const Answer study =
+        ask("study", {model, "--vary", "T_s=0.3:0.7:3", "--observe", "end(x)", "--until", "10", "--no-plot", "-o", folder.path()});
     INFO(study.err);
     REQUIRE(study.code == 0);
     std::ifstream in(folder.path() / "decay_full_study.csv");
     std::string line;
     std::vector<double> ends;
     while (std::getline(in, line))
-        if (!line.empty() && std::isdigit(static_cast<unsigned char>(line[0])) != 0) ends.push_back(std::stod(line.substr(line.rfind(',') + 1)));
+        if (!line.empty() && std::isdigit(static_cast<unsigned char>(line[0])) != 0)
+            ends.push_back(std::stod(line.substr(line.rfind(',') + 1)));
     REQUIRE(ends.size() == 3);
     for (std::size_t i = 0; i < 3; ++i) CHECK(std::fabs(ends[i] - closed(0.3 + 0.2 * static_cast<double>(i))) < 1e-9);
 }
@@ -222,6 +224,44 @@ coefficient = 1
         CHECK(row.at("push_n") == 21);
         CHECK(std::fabs(row.at("x") - (10 * way + a * 0.125)) < 1e-9);
         CHECK(std::fabs(row.at("dot(x)") - a * 0.5) < 1e-9);
+    }
+}
+
+TEST_CASE("a sample on a jump of an input sees what holds behind it") {
+    const Folder folder;
+    folder.write("copy.toml", text_of("copy", R"m(
+[sampling]
+every = "T"
+[parameters]
+T = { value = 0.1, unit = "s" }
+[inputs]
+r = { unit = "m/s" }
+[states]
+n = { unit = "1", next = "n + 1" }
+[outputs]
+w = { value = "r", unit = "m/s" }
+)m"));
+    const auto way = [&](const std::string& period, const std::string& input, const std::string& offset) {
+        const std::string model = folder.write("follow.toml", text_of("follow", R"m(
+[samplers.c]
+file = "copy.toml"
+parameters = { T = )m" + period + R"m( }
+measures = { r = "r" }
+sets = { w = "w" }
+[inputs]
+r = { unit = "m/s" }
+w = { unit = "m/s" }
+[states]
+x = { unit = "m", derivative = "w" }
+)m"));
+        return last_row(folder, model, {"--until", "3", "--input", "r=" + input, "--samples", offset}).at("x");
+    };
+    for (const char* period : {"0.1", "0.125", "0.25", "0.3"}) {
+        INFO(period);
+        CHECK(std::fabs(way(period, "step(t - 1.5)", "7") - 1.5) < 1e-12);
+        // A wave that is up for 0.75 s, as samples see it.
+        const double seen = period == std::string("0.1") ? 1.6 : period == std::string("0.3") ? 1.8 : 1.5;
+        CHECK(std::fabs(way(period, "if(mod(t, 1.5) < 0.75, 1, 0)", "30") - seen) < 1e-12);
     }
 }
 
