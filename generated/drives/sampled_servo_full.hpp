@@ -86,7 +86,7 @@ inline constexpr std::array<Quantity, state_count> state_quantities{
 inline constexpr std::array<Quantity, input_count> input_quantities{
     Quantity{"w", "rad", "angle that is wanted", -100, 100},
     Quantity{"tau_l", "N*m", "torque of the process against the motion", -1000, 1000},
-    Quantity{"n_counted", "rad/s", "speed of the motor as the encoder sees it", -1000, 1000},
+    Quantity{"n_counted", "rad/s", "speed of the motor as the encoder sees it", -1047.1975511965977, 1047.1975511965977},
     Quantity{"duty", "1", "share of the voltage that the controller sets", -1, 1},
 };
 inline constexpr std::array<Quantity, output_count> output_quantities{
