@@ -18,7 +18,7 @@ struct BranchState {
     const Branch* item;
     std::string name;
     std::size_t from, to;                     ///< pins
-    GiNaC::ex value = 0;                      ///< R, L, C, k or the ratio; of a source what is given; of a diode or switch in its mode R or 1/G
+    GiNaC::ex value = 0;                      ///< R, L, C, k or the ratio; of a source what is given; of a diode or switch R or 1/G
     GiNaC::ex motion = 0;                     ///< angle or position
     std::optional<std::size_t> state = {};    ///< of an inductor or capacitor
     GiNaC::ex level = 0;                      ///< the letter of that state: a current or voltage
@@ -44,7 +44,7 @@ struct BranchState {
 struct Circuit {
     std::vector<PinState> pins;         ///< the first is ground; none where the scene has no branch
     std::vector<BranchState> branches;
-    std::vector<GiNaC::ex> force;       ///< generalised forces of motors, and of what changes with coordinates
+    std::vector<GiNaC::ex> force;       ///< generalised forces of motors, and of L(q) and C(q)
     GiNaC::ex stored_energy = 0;        ///< J
     GiNaC::ex supplied_power = 0;       ///< W, of sources
     GiNaC::ex dissipated_power = 0;     ///< W, of resistors

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "text/diagnostic.hpp"
+#include "text/nearest.hpp"
 
 namespace dalembert {
 
@@ -54,18 +55,11 @@ void cut_off_inductors(Circuit& circuit) {
     }
 }
 
-std::string quoted_names(const std::vector<std::string>& names) {
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        text += fmt::format("{}'{}'", i == 0 ? "" : i + 1 == names.size() ? " and " : ", ", names[i]);
-    return text;
-}
-
 std::string interruption(const std::vector<const BranchState*>& branches) {
     std::vector<std::string> diodes, switches;
     for (const BranchState* branch : branches) (is_diode(branch) ? diodes : switches).push_back(branch->name);
     const auto those = [](const std::vector<std::string>& names, const char* one, const char* does, const char* many, const char* all_do) {
-        return names.empty() ? "" : fmt::format("{} {} {}", names.size() == 1 ? one : many, quoted_names(names),
+        return names.empty() ? "" : fmt::format("{} {} {}", names.size() == 1 ? one : many, quoted_list(names),
                                                 names.size() == 1 ? does : all_do);
     };
     return those(diodes, "diode", "blocks", "diodes", "block") + (diodes.empty() || switches.empty() ? "" : " and ") +

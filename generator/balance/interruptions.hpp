@@ -16,9 +16,6 @@ std::vector<std::size_t> parts_of(const Circuit& circuit, const std::function<bo
 /// switches alone interrupt it.
 void cut_off_inductors(Circuit& circuit);
 
-/// "'a', 'b' and 'c'"
-std::string quoted_names(const std::vector<std::string>& names);
-
 /// "diodes 'D_1' and 'D_2' block and switch 'S' is open"
 std::string interruption(const std::vector<const BranchState*>& branches);
 

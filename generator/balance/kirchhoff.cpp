@@ -12,6 +12,7 @@
 #include "balance/interruptions.hpp"
 #include "balance/transformers.hpp"
 #include "text/diagnostic.hpp"
+#include "text/nearest.hpp"
 
 namespace dalembert {
 
@@ -121,7 +122,7 @@ private:
                                                            : fmt::format("give '{}' a resistance", branch(*with_modes).name);
         throw Failure(Diagnostic{Id::doubly_determined, branch(closing).item->span,
                                  fmt::format("branch '{}' closes a loop of {}, {}, in which each voltage follows from the others; {}",
-                                             branch(closing).name, of, quoted_names(names), remedy)});
+                                             branch(closing).name, of, quoted_list(names), remedy)});
     }
 
     /// Throws Failure (undetermined) where resistors do not join all groups to ground.
@@ -138,7 +139,7 @@ private:
                 if (b.is_interrupted()) around.push_back(&b);
                 else currents.push_back(b.name);
             }
-        const std::string those = fmt::format("pin{} {}", pins.size() == 1 ? "" : "s", quoted_names(pins));
+        const std::string those = fmt::format("pin{} {}", pins.size() == 1 ? "" : "s", quoted_list(pins));
         const Span& place = circuit_.pins[*away].place;
         const std::string where = around.empty() ? "" : fmt::format("where {}, ", interruption(around));
         const std::string fact =
@@ -146,7 +147,7 @@ private:
                                            pins.size() == 1 ? "its potential is" : "their potentials are")
                              : fmt::format("nothing but {}, inductors or current sources, joins {} to the rest of the circuit, so each of "
                                            "their currents follows from the others",
-                                           quoted_names(currents), those);
+                                           quoted_list(currents), those);
         const std::string remedy = !around.empty()    ? fmt::format("give '{}' a conductance", around.front()->name)
                                    : currents.empty() ? fmt::format("join one of them to '{}'", ground_pin)
                                                       : "put a resistor across one of them";
@@ -231,7 +232,7 @@ private:
         values_[k] = sum.expand() / all;
     }
 
-    /// From the last one that was eliminated, which is made of what is known, to the first.
+    /// In reverse order: the value of the last potential that was eliminated contains known quantities only.
     void find_potentials() {
         for (auto k = order_.rbegin(); k != order_.rend(); ++k) {
             const ex value = values_[*k].subs(found_, GiNaC::subs_options::no_pattern);

@@ -9,8 +9,8 @@
 
 namespace dalembert {
 
-/// Solves a circuit by `solve`, which takes the windings as branches of known voltage or current. Throws Failure as that does, where it does
-/// for either choice.
+/// Solves a circuit by `solve`, which takes the windings as branches of known voltage or current. Throws Failure as that does, where it
+/// does for either choice.
 void solve_with_transformers(Circuit& circuit, const std::function<void(Circuit&)>& solve);
 
 }  // namespace dalembert

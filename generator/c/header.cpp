@@ -33,6 +33,8 @@ public:
         start_state(values);
         const std::string tables = print_.curves(plant_.curves);
         values["HELPERS"] = c_helper_source(print_.called(), name_) + tables;  // of all that was printed so far
+        fill_part("QUANTITIES", embedded_file("quantities.h.in"), values);
+        values["NAME"] = name_;  // of both
         if (!plant_.sampling) return fill_template(embedded_file("plant.h.in"), values);
         values.merge(sampling_texts(*plant_.sampling));
         const std::string_view controller = embedded_file("controller.h.in");

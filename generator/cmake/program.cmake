@@ -48,6 +48,8 @@ set(embedded
     templates/meet_constraints.hpp.in
     templates/meet_constraints.h.in
     templates/plant.h.in
+    templates/quantities.hpp.in
+    templates/quantities.h.in
     templates/controller.hpp.in
     templates/controller.h.in
     templates/controller_plant.cpp.in

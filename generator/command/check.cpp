@@ -54,21 +54,23 @@ public:
 private:
     /// With its controllers. Errors of any of them come before results.
     void check_scene(const std::string& name) {
-        std::vector<Machine> machines;
-        machines.push_back(derive_machine(model_, name, options_.choice.sizes));
-        for (const Sampler* sampler : machines.front().system->scene.samplers) machines.push_back(derive_controller(*sampler));
-        for (Machine& machine : machines) {
-            show_warnings(machine, streams_);
-            show_doubts(machine, streams_);
-            generate(machine);
-        }
-        for (const Machine& machine : machines) {
-            file_.scenes.push_back(checked_scene(machine));
-            file_.failed = file_.failed || file_.scenes.back().failed();
-            write_(as_text(file_.scenes.back()));
-        }
-        verdicts_.add(*machines.front().system);
-        for (const Machine& other : machines.front().other_modes) verdicts_.add(*other.system);
+        Machine machine = derive_machine(model_, name, options_.choice.sizes);
+        show_warnings(machine, streams_);
+        show_doubts(machine, streams_);
+        generate(machine);
+        const System& system = *machine.system;
+        const std::vector<PreparedController> controllers = prepare_controllers(system, Values(system.scene, system.translate), 0);
+        for (const PreparedController& one : controllers) show_warnings(*one.machine, streams_);
+        add(machine);
+        for (const PreparedController& one : controllers) add(*one.machine);
+        verdicts_.add(system);
+        for (const Machine& other : machine.other_modes) verdicts_.add(*other.system);
+    }
+
+    void add(const Machine& machine) {
+        file_.scenes.push_back(checked_scene(machine));
+        file_.failed = file_.failed || file_.scenes.back().failed();
+        write_(as_text(file_.scenes.back()));
     }
 
     void judge_printed() {

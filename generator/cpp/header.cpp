@@ -118,6 +118,7 @@ std::string cpp_plant(const Plant& plant, const std::string& name_space) {
     values["CONSTRAINT_FUNCTIONS"] = constraint_functions(plant);
     values["CACHED"] = cached_members(plant);
     values["HELPERS"] = helper_source(plant.helpers) + cpp_curves(plant.curves);
+    fill_part("QUANTITIES", embedded_file("quantities.hpp.in"), values);
     if (!plant.sampling) return fill_template(embedded_file("system.hpp.in"), values);
     values.merge(sampling_texts(*plant.sampling));
     const std::string_view controller = embedded_file("controller.hpp.in");

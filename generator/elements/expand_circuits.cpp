@@ -39,7 +39,7 @@ bool may_jump(const Expression& e, const Model& model, std::set<std::string>& fo
     return result;
 }
 
-/// Of one comparison of what moves on, the difference of its sides: its zero has derivatives.
+/// A single comparison of smooth quantities becomes the difference of its two sides: a guard with a derivative. Others stay as they are.
 ExpressionPtr guard_of(const Model& model, const ExpressionPtr& closed) {
     std::set<std::string> followed;
     const bool is_one = closed->children[1]->kind == Expression::Kind::number && closed->children[2]->kind == Expression::Kind::number;

@@ -172,7 +172,7 @@ struct System {
     GiNaC::ex supplied_power;
     GiNaC::ex dissipated_power;
     GiNaC::ex prescribed_power;     ///< contains accelerations where kinematics depend on time
-    GiNaC::ex internal_energy;      ///< of fluids, of what stores heat, and of circuits
+    GiNaC::ex internal_energy;      ///< of fluids, heat elements and circuits
     GiNaC::ex exchanged_power;      ///< of enthalpy flows, heat, shafts and jets over the border
     /// Whether anything stores internal energy; whether anything crosses the border.
     bool has_balances() const { return !fluids.empty() || !heat.empty() || !circuit.empty(); }

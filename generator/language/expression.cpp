@@ -21,4 +21,10 @@ void for_each(const Expression& expression, const std::function<void(const Expre
     for (const ExpressionPtr& child : expression.children) for_each(*child, visit);
 }
 
+bool has_names(const Expression& expression) {
+    bool found = false;
+    for_each(expression, [&](const Expression& e) { found = found || (e.kind == Expression::Kind::name && e.name != "pi"); });
+    return found;
+}
+
 }  // namespace dalembert

@@ -34,6 +34,7 @@ struct Expression {
     std::string name = {};
     std::vector<ExpressionPtr> children = {};
 
+    bool is_name() const { return kind == Kind::name && children.empty(); }
     /// The text as the user wrote it.
     std::string written() const { return std::string(span.text()); }
 };
@@ -73,6 +74,9 @@ struct Family {
 ExpressionPtr make_number(Rational value, Span span);
 ExpressionPtr make_name(std::string name, Span span);
 ExpressionPtr make_binary(Expression::Kind kind, ExpressionPtr left, ExpressionPtr right);
+
+/// Whether it is made of more than numbers and pi.
+bool has_names(const Expression& expression);
 
 /// Calls visit for the expression and everything below it, parents first.
 void for_each(const Expression& expression, const std::function<void(const Expression&)>& visit);

@@ -55,7 +55,7 @@ void Joins::join(const Use& use, const RunEntry& entry) {
                                                                 : did_you_mean(written, known)),
              {{use.file_span, "its file is named here"}});
     }
-    const bool is_name = entry.value->kind == Kind::name && entry.value->children.empty();
+    const bool is_name = entry.value->is_name();
     const auto found = std::find_if(ports_.begin(), ports_.end(),
                                     [&](const PartPort& each) { return is_name && each.port.name == entry.value->name; });
     PartPort* const other = found != ports_.end() ? &*found : nullptr;

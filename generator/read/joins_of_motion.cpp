@@ -139,7 +139,7 @@ void Joins::constrain(const PartPort& port, const Motion& mine, const Motion& th
                            port.port.name));
 }
 
-/// Also of what stands for a name that goes now.
+/// Inserts `by` for the name, also in expressions that already stand for other names.
 void Joins::stand_for(const std::string& name, const ExpressionPtr& by) {
     Renaming now;
     now.values[name] = by;

@@ -19,12 +19,6 @@ namespace dalembert {
 
 namespace {
 
-bool has_names(const Expression& value) {
-    bool found = false;
-    for_each(value, [&](const Expression& e) { found = found || (e.kind == Expression::Kind::name && e.name != "pi"); });
-    return found;
-}
-
 /// Names of a part without the name of the part.
 template <class Items>
 std::vector<std::string> names_within(const Items& items, const std::string& prefix) {
@@ -75,7 +69,7 @@ private:
 
     template <class T>
     T* named(const RunEntry& entry, std::vector<T>& items, const char* word) {
-        T* found = entry.variable->kind == Kind::name && entry.variable->children.empty() ? find(items, full(entry)) : nullptr;
+        T* found = entry.variable->is_name() ? find(items, full(entry)) : nullptr;
         if (found == nullptr)
             diagnostics_.error(Id::unknown_name, entry.span,
                                fmt::format("part '{}' has no {} '{}'{}", use_.name, word, entry.variable->written(),
@@ -85,7 +79,7 @@ private:
     }
 
     std::optional<std::string> other(const RunEntry& entry, const char* word) {
-        if (entry.value->kind == Kind::name && entry.value->children.empty()) return entry.value->name;
+        if (entry.value->is_name()) return entry.value->name;
         diagnostics_.error(Id::wrong_type, entry.value->span,
                            fmt::format("'{}' is not the name of {}", entry.value->written(), with_article(word)));
         return std::nullopt;
@@ -102,7 +96,7 @@ private:
             parameter->values = {in_unit(entry.value, parameter->unit)};
             return;
         }
-        const bool is_name = entry.value->kind == Kind::name && entry.value->children.empty() && !parameter->family;
+        const bool is_name = entry.value->is_name() && !parameter->family;
         if (const auto other = is_name ? units_.find(entry.value->name) : units_.end();
             other != units_.end() && other->second.dimension == parameter->unit.dimension) {
             everywhere_.values[full(entry)] = entry.value;

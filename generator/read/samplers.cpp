@@ -13,15 +13,11 @@ namespace dalembert {
 
 namespace {
 
-using Kind = Expression::Kind;
-
-bool is_name(const Expression& e) { return e.kind == Kind::name && e.children.empty(); }
-
 /// The item of a list that an entry names; null, with an error, if there is none.
 template <class Items>
 auto* named(Items& items, const RunEntry& entry, const Sampler& sampler, const char* word, Diagnostics& diagnostics) {
     const auto found = std::find_if(items.begin(), items.end(),
-                                    [&](const auto& item) { return is_name(*entry.variable) && item.name == entry.variable->name; });
+                                    [&](const auto& item) { return entry.variable->is_name() && item.name == entry.variable->name; });
     if (found != items.end()) return &*found;
     std::vector<std::string> known;
     for (const auto& item : items) known.push_back(item.name);
@@ -88,7 +84,7 @@ private:
             const Output* output = named(sampler.controller->outputs, entry, sampler, "output", diagnostics_);
             if (output == nullptr) continue;
             const auto input = std::find_if(model_.inputs.begin(), model_.inputs.end(), [&](const Input& one) {
-                return is_name(*entry.value) && one.name == entry.value->name;
+                return entry.value->is_name() && one.name == entry.value->name;
             });
             if (input == model_.inputs.end()) {
                 std::vector<std::string> known;
@@ -154,9 +150,7 @@ void set_controller(Model& controller, Sampler& sampler, const std::string& mach
     for (const RunEntry& entry : sampler.parameters) {
         Parameter* parameter = named(controller.parameters, entry, sampler, "parameter", diagnostics);
         if (parameter == nullptr) continue;
-        bool has_names = false;
-        for_each(*entry.value, [&](const Expression& e) { has_names = has_names || (e.kind == Kind::name && e.name != "pi"); });
-        if (has_names) sampler.of_machine.push_back(entry);
+        if (has_names(*entry.value)) sampler.of_machine.push_back(entry);
         else parameter->values = {is_plain_number(*entry.value) ? to_si(entry.value, parameter->unit) : entry.value};
     }
 }

@@ -27,7 +27,7 @@ std::size_t place_of(const std::string& name, const Items& items, const RunEntry
 }
 
 PreparedController prepare(const Sampler& sampler, const System& machine, const Values& values, double until) {
-    const auto controller = std::make_shared<Machine>(derive_controller(sampler));
+    const auto controller = std::make_shared<Machine>(derive_machine(std::make_shared<const LoadedModel>(*sampler.controller), "", {}));
     const System& system = *controller->system;
     const Header header = generate(*controller);
     PreparedController result{&sampler, controller, {header.file_name, header.text, controller_source(system, header)}, {}};
@@ -47,10 +47,6 @@ PreparedController prepare(const Sampler& sampler, const System& machine, const 
 }
 
 }  // namespace
-
-Machine derive_controller(const Sampler& sampler) {
-    return derive_machine(std::make_shared<const LoadedModel>(*sampler.controller), "", {});
-}
 
 void set_parameters(ControllerOfRun& run, const PreparedController& controller, const System& machine, const Values& values, double until) {
     const System& system = *controller.machine->system;

@@ -19,9 +19,6 @@ struct PreparedController {
     ControllerOfRun run;  ///< without its table
 };
 
-/// The controller of a sampler, derived. Throws Failure.
-Machine derive_controller(const Sampler& sampler);
-
 /// Derives, proves and generates them. Throws Failure, as set_parameters().
 std::vector<PreparedController> prepare_controllers(const System& machine, const Values& values, double until);
 /// Parameters and times of a controller at values of its machine. Throws Failure: (value-out-of-range), and (bad-option) where a run until

@@ -254,7 +254,7 @@ std::vector<SwitchInTime> RunPreparation::switches(const Values& values, const S
 
 std::vector<ex> RunPreparation::inputs_at_start(const Values& values, const System& system) const {
     std::vector<ex> result;
-    for (const ex& input : inputs(values, system)) {
+    for (const ex& input : inputs(values, system, false)) {
         try {
             result.push_back(GiNaC::numeric(
                 number(system.symbols.without_definitions(input).subs(values.substitution(), GiNaC::subs_options::no_pattern), {})));
@@ -268,7 +268,7 @@ std::vector<ex> RunPreparation::inputs_at_start(const Values& values, const Syst
     return result;
 }
 
-std::vector<ex> RunPreparation::inputs(const Values& values, const System& system) const {
+std::vector<ex> RunPreparation::inputs(const Values& values, const System& system, bool is_run) const {
     std::vector<ex> result(system.symbols.count(SymbolKind::input), 0);
     std::vector<bool> is_given(result.size(), false);
     // What stays constant keeps to its range; what varies is not known before.
@@ -300,7 +300,7 @@ std::vector<ex> RunPreparation::inputs(const Values& values, const System& syste
                                      fmt::format("scene '{}' has no input '{}'", system.scene.name, setting.variable->written())});
         check_range(*setting.variable, *value);
     }
-    for (const Sampler* sampler : system.scene.samplers)
+    for (const Sampler* sampler : is_run ? system.scene.samplers : std::vector<const Sampler*>())
         for (const RunEntry& entry : sampler->sets) {
             const std::size_t input = system.symbols.find(SymbolKind::input, entry.value->name, 0)->position;
             if (is_given[input])

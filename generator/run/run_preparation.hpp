@@ -38,7 +38,8 @@ public:
     bool settings_move(const Values& values, const System& system, const GiNaC::exset& letters) const;
 
 private:
-    std::vector<GiNaC::ex> inputs(const Values& values, const System& system) const;
+    /// Of a run those that controllers set are zero, and are not given; a point at rest has them as all others.
+    std::vector<GiNaC::ex> inputs(const Values& values, const System& system, bool is_run = true) const;
 
     const Options& options_;
     const std::string& model_name_;

@@ -28,6 +28,14 @@ bool determines_starts(const System& system) {
            std::any_of(system.constraints.begin(), system.constraints.end(), [](const ConstraintEquation& c) { return c.holds; });
 }
 
+void refuse_set_input(const Variable& varied, const Scene& scene) {
+    for (const Sampler* sampler : scene.samplers)
+        for (const RunEntry& entry : sampler->sets)
+            if (varied.kind == SymbolKind::input && varied.name == entry.value->name)
+                throw Failure(Diagnostic{Id::bad_option, entry.span,
+                                         fmt::format("input '{}' cannot be varied: sampler '{}' sets it", varied.name, sampler->name)});
+}
+
 }  // namespace
 
 const EventEquation* event_that_ended(const Outcome& outcome, const System& system) {
@@ -86,6 +94,7 @@ void VariedRuns::vary(std::vector<const Variable*> varied) {
     names_.clear();
     letters_.clear();
     for (const Variable* variable : varied_) {
+        refuse_set_input(*variable, machine_.system->scene);
         const auto source = std::make_shared<const Source>("varied", variable->recorded_name());
         names_.push_back(parse_expression(excerpt_of(source)));
         letters_.push_back(GiNaC::realsymbol(fmt::format("varied_{}", letters_.size())));

@@ -33,10 +33,11 @@ bool jumps_with_modes(const Expression& e, const Scene& scene, std::set<std::str
     for_each(e, [&](const Expression& part) {
         if (part.kind == Expression::Kind::call && part.name == "ddot") result = true;
         if (part.kind != Expression::Kind::name || result || !followed.insert(part.name).second) return;
-        result =
-            part.name == "constraint_force" || part.name == "voltage" || part.name == "current" || std::any_of(scene.mode_groups.begin(), scene.mode_groups.end(), [&](const ModeGroup* group) {
-                return std::any_of(group->modes.begin(), group->modes.end(), [&](const Mode& mode) { return mode.name == part.name; });
-            });
+        const auto has_it = [&](const ModeGroup* group) {
+            return std::any_of(group->modes.begin(), group->modes.end(), [&](const Mode& mode) { return mode.name == part.name; });
+        };
+        result = part.name == "constraint_force" || part.name == "voltage" || part.name == "current" ||
+                 std::any_of(scene.mode_groups.begin(), scene.mode_groups.end(), has_it);
         const auto definition = std::find_if(scene.model->definitions.begin(), scene.model->definitions.end(),
                                              [&](const Definition& d) { return d.name == part.name; });
         if (!result && definition != scene.model->definitions.end() && definition->value)

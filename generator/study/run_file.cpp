@@ -138,9 +138,9 @@ RunFile::RunFile(const fs::path& file, const RunTable& head) : file_(file) {
         std::error_code ignored;
         fs::create_directories(file.parent_path(), ignored);
     }
-    descriptor_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    if (descriptor_ < 0) cannot(file, "opened");
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
+    descriptor_.number = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (descriptor_.number < 0) cannot(file, "opened");
+    if (::flock(descriptor_.number, LOCK_EX | LOCK_NB) != 0)
         refuse_file(fmt::format("another study is writing '{}'; wait for it, or give another folder with -o", file.string()));
     const std::string text = read_file(file), wanted = head_of(head);
     std::size_t complete = 0;
@@ -158,17 +158,17 @@ RunFile::RunFile(const fs::path& file, const RunTable& head) : file_(file) {
         }
         found_ = parsed(file, text, complete).rows.size();
     }
-    if (::ftruncate(descriptor_, static_cast<off_t>(complete)) != 0 || ::lseek(descriptor_, 0, SEEK_END) < 0) cannot(file, "cut");
+    if (::ftruncate(descriptor_.number, static_cast<off_t>(complete)) != 0 || ::lseek(descriptor_.number, 0, SEEK_END) < 0) cannot(file, "cut");
     if (complete == 0) add(wanted);
 }
 
-RunFile::~RunFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
+RunFile::Descriptor::~Descriptor() {
+    if (number >= 0) ::close(number);
 }
 
 void RunFile::add(const std::string& lines) {
     for (std::size_t done = 0; done < lines.size();) {
-        const ssize_t written = ::write(descriptor_, lines.data() + done, lines.size() - done);
+        const ssize_t written = ::write(descriptor_.number, lines.data() + done, lines.size() - done);
         if (written < 0 && errno != EINTR) cannot(file_, "written");
         if (written > 0) done += static_cast<std::size_t>(written);
     }

@@ -51,9 +51,6 @@ class RunFile {
 public:
     /// A torn last line is cut off. Throws Failure (bad-option: the file belongs to another study; unreadable-file, tool-failed).
     RunFile(const std::filesystem::path& file, const RunTable& head);
-    ~RunFile();
-    RunFile(const RunFile&) = delete;
-    RunFile& operator=(const RunFile&) = delete;
 
     /// How many of its runs were there.
     std::size_t found() const { return found_; }
@@ -61,8 +58,17 @@ public:
     void add(const std::string& lines);
 
 private:
+    /// Closes its file, also where a constructor throws: with it goes the lock.
+    struct Descriptor {
+        int number = -1;
+        Descriptor() = default;
+        Descriptor(const Descriptor&) = delete;
+        Descriptor& operator=(const Descriptor&) = delete;
+        ~Descriptor();
+    };
+
     std::filesystem::path file_;
-    int descriptor_ = -1;
+    Descriptor descriptor_;
     std::size_t found_ = 0;
 };
 

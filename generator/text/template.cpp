@@ -43,4 +43,11 @@ std::map<std::string, std::string> values_for(std::string_view text, const std::
     return some;
 }
 
+void fill_part(const char* name, std::string_view text, std::map<std::string, std::string>& values) {
+    const std::map<std::string, std::string> own = values_for(text, values);
+    std::string filled = fill_template(text, own);
+    for (const auto& value : own) values.erase(value.first);
+    values[name] = std::move(filled);
+}
+
 }  // namespace dalembert

@@ -21,7 +21,9 @@ std::span<const EmbeddedFile> embedded_files();
 std::string_view embedded_file(std::string_view name);
 
 std::string fill_template(std::string_view text, const std::map<std::string, std::string>& values);
-/// Those of the values that the template has a place for.
+/// Those of the values that the template has a place for. Others may belong to a template that this one is a part of.
 std::map<std::string, std::string> values_for(std::string_view text, const std::map<std::string, std::string>& values);
+/// Fills one template and puts its text in the place of the values that it took, under a name.
+void fill_part(const char* name, std::string_view text, std::map<std::string, std::string>& values);
 
 }  // namespace dalembert

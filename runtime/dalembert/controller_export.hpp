@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "dalembert/controller.h"
+#include "dalembert/exported_quantities.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -45,14 +46,6 @@ class ControllerTable {
         copy(outputs, y, outputs.size());
     }
 
-    /// Tables of one size are of one type: each has a place of its own.
-    template <int place, class Table>
-    static const dalembert_quantity* quantities(const Table& of) {
-        static std::array<dalembert_quantity, std::tuple_size<Table>::value + 1> list;
-        for (std::size_t i = 0; i < of.size(); ++i) list[i] = {of[i].name, of[i].unit, of[i].description, of[i].low, of[i].high};
-        return list.data();
-    }
-
 public:
     static dalembert_controller make() {
         dalembert_controller table{};
@@ -63,10 +56,10 @@ public:
         table.inputs = size<typename Controller::Input>;
         table.outputs = size<typename Controller::Output>;
         table.parameters = Controller::parameter_table().size();
-        table.state_table = quantities<0>(Controller::state_table());
-        table.input_table = quantities<1>(Controller::input_table());
-        table.output_table = quantities<2>(Controller::output_table());
-        table.parameter_table = quantities<3>(Controller::parameter_table());
+        table.state_table = exported_quantities<ControllerTable, 0>(Controller::state_table());
+        table.input_table = exported_quantities<ControllerTable, 1>(Controller::input_table());
+        table.output_table = exported_quantities<ControllerTable, 2>(Controller::output_table());
+        table.parameter_table = exported_quantities<ControllerTable, 3>(Controller::parameter_table());
         table.create = create;
         table.destroy = destroy;
         table.set_parameters = set_parameters;

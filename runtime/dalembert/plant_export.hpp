@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "dalembert/plant.h"
+#include "dalembert/exported_quantities.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -328,14 +328,6 @@ class PlantTable {
         }
     }
 
-    /// Tables of one size are of one type: each has a place of its own.
-    template <int place, class Table>
-    static const dalembert_quantity* quantities(const Table& of) {
-        static std::array<dalembert_quantity, std::tuple_size<Table>::value + 1> list;
-        for (std::size_t i = 0; i < of.size(); ++i) list[i] = {of[i].name, of[i].unit, of[i].description, of[i].low, of[i].high};
-        return list.data();
-    }
-
 public:
     static dalembert_plant make() {
         dalembert_plant table{};
@@ -350,10 +342,10 @@ public:
         table.parameters = System::parameter_table().size();
         table.degrees = table.velocity_place = System::degrees;
         table.guards = System::guard_table().size();
-        table.state_table = quantities<0>(System::state_table());
-        table.input_table = quantities<1>(System::input_table());
-        table.output_table = quantities<2>(System::output_table());
-        table.parameter_table = quantities<3>(System::parameter_table());
+        table.state_table = exported_quantities<PlantTable, 0>(System::state_table());
+        table.input_table = exported_quantities<PlantTable, 1>(System::input_table());
+        table.output_table = exported_quantities<PlantTable, 2>(System::output_table());
+        table.parameter_table = exported_quantities<PlantTable, 3>(System::parameter_table());
         static std::array<dalembert_guard, std::tuple_size<typename System::Guards>::value + 1> guards;
         for (std::size_t i = 0; i < table.guards; ++i) {
             const auto& g = System::guard_table()[i];

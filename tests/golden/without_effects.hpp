@@ -24,12 +24,14 @@ public:
             if (line[0] == '[') start_section(line);
             else if (!items_.empty() && items_.back().open > 0) append(line);
             else if (is_list(section_)) add({section_, word(line), "", 0, false}, line);
-            else if (items_.empty() || items_.back().section != section_ || items_.back().name != name_) add({section_, name_, "", 0, is_table_}, line);
+            else if (items_.empty() || items_.back().section != section_ || items_.back().name != name_)
+                add({section_, name_, "", 0, is_table_}, line);
             else append(line);
         }
         for (const Item& item : items_) {
             if (item.section == "effects") implies_[item.name] = strings(item.text, "implies");
-            if (item.section == "scenes" && item.name != "default") scenes_[item.name] = place_of(item.text, "effects") == std::string::npos ? strings(item.text, item.name) : strings(item.text, "effects");
+            if (item.section == "scenes" && item.name != "default")
+                scenes_[item.name] = strings(item.text, place_of(item.text, "effects") == std::string::npos ? item.name : "effects");
         }
     }
 
@@ -79,7 +81,8 @@ public:
         const std::set<std::string> were_read = names_read(items_, false), are_read = names_read(kept, true);
         std::erase_if(kept, [&](const Item& item) {
             const bool is_data = item.section == "parameters" || item.section == "inputs";
-            const bool is_unread = !are_read.contains(item.name) && (item.section == "definitions" || (is_data && were_read.contains(item.name)));
+            const bool is_unread =
+                !are_read.contains(item.name) && (item.section == "definitions" || (is_data && were_read.contains(item.name)));
             if (is_unread) gone.insert(item.name);
             return is_unread;
         });
@@ -108,7 +111,11 @@ private:
     };
 
     static bool is_list(const std::string& section) {
-        static const std::set<std::string> lists{"sizes", "parameters", "definitions", "coordinates", "inputs", "states", "outputs", "nodes", "links", "effects", "scenes", "springs", "dampers", "forces", "torques", "kinetic", "potentials", "generalised_forces", "flows", "reservoirs", "volumes", "pins", "branches", "frictions", "stops", "contacts", "saturations", "modes", "constraints", "events"};
+        static const std::set<std::string> lists{
+            "sizes", "parameters", "definitions", "coordinates", "inputs", "states", "outputs", "nodes", "links", "effects",
+            "scenes", "springs", "dampers", "forces", "torques", "kinetic", "potentials", "generalised_forces", "flows",
+            "reservoirs", "volumes", "pins", "branches", "frictions", "stops", "contacts", "saturations", "modes",
+            "constraints", "events"};
         return lists.contains(section);
     }
 
@@ -120,7 +127,10 @@ private:
             end = item.text.find('"', begin + 1);
             if (end == std::string::npos) break;
             const std::size_t key = item.text.find_last_not_of(" =", begin == 0 ? 0 : begin - 1);
-            const auto is_of = [&](const std::string& word) { return key != std::string::npos && key + 1 >= word.size() && item.text.compare(key + 1 - word.size(), word.size(), word) == 0; };
+            const auto is_of = [&](const std::string& word) {
+                return key != std::string::npos && key + 1 >= word.size() &&
+                       item.text.compare(key + 1 - word.size(), word.size(), word) == 0;
+            };
             if (is_of("doc") || is_of("unit")) continue;
             std::string name;
             for (std::size_t i = begin + 1; i <= end; ++i) {
@@ -140,8 +150,9 @@ private:
             for (const std::string& name : names_in(item))
                 if (read.insert(name).second) pending.push_back(name);
         };
+        static const std::set<std::string> silent{"definitions", "printed", "effects", "scenes"};
         for (const Item& item : items)
-            if (item.section != "definitions" && item.section != "printed" && (with_runs || item.section != "runs") && item.section != "effects" && item.section != "scenes") note(item);
+            if (!silent.contains(item.section) && (with_runs || item.section != "runs")) note(item);
         while (!pending.empty()) {
             const std::string name = pending.back();
             pending.pop_back();
@@ -178,7 +189,8 @@ private:
 
     void add(Item item, const std::string& line) {
         // In a section [list.name] the lines belong to the item that the section began.
-        if (is_table_ && !items_.empty() && items_.back().section == section_ && items_.back().name == name_ && !line.empty()) return append(line);
+        if (is_table_ && !items_.empty() && items_.back().section == section_ && items_.back().name == name_ && !line.empty())
+            return append(line);
         items_.push_back(std::move(item));
         if (!line.empty()) append(line);
     }
@@ -303,7 +315,8 @@ private:
         ++at;
         return result;
     }
-    static std::string joined(const std::string& a, const std::string& word, const std::string& b, const std::string& neutral, const std::string& deciding) {
+    static std::string joined(const std::string& a, const std::string& word, const std::string& b, const std::string& neutral,
+                              const std::string& deciding) {
         if (a == deciding || b == deciding) return deciding;
         if (a == neutral) return b;
         return b == neutral ? a : "(" + a + ") " + word + " (" + b + ")";

@@ -18,7 +18,8 @@ struct Broken : Relay {
     void rhs(Mode, const State& x, const Input&, double, State& dxdt) const { dxdt = {1 + 0 * std::sqrt(0.5 - x[0])}; }
 };
 
-/// Falls below its bottom, where its rate has no number, and rests there, with a guard that stays at zero; up to a time at which nothing has.
+/// Falls below its bottom, where its rate has no number, and rests there, with a guard that stays at zero; behind t = 2 no rate has a
+/// number.
 struct Root {
     enum class Mode : unsigned { falls, rests };
     using scalar_type = double;
@@ -27,7 +28,9 @@ struct Root {
     using Events = std::array<double, 1>;
     static constexpr std::array<const char*, 2> mode_table() { return {"falls", "rests"}; }
     static constexpr std::array<const char*, 1> event_table() { return {"bottom"}; }
-    void rhs(Mode mode, const State& x, const Input&, double t, State& dxdt) const { dxdt = {mode == Mode::falls ? -1 - std::sqrt(x[0]) : 0 * std::sqrt(2 - t)}; }
+    void rhs(Mode mode, const State& x, const Input&, double t, State& dxdt) const {
+        dxdt = {mode == Mode::falls ? -1 - std::sqrt(x[0]) : 0 * std::sqrt(2 - t)};
+    }
     void guards(Mode, const State& x, const Input&, double, Events& g) const { g = {x[0]}; }
     void guard_rates(Mode mode, const State&, const Input&, double, Events& r) const { r = {mode == Mode::falls ? -1.0 : 0.0}; }
     static constexpr bool is_watched(Mode, std::size_t) { return true; }
@@ -125,7 +128,8 @@ TEST_CASE("a mode that nobody can leave lasts to the end, in one integration") {
     for (const Method method : explicit_methods) {
         Basin::State x{1, 0};
         std::size_t changes = 0;
-        const auto outcome = simulate_modes(basin, [](const auto&, double) { return Basin::Input{1e9}; }, x, 0.0, 1000.0, with<Basin>(method, 1e-9), nobody, [&](const auto&) { ++changes; });
+        const auto outcome = simulate_modes(basin, [](const auto&, double) { return Basin::Input{1e9}; }, x, 0.0, 1000.0,
+                                            with<Basin>(method, 1e-9), nobody, [&](const auto&) { ++changes; });
         CHECK(outcome.status == Status::success);
         CHECK(outcome.mode == Basin::Mode::dry);
         CHECK(changes == 1);
@@ -145,7 +149,8 @@ TEST_CASE("events on output points, at the start and at the end; nothing is obse
             options.has_start_mode = true;
             options.start_mode = mode;
             changes = 0;
-            const auto outcome = simulate_modes(relay, ZeroInputs<Relay>{}, x, from, to, options, [&](double t, const Relay::State&, Relay::Mode) { seen.push_back(t); },
+            const auto see = [&](double t, const Relay::State&, Relay::Mode) { seen.push_back(t); };
+            const auto outcome = simulate_modes(relay, ZeroInputs<Relay>{}, x, from, to, options, see,
                                                 [&](const auto&) { ++changes; });
             CHECK(outcome.status == Status::success);
             return seen;
@@ -161,7 +166,8 @@ TEST_CASE("events on output points, at the start and at the end; nothing is obse
         auto options = with<Basin>(method, 1e-9, 0.3);
         const auto part = [&](double from, double to) {
             changes = 0;
-            const auto outcome = simulate_modes(basin, [](const auto&, double) { return Basin::Input{50}; }, x, from, to, options, nobody, [&](const auto&) { ++changes; });
+            const auto outcome = simulate_modes(basin, [](const auto&, double) { return Basin::Input{50}; }, x, from, to, options, nobody,
+                                                [&](const auto&) { ++changes; });
             CHECK(outcome.status == Status::success);
             options.has_start_mode = true;
             options.start_mode = outcome.mode;
@@ -185,7 +191,8 @@ TEST_CASE("one long run, and the same in parts") {
     run(ball, whole, 10.0, options, events);
     const std::size_t count = events.size();
     std::size_t in_parts = 0;
-    for (int i = 0; i < 10; ++i) simulate_modes(ball, ZeroInputs<Ball<double>>{}, parts, i, i + 1, options, nobody, [&](const auto&) { ++in_parts; });
+    for (int i = 0; i < 10; ++i)
+        simulate_modes(ball, ZeroInputs<Ball<double>>{}, parts, i, i + 1, options, nobody, [&](const auto&) { ++in_parts; });
     CHECK(in_parts == count);
     CHECK(parts[0] == doctest::Approx(whole[0]).epsilon(1e-9));
     CHECK(parts[1] == doctest::Approx(whole[1]).epsilon(1e-9));
@@ -273,7 +280,9 @@ TEST_CASE("an event a rounding before the end leaves no time for a step, and the
     options.intervals = 10;
     options.max_step = 0.002;
     int observed = 0;
-    const auto outcome = dalembert::simulate_modes(block, [](const auto&, double) { return Friction::Input{}; }, x, 0.0, 1.0, options, [&](auto&&...) { ++observed; }, [](const auto&) {});
+    const auto no_input = [](const auto&, double) { return Friction::Input{}; };
+    const auto outcome =
+        dalembert::simulate_modes(block, no_input, x, 0.0, 1.0, options, [&](auto&&...) { ++observed; }, [](const auto&) {});
     CHECK(outcome.status == dalembert::Status::success);
     CHECK(observed == 11);
     CHECK(x[1] == doctest::Approx(0).epsilon(1e-9));

@@ -26,8 +26,17 @@ public:
     using State = StateOfRun;
     using Scalar = typename State::value_type;
 
-    RunState(Rhs& rhs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options, Observer& observe, Guards& guards, const Like<Values, bool>& ends)
-        : rhs_(rhs), x_(x), from_(from), to_(to), t_(from), options_(options), control_(options, from, to), observe_(observe), events_(guards, ends, options.tolerance, (to - from) / Scalar(1000000)) {}
+    RunState(Rhs& rhs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options, Observer& observe, Guards& guards,
+             const Like<Values, bool>& ends)
+        : rhs_(rhs),
+          x_(x),
+          from_(from),
+          to_(to),
+          t_(from),
+          options_(options),
+          control_(options, from, to),
+          observe_(observe),
+          events_(guards, ends, options.tolerance, (to - from) / Scalar(1000000)) {}
 
 protected:
     using Try = Candidate<State>;
@@ -94,7 +103,9 @@ protected:
         }
         return stop_there(status);
     }
-    Outcome stop_there(Status status) { return status == Status::not_finite ? end_not_finite(Scalar(64) * control_.smallest(t_)) : end(status); }
+    Outcome stop_there(Status status) {
+        return status == Status::not_finite ? end_not_finite(Scalar(64) * control_.smallest(t_)) : end(status);
+    }
 
     Point<State> here() const { return {x_, dxdt_, t_, moves_}; }
 
@@ -247,7 +258,8 @@ protected:
         using std::abs;
         using std::max;
         const Try& behind = events_.behind();
-        for (Scalar ahead = behind.end - t_; are_finite(dxdt_, dxdt_) && ahead <= control_.tiny(t_) && t_ + ahead <= to_; ahead *= Scalar(2)) {
+        for (Scalar ahead = behind.end - t_; are_finite(dxdt_, dxdt_) && ahead <= control_.tiny(t_) && t_ + ahead <= to_;
+             ahead *= Scalar(2)) {
             t = t_ + ahead;
             for (std::size_t i = 0; i < x_.size(); ++i) x[i] = x_[i] + ahead * dxdt_[i];
             if (events_.has_changed_at(x, t)) return true;

@@ -32,12 +32,14 @@ template <class System, class Inputs, class Observer, class OnChange, class Resu
 class SwitchingRun : ModeRun<System, Inputs, Observer, Result> {
     using Run = ModeRun<System, Inputs, Observer, Result>;
     using typename Run::Scalar, typename Run::State, typename Run::Input, typename Run::Mode;
-    using Run::event_count, Run::none, Run::system_, Run::inputs_, Run::x_, Run::t_, Run::to_, Run::options_, Run::control_, Run::here_, Run::observed_, Run::is_trial_, Run::result_;
+    using Run::event_count, Run::none, Run::system_, Run::inputs_, Run::x_, Run::t_, Run::to_, Run::options_, Run::control_;
+    using Run::here_, Run::observed_, Run::is_trial_, Run::result_;
     using Run::is_finite, Run::choose, Run::integrate_to, Run::observe, Run::observe_output;
     using EachEvent = Like<typename System::Events, bool>;
 
 public:
-    SwitchingRun(const System& system, const Inputs& inputs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options, Observer& observer, OnChange& on_change)
+    SwitchingRun(const System& system, const Inputs& inputs, State& x, Scalar from, Scalar to, const IntegrationOptions<State>& options,
+                 Observer& observer, OnChange& on_change)
         : Run(system, inputs, x, from, to, options, observer), on_change_(on_change) {}
 
     Result go(bool is_given, Mode given) {
@@ -273,7 +275,8 @@ private:
     }
 
     /// Where the event accumulates, the run goes on at the time at which its intervals vanish. What accumulates at the same time, as in
-    /// parts of a machine that are alike, goes with it; so does what happens between, as friction that turns round at the top of each bounce.
+    /// parts of a machine that are alike, goes with it; so does what happens between, as friction that turns round at the top of each
+    /// bounce.
     Status pass_accumulation(std::size_t happened, std::size_t& event) {
         using std::abs;
         const Accumulation<Scalar>& times = accumulations_[happened];
@@ -286,7 +289,8 @@ private:
             for (std::size_t e = 0; e < event_count(); ++e) {
                 const bool is_certain = accumulations_[e].is_certain();
                 const Scalar apart = abs(accumulations_[e].end() - end);
-                is_over[e] = e == leader || (System::is_watched(here_.mode, e) && goes_on_after(e) && is_certain && apart <= control_.tiny(t_));
+                is_over[e] = e == leader || (System::is_watched(here_.mode, e) && goes_on_after(e) && is_certain &&
+                                             apart <= control_.tiny(t_));
                 is_ignored[e] = is_over[e] || e == happened || (is_certain && apart <= (end - t_) / Scalar(8) + control_.tiny(t_));
             }
             if (leader != none) return end > t_ && !coast(is_ignored, end) ? Status::success : settle(is_over, event);

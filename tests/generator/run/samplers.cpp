@@ -227,6 +227,43 @@ coefficient = 1
     }
 }
 
+TEST_CASE("at rest an input that a controller sets is one as others; studies cannot vary it") {
+    const Folder folder;
+    folder.write("spring_control.toml", text_of("spring_control", R"m(
+[sampling]
+every = "1 ms"
+[inputs]
+x = { unit = "m" }
+[outputs]
+F = { value = "-x*(1 N/m)", unit = "N" }
+)m"));
+    const std::string model = folder.write("oscillator.toml", text_of("oscillator", R"m(
+[samplers.c]
+file = "spring_control.toml"
+measures = { x = "x" }
+sets = { F = "F" }
+[inputs]
+F = { unit = "N" }
+[coordinates]
+x = { unit = "m" }
+[bodies.b]
+mass = "1 kg"
+position = ["x", 0, 0]
+[springs.s]
+stiffness = "4 N/m"
+elongation = "x"
+[forces.f]
+on = "b"
+force = ["F", 0, 0]
+)m"));
+    const Answer modal = ask("modal", {model, "--input", "F=2"});
+    INFO(modal.err);
+    CHECK(modal.code == 0);
+    const Answer study = ask("study", {model, "--vary", "F=0:1:2", "--observe", "x", "--until", "1", "--no-plot", "-o", folder.path()});
+    CHECK(study.code == 2);
+    CHECK(study.err.find("input 'F' cannot be varied: sampler 'c' sets it") != std::string::npos);
+}
+
 TEST_CASE("a sample on a jump of an input sees what holds behind it") {
     const Folder folder;
     folder.write("copy.toml", text_of("copy", R"m(
