@@ -91,6 +91,14 @@ RandomPoints::RandomPoints(const System& system) {
             intervals_.push_back({variable.symbol, low, high, is_free, has_range && kind != SymbolKind::velocity});
         }
     }
+    for (const Symbols::AttitudeSymbols& attitude : system.symbols.attitudes()) {
+        std::array<std::size_t, 4> places{};
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const ex& part = system.symbols.get(SymbolKind::state, attitude.parts[i]);
+            while (!intervals_[places[i]].letter.is_equal(part)) ++places[i];
+        }
+        quaternions_.push_back(places);
+    }
     look_at_curves(system, at_start);
     // What the cells of rods in loops are made of: temperatures, and numbers on the grid in their order.
     for (const RodField& field : system.heat.fields) {
@@ -135,6 +143,16 @@ Rational RandomPoints::fraction(std::uint64_t& state) {
     return Rational(cln::cl_I(static_cast<unsigned long>(next_word(state) >> 40U)) + 1) / ((1UL << 24U) + 1);
 }
 
+/// A quaternion times itself, by its norm: all parts stay rational, and the norm of the quotient is one.
+void RandomPoints::make_unit_quaternions(Point& point) const {
+    for (const auto& [a, b, c, d] : quaternions_) {
+        const Rational w = point[a].second, x = point[b].second, y = point[c].second, z = point[d].second;
+        const Rational vector = x * x + y * y + z * z, norm = w * w + vector;
+        point[a].second = (w * w - vector) / norm;
+        for (const std::size_t part : {b, c, d}) point[part].second = 2 * w * point[part].second / norm;
+    }
+}
+
 /// From numbers of their own: what else is drawn does not depend on how many there are.
 void RandomPoints::add_factors(Point& point) {
     for (const ex& factor : factors_) point.emplace_back(factor, 2 * fraction(state_of_factors_) - 1);
@@ -144,6 +162,7 @@ Point RandomPoints::next() {
     Point point;
     for (const Interval& interval : intervals_)
         point.emplace_back(interval.letter, interval.low + (interval.high - interval.low) * fraction(state_));
+    make_unit_quaternions(point);
     add_factors(point);
     return point;
 }
@@ -160,6 +179,7 @@ Point RandomPoints::next_wide() {
         const Rational size = sizes[(word >> 40U) % sizes.size()] * fraction(state_);
         point.emplace_back(interval.letter, cln::minusp(interval.low) && (word >> 63U) != 0 ? Rational(-size) : size);
     }
+    make_unit_quaternions(point);
     add_factors(point);
     return point;
 }

@@ -4,6 +4,7 @@
 
 #include <cln/real.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -42,9 +43,11 @@ private:
     /// Letters without a range are taken from where a curve of them has its points, and a little beyond.
     void look_at_curves(const System& system, const GiNaC::exmap& at_start);
     void add_factors(Point& point);
+    void make_unit_quaternions(Point& point) const;
 
     std::vector<Interval> intervals_;
     std::vector<GiNaC::ex> factors_;  ///< of second derivatives
+    std::vector<std::array<std::size_t, 4>> quaternions_;  ///< places of their parts
     std::uint64_t state_ = 0x9E3779B97F4A7C15ULL, state_of_factors_ = 0xD1B54A32D192ED03ULL;
 };
 

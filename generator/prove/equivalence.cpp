@@ -195,7 +195,26 @@ bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>&
         } catch (const NoNormalForm&) {  // too large or outside what the method knows: not proven
         }
     }
-    return false;
+    return proven_for_unit_quaternions(difference);
+}
+
+/// The matrix of an attitude is orthogonal only because its quaternion has the norm one, which makes long forms: after all else.
+bool Prover::proven_for_unit_quaternions(const ex& difference) {
+    std::vector<std::array<ex, 4>> quaternions;
+    for (const Symbols::AttitudeSymbols& attitude : system_.symbols.attitudes()) {
+        std::array<ex, 4> parts;
+        for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = system_.symbols.get(SymbolKind::state, attitude.parts[i]);
+        quaternions.push_back(parts);
+    }
+    if (quaternions.empty() || seems_zero_.differs(difference)) return false;
+    try {
+        NormalForm form({}, false, false, quaternions);
+        if (!form.is_zero(system_.symbols.without_definitions(difference, Depth::full))) return false;
+        const auto& claimed = form.must_not_vanish();
+        return std::all_of(claimed.begin(), claimed.end(), [&](const ex& e) { return !seems_zero_(e); });
+    } catch (const NoNormalForm&) {
+        return false;
+    }
 }
 
 Comparison Prover::equal(const ex& a, const ex& b) {

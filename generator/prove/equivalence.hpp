@@ -32,6 +32,7 @@ public:
 
 private:
     bool proven_equal(const GiNaC::ex& a, const GiNaC::ex& b, const std::set<std::string>& positive, bool joins_roots = false);
+    bool proven_for_unit_quaternions(const GiNaC::ex& difference);
     Comparison equal_under_waves(const GiNaC::ex& a, const GiNaC::ex& b);
 
     const System& system_;

@@ -82,7 +82,11 @@ void NormalForm::relate(Letter letter, int degree, Polynomial value) {
 NormalForm::Letter NormalForm::symbol(const ex& symbol) {
     const std::string name = ex_to<GiNaC::symbol>(symbol).get_name();
     if (const auto known = symbols_.find(name); known != symbols_.end()) return known->second;
-    return symbols_[name] = new_letter(symbol.info(GiNaC::info_flags::positive) || assumed_positive_.contains(name));
+    const Letter letter = new_letter(symbol.info(GiNaC::info_flags::positive) || assumed_positive_.contains(name));
+    symbols_[name] = letter;
+    for (const auto& [scalar, x, y, z] : unit_quaternions_)
+        if (scalar.is_equal(symbol)) relate(letter, 2, convert(1 - GiNaC::pow(x, 2) - GiNaC::pow(y, 2) - GiNaC::pow(z, 2)));
+    return letter;
 }
 
 /// The name of the symbol that a monomial is, if it is one.

@@ -5,6 +5,7 @@
 
 #include <ginac/ginac.h>
 
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -26,8 +27,13 @@ public:
     /// `positive` names further symbols that may be taken as positive, and sines and cosines of symbols: "sin(theta)".
     /// `functions_are_letters` leaves functions of heat transfer what they are: quicker, and enough where both sides have the same.
     /// `joins_roots` brings roots of fractions and products together with those of their parts, which is seldom needed.
-    explicit NormalForm(std::set<std::string> positive = {}, bool functions_are_letters = false, bool joins_roots = false)
-        : assumed_positive_(std::move(positive)), functions_are_letters_(functions_are_letters), joins_roots_(joins_roots) {}
+    /// The parts of each of the `unit_quaternions` have squares whose sum is one.
+    explicit NormalForm(std::set<std::string> positive = {}, bool functions_are_letters = false, bool joins_roots = false,
+                        std::vector<std::array<GiNaC::ex, 4>> unit_quaternions = {})
+        : assumed_positive_(std::move(positive)),
+          functions_are_letters_(functions_are_letters),
+          joins_roots_(joins_roots),
+          unit_quaternions_(std::move(unit_quaternions)) {}
 
     /// Whether the expression has functions that may be left letters.
     static bool has_heat_functions(const GiNaC::ex& e);
@@ -118,6 +124,7 @@ private:
     bool functions_are_letters_;
     double work_ = 0;  ///< products of terms in this proof, by 64 bits
     bool joins_roots_;
+    std::vector<std::array<GiNaC::ex, 4>> unit_quaternions_;
     std::set<GiNaC::ex, GiNaC::ex_is_less> must_not_vanish_;
     std::map<std::string, Letter> symbols_;
     /// These survive a restart. Letters are numbered in the order in which they are met, which is the same after one.
