@@ -272,8 +272,10 @@ GiNaC::exmap System::held_motion() const {
             velocity += rate.jacobian[i] * symbols.get(SymbolKind::velocity, motion.free[i]);
         held[symbols.get(SymbolKind::velocity, coordinate)] = velocity;
     }
+    // The factors of a constraint may change with coordinates whose velocities other constraints give.
+    const GiNaC::exmap velocities = held;
     for (const auto& [coordinate, acceleration] : motion.accelerations)
-        held[symbols.get(SymbolKind::acceleration, coordinate)] = acceleration;
+        held[symbols.get(SymbolKind::acceleration, coordinate)] = acceleration.subs(velocities, GiNaC::subs_options::no_pattern);
     return held;
 }
 
