@@ -38,6 +38,10 @@ std::string cause_and_remedy(const SimulateResult& result) {
         return fmt::format("{}; try a larger --tolerance than {:g}, and look there for a jump or a growth without bound", culprit,
                            result.tolerance);
     }
+    if (run.status == "too many steps" && !run.guard.empty())
+        return fmt::format("; it stays at a {}, because both sides lead back to it; use a friction, which can hold there, or a smooth "
+                           "transition",
+                           run.guard);
     if (run.status == "too many steps")
         return fmt::format("; try a larger --tolerance, a shorter --until, or an implicit --method{}",
                            near_exact_roots(result.exact_roots, "or, near equal pressures: "));
@@ -71,8 +75,9 @@ std::string energy_text(const SimulateResult& result) {
 std::string why_it_stopped(const SimulateResult& result) {
     const SimulationReport& run = result.run;
     const bool says_where = run.lost && run.guard.empty() && run.culprit.empty() && run.constraint.empty();
+    const bool is_at_guard = !run.guard.empty() && run.status != "too many steps";
     const std::string where =
-        says_where ? ": " + run.message : fmt::format(" at t = {} s: {}", run.t, run.guard.empty() ? run.status : run.guard);
+        says_where ? ": " + run.message : fmt::format(" at t = {} s: {}", run.t, is_at_guard ? run.guard : run.status);
     return fmt::format("the run stopped{}{}", where, cause_and_remedy(result));
 }
 

@@ -179,7 +179,10 @@ private:
         bool not_finite = false;
         h = stepper_->suggested(here(), h);
         while (true) {
-            if (outcome_.steps + outcome_.rejected >= options_.max_steps || is_hopeless()) return Status::too_many_steps;
+            if (outcome_.steps + outcome_.rejected >= options_.max_steps || is_hopeless()) {
+                outcome_.guard = this->resting_guard();
+                return Status::too_many_steps;
+            }
             if (options_.max_step > Scalar(0) && h > options_.max_step) h = options_.max_step;
             bool clipped = h >= limit;
             c.length = clipped ? limit : h;
@@ -206,7 +209,7 @@ private:
     /// Whether the rest of the run takes more than max_steps at the pace of the last 2 million, so that it ends in seconds and not in
     /// minutes.
     bool is_hopeless() {
-        constexpr std::size_t looked_at = 2000000;
+        const std::size_t looked_at = this->resting_guard() == Outcome::none ? 2000000 : 100000;
         const std::size_t tries = outcome_.steps + outcome_.rejected;
         if (tries - tries_at_mark_ < looked_at) return false;
         const Scalar pace = (t_ - mark_) / Scalar(static_cast<double>(tries - tries_at_mark_));

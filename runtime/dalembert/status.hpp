@@ -66,8 +66,9 @@ struct Outcome {
     Status status = Status::success;
     double t = 0;           ///< s, time of the end
     std::size_t state = 0;  ///< with not_finite and step_too_small: the state that caused it
-    std::size_t guard =
-        none;  ///< with event and event_storm: the guard; with not_finite: a guard that is not a number, if no state caused it
+    /// With event and event_storm: the guard; with too_many_steps: the kink that the run stays at, if there is one; with not_finite: a
+    /// guard that is not a number, if no state caused it.
+    std::size_t guard = none;
     std::size_t constraint = none;  ///< with constraint_broken and singular_position: its number in constraint_table()
     std::size_t events = 0;         ///< number of sign changes of guards that the run passed
     std::size_t steps = 0;          ///< number of accepted steps
@@ -95,6 +96,8 @@ std::string message(const Outcome& outcome, const Table& names, const Guards& gu
     if (outcome.guard >= guards.size()) return text;
     const auto& guard = guards[outcome.guard];
     if (outcome.status == Status::event) text += ": " + std::string(guard.doc);
+    if (outcome.status == Status::too_many_steps)
+        text += ": guard '" + std::string(guard.name) + "' stays next to zero, because both sides lead back to it (" + guard.doc + ")";
     if (outcome.status == Status::event_storm)
         text += ": guard '" + std::string(guard.name) + "' keeps changing its sign (" + guard.doc + ")";
     if (outcome.status == Status::not_finite) text += ": guard '" + std::string(guard.name) + "' is not a number";

@@ -225,6 +225,13 @@ public:
         return true;
     }
 
+    /// A kink that rests, or none: there the motion on both sides leads back to the zero.
+    std::size_t resting_guard() const {
+        for (std::size_t i = 0; i < count(); ++i)
+            if (watches_[i].rests) return i;
+        return count();
+    }
+
     /// The guard that ends the run and is next to nothing beside what it was, or none: where a step cannot be made, it is why.
     std::size_t vanishing_guard(const State& x, Scalar t) const {
         const Values g = raw(x, t);

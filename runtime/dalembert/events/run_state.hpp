@@ -154,6 +154,14 @@ protected:
     /// Where the right-hand side is smooth across guards, it is not they that cut a step short that runs into an input that jumps.
     bool is_sure_of_end() const { return events_.ending_guard() != guard_count() && !events_.spares_stages(); }
 
+    /// The kink that the run keeps to, or none.
+    std::size_t resting_guard() const {
+        if constexpr (may_have_entries<Values>) {
+            if (const std::size_t guard = events_.resting_guard(); guard < guard_count()) return guard;
+        }
+        return Outcome::none;
+    }
+
     bool keeps_rest(const Try& c) const {
         if constexpr (may_have_entries<Values>) return events_.keeps_rest(c.y, c.end);
         else return true;

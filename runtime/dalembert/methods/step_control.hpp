@@ -62,7 +62,7 @@ public:
     /// One so short that it does no harm when its stages lie on both sides of a jump.
     Scalar tiny(Scalar t) const { return Scalar(64) * smallest(t); }
     /// The next time at which the right-hand side is known to have a kink, with room before and behind it; the end of the run where there
-    /// is none.
+    /// is none. Behind a jump at the end of the run is only its end.
     struct Kink {
         Scalar before, behind;
     };
@@ -78,7 +78,7 @@ public:
     Kink next_known_kink(Scalar t) const {
         for (auto kink = std::upper_bound(options_.kinks.begin(), options_.kinks.end(), t); kink != options_.kinks.end(); ++kink) {
             const Scalar room = smallest(*kink);
-            if (*kink - room > t && *kink + room < to_) return {*kink - room, *kink + room};
+            if (*kink - room > t && *kink - room < to_) return {*kink - room, std::min(Scalar(*kink + room), to_)};
         }
         return {to_, to_};
     }
