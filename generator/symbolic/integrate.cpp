@@ -58,8 +58,19 @@ Found integrate_power(const ex& base, const ex& exponent, const symbol& x) {
     return GiNaC::pow(base, exponent + 1) / ((exponent + 1) * *a);
 }
 
+/// The larger or the smaller of two arguments that are linear in x, as half of their sum and of their distance.
+Found integrate_extreme(const ex& f, const symbol& x) {
+    const ex difference = (f.op(0) - f.op(1)).expand(), sum = (f.op(0) + f.op(1)).expand();
+    const Found a = slope(difference, x);
+    if (!a || !sum.is_polynomial(x) || sum.degree(x) > 1) return std::nullopt;
+    const ex of_sum = sum.coeff(x, 0) * x + sum.coeff(x, 1) * GiNaC::pow(x, 2) / 2;
+    const ex of_distance = difference * magnitude(difference) / (2 * *a);
+    return (of_sum + (is(f, "maximum") ? of_distance : -of_distance)) / 2;
+}
+
 /// A function of one argument that is linear in x.
 Found integrate_function(const ex& f, const symbol& x) {
+    if (is(f, "maximum") || is(f, "minimum")) return integrate_extreme(f, x);
     const ex u = f.op(0);
     const Found a = slope(u, x);
     if (!a) return std::nullopt;

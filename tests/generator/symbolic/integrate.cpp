@@ -14,7 +14,7 @@ TEST_CASE("primitives, each proven by differentiation") {
     const realsymbol x("x"), a("a"), b("b"), y("y");
     const std::vector<ex> found{
         ex(3), a, x, pow(x, 3), a * x + b, 1 / (a * x + b), pow(x + a, numeric(3, 2)), sin(a * x + b), x * cos(x), pow(x, 3) * exp(2 * x),
-        x * sinh(x) + cosh(x), tanh(x), log(x), atan(x), magnitude(x), x * magnitude(x), pow(x, 2) * sign_of(x), (a + x) * (b - x), pow(2, x), x * sin(y),
+        x * sinh(x) + cosh(x), tanh(x), log(x), atan(x), magnitude(x), maximum(a * x, b), minimum(x, 2 - x), x * magnitude(x), pow(x, 2) * sign_of(x), (a + x) * (b - x), pow(2, x), x * sin(y),
         pow(sin(x), 2), pow(cos(a * x + b), 3), pow(sin(x), 3) * pow(cos(x), 2), pow(sin(2 * x), 4) * pow(cos(2 * x), 4), sin(x) * cos(x) * y, pow(cos(x), 6)};
     for (const ex& f : found) {
         CAPTURE(f);
