@@ -21,6 +21,7 @@ struct Body : Item {
     std::optional<VectorExpression> centre;          ///< of mass, in its axes
     std::optional<Reference> on;
     std::optional<Reference> solid;                  ///< that mass, inertia and centre are taken from
+    bool is_jointed = false;                         ///< a joint brings its place
 
     bool has_axes() const { return !tensor.empty() || !turns.empty() || attitude || origin || centre; }
 };

@@ -8,6 +8,7 @@
 #include "elements/fluids.hpp"
 #include "elements/forces.hpp"
 #include "elements/heat.hpp"
+#include "elements/joints.hpp"
 #include "elements/model.hpp"
 #include "elements/parts.hpp"
 #include "elements/statics.hpp"

@@ -17,6 +17,7 @@
     KIND("bodies", bodies, Body) \
     KIND("solids", solids, Solid) \
     KIND("attitudes", attitudes, Attitude) \
+    KIND("joints", joints, Joint) \
     KIND("springs", springs, Spring) \
     KIND("dampers", dampers, Damper) \
     KIND("forces", forces, Force) \

@@ -39,6 +39,7 @@ struct Model {
     std::vector<Curve> curves;
     std::optional<Gravity> gravity;
     std::vector<Attitude> attitudes;
+    std::vector<Joint> joints;
     std::vector<Solid> solids;
     std::vector<Body> bodies;
     std::vector<Spring> springs;

@@ -12,6 +12,7 @@
 #include "elements/expand_statics.hpp"
 #include "elements/expand_switching.hpp"
 #include "elements/kinds.hpp"
+#include "elements/joints.hpp"
 #include "elements/runs.hpp"
 #include "read/described.hpp"
 #include "read/parts.hpp"
@@ -29,6 +30,8 @@ constexpr int newest_format = 1;
 
 /// What elements stand for is written out, and everything is checked.
 void complete(Model& model, Diagnostics& diagnostics) {
+    expand_joints(model, diagnostics);
+    diagnostics.stop_on_errors();
     expand_attitudes(model);
     expand_solids(model, diagnostics);
     expand_loads(model);
@@ -80,6 +83,7 @@ public:
                                    fmt::format("a model has no section [{}]{}", member.key, did_you_mean(member.key, known)));
         for_each_kind(model_, [&](const char* section, auto& items) { collection(section, items); });
         check_default_scene();
+        expand_joints(model_, diagnostics_);
         for (Sampler& sampler : model_.samplers)
             if (const auto found = controllers.find(sampler.name); found != controllers.end()) complete_controller(sampler, found->second);
         if (!model_.uses.empty()) {
@@ -191,8 +195,18 @@ private:
         if constexpr (std::derived_from<T, Item>) entry.fill(result);
         else fill(entry, result);
         read_described(entry, result);
+        if constexpr (std::is_same_v<T, Body>) result.is_jointed = is_jointed(member.key);
         if constexpr (requires { check_rules(entry, result); }) check_rules(entry, result);
         return result;
+    }
+
+    bool is_jointed(const std::string& body) const {
+        const DocumentNode::Member* joints = root_.find("joints");
+        if (joints == nullptr || joints->value.kind != DocumentNode::Kind::table) return false;
+        return std::any_of(joints->value.members.begin(), joints->value.members.end(), [&](const DocumentNode::Member& joint) {
+            const DocumentNode::Member* placed = joint.value.find("body");
+            return placed != nullptr && placed->value.kind == DocumentNode::Kind::string && placed->value.string.text == body;
+        });
     }
 
     template <class T>

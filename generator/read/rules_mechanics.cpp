@@ -51,6 +51,7 @@ void check_rules(const Entry& e, Attitude& attitude) {
 }
 
 void check_rules(const Entry& e, Body& body) {
+    if (body.is_jointed) return;  // checked with its joint
     if (body.has_axes()) return in_space(e, body);
     if (e.has("mass") && !e.has("position"))
         e.error(Id::missing_key, e.span(), fmt::format("body '{}' has a mass but no position", e.name()));
