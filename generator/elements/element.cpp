@@ -49,6 +49,9 @@ ExpressionPtr plus(ExpressionPtr a, ExpressionPtr b) { return make_binary(Kind::
 ExpressionPtr minus(ExpressionPtr a, ExpressionPtr b) { return make_binary(Kind::subtract, std::move(a), std::move(b)); }
 ExpressionPtr over(ExpressionPtr a, ExpressionPtr b) { return make_binary(Kind::divide, std::move(a), std::move(b)); }
 ExpressionPtr negative(const ExpressionPtr& a) { return std::make_shared<Expression>(Expression{Kind::negate, a->span, 0, {}, {a}}); }
-ExpressionPtr rate_of(const ExpressionPtr& a) { return std::make_shared<Expression>(Expression{Kind::call, a->span, 0, "dot", {a}}); }
+ExpressionPtr call_of(const char* function, const ExpressionPtr& a) {
+    return std::make_shared<Expression>(Expression{Kind::call, a->span, 0, function, {a}});
+}
+ExpressionPtr rate_of(const ExpressionPtr& a) { return call_of("dot", a); }
 
 }  // namespace dalembert

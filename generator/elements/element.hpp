@@ -51,6 +51,7 @@ ExpressionPtr plus(ExpressionPtr a, ExpressionPtr b);
 ExpressionPtr minus(ExpressionPtr a, ExpressionPtr b);
 ExpressionPtr over(ExpressionPtr a, ExpressionPtr b);
 ExpressionPtr negative(const ExpressionPtr& a);
+ExpressionPtr call_of(const char* function, const ExpressionPtr& a);
 ExpressionPtr rate_of(const ExpressionPtr& a);
 
 }  // namespace dalembert

@@ -30,8 +30,6 @@ bool mentions_what_moves(const Expression& e, const Model& model, std::set<std::
     return moves;
 }
 
-ExpressionPtr sign_of(const ExpressionPtr& a) { return std::make_shared<Expression>(Expression{Kind::call, a->span, 0, "sign", {a}}); }
-
 /// The surfaces of a friction may be pulled apart.
 void expand_parting(Model& model, const Friction& friction, const Element& made) {
     Event parts = made.make<Event>(made.part("parts"), friction.when);
@@ -85,7 +83,7 @@ void expand_by_state(Model& model, const Friction& friction) {
     event("breaks_backwards", watched(sticks, minus(holding, force)), negative(one));
     event("stops_forwards", watched(half(plus(square, d)), friction.rate), zero);
     event("stops_backwards", watched(half(minus(square, d)), negative(friction.rate)), zero);
-    Event& start = event("starts", plus(one, square), sign_of(friction.rate));
+    Event& start = event("starts", plus(one, square), call_of("sign", friction.rate));
     start.meets.reset();
     start.at_once = false;
     start.at_start = true;

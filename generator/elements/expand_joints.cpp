@@ -126,7 +126,7 @@ private:
         for (auto turn = joint_.turns.rbegin(); turn != joint_.turns.rend(); ++turn) {
             if (!turn->angle) return;
             const std::size_t i = (turn->axis + 1) % 3, j = (turn->axis + 2) % 3;
-            const ExpressionPtr c = call("cos", turn->angle), s = call("sin", turn->angle), a = along[i], b = along[j];
+            const ExpressionPtr c = call_of("cos", turn->angle), s = call_of("sin", turn->angle), a = along[i], b = along[j];
             along[i] = sum(scaled(a, c), b ? negative(times(b, s)) : nullptr);
             along[j] = sum(scaled(a, s), scaled(b, c));
         }
@@ -135,9 +135,6 @@ private:
     }
 
     static bool is_zero(const ExpressionPtr& e) { return !e || (e->kind == Expression::Kind::number && cln::zerop(e->value)); }
-    ExpressionPtr call(const char* function, const ExpressionPtr& a) const {
-        return std::make_shared<Expression>(Expression{Expression::Kind::call, a->span, 0, function, {a}});
-    }
     static ExpressionPtr scaled(const ExpressionPtr& a, const ExpressionPtr& factor) { return a ? times(a, factor) : nullptr; }
     static ExpressionPtr sum(const ExpressionPtr& a, const ExpressionPtr& b) { return !a ? b : !b ? a : plus(a, b); }
 
@@ -159,7 +156,7 @@ private:
 
     void roll() {
         if (!joint_.at || !joint_.heading || !joint_.radius || !joint_.angle) return;
-        const ExpressionPtr c = call("cos", joint_.heading), s = call("sin", joint_.heading);
+        const ExpressionPtr c = call_of("cos", joint_.heading), s = call_of("sin", joint_.heading);
         const ExpressionPtr x = rate_of((*joint_.at)[0]), y = rate_of((*joint_.at)[1]);
         hold_rate("rolls", minus(plus(times(c, x), times(s, y)), times(joint_.radius, rate_of(joint_.angle))));
         if (!joint_.only_rolls) hold_rate("side", minus(times(c, y), times(s, x)));

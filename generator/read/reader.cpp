@@ -84,6 +84,7 @@ public:
         for_each_kind(model_, [&](const char* section, auto& items) { collection(section, items); });
         check_default_scene();
         expand_joints(model_, diagnostics_);
+        if (model_.uses.empty()) check_jointed_bodies();
         for (Sampler& sampler : model_.samplers)
             if (const auto found = controllers.find(sampler.name); found != controllers.end()) complete_controller(sampler, found->second);
         if (!model_.uses.empty()) {
@@ -198,6 +199,17 @@ private:
         if constexpr (std::is_same_v<T, Body>) result.is_jointed = is_jointed(member.key);
         if constexpr (requires { check_rules(entry, result); }) check_rules(entry, result);
         return result;
+    }
+
+    /// Told here, because the body that is meant would lack its place.
+    void check_jointed_bodies() {
+        std::vector<std::string> names;
+        for (const Body& body : model_.bodies) names.push_back(body.name);
+        for (const Joint& joint : model_.joints)
+            if (joint.body && joint.places_body() && std::find(names.begin(), names.end(), joint.body->name) == names.end())
+                diagnostics_.error(Id::unknown_name, joint.body->span,
+                                   fmt::format("there is no body '{}' for 'body' of joint '{}'{}", joint.body->name, joint.name,
+                                               did_you_mean(joint.body->name, names)));
     }
 
     bool is_jointed(const std::string& body) const {
