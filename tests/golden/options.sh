@@ -237,7 +237,7 @@ if [ "${1:-}" = full ]; then
     same mechanics/arm_6r double --scene plain -- $option
   done
   limit=5 same mechanics/arm_6r double --scene plain -- --without chain
-  for option in '--without constants' '--without factoring' '--without angles'; do
+  for option in '--without constants' '--without factoring' '--without angles' '--without nesting' '--without reciprocals'; do
     same mechanics/cart_pendulum double -- $option
   done
   same mechanics/n_pendulum float --size N=5 -- --trig combined
@@ -248,9 +248,7 @@ fi
 same mechanics/slider_crank double -- --together
 same mechanics/n_pendulum double --size N=6 -- --fix g
 same mechanics/n_pendulum double --size N=6 -- --without chain
-for option in '--fix parameters' '--without nesting' '--without reciprocals'; do
-  same mechanics/cart_pendulum double -- $option
-done
+same mechanics/cart_pendulum double -- --fix parameters
 same mechanics/spherical_pendulum double -- --without rewriting
 same mechanics/spherical_pendulum float -- --trig combined
 
