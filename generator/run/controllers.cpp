@@ -15,7 +15,7 @@ namespace dalembert {
 
 namespace {
 
-/// The place of what an entry names in a list of the controller, or of its machine.
+/// The index of a named quantity in a list of the controller or of its machine.
 template <class Items>
 std::size_t place_of(const std::string& name, const Items& items, const RunEntry& entry, const Sampler& sampler, const Scene& scene) {
     const auto found = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });

@@ -158,7 +158,8 @@ RunFile::RunFile(const fs::path& file, const RunTable& head) : file_(file) {
         }
         found_ = parsed(file, text, complete).rows.size();
     }
-    if (::ftruncate(descriptor_.number, static_cast<off_t>(complete)) != 0 || ::lseek(descriptor_.number, 0, SEEK_END) < 0) cannot(file, "cut");
+    if (::ftruncate(descriptor_.number, static_cast<off_t>(complete)) != 0 || ::lseek(descriptor_.number, 0, SEEK_END) < 0)
+        cannot(file, "cut");
     if (complete == 0) add(wanted);
 }
 

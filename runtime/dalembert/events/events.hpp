@@ -46,7 +46,8 @@ public:
     static constexpr std::size_t count() noexcept { return size_of<Values>(); }
 
     /// A kink may rest when it moves by less than `tolerance` of what it did before, or comes back within the time `soon`.
-    EventSearch(Guards& guards, const Like<Values, bool>& ends, Scalar tolerance, Scalar soon) : guards_(guards), ends_(ends), tolerance_(tolerance), soon_(soon) {}
+    EventSearch(Guards& guards, const Like<Values, bool>& ends, Scalar tolerance, Scalar soon)
+        : guards_(guards), ends_(ends), tolerance_(tolerance), soon_(soon) {}
 
     /// The first guard that is not a number, or none.
     std::size_t not_a_number(const State& x, Scalar t) const {
@@ -123,7 +124,8 @@ public:
                 at_before = sample;
                 continue;
             }
-            const Scalar guess = inside && is_behind(sample) ? interpolated(Bracket<Values>(before, at_before, at, sample), c, between) : at;
+            const Scalar guess =
+                inside && is_behind(sample) ? interpolated(Bracket<Values>(before, at_before, at, sample), c, between) : at;
             Try part = c;
             if (!is_end) {
                 part.end = at;
@@ -211,8 +213,8 @@ public:
         return changed;
     }
 
-    /// Whether a kink that rests is still near its zero at (x, t), or leaves it to one side, no faster than twice as far in a step. Estimates of errors
-    /// do not see every jump.
+    /// Whether a kink that rests is still near its zero at (x, t), or leaves it to one side, no faster than twice as far in a step.
+    /// Estimates of errors do not see every jump.
     bool keeps_rest(const State& x, Scalar t) const {
         using std::abs;
         using std::max;
@@ -236,7 +238,8 @@ public:
     std::size_t vanishing_guard(const State& x, Scalar t) const {
         const Values g = raw(x, t);
         for (std::size_t i = 0; i < count(); ++i)
-            if (ends_[i] && !(g[i] > watches_[i].largest / Scalar(1000000)) && !(spares_stages_ && watches_[i].largest == Scalar(0))) return i;
+            if (ends_[i] && !(g[i] > watches_[i].largest / Scalar(1000000)) && !(spares_stages_ && watches_[i].largest == Scalar(0)))
+                return i;
         return count();
     }
 
@@ -381,7 +384,8 @@ private:
 
     /// Closes the bracket with repeated steps, the guess first, and leaves the longest clean step.
     template <class Take, class Accurate>
-    void close(Scalar t, const Values& at_start, Scalar end, const Values& at_end, Scalar guess, Try& c, const State& x, Scalar tiny, Scalar resolution, Take& take, Accurate& accurate) {
+    void close(Scalar t, const Values& at_start, Scalar end, const Values& at_end, Scalar guess, Try& c, const State& x, Scalar tiny,
+               Scalar resolution, Take& take, Accurate& accurate) {
         Bracket<Values> bracket(t, at_start, end, at_end);
         c = Try();
         bool is_first = guess > bracket.near() && guess < bracket.far();
