@@ -66,14 +66,14 @@ public:
         body.on = joint_.on;
         body.origin = joint_.at ? *joint_.at : VectorExpression{zero, zero, zero};
         body.turns = joint_.turns;
-        if (joint_.law == Law::revolute) body.turns.push_back({joint_.axis, given_or_coordinate(joint_.angle, joint_.name, angle_unit())});
+        if (joint_.law == Law::revolute) body.turns.push_back({joint_.axis, given_or_coordinate(joint_.angle, joint_.name, angle_unit(), body)});
         if (joint_.law == Law::prismatic) slide(body);
         if (joint_.law == Law::universal) {
-            body.turns.push_back({0, given_or_coordinate(joint_.angle, made_.part("1"), angle_unit())});
-            body.turns.push_back({1, given_or_coordinate(joint_.second_angle, made_.part("2"), angle_unit())});
+            body.turns.push_back({0, given_or_coordinate(joint_.angle, made_.part("1"), angle_unit(), body)});
+            body.turns.push_back({1, given_or_coordinate(joint_.second_angle, made_.part("2"), angle_unit(), body)});
         }
         if (joint_.law == Law::ball) {
-            model_.attitudes.push_back(made_.make<Attitude>(joint_.name, std::nullopt));
+            model_.attitudes.push_back(made_.make<Attitude>(joint_.name, body.when));
             body.attitude = made_.itself();
         }
     }
@@ -108,9 +108,9 @@ private:
         return true;
     }
 
-    ExpressionPtr given_or_coordinate(const ExpressionPtr& given, const std::string& name, const Unit& unit) {
+    ExpressionPtr given_or_coordinate(const ExpressionPtr& given, const std::string& name, const Unit& unit, const Body& body) {
         if (given) return given;
-        Coordinate coordinate = made_.make<Coordinate>(name, std::nullopt);
+        Coordinate coordinate = made_.make<Coordinate>(name, body.when);
         coordinate.unit = unit;
         coordinate.start = joint_.start;
         coordinate.doc = joint_.doc;
@@ -120,7 +120,7 @@ private:
 
     /// Along an axis of the joint, whose turns keep their own place: the column of their matrix.
     void slide(Body& body) {
-        const ExpressionPtr way = given_or_coordinate(joint_.position, joint_.name, length_unit());
+        const ExpressionPtr way = given_or_coordinate(joint_.position, joint_.name, length_unit(), body);
         std::array<ExpressionPtr, 3> along;  // in the axes of `on`
         along[joint_.axis] = way;
         for (auto turn = joint_.turns.rbegin(); turn != joint_.turns.rend(); ++turn) {

@@ -80,11 +80,14 @@ void describe(Visitor& v, E& joint) {
     v("second_angle", joint.second_angle, {.dimension = Dimension::none(), .depends = on_configuration,
         .doc = "the angle of the second wheel; of a universal joint, about the second axis"});
     v("position", joint.position, {.dimension = Dimension::length(), .depends = on_configuration,
-        .doc = "the position of a prismatic joint, a coordinate if left out; that of a rack, or of what a cam moves"});
-    v("start", joint.start, {.depends = constant_only, .doc = "start value of the coordinate; 0 if left out"});
+        .doc = "position of a prismatic joint (a coordinate if left out), of a rack, or of the follower of a cam"});
+    v("start", joint.start, {.depends = constant_only,
+        .excludes = {{"angle", "has a start and an angle; only a coordinate of its own has a start"},
+                     {"position", "has a start and a position; only a coordinate of its own has a start"}},
+        .doc = "start value of the coordinate; 0 if left out"});
     v("ratio", joint.ratio, {.dimension = Dimension::none(), .depends = on_parameters,
         .doc = "of a gear: speed of the first wheel by that of the second; below zero where they turn against each other"});
-    v("radius", joint.radius, {.dimension = Dimension::length(), .depends = on_parameters,
+    v("radius", joint.radius, {.dimension = Dimension::length(), .depends = on_parameters, .sign = above_zero("m"),
         .doc = "radius of the first wheel, or of the wheel"});
     v("second_radius", joint.second_radius, {.dimension = Dimension::length(), .depends = on_parameters,
         .doc = "of a belt: radius of the second wheel; below zero where the belt is crossed"});
