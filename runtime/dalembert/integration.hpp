@@ -209,7 +209,7 @@ private:
     /// Whether the rest of the run takes more than max_steps at the pace of the last 2 million, so that it ends in seconds and not in
     /// minutes.
     bool is_hopeless() {
-        const std::size_t looked_at = this->resting_guard() == Outcome::none ? 2000000 : 100000;
+        const std::size_t looked_at = this->resting_guard() == Outcome::none ? 2000000 : 500000;
         const std::size_t tries = outcome_.steps + outcome_.rejected;
         if (tries - tries_at_mark_ < looked_at) return false;
         const Scalar pace = (t_ - mark_) / Scalar(static_cast<double>(tries - tries_at_mark_));

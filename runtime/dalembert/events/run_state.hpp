@@ -211,7 +211,8 @@ protected:
 
     /// From just before a kink that is known to just behind it.
     void pass_kink(Scalar behind) {
-        if (options_.clock != nullptr) act_before(behind);
+        const bool acts = options_.clock != nullptr && behind < to_;  // what is due at the end of a run is not done any more
+        if (acts) act_before(behind);
         const Scalar half = (behind - t_) / Scalar(2);
         const State before = dxdt_;
         State x;
@@ -221,7 +222,7 @@ protected:
         control_.forget();
         evaluate(x_, t_, dxdt_);
         // What acts does so from halfway on.
-        for (std::size_t i = 0; options_.clock != nullptr && i < x_.size(); ++i) x_[i] += half * (dxdt_[i] - before[i]);
+        for (std::size_t i = 0; acts && i < x_.size(); ++i) x_[i] += half * (dxdt_[i] - before[i]);
     }
 
     /// At the end of a step that was cut for an event: ends the run there, or starts anew behind it.
