@@ -117,9 +117,10 @@ private:
         for (std::size_t i = 0; i < circuit_.pins.size(); ++i)
             if (circuit_.pins[i].name == name) return i;
         const auto is_it = [&](const Member<Pin>& member) { return member.item->name == reference.name && member.index == index; };
-        if (std::none_of(scene_.pins.begin(), scene_.pins.end(), is_it))
+        const auto found = std::find_if(scene_.pins.begin(), scene_.pins.end(), is_it);
+        if (found == scene_.pins.end())
             throw Failure(Diagnostic{Id::index_out_of_range, reference.span, fmt::format("the scene has no pin '{}'", name)});
-        circuit_.pins.push_back({name, reference.span, 0});
+        circuit_.pins.push_back({name, reference.span, 0, found->item});
         return circuit_.pins.size() - 1;
     }
 
@@ -129,14 +130,14 @@ private:
     Circuit circuit_;
 };
 
-/// A pin where one branch ends is most often a name with a slip.
+/// A pin where one branch ends is most often a name with a slip, but where it is a port.
 void check_ends(const Circuit& circuit) {
     for (std::size_t pin = 1; pin < circuit.pins.size(); ++pin) {
         const BranchState* only = nullptr;
         std::size_t ends = 0;
         for (const BranchState& branch : circuit.branches)
             if (branch.from == pin || branch.to == pin) ++ends, only = &branch;
-        if (ends == 1)
+        if (ends == 1 && !circuit.pins[pin].item->open_port)
             throw Failure(Diagnostic{Id::not_allowed_here, circuit.pins[pin].place,
                                      fmt::format("at pin '{}' ends no branch but '{}', so that no current can flow there; join another "
                                                  "branch to the pin, or leave '{}' out",

@@ -10,8 +10,9 @@ namespace dalembert {
 
 struct PinState {
     std::string name;
-    Span place;            ///< where a branch names it first
-    GiNaC::ex potential;   ///< V
+    Span place;                  ///< where a branch names it first
+    GiNaC::ex potential;         ///< V
+    const Pin* item = nullptr;   ///< none of ground
 };
 
 struct BranchState {

@@ -120,9 +120,15 @@ private:
         const auto with_modes = std::find_if(way.begin(), way.end(), [&](std::size_t b) { return branch(b).item->has_modes(); });
         const std::string remedy = with_modes == way.end() ? "put a resistor in series with one of them"
                                                            : fmt::format("give '{}' a resistance", branch(*with_modes).name);
-        throw Failure(Diagnostic{Id::doubly_determined, branch(closing).item->span,
+        const Span& place = branch(closing).item->span;
+        std::vector<Note> in_other_files;
+        for (const std::size_t b : way)
+            if (const Span& other = branch(b).item->span; other.source != place.source)
+                in_other_files.push_back({other, fmt::format("'{}' is defined here", branch(b).name)});
+        throw Failure(Diagnostic{Id::doubly_determined, place,
                                  fmt::format("branch '{}' closes a loop of {}, {}, in which each voltage follows from the others; {}",
-                                             branch(closing).name, of, quoted_list(names), remedy)});
+                                             branch(closing).name, of, quoted_list(names), remedy),
+                                 std::move(in_other_files)});
     }
 
     /// Throws Failure (undetermined) where resistors do not join all groups to ground.
@@ -132,8 +138,13 @@ private:
         if (away == part.end()) return;
         std::vector<std::string> pins, currents;
         std::vector<const BranchState*> around;
-        for (std::size_t pin = 0; pin < part.size(); ++pin)
-            if (part[pin] == *away) pins.push_back(circuit_.pins[pin].name);
+        std::vector<Note> open;
+        for (std::size_t pin = 0; pin < part.size(); ++pin) {
+            if (part[pin] != *away) continue;
+            pins.push_back(circuit_.pins[pin].name);
+            if (const Pin* item = circuit_.pins[pin].item; item != nullptr && item->open_port)
+                open.push_back({item->open_port, fmt::format("nothing is joined to this port, which stands at pin '{}'", item->name)});
+        }
         for (const BranchState& b : circuit_.branches)
             if ((part[b.from] == *away) != (part[b.to] == *away)) {
                 if (b.is_interrupted()) around.push_back(&b);
@@ -151,7 +162,7 @@ private:
         const std::string remedy = !around.empty()    ? fmt::format("give '{}' a conductance", around.front()->name)
                                    : currents.empty() ? fmt::format("join one of them to '{}'", ground_pin)
                                                       : "put a resistor across one of them";
-        throw Failure(Diagnostic{Id::undetermined, place, fmt::format("{}{}; {}", where, fact, remedy)});
+        throw Failure(Diagnostic{Id::undetermined, place, fmt::format("{}{}; {}", where, fact, remedy), std::move(open)});
     }
 
     /// Pins whose potentials are known are neighbours of their own; of other groups, the first pin.

@@ -21,7 +21,9 @@ inline Dimension capacitance() { return current() * Dimension::time() / voltage(
 inline constexpr const char* ground_pin = "ground";
 
 /// A place in a circuit, with one potential.
-struct Pin : Item {};
+struct Pin : Item {
+    Span open_port = {};  ///< that stands there, or at a member, and is not joined, so that a single branch may end there
+};
 
 template <>
 inline constexpr KindSpec kind_of<Pin>{"pin",

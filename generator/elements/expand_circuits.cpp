@@ -61,6 +61,10 @@ void expand_switch(Model& model, const Branch& branch) {
 void expand_circuits(Model& model) {
     for (const Branch& branch : model.branches)
         if (branch.has_modes()) (branch.law == Branch::Law::diode ? expand_diode : expand_switch)(model, branch);
+    name_pins(model);
+}
+
+void name_pins(Model& model) {
     const Names names(model);
     std::vector<Pin> found;
     const auto is_known = [&](const std::string& name) {
@@ -78,6 +82,12 @@ void expand_circuits(Model& model) {
             pin.span = end->span;
         }
     model.pins.insert(model.pins.end(), found.begin(), found.end());
+}
+
+void open_pins_at_ports(Model& model) {
+    for (const Port& port : model.ports)
+        for (Pin& pin : model.pins)
+            if (port.kind == Port::Kind::pin && port.at && port.at->name == pin.name) pin.open_port = port.span;
 }
 
 }  // namespace dalembert

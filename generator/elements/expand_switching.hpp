@@ -21,7 +21,11 @@ void expand_contacts(Model& model);
 void expand_signals(Model& model);
 /// Check valves and orifices that switch, volumes that run empty, nodes that boil: modes and events.
 void expand_balances(Model& model);
-/// Modes and events of diodes and switches; pins that branches name without listing them.
+/// Modes and events of diodes and switches, and pins.
 void expand_circuits(Model& model);
+/// Pins that branches name without listing them.
+void name_pins(Model& model);
+/// The pins at which ports of the model stand are open.
+void open_pins_at_ports(Model& model);
 
 }  // namespace dalembert

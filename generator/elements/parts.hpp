@@ -34,7 +34,7 @@ void describe(Visitor& v, E& use) {
     v.by_hand("start", {.type = by_name, .doc = "start values of coordinates, their rates and states of the part"});
     v.by_hand("ports", {.type = by_name,
         .doc = "joins of ports of the part: `NAME.PORT` of another part, a coordinate or an expression (shaft, flange, signal), a volume, "
-               "reservoir or junction (fluid), a node, volume, reservoir or cell (thermal), or a body (point) of this model"});
+               "reservoir or junction (fluid), a node, volume, reservoir or cell (thermal), a body (point), or a pin of this model"});
     v.by_hand("media", {.type = by_name, .doc = "media of the part that are media of this model: { oil = \"oil\" }"});
     v.by_hand("effects", {.type = by_name,
         .doc = "effects of the part that are effects of this model; of one that is left out, `NAME.EFFECT` is an effect of this model"});
@@ -43,7 +43,7 @@ void describe(Visitor& v, E& use) {
 
 /// A place at which a file can be joined to others.
 struct Port : Item {
-    enum class Kind { shaft, flange, fluid, thermal, point, signal };
+    enum class Kind { shaft, flange, fluid, thermal, point, pin, signal };
     Kind kind = Kind::signal;
     std::optional<Reference> coordinate;
     ExpressionPtr value;
@@ -65,6 +65,7 @@ inline const KeyChoices<Port::Kind>& port_kinds() {
         {"fluid", K::fluid, {"at"}, {}, ": a volume, reservoir or junction"},
         {"thermal", K::thermal, {"at"}, {}, ": a node"},
         {"point", K::point, {"at"}, {}, ": a body, on which others are placed"},
+        {"pin", K::pin, {"at"}, {}, ": a pin of a circuit"},
         {"signal", K::signal, {}, {"input", "value"}, ": an input, or a value for inputs of others"},
     };
     return choices;
@@ -77,7 +78,8 @@ inline std::vector<const char*> elements_at(Port::Kind kind, bool is_other = fal
         case Port::Kind::thermal:
             return is_other ? std::vector<const char*>{"node", "volume", "reservoir", "rod", "block"} : std::vector<const char*>{"node"};
         case Port::Kind::point: return {"body"};
-        default: return {"volume", "reservoir", "junction", "node", "body"};
+        case Port::Kind::pin: return {"pin"};
+        default: return {"volume", "reservoir", "junction", "node", "body", "pin"};
     }
 }
 
@@ -96,8 +98,9 @@ void describe(Visitor& v, E& port) {
                                              : std::nullopt,
        .depends = on_state_and_inputs | on_places,
        .doc = "of a shaft or flange, instead of a coordinate: its angle or position as an expression; of a signal: what it gives"});
-    v("at", port.at, {.refers = elements_at(port.kind), .doc = "of a fluid port, thermal port or point: the element that stands there. A "
-        "reservoir, a node that is held at a temperature or a body without mass is replaced by what the port is joined to"});
+    v("at", port.at, {.refers = elements_at(port.kind),
+        .doc = "of a fluid port, thermal port, point or pin: the element that stands there. A reservoir, a node that is held at a "
+               "temperature, a body without mass or a pin, `ground` too, is replaced by what the port is joined to"});
     v("alone", port.alone, {
         .doc = "names of elements, parameters or inputs that are there only while the port is not joined, such as a load"});
     v.item({.has_when = false});

@@ -29,7 +29,8 @@ bool is_of_formulas(const std::vector<const char*>& kinds) {
 /// Of the kinds that joins replace.
 bool can_stand_for_another(const std::vector<const char*>& kinds) {
     return std::any_of(kinds.begin(), kinds.end(), [](std::string_view kind) {
-        return kind == "body" || kind == "volume" || kind == "reservoir" || kind == "junction" || kind == "node" || kind == "medium";
+        return kind == "body" || kind == "volume" || kind == "reservoir" || kind == "junction" || kind == "node" || kind == "medium" ||
+               kind == "pin";
     });
 }
 
@@ -143,7 +144,8 @@ private:
             const bool is_element = !kinds.empty() && !is_of_formulas(kinds) && e->children[0]->kind == Kind::name;
             if (is_element) made->children[0] = element(*e->children[0], kinds, bound);
             change_children(is_element ? 1 : 0, bound);
-            return made;
+            const bool is_potential = to_.pins && contains(kinds, "pin") && to_.pins->contains(e->children[0]->name);
+            return is_potential ? from_own_ground(made) : made;
         }
         change_children(0, bound);
         if (e->kind == Kind::call) made->name = of_name(e->name);
@@ -157,9 +159,16 @@ private:
         return made;
     }
 
-    /// The ground of a circuit is that of all parts.
-    static bool is_shared(const std::string& name, const std::vector<const char*>& kinds) {
-        return name == ground_pin && contains(kinds, "pin");
+    /// The ground of a circuit is that of all parts, but of those that have it as a port.
+    bool is_shared(const std::string& name, const std::vector<const char*>& kinds) const {
+        return name == ground_pin && contains(kinds, "pin") && !to_.pins;
+    }
+
+    /// The potential of a pin from that of the part's own ground.
+    ExpressionPtr from_own_ground(const ExpressionPtr& potential) const {
+        auto ground = std::make_shared<Expression>(*potential);
+        ground->children = {make_name(to_.prefix + ground_pin, potential->children[0]->span)};
+        return make_binary(Kind::subtract, potential, ground);
     }
 
     /// What stands for an element that one of these kinds is; null for itself.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -18,6 +19,9 @@ struct Renaming {
     std::map<std::string, Reference, std::less<>> elements;    ///< what another element stands for; of a body as "body NAME"
     std::map<std::string, std::string, std::less<>> effects;
     std::set<std::string, std::less<>> taken = {};             ///< names that an index or a variable of a law cannot have any more
+
+    /// Of a part that has its ground as a port: all its pins. Its ground gets the prefix, too, and potentials count from there.
+    std::optional<std::set<std::string, std::less<>>> pins = {};
 
     static std::string key_of(const std::string& name, bool is_body) { return is_body ? "body " + name : name; }
 };

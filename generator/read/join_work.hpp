@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The work on the joins of one model: joins.cpp says what is joined to what, joins_of_motion.cpp and joins_of_places.cpp do it.
+// The work on the joins of one model: joins.cpp says what is joined to what, joins_of_motion.cpp, joins_of_places.cpp and
+// joins_of_pins.cpp do it.
 #pragma once
 
 #include <fmt/format.h>
@@ -81,9 +82,20 @@ private:
     // --- fluids, heat and bodies ---
     void join_places(PartPort& port, PartPort* other, const RunEntry& entry);
     Reference resolved(Reference to, Port::Kind kind) const;
+    /// The element of this model or of the other port that a value names. Throws Failure (wrong-type) where it is no name.
+    Reference joined_to(const PartPort& port, const PartPort* other, const Expression& value) const;
+    /// Of two elements of a kind one goes.
+    void give_way(const Reference& going, const Reference& staying, Port::Kind kind);
     void replace(const PartPort& port, const Place& going, const Place& staying, Port::Kind kind);
     void hand_over_heat(const PartPort& port, const Place& going, const Place& staying);
     void refuse_lost_potential(const PartPort& port, const Place& going, const Place& staying) const;
+
+    // --- pins ---
+    void name_pins_by_ports();
+    void join_pins(PartPort& port, PartPort* other, const RunEntry& entry);
+    void refuse_no_pin(const PartPort& port, const Reference& to, const Expression& value) const;
+    void refuse_open_ground(const Use& use, const PartPort& port) const;
+    void refuse_short_circuits();
 
     Model& model_;
     std::vector<PartPort> ports_;

@@ -25,6 +25,7 @@ void Joins::run(const std::vector<Use>& uses) {
             const Expression& variable = entry.variable->kind == Kind::call ? *entry.variable->children[0] : *entry.variable;
             set_starts_.emplace(use.name + "_" + variable.name, entry.span);
         }
+    name_pins_by_ports();
     for (const Use& use : uses)
         for (const RunEntry& entry : use.ports) {
             use_ = find(model_.uses, use.name);
@@ -34,6 +35,7 @@ void Joins::run(const std::vector<Use>& uses) {
         for (const PartPort& port : ports_)
             if (port.part == use.name && !port.joined) attempt([&] { check_open(use, port); });
     for (const auto& [kinds, name] : gone_) remove(kinds, name);
+    refuse_short_circuits();
     for (const PartPort& port : ports_)  // what it gives may stand in expressions
         if (port.port.kind == Port::Kind::signal && port.port.value && port.port.value->name != port.port.name)
             everywhere_.values.emplace(port.port.name, port.port.value);
@@ -76,6 +78,9 @@ void Joins::join(const Use& use, const RunEntry& entry) {
         case Port::Kind::signal:
             join_signal(*port, other, entry);
             break;
+        case Port::Kind::pin:
+            join_pins(*port, other, entry);
+            break;
         default:
             join_places(*port, other, entry);
             break;
@@ -95,6 +100,7 @@ void Joins::take(PartPort& port, const Span& where) {
 }
 
 void Joins::check_open(const Use& use, const PartPort& port) {
+    if (port.port.kind == Port::Kind::pin) return refuse_open_ground(use, port);
     if (port.port.kind != Port::Kind::fluid || place_of(model_, *port.port.at, port.port.kind).rank != Rank::given) return;
     if (everywhere_.elements.contains(port.port.at->name)) return;  // another port at the same place is joined
     fail(Id::missing_key, use.span,

@@ -10,17 +10,8 @@ namespace dalembert {
 void Joins::join_places(PartPort& port, PartPort* other, const RunEntry& entry) {
     const Expression& value = *entry.value;
     const Port::Kind kind = port.port.kind;
-    if (value.kind != Expression::Kind::name || value.children.size() > 1)
-        fail(Id::wrong_type, value.span,
-             fmt::format("'{}' is not the name of {}, to which '{}' could be joined", value.written(),
-                         with_article(words_of(elements_at(kind, true))), shown(port)));
     const Place mine = place_of(model_, resolved(*port.port.at, kind), kind);
-    const Place theirs =
-        place_of(model_,
-                 resolved(other != nullptr ? *other->port.at
-                                           : Reference{value.name, value.children.empty() ? nullptr : value.children[0], value.span},
-                          kind),
-                 kind);
+    const Place theirs = place_of(model_, joined_to(port, other, value), kind);
     if (*theirs.word == '\0')
         fail(Id::unknown_name, value.span,
              fmt::format("there is no {} '{}', to which port '{}' could be joined", words_of(elements_at(kind, true)), value.written(),
@@ -58,20 +49,35 @@ void Joins::join_places(PartPort& port, PartPort* other, const RunEntry& entry) 
          declared(port));
 }
 
+Reference Joins::joined_to(const PartPort& port, const PartPort* other, const Expression& value) const {
+    const Port::Kind kind = port.port.kind;
+    if (value.kind != Expression::Kind::name || value.children.size() > 1)
+        fail(Id::wrong_type, value.span,
+             fmt::format("'{}' is not the name of {}, to which '{}' could be joined", value.written(),
+                         with_article(words_of(elements_at(kind, true))), shown(port)));
+    return resolved(other != nullptr ? *other->port.at
+                                     : Reference{value.name, value.children.empty() ? nullptr : value.children[0], value.span},
+                    kind);
+}
+
 Reference Joins::resolved(Reference to, Port::Kind kind) const {
     const auto found = everywhere_.elements.find(Renaming::key_of(to.name, kind == Port::Kind::point));
     return found == everywhere_.elements.end() ? to : found->second;
 }
 
 void Joins::replace(const PartPort& port, const Place& going, const Place& staying, Port::Kind kind) {
-    const bool is_body = kind == Port::Kind::point;
     if (kind == Port::Kind::thermal) hand_over_heat(port, going, staying);
     if (kind == Port::Kind::fluid) refuse_lost_potential(port, going, staying);
-    for (auto& [name, other] : everywhere_.elements)
-        if (other.name == going.to.name && name.starts_with("body ") == is_body) other = staying.to;
-    everywhere_.elements[Renaming::key_of(going.to.name, is_body)] = staying.to;
-    gone_.push_back({elements_at(kind), going.to.name});
+    give_way(going.to, staying.to, kind);
     tell(port, fmt::format("{} is {}", named(going), named(staying)));
+}
+
+void Joins::give_way(const Reference& going, const Reference& staying, Port::Kind kind) {
+    const bool is_body = kind == Port::Kind::point;
+    for (auto& [name, other] : everywhere_.elements)
+        if (other.name == going.name && name.starts_with("body ") == is_body) other = staying;
+    everywhere_.elements[Renaming::key_of(going.name, is_body)] = staying;
+    gone_.push_back({elements_at(kind), going.name});
 }
 
 /// Heat from outside goes to where the node was.

@@ -9,6 +9,7 @@
 #include "check/checks.hpp"
 #include "check/written_values.hpp"
 #include "elements/every_kind.hpp"
+#include "elements/expand_switching.hpp"
 #include "elements/kinds.hpp"
 #include "elements/rename.hpp"
 #include "elements/sites.hpp"
@@ -18,6 +19,8 @@
 namespace dalembert {
 
 namespace {
+
+using NameSet = std::set<std::string, std::less<>>;
 
 /// Names of a part without the name of the part.
 template <class Items>
@@ -154,6 +157,18 @@ private:
     Diagnostics& diagnostics_;
 };
 
+/// All pins of a part that has its ground as a port, so that it can stand elsewhere. Of others the ground is that of the model.
+std::optional<NameSet> pins_of_own_ground(Model& part) {
+    const auto is_at_ground = [](const Port& port) { return port.kind == Port::Kind::pin && port.at && port.at->name == ground_pin; };
+    if (std::none_of(part.ports.begin(), part.ports.end(), is_at_ground)) {
+        std::erase_if(part.pins, [](const Pin& pin) { return pin.name == ground_pin; });
+        return std::nullopt;
+    }
+    NameSet pins;
+    for (const Pin& pin : part.pins) pins.insert(pin.name);
+    return pins;
+}
+
 /// What counts only where the part stands alone.
 void leave_out_what_stands_alone(Model& part) {
     part.gravity.reset();
@@ -185,8 +200,6 @@ void merge(Model& model, std::vector<Part>& parts) {
                 items.insert(items.begin(), std::make_move_iterator(of_part.begin()), std::make_move_iterator(of_part.end()));
         });
 }
-
-using NameSet = std::set<std::string, std::less<>>;
 
 void add_names_in_expressions(const Model& model, NameSet& names) {
     visit(model, [&](const Site& site) {
@@ -223,6 +236,8 @@ void resolve(Renaming& renaming) {
                 fail(Id::cyclic_definition, value->span, fmt::format("what stands for '{}' needs '{}' itself", name, name));
             value = renamed(value, renaming);
         }
+    for (auto& [name, other] : renaming.elements)
+        if (other.index) other.index = renamed(other.index, renaming);
 }
 
 /// What only things needed that are there no more: parameters of a medium that another one replaces, say.
@@ -261,7 +276,7 @@ void join_parts(Model& model, std::vector<Part> parts, Diagnostics& diagnostics)
                             "with [0, 0, 0] for none",
                             part.name),
                 {{part.model.gravity->span, "that of the part stands here"}});
-        rename(part.model, {part.name + "_", part.formulas, {}, {}, {}, taken});
+        rename(part.model, {part.name + "_", part.formulas, {}, {}, {}, taken, pins_of_own_ground(part.model)});
         add_names_in_expressions(part.model, needed);
         leave_out_what_stands_alone(part.model);
         for (Port& port : part.model.ports) ports.push_back({part.name, std::move(port)});
@@ -275,6 +290,7 @@ void join_parts(Model& model, std::vector<Part> parts, Diagnostics& diagnostics)
     const std::vector<Use> uses = model.uses;
     diagnostics.stop_on_errors();
     merge(model, parts);
+    name_pins(model);
     for (const Use& use : uses) {
         check_targets(use.media, model.media, "medium", diagnostics);
         check_targets(use.effects, model.effects, "effect", diagnostics);

@@ -32,12 +32,9 @@ Rank rank_of(const Body& body) {
     return weighs || !is_at_origin || turns || body.on ? Rank::stores : Rank::given;
 }
 
-/// "tank", "tank[1]"
-std::string written(const Reference& to) {
-    return to.index ? fmt::format("{}[{}]", to.name, in_model_language(*to.index)) : to.name;
-}
-
 }  // namespace
+
+std::string written(const Reference& to) { return to.index ? fmt::format("{}[{}]", to.name, in_model_language(*to.index)) : to.name; }
 
 Place place_of(const Model& model, const Reference& to, Port::Kind kind) {
     const std::vector<const char*> kinds = elements_at(kind, true);

@@ -25,6 +25,8 @@ struct Place {
     bool is(const Place& other) const;
 };
 
+/// "tank", "tank[1]"
+std::string written(const Reference& to);
 /// "volume 'tank[1]'"
 std::string named(const Place& place);
 Place place_of(const Model& model, const Reference& to, Port::Kind kind);

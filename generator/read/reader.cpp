@@ -90,7 +90,10 @@ public:
         if (!model_.uses.empty()) {
             diagnostics_.stop_on_errors();
             join_parts(model_, std::move(parts), diagnostics_);
+        } else {
+            name_pins(model_);
         }
+        open_pins_at_ports(model_);
         return std::move(model_);
     }
 

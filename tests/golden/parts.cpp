@@ -39,7 +39,7 @@ TEST_CASE("machines of parts and of joints have the headers of the same machines
         }
         ++compared;
     }
-    CHECK(compared >= (is_full_tier() ? 11 : 7));
+    CHECK(compared >= (is_full_tier() ? 12 : 8));
 }
 
 TEST_CASE("what became of joined ports is told") {
@@ -49,6 +49,11 @@ TEST_CASE("what became of joined ports is told") {
               .ends_with("\njoined ports\n  lever.end: constraint 'lever_end' holds it there, because no coordinate can go; "
                          "constraint_force[lever_end] is its force\n"));
     CHECK(derived("drive.toml").find("  motor.shaft: coordinate 'motor_phi' is 'i*shaft.phi_1'\n") != std::string::npos);
+    CHECK(derived("wagon.toml")
+              .ends_with("\njoined ports\n  string.plus: pin 'string_upper_plus' is 'line_p[0]'\n"
+                         "  string.minus: pin 'string_ground' is 'ground'\n  line.other: pin 'dc' is 'line_p[line_N]'\n"
+                         "  line.shield: pin 'line_ground' is 'ground'\n  motor.plus: pin 'motor_plus' is 'line_p[line_N]'\n"
+                         "  motor.minus: pin 'motor_ground' is 'rail'\n  motor.shaft: coordinate 'motor_phi' is 'phi'\n"));
     const TemporaryFolder folder;
     fs::copy_file(source / "tests/golden/parts/pieces/controller.toml", folder.path() / "controller.toml");
     std::ofstream(folder.path() / "cascade.toml") << "[model]\nformat = 1\nname = \"cascade\"\n[use]\n"
