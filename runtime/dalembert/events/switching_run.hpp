@@ -116,9 +116,11 @@ private:
 
     /// The event happens now. Leaves the next one there, if that happens at once.
     Status pass(std::size_t& event) {
+        if (std::size_t other = is_last(event) ? happens_too(event) : none; other != none)
+            if (const Status status = pass(other); status != Status::no_mode) return event = other, status;
         if (!count(event)) return Status::event_storm;
         const auto candidates = System::next_modes(event, here_.mode);
-        if (candidates.begin() == candidates.end()) {
+        if (is_last(event)) {
             if (observed_ != t_) observe(t_, x_);
             return Status::event;
         }
@@ -131,6 +133,27 @@ private:
         const auto reset = [this, happened](State& x, const Input& u) { system_.reset(happened, here_.mode, x, u, t_); };
         const Status status = change(happened, candidates, reset, false, event);
         return status == Status::success && event == none ? pass_accumulation(happened, event) : status;
+    }
+
+    /// Whether the run ends with the event.
+    bool is_last(std::size_t event) const {
+        const auto candidates = System::next_modes(event, here_.mode);
+        return candidates.begin() == candidates.end();
+    }
+
+    /// Beside an event with which the run ends, one at the same time with which it goes on: a force that falls to zero until its phase ends
+    /// has its zero there, and is told by what holds behind.
+    std::size_t happens_too(std::size_t event) const {
+        using std::abs;
+        typename System::Events g{}, rates{};
+        const Input u = inputs_(x_, t_);
+        system_.guards(here_.mode, x_, u, t_, g);
+        system_.guard_rates(here_.mode, x_, u, t_, rates);
+        for (std::size_t e = 0; e < event_count(); ++e)
+            if (e != event && System::is_watched(here_.mode, e) && !is_last(e) && rates[e] < Scalar(0) &&
+                g[e] <= control_.tiny(t_) * abs(rates[e]))
+                return e;
+        return none;
     }
 
     /// Notes what happens. False if that is too much.
