@@ -65,6 +65,7 @@ struct Key {
     std::optional<ValueType> type = {};         ///< none: as the type of its member says
     std::vector<const char*> refers = {};       ///< of a name: the kinds of elements that it may name, "body"
     bool all_members = false;                   ///< of a name: the whole of a family, without an index
+    bool is_own = false;                        ///< of names: those of the element itself, which nothing else sees
     std::optional<Unit> unit = {};              ///< in which a number counts; such values are checked where they are converted
     std::optional<Dimension> dimension = {};    ///< none: any, as long as the expression agrees in itself
     unsigned depends = nothing;                 ///< bits of Dependence

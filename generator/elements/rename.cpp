@@ -68,7 +68,7 @@ public:
     void list(const char*, std::vector<Part>& parts, const Key&) const {
         for (Part& part : parts) {
             if constexpr (requires { part.when; }) change(part.when);
-            if constexpr (std::same_as<Part, Unknown>) part.name = of_name(part.name);
+            if constexpr (std::same_as<Part, Unknown> || std::same_as<Part, Bar>) part.name = of_name(part.name);
             describe(*this, part);
         }
     }
@@ -217,7 +217,8 @@ private:
         entry.variable = of(entry.variable);
         entry.value = of(entry.value);
     }
-    void change(NamesWithPlaces& names, const Key&) const {
+    void change(NamesWithPlaces& names, const Key& key) const {
+        if (key.is_own) return;
         for (auto& [name, span] : names) name = of_effect(name);
     }
     void change(std::vector<Plot>& plots, const Key&) const {

@@ -77,6 +77,8 @@ void describe(Visitor& v, E& solid) {
 
 /// A force at a point, or a moment.
 struct LoadPart : Item {
+    std::string on;       ///< of a load of several bodies: the body or point that it acts on
+    std::string against;  ///< the body on which the opposite force acts; empty: none of the load
     std::optional<VectorExpression> at;      ///< m
     std::optional<VectorExpression> force;   ///< N
     std::optional<VectorExpression> moment;  ///< N m
@@ -93,7 +95,10 @@ void describe(Visitor& v, E& part) {
        .depends = anything,
        .words = "point",
        .excludes = {{"moment", "is a moment, which is the same about every point; leave out 'at'", Id::not_allowed_here}},
-       .doc = "point where the force acts; [0, 0, 0] if left out"});
+       .doc = "point where the force acts; [0, 0, 0] if left out, on a point that point"});
+    v("on", part.on, {.doc = "of a load with `points` or `bodies`: the one that the force or moment acts on"});
+    v("against", part.against,
+      {.doc = "a body of the load on which the opposite acts, at the same place: of contacts and hinges between two bodies"});
     v("force", part.force, {.dimension = Dimension::force(), .depends = anything, .words = "", .doc = "force vector"});
     v("moment", part.moment, {.dimension = Dimension::energy(), .depends = anything, .words = "",
         .doc = "instead of a force: a moment, the same about every point"});
@@ -113,18 +118,57 @@ void describe(Visitor& v, E& unknown) {
     v.item({.has_when = false});
 }
 
-/// Forces on one rigid body (2.28)-(2.44). With unknowns it is in equilibrium: balances of force and moment determine them.
+/// A joint of bars, which is in equilibrium by itself; or a point of a body of the load.
+struct LoadPoint : Item {
+    VectorExpression at;  ///< m
+    std::string of;       ///< the body; empty: a joint
+};
+
+template <>
+inline constexpr KindSpec kind_of<LoadPoint>{"point", "", "", "at"};
+
+template <class Visitor, ElementOf<LoadPoint> E>
+void describe(Visitor& v, E& point) {
+    v("at", point.at, {.required = true, .dimension = Dimension::length(), .depends = on_anything & ~on_outputs, .words = "place",
+        .doc = "where it is"});
+    v("of", point.of, {.doc = "the body of the load that it belongs to; if left out, the point is a joint: the forces on it are in equilibrium"});
+    v.item({.has_when = false});
+}
+
+/// A bar or rope without weight between two points. Its name is that of its force, positive where it pulls; it is one of the unknowns.
+struct Bar : Item {
+    NamesWithPlaces between;
+};
+
+template <>
+inline constexpr KindSpec kind_of<Bar>{"bar", "", "", "between"};
+
+template <class Visitor, ElementOf<Bar> E>
+void describe(Visitor& v, E& bar) {
+    v("between", bar.between, {.required = true, .is_own = true, .doc = "the two points that it joins: [\"A\", \"B\"]"});
+    v.item({.has_when = false});
+}
+
+/// Forces on one rigid body (2.28)-(2.44), or on several bodies and joints. With unknowns each is in equilibrium: the balances of force and
+/// moment determine them.
 struct Load : Item {
     std::optional<VectorExpression> about;  ///< m, the point of reference
     std::vector<LoadPart> parts;
-    std::vector<Unknown> unknowns;
+    std::vector<Unknown> unknowns;          ///< those of the bars come last, in their order
+    NamesWithPlaces bodies;
+    std::vector<LoadPoint> points;
+    std::vector<Bar> bars;
+
+    /// Of one body that has no name.
+    bool is_one_body() const { return bodies.empty() && points.empty(); }
 };
 
 template <>
 inline constexpr KindSpec kind_of<Load>{"load",
     "Forces on a rigid body at rest. resultant_force[NAME, i] and resultant_moment[NAME, i] are their sums "
     "(2.28)-(2.42). With unknowns, the body is in equilibrium (2.39): the balances of force and moment determine the "
-    "unknowns, whose names may then be used as quantities.",
+    "unknowns, whose names may then be used as quantities. With `points`, `bars` and `bodies` a load is a truss, or several "
+    "bodies that hold each other: each joint and each body is in equilibrium, and all balances are solved together.",
     "[loads.cylinder]\nunknowns = { f_S = \"N\", f_N = \"N\" }\n"
     "forces.rope   = { force = [\"-f_S*sin(alpha)\", 0, \"f_S*cos(alpha)\"] }\n"
     "forces.wall   = { force = [\"f_N\", 0, 0] }\n"
@@ -142,6 +186,14 @@ void describe(Visitor& v, E& load) {
     v.named("unknowns", load.unknowns, {
         .doc = "{ NAME = \"N\" }: names and units of the unknowns, which follow from the equilibrium. All expressions may use "
                "them, also the points `at`, as long as the balances are linear in them"});
+    v("bodies", load.bodies, {.is_own = true,
+        .doc = "names of rigid bodies that are in equilibrium each: [\"left\", \"right\"]; if left out, with no points, the load is one "
+               "body, and with points there are joints alone"});
+    v.named("points", load.points, {.noun = "point",
+        .doc = "{ NAME = [x, y, z] } for joints of bars, { NAME = { of = \"left\", at = [x, y, z] } } for points of bodies"});
+    v.named("bars", load.bars, {.noun = "bar",
+        .doc = "{ NAME = [\"A\", \"B\"] }: bars and ropes without weight between two points. The name stands for the force in newtons, "
+               "positive where the bar pulls"});
     v.item({});
 }
 

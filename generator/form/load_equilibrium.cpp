@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "elements/statics.hpp"
+#include "form/loose_joints.hpp"
 #include "form/random_points.hpp"
 #include "symbolic/quotient.hpp"
 #include "text/nearest.hpp"
@@ -52,6 +53,7 @@ constexpr const char* balance_names[]{"force along x",  "force along y",  "force
 
 /// factors*unknowns + constant = 0
 struct Balance {
+    std::size_t body;   ///< none of them: the sum over all
     std::size_t which;
     std::vector<ex> factors;
     ex constant;
@@ -70,16 +72,22 @@ std::size_t weight(const ex& factor) {
 
 class LoadElimination {
 public:
-    LoadElimination(const System& system, const Load& load) : load_(load), seems_zero_(system) {
+    LoadElimination(const System& system, const Load& load)
+        : system_(system), load_(load), bodies_(load_bodies(load)), seems_zero_(system) {
         for (const Unknown& unknown : load.unknowns) {
             letters_.push_back(GiNaC::realsymbol(unknown.name));
             named_[unknown.name] = letters_.back();
         }
+        scales_.assign(letters_.size(), 1);
+        const std::vector<ex> lengths = bar_lengths(load, system.translate, named_);
+        std::copy(lengths.begin(), lengths.end(), scales_.end() - static_cast<std::ptrdiff_t>(lengths.size()));
+        check_bars();
         shares_ = load_shares(load, system.translate, named_);
     }
 
     LoadSolution solve() {
         set_up();
+        check_joints();
         while (Balance* next = next_balance()) substitute(*next);
         check_left_over();
         check_determined();
@@ -87,7 +95,8 @@ public:
         GiNaC::exmap solution;
         for (const Balance& balance : balances_)
             if (balance.pivot) {
-                result.unknowns[*balance.pivot] = divided(-balance.constant, balance.factors[*balance.pivot]);
+                result.unknowns[*balance.pivot] =
+                    scales_[*balance.pivot] * divided(-balance.constant, balance.factors[*balance.pivot]);
                 solution[letters_[*balance.pivot]] = result.unknowns[*balance.pivot];
             }
         for (LoadShare& share : result.shares)
@@ -97,23 +106,86 @@ public:
     }
 
 private:
+    void check_bars() const {
+        for (std::size_t i = 0; i < load_.bars.size(); ++i)
+            if (const Bar& bar = load_.bars[i]; seems_zero_(scales_[scales_.size() - load_.bars.size() + i]))
+                throw Failure(Diagnostic{Id::value_out_of_range, bar.span,
+                                         fmt::format("bar '{}' of load '{}' has no length: '{}' and '{}' are at the same place", bar.name,
+                                                     load_.name, bar.between[0].first, bar.between[1].first)});
+    }
+
+    /// Of several bodies the balances of all together come first: they are sums of the others, and often tell a force at once.
     void set_up() {
-        for (std::size_t which = 0; which < 6; ++which) {
-            Balance balance{which, std::vector<ex>(letters_.size(), 0), 0};
-            for (const LoadShare& share : shares_) {
-                ex rest = (which < 3 ? share.force[which] : share.moment[which - 3]);
-                for (std::size_t j = 0; j < letters_.size(); ++j) {
-                    const ex factor = partial(rest, letters_[j]);
-                    check_linear(share, which, j, factor);
-                    balance.factors[j] += factor;
-                    rest = rest.subs(letters_[j] == 0, GiNaC::subs_options::no_pattern);
-                }
-                balance.constant += rest;
+        const std::size_t n = bodies_.size();
+        std::vector<std::vector<Balance>> all(n);
+        for (std::size_t body = 0; body < n; ++body)
+            for (std::size_t which = 0; which < 6; ++which) all[body].push_back(balance_of(body, which));
+        for (std::size_t which = 0; n > 1 && which < 6; ++which) {
+            Balance whole{n, which, std::vector<ex>(letters_.size(), 0), 0};
+            for (const auto& balances : all) {
+                for (std::size_t j = 0; j < letters_.size(); ++j) whole.factors[j] += balances[which].factors[j];
+                whole.constant += balances[which].constant;
             }
-            clean(balance);
-            if (balance.unknowns() == 0 && seems_zero_(balance.constant)) continue;  // says nothing, as three of them in a plane
-            balances_.push_back(std::move(balance));
+            add(std::move(whole));
         }
+        for (std::size_t body = 0; body < n; ++body)
+            for (std::size_t which = 0; which < bodies_[body].balances(); ++which) add(std::move(all[body][which]));
+    }
+
+    Balance balance_of(std::size_t body, std::size_t which) const {
+        Balance balance{body, which, std::vector<ex>(letters_.size(), 0), 0};
+        for (const LoadShare& share : shares_) {
+            if (share.body != body) continue;
+            ex rest = (which < 3 ? share.force[which] : share.moment[which - 3]);
+            for (std::size_t j = 0; j < letters_.size(); ++j) {
+                const ex factor = partial(rest, letters_[j]) * scales_[j];
+                check_linear(share, which, j, factor);
+                balance.factors[j] += factor;
+                rest = rest.subs(letters_[j] == 0, GiNaC::subs_options::no_pattern);
+            }
+            balance.constant += rest;
+        }
+        return balance;
+    }
+
+    void add(Balance balance) {
+        clean(balance);
+        if (balance.unknowns() == 0 && seems_zero_(balance.constant)) return;  // says nothing, as three of them in a plane
+        balances_.push_back(std::move(balance));
+    }
+
+    /// Joints that bars let move are refused even where the forces do not move them.
+    void check_joints() const {
+        std::vector<JointBalance> rows;
+        for (std::size_t which = 0; which < 3; ++which) {
+            const bool counts = std::any_of(balances_.begin(), balances_.end(), [&](const Balance& b) {
+                return b.which == which && b.body < bodies_.size() && bodies_[b.body].is_joint;
+            });
+            for (std::size_t body = 0; counts && body < bodies_.size(); ++body) {
+                if (!bodies_[body].is_joint) continue;
+                const auto found = std::find_if(balances_.begin(), balances_.end(),
+                                                [&](const Balance& b) { return b.which == which && b.body == body; });
+                rows.push_back({bodies_[body].name, which, found == balances_.end() ? std::vector<ex>(letters_.size(), 0) : found->factors});
+            }
+        }
+        const LooseJoints loose = loose_joints(system_, rows);
+        if (loose.names.empty()) return;
+        const auto point = std::find_if(load_.points.begin(), load_.points.end(), [&](const LoadPoint& p) { return p.name == loose.names[0]; });
+        const bool is_one = loose.names.size() == 1;
+        throw Failure(Diagnostic{
+            Id::no_equilibrium,
+            point->span,
+            fmt::format("load '{}' is a mechanism: nothing keeps joint{} {} from moving{}; a bar or an unknown force at a support is missing",
+                        load_.name, is_one ? "" : "s", quoted_list(loose.names),
+                        !is_one ? " together" : loose.axis ? fmt::format(" along {}", "xyz"[*loose.axis]) : ""),
+            {{load_.span, "the load is defined here"}}});
+    }
+
+    /// "force along x of joint 'A'"
+    std::string words(std::size_t body, std::size_t which) const {
+        if (bodies_.size() == 1) return balance_names[which];
+        if (body == bodies_.size()) return fmt::format("{} of all bodies together", balance_names[which]);
+        return fmt::format("{} of {} '{}'", balance_names[which], bodies_[body].is_joint ? "joint" : "body", bodies_[body].name);
     }
 
     void check_linear(const LoadShare& share, std::size_t which, std::size_t unknown, const ex& factor) const {
@@ -124,10 +196,10 @@ private:
                     Id::not_affine,
                     share.part->span,
                     other == unknown
-                        ? fmt::format("the balance of {} of load '{}' is not linear in '{}'", balance_names[which], load_.name,
+                        ? fmt::format("the balance of {} of load '{}' is not linear in '{}'", words(share.body, which), load_.name,
                                       load_.unknowns[unknown].name)
                         : fmt::format("the balance of {} of load '{}' is not linear in its unknowns: '{}' is multiplied by '{}'",
-                                      balance_names[which], load_.name, load_.unknowns[unknown].name, load_.unknowns[other].name),
+                                      words(share.body, which), load_.name, load_.unknowns[unknown].name, load_.unknowns[other].name),
                     {{load_.unknowns[unknown].span, fmt::format("'{}' is unknown", load_.unknowns[unknown].name)}}});
     }
 
@@ -187,7 +259,7 @@ private:
                 throw Failure(Diagnostic{
                     Id::no_equilibrium, load_.span,
                     fmt::format("load '{}' is a mechanism, and these forces set it in motion: no unknown can satisfy the balance of {}",
-                                load_.name, balance_names[balance.which])});
+                                load_.name, words(balance.body, balance.which))});
     }
 
     void check_determined() const {
@@ -204,14 +276,18 @@ private:
         throw Failure(
             Diagnostic{Id::undetermined,
                        load_.unknowns[static_cast<std::size_t>(first - is_known.begin())].span,
-                       fmt::format("load '{}' is statically indeterminate: {} independent balance{} for {} unknowns do not determine {}",
-                                   load_.name, independent, independent == 1 ? "" : "s", letters_.size(), quoted_list(open)),
+                       fmt::format("load '{}' is statically indeterminate: {} independent balance{} for {} unknowns do not determine {}{}",
+                                   load_.name, independent, independent == 1 ? "" : "s", letters_.size(), quoted_list(open),
+                                   load_.bars.empty() ? "" : "; leave out a bar or a support, or make a machine of springs of it"),
                        {{load_.span, "the load is defined here"}}});
     }
 
+    const System& system_;
     const Load& load_;
+    std::vector<LoadBody> bodies_;
     mutable ZeroAtPoints seems_zero_;
     std::vector<ex> letters_;
+    std::vector<ex> scales_;  ///< what is solved for is the unknown divided by it: of a bar by its length, which has a root
     Letters named_;
     std::vector<LoadShare> shares_;
     std::vector<Balance> balances_;

@@ -62,13 +62,14 @@ std::vector<AuditEntry> compare_loads(const System& system, Prover& prover) {
         if (item->unknowns.empty()) continue;
         const LoadSolution& load = system.load(item->name, item->span);
         WorstOf balances("equilibrium, " + item->name, prover);
-        // The last one on the other side, so that numbers can tell where nothing is proven.
-        for (SpaceVector LoadShare::*which : {&LoadShare::force, &LoadShare::moment})
-            for (std::size_t i = 0; i < 3; ++i) {
+        const std::vector<LoadBody> bodies = load_bodies(*item);
+        for (std::size_t body = 0; body < bodies.size(); ++body)
+            for (std::size_t i = 0; i < bodies[body].balances(); ++i) {
+                // The last one on the other side, so that numbers can tell where nothing is proven.
                 ex sum = 0, last = 0;
                 for (const LoadShare& share : load.shares) {
-                    const ex& one = (share.*which)[i];
-                    if (one.is_zero()) continue;
+                    const ex& one = i < 3 ? share.force[i] : share.moment[i - 3];
+                    if (share.body != body || one.is_zero()) continue;
                     sum += last;
                     last = one;
                 }

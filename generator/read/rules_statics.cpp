@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "elements/statics.hpp"
 #include "read/rules.hpp"
+#include "text/nearest.hpp"
 
 namespace dalembert {
 
@@ -26,6 +29,91 @@ void check_shape(const Entry& e, const Solid& solid) {
         e.error(Id::wrong_type, e.span_of("size"), fmt::format("the size of box '{}' is three lengths, none of them zero", e.name()));
 }
 
+/// The names of bodies and points in a load, and what each key may name.
+class LoadRules {
+public:
+    LoadRules(const Entry& e, const Load& load) : e_(e), load_(load) {}
+
+    void check() const {
+        for (const LoadPoint& point : load_.points) check(point);
+        for (const Bar& bar : load_.bars) check(bar);
+        for (const LoadPart& part : load_.parts) check(part);
+    }
+
+private:
+    const LoadPoint* point(const std::string& name) const {
+        const auto found = std::find_if(load_.points.begin(), load_.points.end(), [&](const LoadPoint& p) { return p.name == name; });
+        return found == load_.points.end() ? nullptr : &*found;
+    }
+    bool is_body(const std::string& name) const {
+        return std::any_of(load_.bodies.begin(), load_.bodies.end(), [&](const auto& body) { return body.first == name; });
+    }
+    /// The body or joint that a name stands for.
+    const std::string& carrier(const std::string& name) const {
+        const LoadPoint* at = point(name);
+        return at != nullptr && !at->of.empty() ? at->of : name;
+    }
+
+    enum Kinds { bodies = 1, points = 2 };
+    void unknown(const Span& place, int kinds, const std::string& name) const {
+        static constexpr const char* words[]{"", "body", "point", "body or point"};
+        const char* what = words[kinds];
+        std::vector<std::string> known;
+        if ((kinds & bodies) != 0)
+            for (const auto& body : load_.bodies) known.push_back(body.first);
+        if ((kinds & points) != 0)
+            for (const LoadPoint& p : load_.points) known.push_back(p.name);
+        e_.error(Id::unknown_name, place, fmt::format("load '{}' has no {} '{}'{}", e_.name(), what, name, did_you_mean(name, known)));
+    }
+
+    void check(const LoadPoint& p) const {
+        if (is_body(p.name))
+            e_.error(Id::doubly_defined, p.span, fmt::format("load '{}' has a body and a point '{}'", e_.name(), p.name));
+        if (!p.of.empty() && !is_body(p.of)) unknown(p.span, bodies, p.of);
+    }
+
+    void check(const Bar& bar) const {
+        if (bar.between.size() != 2)
+            return e_.error(Id::wrong_arguments, bar.span,
+                            fmt::format("bar '{}' of load '{}' joins two points, not {}", bar.name, e_.name(), bar.between.size()));
+        for (const auto& [name, place] : bar.between)
+            if (point(name) == nullptr) return unknown(place, points, name);
+        const std::string &from = carrier(bar.between[0].first), &to = carrier(bar.between[1].first);
+        if (from != to) return;
+        e_.error(Id::not_allowed_here, bar.span,
+                 is_body(from) ? fmt::format("bar '{}' joins two points of body '{}', which is rigid: its force has no effect", bar.name, from)
+                               : fmt::format("bar '{}' begins and ends at '{}'", bar.name, from));
+    }
+
+    void check(const LoadPart& part) const {
+        const std::string owner = fmt::format("{} '{}' of load '{}'", noun_of(part), part.name, e_.name());
+        if (load_.is_one_body()) {
+            if (!part.on.empty() || !part.against.empty())
+                e_.error(Id::not_allowed_here, part.span,
+                         fmt::format("{} says on what it acts, but the load is one body; name several with 'bodies' or 'points'", owner));
+            return;
+        }
+        if (part.on.empty())
+            return e_.error(Id::missing_key, part.span,
+                            fmt::format("{} needs 'on': the body or point that it acts on, since the load has several", owner));
+        const LoadPoint* on = point(part.on);
+        if (on == nullptr && !is_body(part.on)) return unknown(part.span, bodies | points, part.on);
+        if (on != nullptr && part.at)
+            e_.error(Id::not_allowed_here, part.span,
+                     fmt::format("{} acts on point '{}', which has a place; leave out 'at'", owner, part.on));
+        if (on != nullptr && on->of.empty() && part.moment)
+            e_.error(Id::not_allowed_here, part.span,
+                     fmt::format("{} acts on joint '{}', but bars are hinged to a joint, which takes no moment", owner, part.on));
+        if (part.against.empty()) return;
+        if (!is_body(part.against)) return unknown(part.span, bodies, part.against);
+        if (carrier(part.on) == part.against)
+            e_.error(Id::not_allowed_here, part.span, fmt::format("{} acts on body '{}' and against it", owner, part.against));
+    }
+
+    const Entry& e_;
+    const Load& load_;
+};
+
 }  // namespace
 
 void check_rules(const Entry& e, Solid& solid) {
@@ -40,7 +128,13 @@ void check_rules(const Entry& e, Solid& solid) {
 }
 
 void check_rules(const Entry& e, Load& load) {
+    for (const Bar& bar : load.bars) {
+        Unknown& force = load.unknowns.emplace_back();
+        static_cast<Item&>(force) = bar;
+        force.unit = Unit{Dimension::force(), 1, 0, 0, "N"};
+    }
     for (Unknown& unknown : load.unknowns) unknown.when = load.when;
+    LoadRules(e, load).check();
     if (e.has("forces") && load.parts.empty())
         e.error(Id::missing_key, e.span_of("forces"), fmt::format("load '{}' has no force", e.name()));
 }

@@ -106,7 +106,7 @@ void warn_of_unused(const Model& model, Diagnostics& diagnostics) {
         for (const RunEntry& entry : sampler.of_machine) used.insert(sampler.name + "_" + entry.variable->name);
     const auto warn = [&](const auto& items, const char* kind) {
         for (const auto& item : items)
-            if (!used.contains(item.name))
+            if (!used.contains(item.name) && !item.is_made)  // the force of a bar is worth knowing by itself
                 diagnostics.warning(Id::unused, item.span, fmt::format("nothing uses the {} '{}'", kind, item.name));
     };
     warn(model.parameters, "parameter");
