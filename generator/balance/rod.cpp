@@ -123,7 +123,13 @@ private:
         store(generic, *rod_.heat_capacity, mass(f.place), translate_, symbols_, {});
         f.capacity = generic.capacity;
         f.energy = generic.stored_energy;
-        f.start = states.start ? translate_(*states.start, {}, {{states.family->index, f.number}}) : ex(0);
+        if (states.start.is_list)
+            throw Failure(Diagnostic{
+                Id::not_allowed_here, states.start.span,
+                fmt::format("rod '{}' has {} cells, which a loop computes; '{}' then starts with one value or an expression of '{}', not "
+                            "with a list. loops = false writes the cells out",
+                            rod_.name, geometry_.cells(), states.name, states.family->index)});
+        f.start = states.start.empty() ? ex(0) : translate_(*states.start.front(), {}, {{states.family->index, f.number}});
         f.tapped.assign(cells_.begin(), cells_.end());
         for (const Variable& state : symbols_.all(SymbolKind::state))
             if (f.source.has(state.symbol))

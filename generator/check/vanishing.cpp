@@ -67,7 +67,10 @@ private:
         if (named == nullptr || !e.children.empty()) return std::nullopt;
         switch (named->kind) {
             case Named::Kind::definition: return (*this)(*named->definition().value);
-            case Named::Kind::parameter: return (*this)(*static_cast<const Parameter&>(*named->item).values[0]);
+            case Named::Kind::parameter: {
+                const MemberValues& values = static_cast<const Parameter&>(*named->item).values;
+                return values.empty() ? std::nullopt : (*this)(*values[0]);
+            }
             case Named::Kind::coordinate:
             case Named::Kind::state: break;
             default: return std::nullopt;

@@ -114,17 +114,17 @@ public:
 
     void run() {
         for (Parameter& parameter : model_.parameters) {
-            for (ExpressionPtr& value : parameter.values) value_of(value, parameter.unit, "the value", "parameter", parameter);
+            values_of(parameter.values, parameter.unit, "the value", "parameter", parameter);
             range(parameter, "parameter");
         }
         for (Coordinate& coordinate : model_.coordinates) {
-            value_of(coordinate.start, coordinate.unit, "the start", "coordinate", coordinate);
-            value_of(coordinate.start_rate, rate_of(coordinate.unit), "the start rate", "coordinate", coordinate);
+            values_of(coordinate.start, coordinate.unit, "the start", "coordinate", coordinate);
+            values_of(coordinate.start_rate, rate_of(coordinate.unit), "the start rate", "coordinate", coordinate);
             range(coordinate, "coordinate");
         }
         for (Input& input : model_.inputs) range(input, "input");
         for (State& state : model_.states) {
-            value_of(state.start, state.unit, "the start", "state", state);
+            values_of(state.start, state.unit, "the start", "state", state);
             range(state, "state");
         }
         for (Attitude& attitude : model_.attitudes) {
@@ -165,6 +165,10 @@ private:
     /// What is a plain number was converted when it was read.
     void value_of(ExpressionPtr& value, const Unit& unit, const char* part, const char* kind, const Item& item) {
         if (value && !is_plain_number(*value)) written(value, unit, fmt::format("{} of {} '{}'", part, kind, item.name));
+    }
+
+    void values_of(MemberValues& values, const Unit& unit, const char* part, const char* kind, const Item& item) {
+        for (ExpressionPtr& value : values) value_of(value, unit, part, kind, item);
     }
 
     void range(Quantity& quantity, const char* kind) {

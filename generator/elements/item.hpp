@@ -45,6 +45,20 @@ struct Listed : std::vector<T> {
     Span span;
 };
 
+/// Of a family one value for all members, in which its index may occur, or a list with one for each; of anything else one value. Empty:
+/// not written.
+struct MemberValues : Listed<ExpressionPtr> {
+    MemberValues() = default;
+    /// One for all; none where it is null.
+    MemberValues(ExpressionPtr one) {
+        if (!one) return;
+        span = one->span;
+        push_back(std::move(one));
+    }
+
+    bool is_list = false;
+};
+
 /// A turn about an axis (0, 1, 2) of the frame that the turns before it have reached.
 struct Turn {
     std::size_t axis = 0;
@@ -63,6 +77,12 @@ struct RunEntry {
     ExpressionPtr variable;  ///< a name, member or dot(name)
     ExpressionPtr value;
     Span span;
+    /// Of a list with one value for each member of a family: which one this is, from 0, and how many there are; none where one value is
+    /// for all members, of which the variable names the first.
+    struct OfList {
+        std::size_t place, count;
+    };
+    std::optional<OfList> of_list = {};
 };
 
 /// A reference to a coordinate, with an index where coordinates are a family, and what belongs to it.

@@ -16,7 +16,8 @@ namespace dalembert {
 namespace keys {
 using T = ValueType;
 inline ValueType type_of(const ExpressionPtr&, const Key& key) { return key.unit ? T::constant : T::expression; }
-inline ValueType type_of(const std::vector<ExpressionPtr>&, const Key& key) { return key.unit ? T::constants : T::expressions; }
+inline ValueType type_of(const std::vector<ExpressionPtr>&, const Key&) { return T::expressions; }
+inline ValueType type_of(const MemberValues&, const Key&) { return T::constants; }
 inline ValueType type_of(const std::vector<std::vector<ExpressionPtr>>&, const Key&) { return T::table; }
 inline ValueType type_of(const std::vector<std::array<ExpressionPtr, 2>>&, const Key&) { return T::points; }
 inline ValueType type_of(const std::vector<BlockPiece>&, const Key&) { return T::pieces; }

@@ -38,9 +38,9 @@ void describe(Visitor& v, E& size) {
     v.item({.has_when = false});
 }
 
-/// Values are in SI: constants, or of a family one for all (its index may occur) or one for each member.
+/// Values are in SI and constant, as those of coordinates and states at the start.
 struct Parameter : Quantity {
-    std::vector<ExpressionPtr> values;
+    MemberValues values;
 };
 
 template <>
@@ -74,9 +74,9 @@ void describe(Visitor& v, E& definition) {
 }
 
 struct Coordinate : Quantity {
-    ExpressionPtr start;       ///< null: 0
-    ExpressionPtr start_rate;  ///< null: 0
-    ExpressionPtr guess;       ///< as it is read; then it is the start
+    MemberValues start;       ///< none: 0
+    MemberValues start_rate;  ///< none: 0
+    MemberValues guess;       ///< as it is read; then it is the start
     bool is_guess = false;     ///< the start is where constraints begin to look for it
     /// Of an attitude: it has a rate, an angular velocity about the axis 0, 1 or 2 of what turns, but no value.
     std::optional<int> quasi_axis = {};
@@ -92,17 +92,18 @@ template <class Visitor, ElementOf<Coordinate> E>
 void describe(Visitor& v, E& coordinate) {
     describe_unit(v, coordinate.unit);
     v("start", coordinate.start, {.unit = coordinate.unit, .depends = constant_only,
-        .doc = "value at the start; if left out 0, or the value that the constraints require"});
+        .doc = "value at the start; of a family, one for all members or a list with one for each. If left out 0, or the value that the "
+               "constraints require"});
     v("guess", coordinate.guess,
       {.unit = coordinate.unit,
        .depends = constant_only,
        .excludes = {{"start", "has a start and needs no guess"}},
-       .doc = "instead of a start: the constraints determine the start near this value"});
+       .doc = "instead of a start: the constraints determine the start near this value; of a family also a list"});
     Unit rate = coordinate.unit;
     rate.offset = 0;
     rate.written += "/s";
     v("start_rate", coordinate.start_rate, {.unit = rate, .depends = constant_only,
-        .doc = "velocity at the start; if left out 0, or the value that the constraints require"});
+        .doc = "velocity at the start; of a family also a list. If left out 0, or the value that the constraints require"});
     describe_range(v, coordinate.range, coordinate.unit);
     v.item({.has_family = true});
 }
@@ -123,7 +124,7 @@ void describe(Visitor& v, E& input) {
 /// A first-order state: dot(name) = derivative, or, without one, what a volume, pipe, node, rod, block or branch determines. Of a
 /// controller that samples: what it is at the next sample.
 struct State : Quantity {
-    ExpressionPtr start;
+    MemberValues start;  ///< none: 0
     ExpressionPtr derivative;
     ExpressionPtr next;
     bool root = false;  ///< integrated as its square root
@@ -139,7 +140,8 @@ inline constexpr KindSpec kind_of<State>{"state",
 template <class Visitor, ElementOf<State> E>
 void describe(Visitor& v, E& state) {
     describe_unit(v, state.unit);
-    v("start", state.start, {.unit = state.unit, .depends = constant_only, .doc = "value at the start; 0 if left out"});
+    v("start", state.start, {.unit = state.unit, .depends = constant_only,
+        .doc = "value at the start; of a family, one for all members or a list with one for each. 0 if left out"});
     v("derivative", state.derivative, {.dimension = state.unit.dimension / Dimension::time(), .depends = on_state_and_inputs | on_places,
         .doc = "time derivative; left out for a state that a volume, pipe, node, rod, block, capacitor or inductor determines"});
     v("next", state.next, {.dimension = state.unit.dimension, .depends = on_plain_states_and_inputs,

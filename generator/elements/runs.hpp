@@ -146,10 +146,11 @@ void describe(Visitor& v, E& run) {
     v("period", run.period, {.unit = second, .depends = constant_only,
         .doc = "period of the motion in seconds, if there is one; used by the energy test"});
     v("step", run.step, {.unit = second, .depends = constant_only, .doc = "fixed step in seconds, of euler, rk4 and symplectic"});
-    v("start", run.start, {.unit = declared, .depends = constant_only,
+    v("start", run.start, {.type = ValueType::values_by_name, .unit = declared, .depends = constant_only,
         .names = on_parameters | on_coordinates | on_velocities | on_states, .words = "start value",
-        .doc = "start values that differ from the declared ones: { s = 0.2, \"dot(s)\" = 0 }; without a unit, a number counts "
-               "in the declared one"});
+        .doc = "start values that differ from the declared ones: { s = 0.2, \"dot(s)\" = 0 }; a family takes one for all members or a "
+               "list with one for each, a member one of its own: { \"phi[2]\" = 0.1 }. Without a unit, a number counts in the declared "
+               "one"});
     v("inputs", run.inputs,
       {.unit = declared,
        .depends = on_motion | on_states,
@@ -157,8 +158,9 @@ void describe(Visitor& v, E& run) {
        .words = "course",
        .doc = "inputs as expressions of t and the states; without a unit, a number counts in the declared one. An input that "
                "is left out is 0, but temperatures and pressures are required"});
-    v("parameters", run.parameters, {.unit = declared, .depends = constant_only, .names = on_parameters, .words = "value",
-        .doc = "parameters that differ from their defaults; without a unit, a number counts in the declared one"});
+    v("parameters", run.parameters, {.type = ValueType::values_by_name, .unit = declared, .depends = constant_only, .names = on_parameters, .words = "value",
+        .doc = "parameters that differ from their defaults, of families also as lists; without a unit, a number counts in the declared "
+               "one"});
     v("exact", run.exact, {.unit = declared, .depends = on_parameters | on_time,
         .names = on_coordinates | on_velocities | on_states | on_outputs, .words = "closed form",
         .doc = "closed forms of outputs and states, as expressions of t and parameters: references for `cost`"});

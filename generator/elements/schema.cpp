@@ -69,6 +69,7 @@ constexpr std::array value_table{
     ValueWord{T::table, "expression or list of lists", "one expression for all, or a list for each column"},
     ValueWord{T::coordinate, "coordinate", "the name of a coordinate, with an index if it is a family"},
     ValueWord{T::expressions_by_name, "{ NAME = expression }", "an inline table that gives names an expression"},
+    ValueWord{T::values_by_name, "{ NAME = expression(s) }", "an inline table that gives names an expression or a list of them"},
     ValueWord{T::choice, "one of", "one of the words below the key, in quotes"},
     ValueWord{T::plots, "list of plots", "lists of names, or tables { x = \"x\", y = [\"z\"] }"},
     ValueWord{T::tables, "list of { KEY = ... }", "inline tables with the keys below"},

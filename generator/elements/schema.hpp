@@ -43,6 +43,7 @@ enum class ValueType {
     table,       ///< of expressions, or one for all
     coordinate,
     expressions_by_name,
+    values_by_name,  ///< expressions, or lists of them
     choice,
     plots,
     tables,      ///< each with keys of its own

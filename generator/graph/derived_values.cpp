@@ -118,10 +118,10 @@ std::vector<ex> start_values(const System& system) {
     std::vector<ex> values;
     const auto add = [&](const ExpressionPtr& e, const Indices& indices) { values.push_back(e ? system.translate(e, indices) : ex(0)); };
     for (const auto& member : system.scene.coordinates)
-        if (!member.item->quasi_axis) add(member.item->start, Translator::indices_of(member));
-    for (const auto& member : system.scene.coordinates) add(member.item->start_rate, Translator::indices_of(member));
+        if (!member.item->quasi_axis) add(start_of(member, system.scene), Translator::indices_of(member));
+    for (const auto& member : system.scene.coordinates) add(start_rate_of(member, system.scene), Translator::indices_of(member));
     for (const auto& member : system.scene.states) {
-        add(member.item->start, Translator::indices_of(member));
+        add(start_of(member, system.scene), Translator::indices_of(member));
         if (member.item->root) values.back() = GiNaC::sqrt(values.back());
     }
     return values;

@@ -68,11 +68,11 @@ private:
     std::vector<Note> written(const GiNaC::ex& held, bool is_position) const {
         std::vector<Note> notes;
         for (std::size_t j = 0; j < system_.scene.coordinates.size(); ++j) {
-            const Coordinate& item = *system_.scene.coordinates[j].item;
-            const ExpressionPtr& start = is_position ? item.start : item.start_rate;
+            const auto& member = system_.scene.coordinates[j];
+            const ExpressionPtr& start = is_position ? start_of(member, system_.scene) : start_rate_of(member, system_.scene);
             const SymbolKind kind = is_position ? SymbolKind::coordinate : SymbolKind::velocity;
             if (start && values_.is_written(kind, j) && held.has(system_.symbols.get(kind, j)))
-                notes.push_back({start->span, fmt::format("the {} of '{}' in the model", is_position ? "start" : "start_rate", item.name)});
+                notes.push_back({start->span, fmt::format("the {} of '{}' in the model", is_position ? "start" : "start_rate", member.item->name)});
         }
         return notes;
     }

@@ -129,8 +129,9 @@ private:
     }
     void read(const char* name, std::vector<ExpressionPtr>& member, const Key& key) const {
         if (key.type == ValueType::one_or_two) member = e_.one_or_two(name);
-        else member = key.unit ? e_.constants(name, *key.unit) : e_.expressions(name);
+        else member = e_.expressions(name);
     }
+    void read(const char* name, MemberValues& member, const Key& key) const { member = e_.member_values(name, *key.unit); }
     void read(const char* name, std::vector<std::vector<ExpressionPtr>>& member, const Key& key) const {
         member = key.type == ValueType::matrix ? e_.matrix(name) : e_.table(name);
     }
@@ -151,7 +152,9 @@ private:
     }
     void read(const char* name, CoordinateEntry& member, const Key&) const { member = e_.coordinate(name).value_or(CoordinateEntry{}); }
     void read(const char* name, std::vector<CoordinateEntry>& member, const Key&) const { member = e_.coordinates(name); }
-    void read(const char* name, std::vector<RunEntry>& member, const Key&) const { member = e_.by_name(name); }
+    void read(const char* name, std::vector<RunEntry>& member, const Key& key) const {
+        member = key.type == ValueType::values_by_name ? e_.values_by_name(name) : e_.by_name(name);
+    }
     void read(const char* name, std::vector<Condition>& member, const Key&) const { member = e_.conditions(name); }
     void read(const char* name, std::vector<Plot>& member, const Key&) const { member = e_.plots(name); }
     void read(const char* name, NamesWithPlaces& member, const Key&) const { member = e_.names(name); }

@@ -131,16 +131,20 @@ ExpressionPtr Entry::constant(std::string_view key, const Unit& unit) const {
     return node == nullptr ? nullptr : constant(*node, unit);
 }
 
-std::vector<ExpressionPtr> Entry::constants(std::string_view key, const Unit& unit) const {
+MemberValues Entry::member_values(std::string_view key, const Unit& unit) const {
     const DocumentNode* node = find(key, ValueType::constants);
-    std::vector<ExpressionPtr> values;
-    if (node == nullptr) return values;
-    if (node->kind == NodeKind::array) {
-        for (const DocumentNode& element : node->elements) values.push_back(constant(element, unit));
-    } else {
-        values.push_back(constant(*node, unit));
-    }
+    if (node == nullptr) return {};
+    if (node->kind != NodeKind::array) return constant(*node, unit);
+    MemberValues values;
+    values.is_list = true;
+    values.span = node->span;
+    for (const DocumentNode& element : node->elements) values.push_back(constant(element, unit));
+    if (values.empty()) empty_list(*node);
     return values;
+}
+
+void Entry::empty_list(const DocumentNode& node) const {
+    error(Id::wrong_type, node.span, "the list is empty; it takes one value for each member of the family");
 }
 
 std::optional<Unit> Entry::unit(std::string_view key) const {

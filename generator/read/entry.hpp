@@ -29,7 +29,8 @@ public:
     std::optional<Rational> number(std::string_view key) const;
     /// In SI. Constants are taken in the unit, expressions with names are in SI already.
     ExpressionPtr constant(std::string_view key, const Unit& unit) const;
-    std::vector<ExpressionPtr> constants(std::string_view key, const Unit& unit) const;
+    /// Likewise, one or a list of them.
+    MemberValues member_values(std::string_view key, const Unit& unit) const;
     std::optional<Unit> unit(std::string_view key) const;
     std::optional<Range> range(std::string_view key, const Unit& unit) const;
     ExpressionPtr expression(std::string_view key) const;
@@ -73,6 +74,8 @@ public:
     std::optional<Excerpt> excerpt(std::string_view key) const;
     std::vector<Excerpt> excerpts(std::string_view key) const;
     std::vector<RunEntry> by_name(std::string_view key) const;
+    /// Likewise; of a list an entry for each value.
+    std::vector<RunEntry> values_by_name(std::string_view key) const;
     std::vector<Plot> plots(std::string_view key) const;
     /// Calls read(part) for an inline table, an Entry by a schema of its own.
     template <class Read>
@@ -107,6 +110,8 @@ private:
     const DocumentNode* find(std::string_view key) const;
     const DocumentNode* find(std::string_view key, ValueType type) const;
     void wrong_type(const DocumentNode& node, ValueType expected) const;
+    void empty_list(const DocumentNode& node) const;
+    std::vector<RunEntry> by_name(std::string_view key, ValueType type) const;
     ExpressionPtr expression(const DocumentNode& node, ValueType type) const;
     std::optional<Reference> reference(const DocumentNode& node, ValueType type, const std::string& what) const;
     /// The elements of a list; none, with an error, where it is no list.

@@ -216,18 +216,31 @@ std::vector<Excerpt> Entry::excerpts(std::string_view key) const {
     return result;
 }
 
-std::vector<RunEntry> Entry::by_name(std::string_view key) const {
-    const DocumentNode* node = find(key, ValueType::expressions_by_name);
+std::vector<RunEntry> Entry::by_name(std::string_view key) const { return by_name(key, ValueType::expressions_by_name); }
+
+std::vector<RunEntry> Entry::values_by_name(std::string_view key) const { return by_name(key, ValueType::values_by_name); }
+
+std::vector<RunEntry> Entry::by_name(std::string_view key, ValueType type) const {
+    const DocumentNode* node = find(key, type);
     std::vector<RunEntry> result;
     if (node == nullptr) return result;
     if (node->kind != NodeKind::table) {
-        wrong_type(*node, ValueType::expressions_by_name);
+        wrong_type(*node, type);
         return result;
     }
     for (const DocumentNode::Member& member : node->members) {
         const auto variable = attempt([&] { return parse_expression(key_excerpt(member)); });
-        const ExpressionPtr value = expression(member.value, ValueType::expression);
-        if (variable && value) result.push_back({*variable, value, member.key_span});
+        const auto add = [&](const DocumentNode& written, std::optional<RunEntry::OfList> of_list) {
+            const ExpressionPtr value = expression(written, ValueType::expression);
+            if (variable && value) result.push_back({*variable, value, member.key_span, of_list});
+        };
+        if (type != ValueType::values_by_name || member.value.kind != NodeKind::array) {
+            add(member.value, {});
+            continue;
+        }
+        const auto& values = member.value.elements;
+        if (values.empty()) empty_list(member.value);
+        for (std::size_t i = 0; i < values.size(); ++i) add(values[i], RunEntry::OfList{i, values.size()});
     }
     return result;
 }

@@ -15,6 +15,11 @@ bool is_same_value(const Expression& one, const Expression& other) {
     return in_model_language(one) == in_model_language(other);
 }
 
+bool is_same_value(const MemberValues& one, const MemberValues& other) {
+    return one.is_list == other.is_list && std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                                                      [](const ExpressionPtr& a, const ExpressionPtr& b) { return is_same_value(*a, *b); });
+}
+
 /// Two coordinates of parts become one, and neither part counts more than the other: what both say must agree, and what one alone says
 /// holds for both.
 class Agreement {
@@ -25,22 +30,22 @@ public:
         agree(&Coordinate::start, "starts");
         agree(&Coordinate::start_rate, "velocities at the start");
         agree(&Coordinate::guess, "guesses of the start");
-        if (staying_.start) staying_.guess = nullptr;
+        if (!staying_.start.empty()) staying_.guess.clear();
         if (going_.range) both_ranges();
     }
 
 private:
     /// Numbers are in SI since they were read.
-    void agree(ExpressionPtr Coordinate::*value, const char* what) {
-        const ExpressionPtr &going = going_.*value, &staying = staying_.*value;
-        if (going && !staying) staying_.*value = going;
-        if (going && !is_same_value(*going, *staying))
+    void agree(MemberValues Coordinate::*value, const char* what) {
+        const MemberValues &going = going_.*value, &staying = staying_.*value;
+        if (staying.empty()) staying_.*value = going;
+        if (!going.empty() && !is_same_value(going, staying))
             fail(Id::doubly_defined, place_,
                  fmt::format("'{}' and '{}' become one coordinate, but have different {}; join both to a coordinate of this file, or give "
                              "one of them the value of the other with 'start'",
                              going_.name, staying_.name, what),
-                 {{going->span, fmt::format("that of '{}' stands here", going_.name)},
-                  {staying->span, fmt::format("that of '{}' stands here", staying_.name)}});
+                 {{going.span, fmt::format("that of '{}' stands here", going_.name)},
+                  {staying.span, fmt::format("that of '{}' stands here", staying_.name)}});
     }
 
     /// The coordinate is where both may be.

@@ -135,7 +135,7 @@ private:
             Unit unit = coordinate->unit;
             if (is_rate) unit.offset = 0;
             (is_rate ? coordinate->start_rate : coordinate->start) = in_unit(entry.value, unit);
-            if (!is_rate) coordinate->guess = nullptr;
+            if (!is_rate) coordinate->guess.clear();
             return;
         }
         if (State* state = is_rate ? nullptr : find(part_.model.states, prefix_ + name)) {

@@ -17,6 +17,7 @@
 #include "read/described.hpp"
 #include "read/parts.hpp"
 #include "read/rules.hpp"
+#include "read/run_lists.hpp"
 #include "read/samplers.hpp"
 #include "text/budgets.hpp"
 #include "text/files.hpp"
@@ -42,6 +43,7 @@ void complete(Model& model, Diagnostics& diagnostics) {
     expand_balances(model);
     expand_circuits(model);
     expand_samplers(model, diagnostics);
+    expand_run_lists(model, diagnostics);
     diagnostics.stop_on_errors();
     check_names(model, diagnostics);
     diagnostics.stop_on_errors();

@@ -37,7 +37,7 @@ void in_space(const Entry& e, const Body& body) {
 
 void check_rules(const Entry& e, Coordinate& coordinate) {
     coordinate.is_guess = e.has("guess");
-    if (coordinate.guess) coordinate.start = std::move(coordinate.guess);
+    if (!coordinate.guess.empty()) coordinate.start = std::move(coordinate.guess);
 }
 
 void check_rules(const Entry& e, Attitude& attitude) {

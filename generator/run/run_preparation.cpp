@@ -51,6 +51,21 @@ bool is_in_scene(const Expression& variable, const System& system) {
     return false;
 }
 
+/// What an entry sets: a member, or a whole family where one value is for all of it. Throws Failure (wrong-arguments) for a list that does
+/// not have a value for each member.
+ExpressionPtr set_by(const RunEntry& entry, const System& system) {
+    if (!entry.of_list) return entry.variable;
+    auto whole = std::make_shared<Expression>(*entry.variable);
+    const bool is_rate = whole->kind == Expression::Kind::call;
+    const auto family = is_rate ? std::make_shared<Expression>(*whole->children[0]) : whole;
+    family->children.clear();
+    if (is_rate) whole->children = {family};
+    if (entry.of_list->count == 0) return whole;
+    const Item& item = *system.names.find(family->name)->item;
+    index_in_list(*entry.of_list, entry.span, fmt::format("the value of '{}'", whole->written()), item, system.scene);
+    return entry.variable;
+}
+
 /// Steps of one length are known before the run.
 void check_steps(const SimulationSettings& settings) {
     if (!needs_step(settings.method) || !(settings.step > 0)) return;
@@ -159,7 +174,7 @@ void RunPreparation::set_values(Values& values, const System& system) const {
     if (run_ != nullptr) {
         const auto set = [&](const std::vector<RunEntry>& entries, unsigned allowed) {
             for (const RunEntry& entry : entries)
-                if (is_in_scene(*entry.variable, system)) values.set(*entry.variable, *entry.value, allowed);
+                if (is_in_scene(*entry.variable, system)) values.set(*set_by(entry, system), *entry.value, allowed);
         };
         set(run_->parameters, on_parameters);
         set(run_->start, on_states);

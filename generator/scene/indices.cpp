@@ -66,14 +66,32 @@ void SumTerms::add(const Expression& sum, int from, int to) {
 const ExpressionPtr& value_of(const Member<Parameter>& member, const Scene& scene) {
     const Parameter& parameter = *member.item;
     if (const auto fixed = scene.fixed.find(parameter.name); fixed != scene.fixed.end() && fixed->second) return fixed->second;
-    if (parameter.values.size() == 1) return parameter.values[0];
-    const auto [from, to] = parameter.family ? bounds(*parameter.family, scene) : std::pair(0, 0);
-    const auto count = static_cast<std::size_t>(to - from + 1);
-    if (parameter.values.size() != count)
-        throw Failure(Diagnostic{Id::wrong_arguments, parameter.span,
-                                 fmt::format("parameter '{}' has {} values, but {} member{}", parameter.name, parameter.values.size(),
-                                             count, count == 1 ? "" : "s")});
-    return parameter.values[static_cast<std::size_t>(member.index - from)];
+    return value_of_member(parameter.values, "value", kind_of<Parameter>.word, parameter, member.index, scene);
+}
+
+int index_in_list(const RunEntry::OfList& place, const Span& list, const std::string& what, const Item& item, const Scene& scene) {
+    const auto [from, to] = item.family ? bounds(*item.family, scene) : std::pair(0, 0);
+    const auto members = static_cast<std::size_t>(std::max(0, to - from + 1));
+    if (place.count == members) return from + static_cast<int>(place.place);
+    const std::string has = fmt::format("{} is a list of {} value{}", what, place.count, place.count == 1 ? "" : "s");
+    if (!item.family)
+        throw Failure(Diagnostic{Id::wrong_arguments, list, fmt::format("{}, but '{}' is no family and takes one", has, item.name)});
+    std::string named = members > 0 ? fmt::format(", {}[{}]", item.name, from) : "";
+    if (members > 1) named += fmt::format(" to {}[{}]", item.name, to);
+    throw Failure(Diagnostic{Id::wrong_arguments,
+                             list,
+                             fmt::format("{}, but the family has {} member{}{}", has, members, members == 1 ? "" : "s", named),
+                             {{item.span, "the family is declared here"}}});
+}
+
+const ExpressionPtr& value_of_member(const MemberValues& values, const char* key, const char* kind, const Item& item, int index,
+                                     const Scene& scene) {
+    static const ExpressionPtr none;
+    if (values.empty()) return none;
+    if (!values.is_list) return values.front();
+    const std::string what = fmt::format("the {} of {} '{}'", key, kind, item.name);
+    const int first = index_in_list({0, values.size()}, values.span, what, item, scene);
+    return values[static_cast<std::size_t>(index - first)];
 }
 
 std::vector<Member<Parameter>> members_of(const Parameter& parameter, const Scene& scene) {

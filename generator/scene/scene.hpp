@@ -149,6 +149,22 @@ std::pair<int, int> bounds(const Family& family, const Scene& scene);
 /// as many defaults as members.
 const ExpressionPtr& value_of(const Member<Parameter>& member, const Scene& scene);
 
+/// What `values`, the `key` of an item, say of its member with that index: null where they say nothing. Throws Failure (wrong-arguments)
+/// when they are a list that does not have a value for each member.
+const ExpressionPtr& value_of_member(const MemberValues& values, const char* key, const char* kind, const Item& item, int index,
+                                     const Scene& scene);
+template <class Element>
+const ExpressionPtr& start_of(const Member<Element>& member, const Scene& scene) {
+    const char* key = "start";
+    if constexpr (requires { member.item->is_guess; }) key = member.item->is_guess ? "guess" : key;
+    return value_of_member(member.item->start, key, kind_of<Element>.word, *member.item, member.index, scene);
+}
+inline const ExpressionPtr& start_rate_of(const Member<Coordinate>& member, const Scene& scene) {
+    return value_of_member(member.item->start_rate, "start_rate", kind_of<Coordinate>.word, *member.item, member.index, scene);
+}
+/// The index of the member whose value a list gives at a place; throws like value_of_member.
+int index_in_list(const RunEntry::OfList& place, const Span& list, const std::string& what, const Item& item, const Scene& scene);
+
 /// A parameter, or all members of a family.
 std::vector<Member<Parameter>> members_of(const Parameter& parameter, const Scene& scene);
 

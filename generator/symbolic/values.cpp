@@ -64,14 +64,14 @@ Values::Values(const Scene& scene, const Translator& translate) : scene_(scene),
     for (std::size_t i = 0; i < scene.coordinates.size(); ++i) {
         const auto& member = scene.coordinates[i];
         const Indices indices = Translator::indices_of(member);
-        assign(symbols.all(SymbolKind::coordinate)[i], start(member.item->start, indices), member.item->span);
-        assign(symbols.all(SymbolKind::velocity)[i], start(member.item->start_rate, indices), member.item->span);
-        if (member.item->start && !member.item->is_guess) written_.insert(key(SymbolKind::coordinate, i));
-        if (member.item->start_rate) written_.insert(key(SymbolKind::velocity, i));
+        assign(symbols.all(SymbolKind::coordinate)[i], start(start_of(member, scene), indices), member.item->span);
+        assign(symbols.all(SymbolKind::velocity)[i], start(start_rate_of(member, scene), indices), member.item->span);
+        if (!member.item->start.empty() && !member.item->is_guess) written_.insert(key(SymbolKind::coordinate, i));
+        if (!member.item->start_rate.empty()) written_.insert(key(SymbolKind::velocity, i));
     }
     for (std::size_t i = 0; i < scene.states.size(); ++i) {
         const auto& member = scene.states[i];
-        assign(symbols.all(SymbolKind::state)[i], start(member.item->start, Translator::indices_of(member)), member.item->span);
+        assign(symbols.all(SymbolKind::state)[i], start(start_of(member, scene), Translator::indices_of(member)), member.item->span);
     }
     for (std::size_t i = 0; i < scene.inputs.size(); ++i) values_[key(SymbolKind::input, i)] = 0;
 }
