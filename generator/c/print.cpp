@@ -233,9 +233,7 @@ std::string CPrinter::text(const std::vector<Argument>& arguments) {
 std::string CPrinter::curves(const std::vector<PlantCurve>& curves) {
     std::string result;
     for (const PlantCurve& curve : curves) {
-        result += fmt::format("/// Curve '{0}'{1}{2}: steps and knots; for each piece its place, the integral up to there, and "
-                              "coefficients.\nstatic const {3}_real {3}_{0}_curve[{4}] = {{\n",
-                              curve.name, curve.doc.empty() ? "" : ", ", safe_line(curve.doc), name_, curve.size());
+        result += fmt::format("/// {0}\nstatic const {1}_real {1}_{2}_curve[{3}] = {{\n", curve.header(), name_, curve.name, curve.size());
         for (const std::vector<Value>& row : curve.rows) {
             std::vector<std::string> numbers;
             for (const Value& value : row) numbers.push_back(text(value));

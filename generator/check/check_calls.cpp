@@ -50,9 +50,10 @@ unsigned ExpressionCheck::call(const Expression& e) {
     unsigned result = 0;
     for (const ExpressionPtr& child : e.children) result |= visit(*child);
     if (const Curve* curve = names_.find_element<Curve>(e.name); function == nullptr && curve != nullptr) {
-        if (e.children.size() != 1)
+        if (const std::size_t count = curve->grid ? 2 : 1; e.children.size() != count)
             error(Id::wrong_arguments, e.span,
-                  fmt::format("curve '{}({})' takes 1 argument, here it has {}", e.name, curve->variable, e.children.size()),
+                  fmt::format("curve '{}({})' takes {} argument{}, here it has {}", e.name, arguments_of(*curve), count,
+                              count == 1 ? "" : "s", e.children.size()),
                   {{curve->span, fmt::format("'{}' is defined here", e.name)}});
         return result;
     }

@@ -235,13 +235,20 @@ Measure Units::call(const Expression& e, const Bound& bound) {
         return part(0);
     }
     if (const Curve* curve = names_.find_element<Curve>(e.name)) {
-        const Expression& x = *e.children[0];
-        expect(x, curve->of.dimension, fmt::format("the argument '{}' of curve '{}'", curve->variable, e.name), bound);
-        // 45 may be meant in deg; no dimension tells.
-        const bool is_share = curve->of.dimension == Dimension::none() && (curve->of.factor != 1 || curve->of.pi_power != 0);
-        if (is_share && is_plain_number(x) && !(x.kind == Expression::Kind::number && is_zero(x.value)))
-            return mismatch(x, fmt::format("the argument '{0}' of curve '{1}' is in '{2}', and '{3}' has no unit; write '{3} {2}'",
-                                           curve->variable, e.name, curve->of.written, x.written()), {&x});
+        const auto is_wrong = [&](const Expression& x, const std::string& variable, const Unit& unit) {
+            expect(x, unit.dimension, fmt::format("the argument '{}' of curve '{}'", variable, e.name), bound);
+            // 45 may be meant in deg; no dimension tells.
+            const bool is_share = unit.dimension == Dimension::none() && (unit.factor != 1 || unit.pi_power != 0);
+            return is_share && is_plain_number(x) && !(x.kind == Expression::Kind::number && is_zero(x.value));
+        };
+        for (std::size_t i = 0; i < e.children.size(); ++i) {
+            const Expression& x = *e.children[i];
+            const std::string& variable = i == 0 ? curve->variable : curve->grid->variable;
+            const Unit& unit = i == 0 ? curve->of : curve->grid->of;
+            if (is_wrong(x, variable, unit))
+                return mismatch(x, fmt::format("the argument '{0}' of curve '{1}' is in '{2}', and '{3}' has no unit; write '{3} {2}'",
+                                               variable, e.name, unit.written, x.written()), {&x});
+        }
         return {curve->unit.dimension};
     }
     return function(*find_function(e.name), e, bound);

@@ -61,6 +61,7 @@ constexpr std::array value_table{
     ValueWord{T::parts, "list of names", ""},
     ValueWord{T::expressions, "list of expressions", "expressions in brackets"},
     ValueWord{T::matrix, "list of rows", "rows of expressions, or \"?\" for entries that follow from the others"},
+    ValueWord{T::grid, "list of rows", "rows of numbers in brackets: [[0, 50], [10, 1.5, 1.2], [20, 3.1, 2.6]]"},
     ValueWord{T::points, "list of [x, y]", "points of the plane"},
     ValueWord{T::turns, "list of [\"x\", \"y\" or \"z\", angle]", "turns one after the other, each about an axis of the turned body"},
     ValueWord{T::tensor, "expression, [Jx, Jy, Jz] or three rows", "a moment of inertia, three principal moments, or a symmetric matrix"},

@@ -35,6 +35,7 @@ enum class ValueType {
     parts,
     expressions,
     matrix,      ///< of expressions, or "?" for what is left out
+    grid,        ///< rows of numbers
     points,      ///< in the plane
     turns,       ///< about axes, by angles
     tensor,      ///< an expression, a list of three, or three rows

@@ -17,7 +17,7 @@
 #include "graph/lower.hpp"
 #include "program/function_bodies.hpp"
 #include "program/plant_tables.hpp"
-#include "symbolic/curve_functions.hpp"
+#include "symbolic/map_functions.hpp"
 #include "text/diagnostic.hpp"
 #include "text/template.hpp"
 
@@ -70,7 +70,7 @@ std::string input_statements(Code& code, const std::vector<ex>& inputs) { return
 std::string curves_of_inputs(const Code& code, const std::vector<ex>& inputs) {
     const auto calls = [](const ex& input) {
         bool found = false;
-        for (auto part = input.preorder_begin(); part != input.preorder_end(); ++part) found = found || curve_call(*part).has_value();
+        for (auto part = input.preorder_begin(); part != input.preorder_end(); ++part) found = found || !points_of_call(*part).empty();
         return found;
     };
     if (std::none_of(inputs.begin(), inputs.end(), [&](const ex& input) { return calls(code.system.symbols.without_definitions(input)); }))

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "symbolic/curve_functions.hpp"
+#include "symbolic/map_functions.hpp"
 
 namespace dalembert {
 
@@ -34,6 +35,8 @@ public:
                     for (const ex& letter : letters_in(part->op(0))) (this->*look)(*call->curve, part->op(0), letter);
             if (worst_) break;
         }
+        for (auto part = e_.preorder_begin(); part != e_.preorder_end(); ++part)
+            if (const auto call = map_call(*part); call && call->orders == std::array{0, 0}) at_grid(*call->map, *part);
         return worst_;
     }
 
@@ -100,11 +103,75 @@ private:
         const auto at = [&](const ex& e) { return rational_near(at_start(e, letter, numeric(number))); };
         const auto place = at(argument);
         if (!place || (curve.ends_runs && !curve.points().holds(*place))) return;
-        const auto value = at(e_);
-        if (!value || !is_wrong_(*value)) return;
-        const auto order = [](const CurvePlace& p) { return std::tie(p.value, p.place, p.curve->name); };
-        const CurvePlace one{&curve, *place, *value};
-        if (!worst_ || order(one) < order(*worst_)) worst_ = one;
+        if (const auto value = at(e_)) compare({curve.name, {*place}, !curve.points().holds(*place), *value});
+    }
+
+    void compare(const CurvePlace& one) {
+        const auto order = [](const CurvePlace& p) { return std::tie(p.value, p.places, p.curve); };
+        if (is_wrong_(one.value) && (!worst_ || order(one) < order(*worst_))) worst_ = one;
+    }
+
+    /// Where an argument of a map has such places: values of a letter in it.
+    struct Setting {
+        std::optional<ex> letter;  ///< nothing where nothing in the argument moves
+        Rational value, place;
+    };
+
+    std::vector<Setting> settings(const MapPieces& map, std::size_t axis, const ex& argument) const {
+        constexpr int steps = 4;
+        const std::vector<Rational>& knots = map.axes[axis].knots;
+        std::vector<Rational> places = knots;
+        for (std::size_t i = 1; i < knots.size(); ++i)
+            for (int step = 1; step < steps; ++step) places.push_back(knots[i - 1] + (knots[i] - knots[i - 1]) * step / steps);
+        const Rational width = knots.back() - knots.front();
+        if (!map.ends_runs)
+            for (const int times : {1, 10}) places.insert(places.end(), {knots.front() - times * width, knots.back() + times * width});
+        std::vector<Setting> result;
+        for (const ex& letter : letters_in(argument))
+            if (const auto line = line_of(argument, letter)) {
+                const auto add = [&](const Rational& place) {
+                    if (line->bounds.holds(place)) result.push_back({letter, (place - line->rest) / line->slope, place});
+                };
+                for (const Rational& place : places) add(place);
+                if (line->bounds.low) add(*line->bounds.low);
+                if (line->bounds.high) add(*line->bounds.high);
+            }
+        if (const auto fixed = rational_near(argument); fixed && result.empty()) result.push_back({std::nullopt, 0, *fixed});
+        return result;
+    }
+
+    void at_grid(const MapPieces& map, const ex& call) {
+        const auto first = settings(map, 0, call.op(0)), second = settings(map, 1, call.op(1));
+        const bool is_one_letter = first.size() * second.size() > 0 && first[0].letter && second[0].letter &&
+                                   first[0].letter->is_equal(*second[0].letter);
+        for (const Setting& x : first)
+            for (const Setting& y : second) {
+                if (x.letter && y.letter && x.letter->is_equal(*y.letter)) continue;
+                look_at(map, call, {x, y});
+            }
+        if (!is_one_letter) return;
+        for (const auto& one : {first, second})
+            for (const Setting& x : one) look_at(map, call, {x});
+    }
+
+    void look_at(const MapPieces& map, const ex& call, const std::vector<Setting>& at) {
+        GiNaC::exmap values = start_;
+        for (const Setting& one : at) {
+            if (!one.letter) continue;
+            if (const auto known = bounds_.find(*one.letter); known != bounds_.end() && !known->second.holds(one.value)) return;
+            values[*one.letter] = numeric(one.value);
+        }
+        const auto value_of = [&](const ex& e) -> std::optional<Rational> {
+            try {
+                return rational_near(e.subs(values, GiNaC::subs_options::no_pattern));
+            } catch (const GiNaC::pole_error&) {
+                return std::nullopt;
+            }
+        };
+        const auto x = value_of(call.op(0)), y = value_of(call.op(1)), value = value_of(e_);
+        if (!x || !y || !value) return;
+        const bool is_beyond = !map.axes[0].points().holds(*x) || !map.axes[1].points().holds(*y);
+        if (!(map.ends_runs && is_beyond)) compare({map.name, {*x, *y}, is_beyond, *value});
     }
 
     const ex& e_;
@@ -118,7 +185,8 @@ private:
 
 bool has_moving_curve(const ex& e) {
     for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
-        if (const auto call = curve_call(*part); call && call->order == 0 && !letters_in(part->op(0)).empty()) return true;
+        for (const PointsOfCall& points : points_of_call(*part))
+            if (!letters_in(points.argument).empty()) return true;
     return false;
 }
 

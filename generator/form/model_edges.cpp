@@ -11,6 +11,7 @@
 #include <map>
 
 #include "symbolic/curve_functions.hpp"
+#include "symbolic/map_functions.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/switches.hpp"
 
@@ -42,6 +43,7 @@ public:
             return e.op(1).is_equal(numeric(1, 2)) ? "sqrt(" + (*this)(e.op(0)) + ")" : as_factor(e.op(0)) + "^" + as_factor(e.op(1));
         if (is_ex_the_function(e, whole) || is_ex_the_function(e, unlocated)) return (*this)(e.op(0));
         if (const auto curve = curve_call(e)) return fmt::format("{}({})", name_of_curve_function(*curve), (*this)(e.op(0)));
+        if (const auto map = map_call(e)) return fmt::format("{}({}, {})", name_of_map_function(*map), (*this)(e.op(0)), (*this)(e.op(1)));
         std::vector<std::string> arguments;
         for (const ex& argument : e) arguments.push_back((*this)(argument));
         return fmt::format("{}({})", name_of_function(e), fmt::join(arguments, ", "));
@@ -133,14 +135,16 @@ private:
         std::map<std::string, Guard> ends;
         for (const ex& equation : equations_with_outputs(system_))
             for (auto part = equation.preorder_begin(); part != equation.preorder_end(); ++part) {
-                const auto call = curve_call(*part);
-                if (!call || !call->curve->ends_runs || !moves(part->op(0))) continue;
-                const std::string &name = call->curve->name, argument = write_(part->op(0));
-                const std::string doc = fmt::format("the argument of curve '{}' is about to ", name);
-                ends.emplace(name + " above " + argument,
-                             Guard{name, doc + "rise above its last point", true, numeric(call->curve->knots.back()) - part->op(0)});
-                ends.emplace(name + " below " + argument,
-                             Guard{name, doc + "fall below its first point", true, part->op(0) - numeric(call->curve->knots.front())});
+                for (const PointsOfCall& points : points_that_end_runs(*part)) {
+                    if (!moves(points.argument)) continue;
+                    const std::string &name = points.curve, argument = write_(points.argument);
+                    const std::string doc = fmt::format("the argument {}of curve '{}' is about to ",
+                                                        points.variable.empty() ? "" : "'" + points.variable + "' ", name);
+                    ends.emplace(name + " above " + argument,
+                                 Guard{name, doc + "rise above its last point", true, numeric(points.last) - points.argument});
+                    ends.emplace(name + " below " + argument,
+                                 Guard{name, doc + "fall below its first point", true, points.argument - numeric(points.first)});
+                }
             }
         for (auto& [key, guard] : ends) system_.guards.push_back(std::move(guard));
     }
@@ -150,12 +154,12 @@ private:
         for (const RodField& field : system_.heat.fields)
             for (const ex& e : {field.link, field.source, field.capacity})
                 for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
-                    if (const auto call = curve_call(*part); call && call->curve->ends_runs)
+                    if (const auto ends = points_that_end_runs(*part); !ends.empty())
                         throw Failure(Diagnostic{
                             Id::not_allowed_here, field.rod->span,
                             fmt::format("the cells of rod '{}' are computed in loops, which do not watch where curve '{}' ends; give the "
                                         "curve outside = \"held\" or \"straight\", or the rod loops = false",
-                                        field.rod->name, call->curve->name)});
+                                        field.rod->name, ends.front().curve)});
     }
 
     void look_at(const ex& equation) {

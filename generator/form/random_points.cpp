@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "symbolic/curve_functions.hpp"
+#include "symbolic/map_functions.hpp"
 
 namespace dalembert {
 
@@ -121,21 +121,23 @@ void RandomPoints::look_at_curves(const System& system, const GiNaC::exmap& at_s
     for (const OutputEquation& output : system.outputs) all.push_back(output.value);
     for (const ex& equation : all)
         for (auto part = equation.preorder_begin(); part != equation.preorder_end(); ++part) {
-            const auto call = curve_call(*part);
-            if (!call) continue;
-            for (Interval& one : intervals_) {
-                if (one.has_range || !part->op(0).has(one.letter)) continue;
-                GiNaC::exmap others = at_start;
-                others.erase(one.letter);
-                const ex argument = part->op(0).subs(others, GiNaC::subs_options::no_pattern).expand();
-                if (!argument.is_polynomial(one.letter) || argument.degree(one.letter) != 1) continue;
-                const auto slope = near(argument.coeff(one.letter, 1)), rest = near(argument.coeff(one.letter, 0));
-                if (!slope || !rest || is_zero(*slope)) continue;
-                const Rational first = (call->curve->knots.front() - *rest) / *slope, last = (call->curve->knots.back() - *rest) / *slope;
-                const Rational beyond = cln::abs(last - first) / 10;
-                one = {one.letter, cln::min(first, last) - beyond, cln::max(first, last) + beyond, false, true};
-            }
+            for (const PointsOfCall& points : points_of_call(*part)) look_at_points(points, at_start);
         }
+}
+
+void RandomPoints::look_at_points(const PointsOfCall& points, const GiNaC::exmap& at_start) {
+    for (Interval& one : intervals_) {
+        if (one.has_range || !points.argument.has(one.letter)) continue;
+        GiNaC::exmap others = at_start;
+        others.erase(one.letter);
+        const ex argument = points.argument.subs(others, GiNaC::subs_options::no_pattern).expand();
+        if (!argument.is_polynomial(one.letter) || argument.degree(one.letter) != 1) continue;
+        const auto slope = near(argument.coeff(one.letter, 1)), rest = near(argument.coeff(one.letter, 0));
+        if (!slope || !rest || is_zero(*slope)) continue;
+        const Rational first = (points.first - *rest) / *slope, last = (points.last - *rest) / *slope;
+        const Rational beyond = cln::abs(last - first) / 10;
+        one = {one.letter, cln::min(first, last) - beyond, cln::max(first, last) + beyond, false, true};
+    }
 }
 
 Rational RandomPoints::fraction(std::uint64_t& state) {

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "form/system.hpp"
+#include "symbolic/map_functions.hpp"
 
 namespace dalembert {
 
@@ -42,6 +43,7 @@ private:
     static Rational fraction(std::uint64_t& state);
     /// Letters without a range are taken from where a curve of them has its points, and a little beyond.
     void look_at_curves(const System& system, const GiNaC::exmap& at_start);
+    void look_at_points(const PointsOfCall& points, const GiNaC::exmap& at_start);
     void add_factors(Point& point);
     void make_unit_quaternions(Point& point) const;
 

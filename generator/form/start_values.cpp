@@ -107,12 +107,14 @@ void StartValues::check_curves(const SignRule& rule, const ex& e, const Span& pl
     if (all.low && breaks(*all.low) == nullptr && (!rule.up_to_one || (all.high && breaks(*all.high) == nullptr))) return;
     const auto found = worst_place(moving, letters, start, [&](const Rational& value) { return breaks(value) != nullptr; });
     if (!found) return;
-    const Curve& curve = *system_.names.find_element<Curve>(found->curve->name);
-    const bool is_beyond = curve.outside == Curve::Outside::straight && !found->curve->points().holds(found->place);
+    const Curve& curve = *system_.names.find_element<Curve>(found->curve);
+    const bool is_beyond = curve.outside == Curve::Outside::straight && found->is_beyond;
+    std::string taken_at = fmt::format("{} = {}", curve.variable, written_in(found->places[0], curve.of));
+    if (curve.grid) taken_at += fmt::format(" and {} = {}", curve.grid->variable, written_in(found->places[1], curve.grid->of));
     throw Failure(Diagnostic{
         Id::value_out_of_range, place,
-        fmt::format("{} is {:.6g}{} where curve '{}' is taken at {} = {}, but {}; {}", what, cln::double_approx(found->value),
-                    with_space(rule.unit), curve.name, curve.variable, written_in(found->place, curve.of), breaks(found->value),
+        fmt::format("{} is {:.6g}{} where curve '{}' is taken at {}, but {}; {}", what, cln::double_approx(found->value),
+                    with_space(rule.unit), curve.name, taken_at, breaks(found->value),
                     is_beyond ? "outside = \"held\" or \"error\" would do, or a range of its argument that does not reach there"
                               : "other points would do, or a range of its argument that does not reach there"),
         {{curve.span, "the curve is defined here"}}});

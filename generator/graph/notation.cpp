@@ -8,6 +8,7 @@
 
 #include "graph/angle_sums.hpp"
 #include "symbolic/curve_functions.hpp"
+#include "symbolic/map_functions.hpp"
 #include "symbolic/heat_formulas.hpp"
 #include "language/vocabulary.hpp"
 
@@ -120,6 +121,16 @@ std::string Notation::atom(const Atom& a, const Atoms& atoms) const {
         const std::string name = latex_name(call.curve->name);
         if (call.order < 0) return fmt::format("\\int_{{0}}^{{{}}}{{{}}}", arguments[0], name);
         return fmt::format("{{{}}}{}\\left({}\\right)", name, std::string(static_cast<std::size_t>(call.order), '\''), arguments[0]);
+    }
+    if (a.op == Op::map_value) {
+        const MapCall call = map_call_of(leading(a.arguments[2]));
+        if (style_ == Style::text) return fmt::format("{}({}, {})", name_of_map_function(call), arguments[0], arguments[1]);
+        std::string slope;
+        for (const std::size_t axis : {0U, 1U})
+            for (int i = 0; i < call.orders[axis]; ++i) slope += latex_name(call.map->variables[axis]) + " ";
+        const std::string name = latex_name(call.map->name);
+        return fmt::format("{}\\left({}, {}\\right)", slope.empty() ? name : fmt::format("\\partial_{{{}}}{{{}}}", slope, name), arguments[0],
+                           arguments[1]);
     }
     if (a.op == Op::if_else) {
         if (style_ == Style::text) return fmt::format("if({} >= 0, {}, {})", arguments[0], arguments[1], arguments[2]);

@@ -103,6 +103,7 @@ private:
     }
 
     NodeId number(const Rational& value) override { return program_.constant(value); }
+    Rational value(NodeId number) override { return program_[number].value; }
     NodeId sum(std::vector<std::pair<bool, NodeId>> terms) override { return program_.sum(std::move(terms)); }
     NodeId fixed_product(const std::vector<NodeId>& factors) override { return program_.product(factors); }
     NodeId reciprocal(NodeId x) override { return program_.reciprocal(x); }

@@ -157,9 +157,7 @@ std::string JsPrinter::text(const Value& value) {
 std::string JsPrinter::curves(const std::vector<PlantCurve>& curves) {
     std::string result;
     for (const PlantCurve& curve : curves) {
-        result += fmt::format("    /// Curve '{0}'{1}{2}: steps and knots; for each piece its place, the integral up to there, and "
-                              "coefficients.\n    const ${0}_curve = Float64Array.of(\n",
-                              curve.name, curve.doc.empty() ? "" : ", ", safe_line(curve.doc));
+        result += fmt::format("    /// {}\n    const ${}_curve = Float64Array.of(\n", curve.header(), curve.name);
         for (const std::vector<Value>& row : curve.rows) {
             std::vector<std::string> numbers;
             for (const Value& value : row) numbers.push_back(text(value));

@@ -57,7 +57,7 @@ void refuse_driving(const ex& power, const Damper& damper, const Translator& tra
     if (translate.scene().model->curves.empty()) return;
     const auto found = dissipation_by_curve(power, declared_bounds(translate));
     if (!found || !found->against) return;
-    const Curve& curve = *translate.names().find_element<Curve>(found->curve->name);
+    const Curve& curve = *translate.names().find_element<Curve>(found->name);
     const Rational at = *found->against, value = cln::rational(found->curve->at(0, at));
     throw Failure(Diagnostic{Id::value_out_of_range,
                              damper.span,

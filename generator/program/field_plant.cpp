@@ -46,7 +46,7 @@ public:
             fields_.cached.push_back({member.name, "", member.cells.value_or(0)});
         fields_.helpers = bodies_.helpers();
         fields_.curves = curve_tables({&code_.code});
-        if (!fields_.curves.empty()) fields_.helpers.insert("curve_piece");
+        for (const PlantCurve& curve : fields_.curves) fields_.helpers.insert(curve.helper());
         return std::move(fields_);
     }
 

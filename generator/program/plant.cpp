@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program/plant.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+
+#include "text/safe_text.hpp"
 
 namespace dalembert {
 
@@ -11,6 +15,12 @@ std::size_t PlantCurve::size() const {
     std::size_t size = 0;
     for (const std::vector<Value>& row : rows) size += row.size();
     return size;
+}
+
+std::string PlantCurve::header() const {
+    return fmt::format("Curve '{}'{}{}: {}", name, doc.empty() ? "" : ", ", safe_line(doc),
+                       has_two_variables ? "steps and knots of both variables, places of both, and the coefficients of each cell."
+                                         : "steps and knots; for each piece its place, the integral up to there, and coefficients.");
 }
 
 std::size_t PlantModes::most_modes() const {

@@ -121,8 +121,11 @@ struct PlantSeries {
 struct PlantCurve {
     std::string name;
     std::string doc;
-    std::vector<std::vector<Value>> rows;  ///< steps and knots, then one a piece
+    bool has_two_variables;
+    std::vector<std::vector<Value>> rows;  ///< steps and knots, then one a piece; of two variables those of both, places of both, cells
     std::size_t size() const;              ///< of the whole table
+    std::string header() const;            ///< a comment that says what the table is
+    const char* helper() const { return has_two_variables ? "map_value" : "curve_piece"; }
 };
 
 /// When a controller samples, in s, for the default parameters.

@@ -10,6 +10,7 @@
 #include "form/sampling.hpp"
 #include "program/constants.hpp"
 #include "symbolic/curve_functions.hpp"
+#include "symbolic/map_functions.hpp"
 #include "program/identifiers.hpp"
 #include "graph/notation.hpp"
 #include "graph/raise.hpp"
@@ -22,14 +23,37 @@ using GiNaC::ex;
 
 namespace {
 
+std::vector<Value> constants(const std::vector<Rational>& numbers) {
+    std::vector<Value> row;
+    for (const Rational& number : numbers) row.push_back(Value::constant(number));
+    return row;
+}
+
+/// Steps, then the knots.
+std::vector<Value> axis_of(const std::vector<Rational>& knots) {
+    std::vector<Value> row = constants(knots);
+    row.insert(row.begin(), Value::constant(are_even(knots) ? 1 / (knots[1] - knots[0]) : Rational(0)));
+    return row;
+}
+
 PlantCurve table_of(const CurvePieces& curve) {
-    const Rational steps = curve.is_even() ? 1 / (curve.knots[1] - curve.knots[0]) : Rational(0);
-    PlantCurve result{curve.name, curve.doc, {{Value::constant(steps)}}};
-    for (const Rational& knot : curve.knots) result.rows[0].push_back(Value::constant(knot));
+    PlantCurve result{curve.name, curve.doc, false, {axis_of(curve.knots)}};
     for (const CurvePieces::Piece& piece : curve.pieces) {
         std::vector<Value>& row = result.rows.emplace_back();
         row = {Value::constant(piece.origin), Value::constant(piece.integral)};
         for (const Rational& c : piece.coefficients) row.push_back(Value::constant(c));
+    }
+    return result;
+}
+
+PlantCurve table_of(const MapPieces& map) {
+    PlantCurve result{map.name, map.doc, true, {}};
+    for (const MapPieces::Axis& axis : map.axes) result.rows.push_back(axis_of(axis.knots));
+    for (const MapPieces::Axis& axis : map.axes) result.rows.push_back(constants(axis.origins));
+    for (const MapPieces::Cell& cell : map.cells) {
+        std::vector<Value>& row = result.rows.emplace_back();
+        for (std::size_t i = 0; i <= map.degree(); ++i)
+            for (std::size_t k = 0; k <= map.degree(); ++k) row.push_back(Value::constant(cell[i][k]));
     }
     return result;
 }
@@ -67,7 +91,7 @@ public:
         plant_.by_input = pattern(By::input);
         plant_.by_parameter = pattern(By::parameter);
         plant_.curves = curve_tables(modes_);
-        if (!plant_.curves.empty()) plant_.helpers.insert("curve_piece");
+        for (const PlantCurve& curve : plant_.curves) plant_.helpers.insert(curve.helper());
     }
 
 private:
@@ -143,16 +167,18 @@ private:
 }  // namespace
 
 std::vector<PlantCurve> curve_tables(const std::vector<const Code*>& codes) {
-    std::map<std::string, const CurvePieces*> called;
+    std::map<std::string, PlantCurve> called;
     for (const Code* code : codes)
         for (Letter letter = 0; letter < code->atoms.size(); ++letter) {
             const Atom& atom = code->atoms[letter];
-            if (atom.op < Op::curve_integral || atom.op > Op::curve_third) continue;
-            const CurvePieces& curve = curve_of(leading(atom.arguments[1]));
-            called[curve.name] = &curve;
+            const auto keep = [&](const auto& curve) {
+                if (!called.contains(curve.name)) called[curve.name] = table_of(curve);
+            };
+            if (atom.op >= Op::curve_integral && atom.op <= Op::curve_third) keep(curve_of(leading(atom.arguments[1])));
+            if (atom.op == Op::map_value) keep(*map_call_of(leading(atom.arguments[2])).map);
         }
     std::vector<PlantCurve> tables;
-    for (const auto& [name, curve] : called) tables.push_back(table_of(*curve));
+    for (auto& [name, table] : called) tables.push_back(std::move(table));
     return tables;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "symbolic/curve_functions.hpp"
+#include "symbolic/map_functions.hpp"
 
 namespace dalembert {
 
@@ -130,6 +131,8 @@ std::string StatementMaker::suggested_name(NodeId id) {
             const std::string_view suffix = std::string_view(name_of(node.op)).substr(std::string_view("curve_").size());
             return fmt::format("{}_{}", curve->name, suffix);
         }
+        if (node.op == Op::map_value)
+            return fmt::format("{}_{}", name_of_map_function(map_call_of(function_.program[node.arguments[2]].value)), ++temporaries_);
         return variable != nullptr ? fmt::format("{}_{}", name_of(node.op), identifier(*variable))
                                    : fmt::format("{}_{}", name_of(node.op), ++temporaries_);
     }
@@ -237,6 +240,15 @@ const CurvePieces* StatementMaker::curve_of_call(const Node& node) const {
     return node.kind == Node::Kind::function && is_curve ? &curve_of(function_.program[node.arguments[1]].value) : nullptr;
 }
 
+/// The sizes of its table and the orders of its derivative are whole numbers behind it.
+Value StatementMaker::map_value_of(const Node& node, std::vector<Value> arguments) const {
+    const auto [map, orders] = map_call_of(function_.program[node.arguments[2]].value);
+    arguments[2] = Value::curve(map->name);
+    for (const std::size_t whole : {map->axes[0].knots.size(), map->axes[1].knots.size(), map->degree()}) arguments.push_back(Value::whole(whole));
+    for (const int order : orders) arguments.push_back(Value::whole(static_cast<std::size_t>(order)));
+    return Value::call(Value::Where::helper, name_of(node.op), std::move(arguments));
+}
+
 Value StatementMaker::call(const Node& node, Statements& statements) {
     const auto whole = [&](std::size_t i) {
         return static_cast<std::size_t>(cln::cl_I_to_ulong(cln::numerator(function_.program[node.arguments[i]].value)));
@@ -256,6 +268,7 @@ Value StatementMaker::call(const Node& node, Statements& statements) {
         if (const auto decay = exponential_of_minus(node.arguments[0])) arguments.push_back(part(*decay, statements));
     if (const CurvePieces* curve = curve_of_call(node))
         return Value::call(where, name, {arguments[0], Value::curve(curve->name)}, {curve->knots.size()});
+    if (node.op == Op::map_value) return map_value_of(node, std::move(arguments));
     if (is_array(node.op)) return Value::call(Value::Where::helper, name, {Value::list(std::move(arguments))}, {order_of_network(node)});
     return Value::call(where, name, std::move(arguments));
 }

@@ -60,6 +60,7 @@ private:
     Value product(const Node& node, Statements& statements);
     Value call(const Node& node, Statements& statements);
     const CurvePieces* curve_of_call(const Node& node) const;
+    Value map_value_of(const Node& node, std::vector<Value> arguments) const;
     std::string suggested_name(NodeId id);
     int family_start(const Variable& variable) const;
     void declare(NodeId id, Value value, Statements& statements);

@@ -240,7 +240,7 @@ std::vector<AuditEntry> dissipation_by_curves(const System& system) {
     for (const Resistance& one : system.resistances) {
         const auto found = dissipation_by_curve(one.power, bounds);
         if (!found) continue;
-        const std::string reason = fmt::format("the points of curve '{}' do not tell the sign of the power", found->curve->name);
+        const std::string reason = fmt::format("the points of curve '{}' do not tell the sign of the power", found->name);
         entries.push_back({"dissipated power not negative, " + one.name,
                            found->is_proven ? Comparison{Verdict::proven} : Comparison{Verdict::not_checkable, reason}});
     }

@@ -6,6 +6,7 @@
 #include "prove/branches.hpp"
 #include "prove/normal_form.hpp"
 #include "symbolic/curve_functions.hpp"
+#include "symbolic/map_functions.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/quotient.hpp"
 #include "symbolic/switches.hpp"
@@ -62,7 +63,7 @@ public:
         const bool is_power = GiNaC::is_a<GiNaC::power>(e);
         if (is_power && is_exponential(e.op(0))) return GiNaC::exp((argument(e.op(0).op(0)) * argument(e.op(1))).expand());
         if (is_power && !e.op(1).info(GiNaC::info_flags::integer)) return letter(GiNaC::pow(argument(e.op(0)), argument(e.op(1))));
-        if (switch_of(e) || curve_call(e)) return letter(e.map(*this));
+        if (switch_of(e) || curve_call(e) || map_call(e)) return letter(e.map(*this));
         return e.map(*this);
     }
     bool has_any() const { return !letters_.empty(); }

@@ -1,195 +1,204 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The points of a curve: of the model file, or of a CSV file beside it.
+// The variables and points of a curve: of the model file, or of a CSV file beside it.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <map>
 
 #include "language/dimension.hpp"
+#include "read/curve_file.hpp"
 #include "read/rules.hpp"
-#include "text/data_file.hpp"
-#include "text/nearest.hpp"
 
 namespace dalembert {
 
 namespace {
 
 Excerpt part_of(const Excerpt& whole, std::size_t begin, std::size_t end) {
+    while (begin < end && whole.text[begin] == ' ') ++begin;
     const auto at = [&](std::size_t i) { return whole.offsets.begin() + static_cast<std::ptrdiff_t>(i); };
     return {whole.source, whole.text.substr(begin, end - begin), {at(begin), at(end) + 1}};
 }
 
-/// In SI, but for the power of pi.
-Rational scaled(const Rational& value, const Unit& unit) { return (value + unit.offset) * unit.factor; }
+/// As it was written, without the unit.
+std::string shown(const Rational& x, const Unit& unit) { return decimal(x / unit.factor - unit.offset, 9); }
 
 class CurveReader {
 public:
     CurveReader(const Entry& e, Curve& curve) : e_(e), curve_(curve) {}
 
     void run() {
-        read_variable();
-        if (e_.has("points") && e_.has("file"))
+        if (const auto text = e_.excerpt("of"); text && !read_variables(*text)) return;
+        const char* own = curve_.grid ? "grid" : "points";
+        if (const char* other = curve_.grid ? "points" : "grid"; e_.has(other))
+            return e_.error(Id::unknown_key, e_.span_of(other),
+                            fmt::format("curve '{}({})' has {}; it takes {}", curve_.name, arguments_of(curve_),
+                                        curve_.grid ? "two variables" : "one variable", curve_.grid ? "a grid" : "points"));
+        if (e_.has(own) && e_.has("file"))
             return e_.error(Id::doubly_defined, e_.span_of("file"),
-                            fmt::format("curve '{}' has points and a file; one of them says what the other does", curve_.name));
-        if (!e_.has("points") && !e_.has("file"))
-            return e_.error(Id::missing_key, e_.span(), fmt::format("curve '{}' needs points or a file with points", curve_.name));
+                            fmt::format("curve '{}' has {} and a file; one of them says what the other does", curve_.name, noun()));
+        if (!e_.has(own) && !e_.has("file"))
+            return e_.error(Id::missing_key, e_.span(), fmt::format("curve '{}' needs {} or a file with points", curve_.name, noun()));
         if (e_.has("columns") && !e_.has("file"))
             e_.error(Id::unknown_key, e_.span_of("columns"),
-                     fmt::format("curve '{}' has points and no file, of which the columns could be", curve_.name));
-        if (e_.has("points") ? read_points() : read_file()) check_points();
+                     fmt::format("curve '{}' has {} and no file, of which the columns could be", curve_.name, noun()));
+        if (e_.has("file")) return read_file();
+        if (curve_.grid ? read_grid() : read_points()) check();
     }
 
 private:
-    /// "x [mm]"
-    void read_variable() {
-        const auto text = e_.excerpt("of");
-        if (!text) return;
-        const std::size_t open = text->text.find('['), close = text->text.rfind(']');
-        const std::string after = close == std::string::npos ? "" : text->text.substr(close + 1);
-        std::size_t end = std::min(open, text->text.size());
-        while (end > 0 && text->text[end - 1] == ' ') --end;
-        curve_.variable = text->text.substr(0, end);
+    const char* noun() const { return curve_.grid ? "a grid" : "points"; }
+
+    /// "x [mm]", or "n [rpm], p [bar]". Whether they can be read.
+    bool read_variables(const Excerpt& text) {
+        const std::size_t first_end = text.text.find(']'), comma = text.text.find(',', first_end == std::string::npos ? 0 : first_end);
+        if (comma == std::string::npos) return read_variable(text, curve_.variable, curve_.of);
+        curve_.grid.emplace();
+        const bool is_first = read_variable(part_of(text, 0, comma), curve_.variable, curve_.of);
+        const Excerpt second = part_of(text, comma + 1, text.text.size());
+        if (second.text.find("],") != std::string::npos) {
+            e_.error(Id::syntax, text.whole(), fmt::format("a curve has one or two variables, but '{}' are more", text.text));
+            return false;
+        }
+        if (!read_variable(second, curve_.grid->variable, curve_.grid->of) || !is_first) return false;
+        if (curve_.grid->variable != curve_.variable) return true;
+        e_.error(Id::doubly_defined, second.whole(), fmt::format("both variables of curve '{}' are '{}'", curve_.name, curve_.variable));
+        return false;
+    }
+
+    bool read_variable(const Excerpt& text, std::string& variable, Unit& of) const {
+        const std::size_t open = text.text.find('['), close = text.text.rfind(']');
+        const std::string after = close == std::string::npos ? "" : text.text.substr(close + 1);
+        std::size_t end = std::min(open, text.text.size());
+        while (end > 0 && text.text[end - 1] == ' ') --end;
+        variable = text.text.substr(0, end);
         const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-        const bool is_name = !curve_.variable.empty() && std::isdigit(static_cast<unsigned char>(curve_.variable[0])) == 0 &&
-                             std::all_of(curve_.variable.begin(), curve_.variable.end(), is_letter);
-        if (!is_name || open == std::string::npos || close == std::string::npos || close < open || !after.empty())
-            return e_.error(Id::syntax, text->whole(),
-                            fmt::format("'{}' is not a variable with its unit, as in 'x [mm]' or 'x [1]'", text->text));
+        const bool is_name = !variable.empty() && std::isdigit(static_cast<unsigned char>(variable[0])) == 0 &&
+                             std::all_of(variable.begin(), variable.end(), is_letter);
+        if (!is_name || open == std::string::npos || close == std::string::npos || close < open ||
+            after.find_first_not_of(' ') != std::string::npos) {
+            e_.error(Id::syntax, text.whole(),
+                     fmt::format("'{}' is not a variable with its unit, as in 'x [mm]' or 'x [1]'", text.text));
+            return false;
+        }
         try {
-            curve_.of = parse_unit(part_of(*text, open + 1, close));
+            of = parse_unit(part_of(text, open + 1, close));
         } catch (const Failure& failure) {
             for (const Diagnostic& d : failure.diagnostics()) e_.error(d.id, d.span, d.message, d.notes);
+            return false;
         }
+        return true;
+    }
+
+    /// Nothing for what has been told.
+    std::optional<Rational> number(const ExpressionPtr& value) const {
+        if (value && value->kind == Expression::Kind::number && value->name.empty()) return value->value;
+        if (value)
+            e_.error(Id::wrong_type, value->span,
+                     fmt::format("'{}' is not a number; {} of curve '{}' {} numbers in '{}'{} and '{}'", value->written(),
+                                 curve_.grid ? "the grid" : "points", curve_.name, curve_.grid ? "has" : "are", curve_.of.written,
+                                 curve_.grid ? ", '" + curve_.grid->of.written + "'" : "", curve_.unit.written));
+        return std::nullopt;
     }
 
     bool read_points() {
         bool all_there = true;
-        const auto number = [&](const ExpressionPtr& value) -> Rational {
-            if (value && value->kind == Expression::Kind::number && value->name.empty()) return value->value;
-            all_there = false;
-            if (value)
-                e_.error(Id::wrong_type, value->span,
-                         fmt::format("'{}' is not a number; points of curve '{}' are numbers in '{}' and '{}'", value->written(),
-                                     curve_.name, curve_.of.written, curve_.unit.written));
-            return 0;
-        };
         const auto points = e_.points("points");
         for (const auto& [x, y] : points) {
-            const Rational at = number(x), value = number(y);
-            if (x && y) curve_.points.push_back({scaled(at, curve_.of), scaled(value, curve_.unit), cover(x->span, y->span)});
+            const auto at = number(x), value = number(y);
+            all_there = all_there && at && value;
+            if (x && y)
+                curve_.points.push_back(
+                    {in_si(at.value_or(0), curve_.of), in_si(value.value_or(0), curve_.unit), cover(x->span, y->span)});
         }
         // What was no pair has been told.
         return all_there && e_.is_list("points") && points.size() == e_.length("points") && curve_.points.size() == points.size();
     }
 
-    bool read_file() {
-        const std::string written = e_.text("file");
-        if (written.empty()) {
-            if (e_.excerpt("file"))
-                e_.error(Id::wrong_type, e_.span_of("file"), fmt::format("the file of curve '{}' needs a name", curve_.name));
-            return false;
-        }
-        try {
-            const Span place = e_.span_of("file");
-            const auto path = std::filesystem::path(place.source->name()).parent_path() / written;
-            DataFile file;
-            try {
-                file = read_data_file(path);
-            } catch (const Failure& failure) {
-                const Diagnostic& first = failure.diagnostics().front();
-                if (first.id != Id::unreadable_file) throw;
-                throw Failure(Diagnostic{first.id, place,
-                                         fmt::format("{}; the path of the points of curve '{}' begins beside the model file",
-                                                     first.message, curve_.name)});
+    /// The first row has the places of the second variable; each other row a place of the first and the values there.
+    bool read_grid() {
+        Curve::Grid& grid = *curve_.grid;
+        const auto rows = e_.grid("grid");
+        bool all_there = e_.is_list("grid");
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            std::vector<Rational> numbers;
+            for (const ExpressionPtr& entry : rows[i]) {
+                const auto value = number(entry);
+                all_there = all_there && value;
+                const bool is_place = i == 0 || numbers.empty();
+                const Unit& unit = i == 0 ? grid.of : is_place ? curve_.of : curve_.unit;
+                const Rational si = in_si(value.value_or(0), unit);
+                if (entry && is_place) (i == 0 ? columns_ : rows_).push_back(entry->span);
+                numbers.push_back(si);
             }
-            return take(file);
-        } catch (const Failure& failure) {
-            for (const Diagnostic& d : failure.diagnostics()) e_.error(d.id, d.span, d.message, d.notes);
-            return false;
+            if (i > 0 && all_there && numbers.size() != grid.y.size() + 1) {
+                e_.error(Id::wrong_arguments, rows[i].empty() ? e_.span_of("grid") : cover(rows[i].front()->span, rows[i].back()->span),
+                         fmt::format("row {} of the grid of curve '{}' has {} numbers, but needs {}: a place of '{}', and a value for each of "
+                                     "the {} places of '{}' in the first row",
+                                     i + 1, curve_.name, numbers.size(), grid.y.size() + 1, curve_.variable, grid.y.size(), grid.variable));
+                return false;
+            }
+            if (!all_there) continue;
+            if (i == 0) {
+                grid.y = numbers;
+                continue;
+            }
+            grid.x.push_back(numbers.front());
+            grid.values.emplace_back(numbers.begin() + 1, numbers.end());
         }
+        return all_there;
     }
 
-    /// Whether it has points, whatever they are.
-    bool take(const DataFile& file) {
-        std::array<std::pair<std::string, Span>, 2> names{std::pair{curve_.variable, e_.span_of("file")},
-                                                          std::pair{curve_.name, e_.span_of("file")}};
-        if (e_.has("columns")) {
-            const auto columns = e_.names("columns");
-            const std::size_t count = e_.length("columns");
-            if (!e_.is_list("columns") || columns.size() != count) return false;  // told
-            const bool is_twice = count == 2 && columns[0].first == columns[1].first;
-            if (count != 2 || is_twice)
-                throw Failure(Diagnostic{Id::wrong_arguments, e_.span_of("columns"),
-                                         fmt::format("curve '{}' takes two columns, that of '{}' and that of the values; here {}",
-                                                     curve_.name, curve_.variable,
-                                                     is_twice     ? "both are '" + columns[0].first + "'"
-                                                     : count == 0 ? "none is named"
-                                                     : count == 1 ? "one is named"
-                                                                  : fmt::format("{} are named", count))});
-            names = {columns[0], columns[1]};
+    void read_file() {
+        try {
+            if (!read_curve_file(e_, curve_)) return;
+        } catch (const Failure& failure) {
+            for (const Diagnostic& d : failure.diagnostics()) e_.error(d.id, d.span, d.message, d.notes);
+            return;
         }
-        std::array<const DataColumn*, 2> found{};
-        for (std::size_t i = 0; i < 2; ++i)
-            if (found[i] = file.find(names[i].first); found[i] == nullptr)
-                throw Failure(Diagnostic{
-                    Id::unknown_name, names[i].second,
-                    fmt::format("the file has no column '{}', for the {} of curve '{}'; its columns are {}", names[i].first,
-                                i == 0 ? "variable" : "values", curve_.name, quoted_list(file.names()))});
-        const Unit units[]{unit_of(*found[0], curve_.of), unit_of(*found[1], curve_.unit)};
-        for (std::size_t row = 0; row < file.lines.size(); ++row) {
-            Curve::Point& point = curve_.points.emplace_back();
-            point.span = file.place(row);
-            point.x = scaled(number(file, *found[0], row), units[0]);
-            point.y = scaled(number(file, *found[1], row), units[1]);
+        check();
+    }
+
+    void check() const {
+        if (!curve_.grid) {
+            std::vector<Rational> places;
+            std::vector<Span> spans;
+            for (const Curve::Point& point : curve_.points) {
+                places.push_back(point.x);
+                spans.push_back(point.span);
+            }
+            if (are_enough(places.size(), "point", curve_.variable)) check_rise(places, spans, curve_.variable, curve_.of);
+            return;
+        }
+        const Curve::Grid& grid = *curve_.grid;
+        if (!are_enough(grid.x.size(), "place", curve_.variable) || !are_enough(grid.y.size(), "place", grid.variable)) return;
+        if (check_rise(grid.x, rows_, curve_.variable, curve_.of)) check_rise(grid.y, columns_, grid.variable, grid.of);
+    }
+
+    bool are_enough(std::size_t count, const char* what, const std::string& variable) const {
+        if (count >= 2) return true;
+        const char* own = curve_.grid ? "grid" : "points";
+        e_.error(Id::value_out_of_range, e_.span_of(e_.has(own) ? own : "file"),
+                 fmt::format("curve '{}' has {} {}{}, but needs two or more", curve_.name, count == 0 ? "no" : "one", what,
+                             curve_.grid ? " of '" + variable + "'" : ""));
+        return false;
+    }
+
+    /// Whether they do. Spans are those of the places, where there are some: those of a file are sorted.
+    bool check_rise(const std::vector<Rational>& places, const std::vector<Span>& spans, const std::string& variable, const Unit& unit) const {
+        for (std::size_t i = 1; i < places.size(); ++i) {
+            if (places[i] > places[i - 1]) continue;
+            e_.error(Id::value_out_of_range, spans.at(i),
+                     fmt::format("the points of curve '{}' must rise in '{}', but {} {} follows {} {}", curve_.name, variable,
+                                 shown(places[i], unit), unit.written, shown(places[i - 1], unit), unit.written),
+                     {{spans.at(i - 1), "this is the point before"}});
+            return false;
         }
         return true;
     }
 
-    Rational number(const DataFile& file, const DataColumn& column, std::size_t row) const {
-        if (std::isnan(column.values[row]))
-            throw Failure(Diagnostic{Id::missing_key, file.place(row),
-                                     fmt::format("the line has no number in column '{}', and each point of curve '{}' needs one",
-                                                 column.name, curve_.name)});
-        const std::string text = file.written(column, row);
-        const auto value = read_decimal(text);
-        if (!value)
-            throw Failure(Diagnostic{Id::wrong_type, file.place(row),
-                                     fmt::format("'{}' is not a decimal number with an exponent between -400 and 400", text)});
-        return *value;
-    }
-
-    /// That of the title, or else the declared one.
-    Unit unit_of(const DataColumn& column, const Unit& declared) const {
-        if (column.unit.empty() || column.unit == declared.written) return declared;
-        const std::string& text = column.place.source->text();
-        const std::size_t at = text.find(column.unit, text.find('[', column.place.begin));
-        const Unit unit = parse_unit(excerpt_of(column.place.source, at, at + column.unit.size()));
-        if (!(unit.dimension == declared.dimension) || unit.pi_power != declared.pi_power)
-            throw Failure(Diagnostic{Id::unit_mismatch, column.place,
-                                     fmt::format("the column '{}' is in '{}', but curve '{}' counts it in '{}'; use the unit of the column "
-                                                 "for both",
-                                                 column.name, column.unit, curve_.name, declared.written)});
-        return unit;
-    }
-
-    void check_points() const {
-        if (curve_.points.size() < 2)
-            return e_.error(Id::value_out_of_range, e_.has("points") ? e_.span_of("points") : e_.span_of("file"),
-                            fmt::format("curve '{}' has {}, but needs two or more", curve_.name,
-                                        curve_.points.empty() ? "no point" : "one point"));
-        for (std::size_t i = 1; i < curve_.points.size(); ++i) {
-            const Curve::Point &before = curve_.points[i - 1], &here = curve_.points[i];
-            if (here.x > before.x) continue;
-            const auto shown = [&](const Rational& x) { return decimal(x / curve_.of.factor - curve_.of.offset, 9); };
-            return e_.error(Id::value_out_of_range, here.span,
-                            fmt::format("the points of curve '{}' must rise in '{}', but {} {} follows {} {}", curve_.name,
-                                        curve_.variable, shown(here.x), curve_.of.written, shown(before.x), curve_.of.written),
-                            {{before.span, "this is the point before"}});
-        }
-    }
-
     const Entry& e_;
     Curve& curve_;
+    std::vector<Span> rows_, columns_;  ///< of the places of a grid
 };
 
 }  // namespace

@@ -59,6 +59,7 @@ public:
     std::vector<ExpressionPtr> one_or_two(std::string_view key) const;
     /// Null for what is left out as "?".
     std::vector<std::vector<ExpressionPtr>> matrix(std::string_view key) const;
+    std::vector<std::vector<ExpressionPtr>> grid(std::string_view key) const;
     /// One expression for all as a table of one.
     std::vector<std::vector<ExpressionPtr>> table(std::string_view key) const;
     /// Also pieces: a length and the number of its cells.

@@ -165,6 +165,15 @@ std::vector<std::vector<ExpressionPtr>> Entry::matrix(std::string_view key) cons
     return result;
 }
 
+std::vector<std::vector<ExpressionPtr>> Entry::grid(std::string_view key) const {
+    std::vector<std::vector<ExpressionPtr>> result;
+    for (const DocumentNode* row : list(find(key, ValueType::grid), ValueType::grid)) {
+        result.emplace_back();
+        for (const DocumentNode* element : list(row, ValueType::grid)) result.back().push_back(expression(*element, ValueType::expression));
+    }
+    return result;
+}
+
 std::vector<std::vector<ExpressionPtr>> Entry::table(std::string_view key) const {
     const DocumentNode* node = find(key, ValueType::table);
     if (node == nullptr) return {};

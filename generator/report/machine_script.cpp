@@ -19,7 +19,7 @@
 #include "language/lexer.hpp"
 #include "program/plant_tables.hpp"
 #include "run/plant_run.hpp"
-#include "symbolic/curve_functions.hpp"
+#include "symbolic/map_functions.hpp"
 
 namespace dalembert {
 
@@ -55,7 +55,7 @@ bool calls_curves(const std::vector<GiNaC::ex>& values, const Symbols& symbols) 
     return std::any_of(values.begin(), values.end(), [&](const GiNaC::ex& value) {
         const GiNaC::ex whole = symbols.without_definitions(value);
         return std::any_of(whole.preorder_begin(), whole.preorder_end(),
-                           [](const GiNaC::ex& part) { return curve_call(part).has_value(); });
+                           [](const GiNaC::ex& part) { return !points_of_call(part).empty(); });
     });
 }
 

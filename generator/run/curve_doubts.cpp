@@ -9,7 +9,7 @@
 #include "form/model_edges.hpp"
 #include "run/settings.hpp"
 #include "symbolic/bounds.hpp"
-#include "symbolic/curve_functions.hpp"
+#include "symbolic/map_functions.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -19,17 +19,19 @@ namespace {
 /// An argument outside of the points of a curve, and how far.
 struct PlaceOutside {
     Rational distance, place;
+    PointsOfCall points;
 };
 
-std::string doubt_of(const Curve& curve, const Rational& place) {
-    const bool is_above = place > curve.points.back().x;
-    const Curve::Point& end = is_above ? curve.points.back() : curve.points.front();
+std::string doubt_of(const Curve& curve, const PlaceOutside& outside) {
+    const bool is_above = outside.place > outside.points.last;
+    const Unit& unit = outside.points.axis == 0 ? curve.of : curve.grid->of;
+    const std::string& variable = outside.points.axis == 0 ? curve.variable : curve.grid->variable;
     Diagnostics diagnostics;
     diagnostics.warning(Id::value_out_of_range, curve.span,
                         fmt::format("curve '{}' is taken at {} = {}, {} its {} point at {}; a run ends there, and the numbers here are "
                                     "those of a curve that goes straight on",
-                                    curve.name, curve.variable, written_in(place, curve.of), is_above ? "above" : "below",
-                                    is_above ? "last" : "first", written_in(end.x, curve.of)));
+                                    curve.name, variable, written_in(outside.place, unit), is_above ? "above" : "below",
+                                    is_above ? "last" : "first", written_in(is_above ? outside.points.last : outside.points.first, unit)));
     return render(diagnostics.all().front());
 }
 
@@ -40,20 +42,21 @@ std::string doubts_of_curves(const Values& values, const System& system) {
     if (std::none_of(curves.begin(), curves.end(), [](const Curve& curve) { return curve.outside == Curve::Outside::error; })) return "";
     GiNaC::exmap at = values.substitution();
     add_steps(at, system.symbols, 20);
-    std::map<std::string, PlaceOutside> worst;
+    std::map<std::pair<std::string, std::size_t>, PlaceOutside> worst;
     for (const GiNaC::ex& equation : equations_with_outputs(system))
         for (auto part = equation.preorder_begin(); part != equation.preorder_end(); ++part) {
-            const auto call = curve_call(*part);
-            if (!call || !call->curve->ends_runs) continue;
-            const auto place = rational_near(part->op(0).subs(at, GiNaC::subs_options::no_pattern));
-            if (!place || call->curve->points().holds(*place)) continue;
-            const Rational distance = cln::max(call->curve->knots.front() - *place, *place - call->curve->knots.back());
-            PlaceOutside& known = worst[call->curve->name];
-            if (distance > known.distance) known = {distance, *place};
+            for (const PointsOfCall& points : points_that_end_runs(*part)) {
+                const auto place = rational_near(points.argument.subs(at, GiNaC::subs_options::no_pattern));
+                if (!place || Bounds{points.first, points.last}.holds(*place)) continue;
+                const Rational distance = cln::max(points.first - *place, *place - points.last);
+                const auto [known, is_new] = worst.emplace(std::pair(points.curve, points.axis), PlaceOutside{distance, *place, points});
+                if (!is_new && distance > known->second.distance) known->second = {distance, *place, points};
+            }
         }
     std::string doubts;
     for (const Curve& curve : curves)
-        if (const auto found = worst.find(curve.name); found != worst.end()) doubts += doubt_of(curve, found->second.place);
+        for (const std::size_t axis : {0U, 1U})
+            if (const auto found = worst.find({curve.name, axis}); found != worst.end()) doubts += doubt_of(curve, found->second);
     return doubts;
 }
 

@@ -2,10 +2,12 @@
 #include "symbolic/curve_dissipation.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 #include "symbolic/curve_functions.hpp"
 #include "symbolic/functions.hpp"
+#include "symbolic/map_functions.hpp"
 
 namespace dalembert {
 
@@ -23,15 +25,17 @@ ex rest_of(const ex& product, const ex& curve) {
     return rest;
 }
 
-/// The same as a multiple of the curve's argument.
-ex rest_by_argument(const ex& product, const ex& curve) { return (rest_of(product, curve) / curve.op(0)).normal(); }
+/// The same as a multiple of an argument of the curve.
+ex rest_by_argument(const ex& product, const ex& curve, std::size_t axis = 0) {
+    return (rest_of(product, curve) / curve.op(axis)).normal();
+}
 
 bool is_not_negative(const Bounds& bounds) { return bounds.low && !cln::minusp(*bounds.low); }
 bool is_not_positive(const Bounds& bounds) { return bounds.high && !cln::plusp(*bounds.high); }
 
 /// 1 where the value never has the sign opposite to that of the argument, -1 where it never has the same sign, else 0.
-int sign_by_argument(const CurvePieces& curve) {
-    const Bounds below = bounds_of(curve, {std::nullopt, Rational(0)}), above = bounds_of(curve, {Rational(0), std::nullopt});
+int sign_by_argument(const std::function<Bounds(const Bounds&)>& values) {
+    const Bounds below = values({std::nullopt, Rational(0)}), above = values({Rational(0), std::nullopt});
     if (is_not_positive(below) && is_not_negative(above)) return 1;
     return is_not_negative(below) && is_not_positive(above) ? -1 : 0;
 }
@@ -46,7 +50,7 @@ public:
         if (is_ex_the_function(e, whole) || is_ex_the_function(e, unlocated)) return of(e.op(0));
         if (!GiNaC::is_a<GiNaC::add>(e) && !GiNaC::is_a<GiNaC::mul>(e) && is_real_number(e.evalf()))
             return is_number_not_negative(e.evalf()) ? 1 : -1;
-        if (curve_call(e) || GiNaC::is_a<GiNaC::symbol>(e)) return of_bounds(bounds_of(e, letters_));
+        if (curve_call(e) || map_call(e) || GiNaC::is_a<GiNaC::symbol>(e)) return of_bounds(bounds_of(e, letters_));
         if (GiNaC::is_a<GiNaC::power>(e)) return of_power(e.op(0), e.op(1));
         if (GiNaC::is_a<GiNaC::mul>(e)) return of_product(e);
         if (!GiNaC::is_a<GiNaC::add>(e)) return 0;
@@ -70,9 +74,17 @@ private:
 
     int of_product(const ex& product) const {
         for (const ex& factor : product) {
-            const auto call = curve_call(factor);
-            if (!call || call->order != 0) continue;
-            if (const int sign = of(rest_by_argument(product, factor)) * sign_by_argument(*call->curve); sign != 0) return sign;
+            if (const auto call = curve_call(factor); call && call->order == 0) {
+                const int by_argument = sign_by_argument([&](const Bounds& x) { return bounds_of(*call->curve, x); });
+                if (const int sign = of(rest_by_argument(product, factor)) * by_argument; sign != 0) return sign;
+            }
+            const auto call = map_call(factor);
+            for (std::size_t axis = 0; call && call->orders == std::array{0, 0} && axis < 2; ++axis) {
+                const Bounds other = bounds_of(factor.op(1 - axis), letters_);
+                const int by_argument =
+                    sign_by_argument([&](const Bounds& x) { return axis == 0 ? call->map->bounds(x, other) : call->map->bounds(other, x); });
+                if (const int sign = of(rest_by_argument(product, factor, axis)) * by_argument; sign != 0) return sign;
+            }
         }
         int result = 1;
         for (const ex& factor : product) result *= of(factor);
@@ -120,22 +132,23 @@ std::optional<CurveDissipation> dissipation_by_curve(const ex& given, const Boun
     const ex power = in_elementary_functions(given);
     std::vector<ex> found;
     for (auto part = power.preorder_begin(); part != power.preorder_end(); ++part)
-        if (curve_call(*part)) found.push_back(*part);
+        if (curve_call(*part) || map_call(*part)) found.push_back(*part);
     if (found.empty()) return std::nullopt;
-    const auto curve_of = [](const ex& call) { return curve_call(call)->curve; };
+    const auto curve_of = [](const ex& call) { return curve_call(call) ? curve_call(call)->curve : nullptr; };
+    const auto name_of = [&](const ex& call) { return curve_of(call) != nullptr ? curve_of(call)->name : map_call(call)->map->name; };
     // The order of terms changes from run to run.
-    std::stable_sort(found.begin(), found.end(), [&](const ex& a, const ex& b) { return curve_of(a)->name < curve_of(b)->name; });
+    std::stable_sort(found.begin(), found.end(), [&](const ex& a, const ex& b) { return name_of(a) < name_of(b); });
     const Signs signs(letters);
-    CurveDissipation result{curve_of(found.front()), signs.of(power) == 1 || signs.of(power.expand()) == 1, {}};
+    CurveDissipation result{name_of(found.front()), signs.of(power) == 1 || signs.of(power.expand()) == 1, curve_of(found.front()), {}};
     if (result.is_proven || !GiNaC::is_a<GiNaC::mul>(power)) return result;
     for (const ex& call : found) {
         const bool is_factor = std::any_of(power.begin(), power.end(), [&](const ex& factor) { return factor.is_equal(call); });
-        if (!is_factor || curve_call(call)->order != 0) continue;
+        if (!is_factor || curve_of(call) == nullptr || curve_call(call)->order != 0) continue;
         const int by_rate = signs.of(rest_by_argument(power, call));
         const int sign = by_rate != 0 ? by_rate : signs.of(rest_of(power, call));
         if (sign == 0) continue;
         const auto against = place_against(*curve_of(call), sign, by_rate != 0, bounds_of(call.op(0), letters));
-        if (against) return CurveDissipation{curve_of(call), false, against, by_rate != 0};
+        if (against) return CurveDissipation{name_of(call), false, curve_of(call), against, by_rate != 0};
     }
     return result;
 }

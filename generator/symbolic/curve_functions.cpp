@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/curve_functions.hpp"
 
-#include <cstdint>
-#include <map>
-#include <mutex>
-#include <stdexcept>
-
 #include "symbolic/functions.hpp"
+#include "symbolic/numbered.hpp"
 
 namespace dalembert {
 
@@ -16,14 +12,8 @@ using GiNaC::numeric;
 
 namespace {
 
-/// All curves of this run of the program by their numbers.
-struct Register {
-    std::mutex mutex;
-    std::map<std::uint64_t, CurvePieces> curves;
-};
-
-Register& all_curves() {
-    static Register all;
+Numbered<CurvePieces>& all_curves() {
+    static Numbered<CurvePieces> all;
     return all;
 }
 
@@ -37,15 +27,6 @@ std::string text_of(const CurvePieces& curve) {
     }
     return text;
 }
-
-/// Of 48 bits, so that it stays whole where it is made a double (FNV-1a, folded).
-std::uint64_t hash_of(const std::string& text) {
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-    return (hash ^ (hash >> 48U)) & 0xFFFFFFFFFFFFULL;
-}
-
-cln::cl_R real_of(const ex& number) { return cln::realpart(ex_to<numeric>(number).to_cl_N()); }
 
 unsigned serial_of_curve(int order) {
     const unsigned serials[]{curve_integral_SERIAL::serial, curve_value_SERIAL::serial, curve_slope_SERIAL::serial,
@@ -76,21 +57,10 @@ REGISTER_FUNCTION(curve_second, eval_func(curve_eval<2>).evalf_func(curve_evalf<
 REGISTER_FUNCTION(curve_third, eval_func(curve_eval<3>).evalf_func(curve_evalf<3>))
 
 numeric number_of(const CurvePieces& curve) {
-    const std::uint64_t number = hash_of(text_of(curve));
-    Register& all = all_curves();
-    const std::scoped_lock lock(all.mutex);
-    const auto [known, is_new] = all.curves.emplace(number, curve);
-    if (!is_new && !(known->second == curve)) throw std::logic_error("two curves have one number");
-    return numeric(cln::cl_I(static_cast<unsigned long>(number)));
+    return numeric(cln::cl_I(static_cast<unsigned long>(all_curves().number_of(text_of(curve), curve))));
 }
 
-const CurvePieces& curve_of(const cln::cl_R& number) {
-    Register& all = all_curves();
-    const std::scoped_lock lock(all.mutex);
-    const auto found = all.curves.find(cln::cl_I_to_ulong(cln::round1(number)));
-    if (found == all.curves.end()) throw std::logic_error("a number of no curve");
-    return found->second;
-}
+const CurvePieces& curve_of(const cln::cl_R& number) { return all_curves()[cln::cl_I_to_ulong(cln::round1(number))]; }
 
 ex curve_function(int order, const ex& x, const ex& number) { return GiNaC::function(serial_of_curve(order), x, number); }
 

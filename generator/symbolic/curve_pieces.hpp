@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measured characteristics as exact polynomials, piece by piece, with their derivatives and their integral.
-//
-// note [curves]: The slopes of the monotone shape are the weighted harmonic means of Fritsch and Butland (1984), as Brodlie wrote them, and
-// at the ends the formula of three points, limited: all of them rational, unlike those of Fritsch and Carlson (1980), which need a root
-// where they are too steep. The curve rises where its points rise, as with those. The spline is natural; its equations are solved exactly.
-// A piece counts from its place nearest to zero. So x and what it is counted from never cancel worse than x itself is known, and a curve
-// through zero keeps its digits there.
 #pragma once
 
 #include <cln/real.h>
@@ -15,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "elements/curves.hpp"
+#include "symbolic/curve_course.hpp"
 
 namespace dalembert {
 
@@ -29,7 +23,7 @@ struct CurvePieces {
     struct Piece {
         Rational origin;                       ///< x is counted from here
         Rational integral;                     ///< of the curve from zero to the origin
-        std::array<Rational, 4> coefficients;  ///< of the powers of x - origin
+        CurveCourse::Coefficients coefficients;  ///< of the powers of x - origin
         friend bool operator==(const Piece&, const Piece&) = default;
     };
 
@@ -39,7 +33,6 @@ struct CurvePieces {
     std::vector<Piece> pieces;    ///< piece i lies above knot i - 1 and below knot i; the first and the last have one knot
     bool ends_runs = false;       ///< beyond the first and the last knot
 
-    bool is_even() const;         ///< the knots are equally far from each other
     /// Of order -1 the integral from zero, of 0 the value, of 1, 2, 3 the derivative. Exact at an exact place.
     cln::cl_R at(int order, const cln::cl_R& x) const;
     /// The lowest derivative from this order on that jumps at a knot, 1 for a kink; 4 where none does.

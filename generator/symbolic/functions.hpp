@@ -9,6 +9,8 @@ namespace dalembert {
 
 /// Whether it is a number, and not complex.
 bool is_real_number(const GiNaC::ex& x);
+/// Of such a number.
+inline cln::cl_R real_of(const GiNaC::ex& number) { return cln::realpart(GiNaC::ex_to<GiNaC::numeric>(number).to_cl_N()); }
 bool is_number_not_negative(const GiNaC::ex& x);
 
 DECLARE_FUNCTION_1P(magnitude)  ///< |x|, derivative sign_of(x)

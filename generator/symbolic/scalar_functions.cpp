@@ -8,6 +8,7 @@
 
 #include "symbolic/curve_functions.hpp"
 #include "symbolic/functions.hpp"
+#include "symbolic/map_functions.hpp"
 
 namespace dalembert {
 
@@ -529,12 +530,48 @@ constexpr std::array scalar_functions{
         .serial = serial_of<curve_third_SERIAL>,
         .slopes = [](const ex&, const ex&, const ex&) { return Both{0, 0}; },
         .jumps = true},
+    Row{.op = Op::map_value,
+        .name = "map_value",
+        .exact = [](const Reals& of, const Real&) -> MaybeReal {
+            const MapCall call = map_call_of(of[2]);
+            return call.map->at(call.orders, of[0], of[1]);
+        },
+        .exact_slopes =
+            [](const Reals& of, const Real&) {
+                Doubles slopes(3, 0);
+                for (const std::size_t axis : {0U, 1U})
+                    if (const auto number = number_of_slope(of[2], axis)) {
+                        const MapCall call = map_call_of(*number);
+                        slopes[axis] = as_double(call.map->at(call.orders, of[0], of[1]));
+                    }
+                return slopes;
+            },
+        .serial = serial_of<map_value_SERIAL>,
+        .slopes =
+            [](const ex& f, const ex& x, const ex& y) {
+                const auto slope = [&](std::size_t axis) -> ex {
+                    const auto number = number_of_slope(real_of(f.op(2)), axis);
+                    return number ? ex(map_value(x, y, numeric(*number))) : ex(0);
+                };
+                return Both{slope(0), slope(1)};
+            },
+        .series = [](auto& p, auto, auto& of) -> Rule {
+            SeriesAlgebra::Terms terms;
+            for (const std::size_t axis : {0U, 1U})
+                if (const auto number = number_of_slope(p.value(of[2]), axis)) {
+                    const SeriesParts slope{of[0], of[1], p.number(*number)};
+                    const bool is_last = !number_of_slope(*number, 0) && !number_of_slope(*number, 1);
+                    if (is_last) terms.push_back({p.fixed_function(Op::map_value, slope), {}, of[axis]});
+                    else terms.push_back({p.one(), p.function(Op::map_value, slope), of[axis]});
+                }
+            return p.rule(std::move(terms));
+        }},
 };
 
 constexpr bool is_in_order() {
     for (std::size_t i = 0; i < scalar_functions.size(); ++i)
         if (static_cast<std::size_t>(scalar_functions[i].op) != i) return false;
-    return scalar_functions.size() == static_cast<std::size_t>(Op::curve_third) + 1;
+    return scalar_functions.size() == static_cast<std::size_t>(Op::map_value) + 1;
 }
 static_assert(is_in_order());
 

@@ -33,6 +33,7 @@ enum class Op {
     if_else,  ///< arguments: x, what holds for x >= 0, what holds else
     floor,
     curve_integral, curve_value, curve_slope, curve_second, curve_third,  ///< arguments: x, the number of a curve
+    map_value,  ///< arguments: x, y, the number of a map and of its derivative
 };
 
 struct ScalarFunction {

@@ -40,6 +40,8 @@ public:
     virtual ~SeriesAlgebra() = default;
     virtual bool moves(Part x) = 0;
     virtual Part number(const Rational& value) = 0;
+    /// Of such a number.
+    virtual Rational value(Part number) = 0;
     /// Of terms, of which those with `true` are subtracted.
     virtual Part sum(std::vector<std::pair<bool, Part>> terms) = 0;
     /// Of factors of which several may move.

@@ -5,6 +5,7 @@
 
 #include "symbolic/curve_functions.hpp"
 #include "symbolic/functions.hpp"
+#include "symbolic/map_functions.hpp"
 
 namespace dalembert {
 
@@ -29,6 +30,7 @@ struct Unlocated : GiNaC::map_function {
     ex operator()(const ex& e) override {
         const ex inside = e.map(*this);
         if (const auto call = curve_call(inside)) return curve_function(call->order, unlocated(inside.op(0)), inside.op(1));
+        if (map_call(inside)) return map_value(unlocated(inside.op(0)), unlocated(inside.op(1)), inside.op(2));
         if (!switch_of(inside)) return inside;
         if (is_ex_the_function(inside, minimum)) return minimum(unlocated(inside.op(0)), unlocated(inside.op(1)));
         if (is_ex_the_function(inside, maximum)) return maximum(unlocated(inside.op(0)), unlocated(inside.op(1)));
@@ -109,7 +111,23 @@ std::optional<Switch> switch_of(const ex& f) {
     return std::nullopt;
 }
 
+namespace {
+
+std::vector<Switch> switches_of_map(const ex& f, const MapCall& call) {
+    std::vector<Switch> result;
+    for (const std::size_t axis : {0U, 1U}) {
+        const std::vector<Rational>& knots = call.map->axes[axis].knots;
+        for (std::size_t i = 0; i < knots.size(); ++i)
+            if (const int order = call.map->order_of_jump(axis, i, call.orders); order <= 3)
+                result.push_back({f.op(axis) - numeric(knots[i]), order - call.orders[axis], !is_unlocated(f.op(axis)), true});
+    }
+    return result;
+}
+
+}  // namespace
+
 std::vector<Switch> switches_of_curve(const ex& f) {
+    if (const auto call = map_call(f)) return switches_of_map(f, *call);
     const auto call = curve_call(f);
     if (!call) return {};
     std::vector<Switch> result;

@@ -8,6 +8,7 @@
 #include "elements/conduction.hpp"
 #include "symbolic/curve_functions.hpp"
 #include "symbolic/functions.hpp"
+#include "symbolic/map_functions.hpp"
 #include "symbolic/switches.hpp"
 #include "symbolic/heat_formulas.hpp"
 #include "symbolic/scalar_functions.hpp"
@@ -252,10 +253,12 @@ ex Translator::call(const Expression& e, const Indices& indices, const Letters& 
     }
     if (const Curve* curve = names_.find_element<Curve>(e.name)) {
         const auto known = curves_.emplace(curve, 0);
-        if (known.second) known.first->second = number_of(pieces_of(*curve));
+        if (known.second) known.first->second = curve->grid ? number_of(map_of(*curve)) : number_of(pieces_of(*curve));
         // Its points count in units without pi.
-        const ex place = part(0) * GiNaC::pow(GiNaC::Pi, -curve->of.pi_power);
-        return GiNaC::pow(GiNaC::Pi, curve->unit.pi_power) * curve_value(place, known.first->second);
+        const auto place = [&](std::size_t i, const Unit& unit) -> ex { return part(i) * GiNaC::pow(GiNaC::Pi, -unit.pi_power); };
+        const ex& number = known.first->second;
+        return GiNaC::pow(GiNaC::Pi, curve->unit.pi_power) *
+               (curve->grid ? map_value(place(0, curve->of), place(1, curve->grid->of), number) : curve_value(place(0, curve->of), number));
     }
     if (e.name == "quantity") return visit(*to_si(e.children[0], evaluate_unit(*e.children[1])), indices, letters);
     std::vector<ex> arguments;

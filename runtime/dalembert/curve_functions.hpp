@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSL-1.0
-// Measured characteristics of n points: polynomials of third degree piece by piece, their integral and their derivatives, without heap. The
-// generator copies what stands between the marks into headers that need it.
+// Measured characteristics: polynomials piece by piece, their integral and their derivatives, without heap. The generator copies what stands
+// between the marks into headers that need it.
 //
 // The table of a curve: how many knots there are in a unit where they are equally far from each other, else 0; the n knots; and for each
 // of the n + 1 pieces the place that x is counted from, the integral from zero to there, and the coefficients of the powers of x - place.
@@ -17,14 +17,15 @@ namespace dalembert {
 inline namespace v1 {
 namespace detail {
 
-// begin curve_piece: select
-/// The number of the piece that x lies in: computed where the knots are equally far from each other, else found by halving.
-template <class Scalar, std::size_t n>
-std::size_t curve_place(const Scalar& x, const std::array<Scalar, 7 * n + 7>& curve) noexcept {
-    const Scalar* const knots = curve.data() + 1;
+// begin curve_place:
+/// The number of the piece that x lies in: computed where the knots are equally far from each other, else found by halving. `axis` begins
+/// with how many knots there are in a unit, or 0; then the n knots.
+template <class Scalar>
+std::size_t curve_place(const Scalar& x, const Scalar* axis, std::size_t n) noexcept {
+    const Scalar* const knots = axis + 1;
     if constexpr (std::numeric_limits<Scalar>::is_iec559) {
-        if (curve[0] > Scalar(0)) {
-            const Scalar place = (x - knots[0]) * curve[0];
+        if (axis[0] > Scalar(0)) {
+            const Scalar place = (x - knots[0]) * axis[0];
             const std::size_t near = !(place >= Scalar(0)) ? 0 : place < Scalar(n - 1) ? static_cast<std::size_t>(place) + 1 : n;
             if (near > 0 && x < knots[near - 1]) return near - 1;  // roundings
             return near < n && x >= knots[near] ? near + 1 : near;
@@ -49,12 +50,14 @@ template <>
 struct IsTruth<bool> {
     static constexpr bool value = true;
 };
+// end curve_place
 
-/// The six numbers of that piece. Of several numbers side by side each has its own: all pieces are gone through.
+// begin curve_piece: curve_place select
+/// The six numbers of the piece that x lies in. Of several numbers side by side each has its own: all pieces are gone through.
 template <class Scalar, std::size_t n>
 std::array<Scalar, 6> curve_piece(const Scalar& x, const std::array<Scalar, 7 * n + 7>& curve) noexcept {
     if constexpr (IsTruth<decltype(x < x)>::value) {
-        const Scalar* const piece = curve.data() + (n + 1) + 6 * curve_place<Scalar, n>(x, curve);
+        const Scalar* const piece = curve.data() + (n + 1) + 6 * curve_place(x, curve.data(), n);
         return {piece[0], piece[1], piece[2], piece[3], piece[4], piece[5]};
     } else {
         const Scalar* next = curve.data() + (n + 1);
@@ -112,6 +115,60 @@ Scalar curve_third(const Scalar& x, const std::array<Scalar, 7 * n + 7>& curve) 
     return Scalar(6) * curve_piece<Scalar, n>(x, curve)[5];
 }
 // end curve_third
+
+// begin map_value: curve_place select
+/// q (q - 1) ... of so many factors: what deriving x^q brings.
+constexpr std::size_t falling_product(std::size_t q, std::size_t factors) noexcept {
+    std::size_t product = 1;
+    for (std::size_t i = 0; i < factors; ++i) product *= q - i;
+    return product;
+}
+
+/// A polynomial of d, of this degree, derived so often; `c` are the coefficients of its powers.
+template <class Scalar>
+Scalar derived_polynomial(const Scalar& d, const Scalar* c, std::size_t degree, std::size_t order) noexcept {
+    Scalar sum = Scalar(falling_product(degree, order)) * c[degree];
+    for (std::size_t q = degree; q-- > order;) sum = sum * d + Scalar(falling_product(q, order)) * c[q];
+    return sum;
+}
+
+/// A curve of two variables with n and m knots, derived so often by x and by y. Its table: the axes of x and y, as of curve_place; the
+/// n + 1 and m + 1 places that x and y are counted from; for each cell the coefficients of the powers of both, those of y side by side.
+template <class Scalar, std::size_t size>
+Scalar map_value(const Scalar& x, const Scalar& y, const std::array<Scalar, size>& table, std::size_t n, std::size_t m, std::size_t degree,
+                 std::size_t by_x, std::size_t by_y) noexcept {
+    const std::size_t row = degree + 1;
+    const Scalar* const axis_y = table.data() + (n + 1);
+    const Scalar* const places = axis_y + (m + 1);
+    const Scalar* const cells = places + (n + m + 2);
+    std::array<Scalar, 16> own{};
+    Scalar from_x = places[0], from_y = places[n + 1];
+    const Scalar* cell = cells;
+    if constexpr (IsTruth<decltype(x < x)>::value) {
+        const std::size_t i = curve_place(x, table.data(), n), k = curve_place(y, axis_y, m);
+        from_x = places[i];
+        from_y = places[n + 1 + k];
+        cell = cells + row * row * (i * (m + 1) + k);
+    } else {
+        // Of several numbers side by side each has its own: all cells are gone through.
+        for (std::size_t i = 0; i <= n; ++i) {
+            std::array<Scalar, 16> next{};
+            for (std::size_t k = 0; k <= m; ++k)
+                for (std::size_t q = 0; q < row * row; ++q) {
+                    const Scalar& here = cells[row * row * (i * (m + 1) + k) + q];
+                    next[q] = k == 0 ? here : select(y >= axis_y[k], here, next[q]);
+                }
+            for (std::size_t q = 0; q < row * row; ++q) own[q] = i == 0 ? next[q] : select(x >= table[i], next[q], own[q]);
+            if (i > 0) from_x = select(x >= table[i], places[i], from_x);
+        }
+        for (std::size_t k = 1; k <= m; ++k) from_y = select(y >= axis_y[k], places[n + 1 + k], from_y);
+        cell = own.data();
+    }
+    std::array<Scalar, 4> by_powers{};
+    for (std::size_t p = by_x; p < row; ++p) by_powers[p] = derived_polynomial(y - from_y, cell + row * p, degree, by_y);
+    return derived_polynomial(x - from_x, by_powers.data(), degree, by_x);
+}
+// end map_value
 
 }  // namespace detail
 }  // namespace v1

@@ -38,7 +38,7 @@ TEST_CASE("values in C") {
 TEST_CASE("C has every function that languages are said to bring along") {
     const Plant plant = plant_of(4);
     CPrinter print(plant, "cart");
-    for (int op = 0; op <= static_cast<int>(Op::curve_third); ++op)
+    for (int op = 0; op <= static_cast<int>(Op::map_value); ++op)
         if (const ScalarFunction& function = scalar_function(static_cast<Op>(op)); function.in_library && function.op != Op::power)  // pow
             print.text(Value::call(Value::Where::library, function.name, {Value::name("x"), Value::name("y")}));
     CHECK(print.called().size() > 10);

@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A spring by a curve and a pump by maps: what is stored, dissipated and given to the tank is the same at the end as at the start.
+dalembert 0 check "$model"
+prints "force = -d.energy./dq +1 proven"
+prints "dissipated power not negative +1 proven"
+prints "supplied - dissipated \\+ exchanged +1 proven"
+dalembert 0 simulate "$model" --no-plot -o .
+error=$(sed -n 's/^energy error: .* = \([0-9.e+-]*\)$/\1/p' printed)
+awk -v e="$error" 'BEGIN { exit !(e != "" && e < 1e-10) }' || fail "energy error '$error'"
