@@ -24,7 +24,6 @@ std::string to_string(const Rational& value);
 inline bool is_integer(const Rational& value) { return cln::denominator(value) == 1; }
 inline bool is_negative(const Rational& value) { return cln::minusp(value); }
 inline bool is_zero(const Rational& value) { return cln::zerop(value); }
-inline int sign(const Rational& value) { return is_zero(value) ? 0 : is_negative(value) ? -1 : 1; }
 
 /// The value as an int, nothing when it is no integer or too large.
 std::optional<int> to_int(const Rational& value);
