@@ -83,8 +83,8 @@ unsigned ExpressionCheck::name(const Expression& e) {
         const bool is_function = find_function(e.name) != nullptr || is_special_form(e.name) || is_printed_form(e.name);
         const Curve* curve = names_.find_element<Curve>(e.name);
         error(Id::unknown_name, e.span,
-              curve != nullptr ? fmt::format("'{0}' is a curve and needs its argument{2} in brackets, as in {0}({1})", e.name, arguments_of(*curve),
-                                           curve->grid ? "s" : "")
+              curve != nullptr ? fmt::format("'{0}' is a curve and needs its argument{2} in brackets, as in {0}({1})", e.name,
+                                           arguments_of(*curve), curve->grid ? "s" : "")
               : is_function ? fmt::format("'{}' is a function and needs its arguments in brackets", e.name)
                           : fmt::format("'{}' is not defined{}", e.name, hint(e)));
         return 0;

@@ -54,7 +54,8 @@ inline const KeyChoices<Curve::Shape>& curve_shapes() {
     using S = Curve::Shape;
     static const KeyChoices<S> choices{
         {.word = "monotone", .value = S::monotone,
-         .doc = " (default): cubic, with a continuous slope; rises and falls as the points do, of two variables along the lines of the grid"},
+         .doc = " (default): cubic, with a continuous slope; rises and falls as the points do, of two variables along the lines of the "
+                "grid"},
         {.word = "spline", .value = S::spline, .doc = ": natural cubic spline, with a continuous second derivative; may overshoot"},
         {.word = "linear", .value = S::linear, .doc = ": straight lines, of two variables bilinear; runs locate the kinks"}};
     return choices;
@@ -79,8 +80,8 @@ void describe(Visitor& v, E& curve) {
         .doc = "of two variables instead of points: the first row has the places of the second variable, each other row a place of the "
                "first and the values there; both rise; at least two of each"});
     v.by_hand("file", {.type = ValueType::text,
-        .doc = "instead of points or a grid: a CSV file, beside the model file or with a path from there. Titles of columns are names, and may "
-               "have a unit: `x [mm]`"});
+        .doc = "instead of points or a grid: a CSV file, beside the model file or with a path from there. Titles of columns are names, "
+               "and may have a unit: `x [mm]`"});
     v.by_hand("columns", {.type = ValueType::effects,
         .doc = "with a file: the columns of the variable, or of both, and of the values; the names of the variables and of the curve if "
                "left out. Of two variables there is a line for each pair of places, in any order"});

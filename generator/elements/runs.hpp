@@ -158,7 +158,8 @@ void describe(Visitor& v, E& run) {
        .words = "course",
        .doc = "inputs as expressions of t and the states; without a unit, a number counts in the declared one. An input that "
                "is left out is 0, but temperatures and pressures are required"});
-    v("parameters", run.parameters, {.type = ValueType::values_by_name, .unit = declared, .depends = constant_only, .names = on_parameters, .words = "value",
+    v("parameters", run.parameters, {.type = ValueType::values_by_name, .unit = declared, .depends = constant_only, .names = on_parameters,
+        .words = "value",
         .doc = "parameters that differ from their defaults, of families also as lists; without a unit, a number counts in the declared "
                "one"});
     v("exact", run.exact, {.unit = declared, .depends = on_parameters | on_time,

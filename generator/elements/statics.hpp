@@ -131,7 +131,8 @@ template <class Visitor, ElementOf<LoadPoint> E>
 void describe(Visitor& v, E& point) {
     v("at", point.at, {.required = true, .dimension = Dimension::length(), .depends = on_anything & ~on_outputs, .words = "place",
         .doc = "where it is"});
-    v("of", point.of, {.doc = "the body of the load that it belongs to; if left out, the point is a joint: the forces on it are in equilibrium"});
+    v("of", point.of,
+      {.doc = "the body of the load that it belongs to; if left out, the point is a joint: the forces on it are in equilibrium"});
     v.item({.has_when = false});
 }
 

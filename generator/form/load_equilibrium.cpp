@@ -165,17 +165,20 @@ private:
                 if (!bodies_[body].is_joint) continue;
                 const auto found = std::find_if(balances_.begin(), balances_.end(),
                                                 [&](const Balance& b) { return b.which == which && b.body == body; });
-                rows.push_back({bodies_[body].name, which, found == balances_.end() ? std::vector<ex>(letters_.size(), 0) : found->factors});
+                rows.push_back(
+                    {bodies_[body].name, which, found == balances_.end() ? std::vector<ex>(letters_.size(), 0) : found->factors});
             }
         }
         const LooseJoints loose = loose_joints(system_, rows);
         if (loose.names.empty()) return;
-        const auto point = std::find_if(load_.points.begin(), load_.points.end(), [&](const LoadPoint& p) { return p.name == loose.names[0]; });
+        const auto point =
+            std::find_if(load_.points.begin(), load_.points.end(), [&](const LoadPoint& p) { return p.name == loose.names[0]; });
         const bool is_one = loose.names.size() == 1;
         throw Failure(Diagnostic{
             Id::no_equilibrium,
             point->span,
-            fmt::format("load '{}' is a mechanism: nothing keeps joint{} {} from moving{}; a bar or an unknown force at a support is missing",
+            fmt::format("load '{}' is a mechanism: nothing keeps joint{} {} from moving{}; a bar or an unknown force at a support is "
+                        "missing",
                         load_.name, is_one ? "" : "s", quoted_list(loose.names),
                         !is_one ? " together" : loose.axis ? fmt::format(" along {}", "xyz"[*loose.axis]) : ""),
             {{load_.span, "the load is defined here"}}});

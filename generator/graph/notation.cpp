@@ -128,9 +128,8 @@ std::string Notation::atom(const Atom& a, const Atoms& atoms) const {
         std::string slope;
         for (const std::size_t axis : {0U, 1U})
             for (int i = 0; i < call.orders[axis]; ++i) slope += latex_name(call.map->variables[axis]) + " ";
-        const std::string name = latex_name(call.map->name);
-        return fmt::format("{}\\left({}, {}\\right)", slope.empty() ? name : fmt::format("\\partial_{{{}}}{{{}}}", slope, name), arguments[0],
-                           arguments[1]);
+        const std::string map = latex_name(call.map->name), name = slope.empty() ? map : fmt::format("\\partial_{{{}}}{{{}}}", slope, map);
+        return fmt::format("{}\\left({}, {}\\right)", name, arguments[0], arguments[1]);
     }
     if (a.op == Op::if_else) {
         if (style_ == Style::text) return fmt::format("if({} >= 0, {}, {})", arguments[0], arguments[1], arguments[2]);

@@ -244,7 +244,8 @@ const CurvePieces* StatementMaker::curve_of_call(const Node& node) const {
 Value StatementMaker::map_value_of(const Node& node, std::vector<Value> arguments) const {
     const auto [map, orders] = map_call_of(function_.program[node.arguments[2]].value);
     arguments[2] = Value::curve(map->name);
-    for (const std::size_t whole : {map->axes[0].knots.size(), map->axes[1].knots.size(), map->degree()}) arguments.push_back(Value::whole(whole));
+    for (const MapPieces::Axis& axis : map->axes) arguments.push_back(Value::whole(axis.knots.size()));
+    arguments.push_back(Value::whole(map->degree()));
     for (const int order : orders) arguments.push_back(Value::whole(static_cast<std::size_t>(order)));
     return Value::call(Value::Where::helper, name_of(node.op), std::move(arguments));
 }

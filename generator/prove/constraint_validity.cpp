@@ -72,7 +72,8 @@ private:
             const ExpressionPtr& start = is_position ? start_of(member, system_.scene) : start_rate_of(member, system_.scene);
             const SymbolKind kind = is_position ? SymbolKind::coordinate : SymbolKind::velocity;
             if (start && values_.is_written(kind, j) && held.has(system_.symbols.get(kind, j)))
-                notes.push_back({start->span, fmt::format("the {} of '{}' in the model", is_position ? "start" : "start_rate", member.item->name)});
+                notes.push_back(
+                    {start->span, fmt::format("the {} of '{}' in the model", is_position ? "start" : "start_rate", member.item->name)});
         }
         return notes;
     }

@@ -125,8 +125,8 @@ private:
                 const auto found = line_of.find({x, y});
                 if (found == line_of.end())
                     throw Failure(Diagnostic{Id::missing_key, e_.span_of("file"),
-                                             fmt::format("the file has no value of curve '{}' at {}; it needs one for each of the {} places "
-                                                         "of '{}' at each of the {} places of '{}'",
+                                             fmt::format("the file has no value of curve '{}' at {}; it needs one for each of the {} "
+                                                         "places of '{}' at each of the {} places of '{}'",
                                                          curve_.name, place_of({x, y}), grid.x.size(), curve_.variable, grid.y.size(),
                                                          grid.variable)});
                 grid.values.back().push_back(lines[found->second][2]);

@@ -132,8 +132,8 @@ private:
             }
             if (i > 0 && all_there && numbers.size() != grid.y.size() + 1) {
                 e_.error(Id::wrong_arguments, rows[i].empty() ? e_.span_of("grid") : cover(rows[i].front()->span, rows[i].back()->span),
-                         fmt::format("row {} of the grid of curve '{}' has {} numbers, but needs {}: a place of '{}', and a value for each of "
-                                     "the {} places of '{}' in the first row",
+                         fmt::format("row {} of the grid of curve '{}' has {} numbers, but needs {}: a place of '{}', and a value for each "
+                                     "of the {} places of '{}' in the first row",
                                      i + 1, curve_.name, numbers.size(), grid.y.size() + 1, curve_.variable, grid.y.size(), grid.variable));
                 return false;
             }
@@ -184,7 +184,8 @@ private:
     }
 
     /// Whether they do. Spans are those of the places, where there are some: those of a file are sorted.
-    bool check_rise(const std::vector<Rational>& places, const std::vector<Span>& spans, const std::string& variable, const Unit& unit) const {
+    bool check_rise(const std::vector<Rational>& places, const std::vector<Span>& spans, const std::string& variable,
+                    const Unit& unit) const {
         for (std::size_t i = 1; i < places.size(); ++i) {
             if (places[i] > places[i - 1]) continue;
             e_.error(Id::value_out_of_range, spans.at(i),

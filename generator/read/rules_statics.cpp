@@ -81,7 +81,8 @@ private:
         const std::string &from = carrier(bar.between[0].first), &to = carrier(bar.between[1].first);
         if (from != to) return;
         e_.error(Id::not_allowed_here, bar.span,
-                 is_body(from) ? fmt::format("bar '{}' joins two points of body '{}', which is rigid: its force has no effect", bar.name, from)
+                 is_body(from) ? fmt::format("bar '{}' joins two points of body '{}', which is rigid: its force has no effect", bar.name,
+                                             from)
                                : fmt::format("bar '{}' begins and ends at '{}'", bar.name, from));
     }
 

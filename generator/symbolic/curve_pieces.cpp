@@ -84,7 +84,8 @@ std::vector<Rational> CurvePieces::extreme_places(const Bounds& x) const {
 }
 
 Bounds CurvePieces::bounds_beyond(const Bounds& x) const {
-    const Rational below = x.low ? Rational(0) : -pieces.front().coefficients[1], above = x.high ? Rational(0) : pieces.back().coefficients[1];
+    const Rational below = x.low ? Rational(0) : -pieces.front().coefficients[1];
+    const Rational above = x.high ? Rational(0) : pieces.back().coefficients[1];
     const Rational inside = cln::rational(at(0, x.low ? *x.low : x.high ? *x.high : knots.front()));
     return {below < 0 || above < 0 ? std::nullopt : std::optional(inside), below > 0 || above > 0 ? std::nullopt : std::optional(inside)};
 }

@@ -57,7 +57,8 @@ numeric number_of(const MapPieces& map) {
 
 MapCall map_call_of(const cln::cl_R& number) {
     const unsigned long all = cln::cl_I_to_ulong(cln::round1(number));
-    return {&all_maps()[all / (derivatives * derivatives)], {static_cast<int>(all / derivatives % derivatives), static_cast<int>(all % derivatives)}};
+    const auto by_x = static_cast<int>(all / derivatives % derivatives), by_y = static_cast<int>(all % derivatives);
+    return {&all_maps()[all / (derivatives * derivatives)], {by_x, by_y}};
 }
 
 std::optional<MapCall> map_call(const ex& function) {

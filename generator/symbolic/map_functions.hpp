@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The function of measured characteristics of two variables, and its derivatives. The third argument is a number that stands for the map and
-// for how often it is derived by each variable.
+// The function of measured characteristics of two variables, and its derivatives. The third argument is a number that stands for the map
+// and for how often it is derived by each variable.
 #pragma once
 
 #include <ginac/ginac.h>

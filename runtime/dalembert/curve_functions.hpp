@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSL-1.0
-// Measured characteristics: polynomials piece by piece, their integral and their derivatives, without heap. The generator copies what stands
-// between the marks into headers that need it.
+// Measured characteristics: polynomials piece by piece, their integral and their derivatives, without heap. The generator copies what
+// stands between the marks into headers that need it.
 //
 // The table of a curve: how many knots there are in a unit where they are equally far from each other, else 0; the n knots; and for each
 // of the n + 1 pieces the place that x is counted from, the integral from zero to there, and the coefficients of the powers of x - place.
-// Piece i lies above knot i - 1 and below knot i.
+// Piece i lies above knot i - 1 and below knot i. The table of a curve of two variables is described at map_value.
 #pragma once
 
 #include <array>

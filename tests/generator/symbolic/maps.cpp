@@ -24,15 +24,18 @@ namespace {
 using Line = std::vector<Rational>;
 
 const std::vector<Shape> shapes_of_maps{Shape::monotone, Shape::spline, Shape::linear};
-const Line knots_x{Rational(-3) / 2, Rational(-1) / 4, Rational(1) / 3, 1, Rational(11) / 5}, knots_y{-2, Rational(-1) / 2, Rational(7) / 10, 3};
+const Line knots_x{Rational(-3) / 2, Rational(-1) / 4, Rational(1) / 3, 1, Rational(11) / 5};
+const Line knots_y{-2, Rational(-1) / 2, Rational(7) / 10, 3};
 
 /// Rising in x, not in y, and of no simple form.
 std::vector<Line> bumpy() {
     std::vector<Line> values;
     for (std::size_t i = 0; i < knots_x.size(); ++i) {
         values.emplace_back();
-        for (std::size_t k = 0; k < knots_y.size(); ++k)
-            values.back().push_back(Rational(static_cast<int>((3 * i * i + 2 * i + 1 + 7 * i * ((k * k + 2) % 5) + 4 * k) % 41)) / 3 + 2 * knots_x[i]);
+        for (std::size_t k = 0; k < knots_y.size(); ++k) {
+            const std::size_t bump = (3 * i * i + 2 * i + 1 + 7 * i * ((k * k + 2) % 5) + 4 * k) % 41;
+            values.back().push_back(Rational(static_cast<int>(bump)) / 3 + 2 * knots_x[i]);
+        }
     }
     return values;
 }
@@ -88,19 +91,19 @@ TEST_CASE("maps go through their points, and are curves of one variable on the l
         for (const Outside outside : {Outside::held, Outside::straight}) {
             CAPTURE(static_cast<int>(shape));
             const MapPieces map = bumpy_map(shape, outside);
+            const auto value = [&](const Rational& x, const Rational& y) { return exact_at(map, {0, 0}, x, y); };
+            const auto along_line = [](const CurvePieces& curve, const Rational& x) { return cln::the<cln::cl_RA>(curve.at(0, x)); };
             for (std::size_t i = 0; i < knots_x.size(); ++i)
-                for (std::size_t k = 0; k < knots_y.size(); ++k) CHECK(exact_at(map, {0, 0}, knots_x[i], knots_y[k]) == values[i][k]);
+                for (std::size_t k = 0; k < knots_y.size(); ++k) CHECK(value(knots_x[i], knots_y[k]) == values[i][k]);
             for (std::size_t k = 0; k < knots_y.size(); ++k) {
                 Line line;
                 for (std::size_t i = 0; i < knots_x.size(); ++i) line.push_back(values[i][k]);
                 const CurvePieces curve = along(knots_x, line, shape, outside);
-                for (int place = -25; place <= 35; ++place)
-                    CHECK(exact_at(map, {0, 0}, Rational(place) / 11, knots_y[k]) == cln::the<cln::cl_RA>(curve.at(0, Rational(place) / 11)));
+                for (int i = -25; i <= 35; ++i) CHECK(value(Rational(i) / 11, knots_y[k]) == along_line(curve, Rational(i) / 11));
             }
             for (std::size_t i = 0; i < knots_x.size(); ++i) {
                 const CurvePieces curve = along(knots_y, values[i], shape, outside);
-                for (int place = -30; place <= 45; ++place)
-                    CHECK(exact_at(map, {0, 0}, knots_x[i], Rational(place) / 11) == cln::the<cln::cl_RA>(curve.at(0, Rational(place) / 11)));
+                for (int k = -30; k <= 45; ++k) CHECK(value(knots_x[i], Rational(k) / 11) == along_line(curve, Rational(k) / 11));
             }
         }
 }
@@ -134,7 +137,8 @@ TEST_CASE("maps are as smooth as their shape says") {
                     if (!is_end) CHECK(order == smooth + 1);
                     else CHECK(order == (outside == Outside::held ? 1 : shape == Shape::linear ? 4 : shape == Shape::spline ? 3 : 2));
                     // The other way: values on both sides.
-                    const Rational tiny = Rational(1) / cln::expt(cln::cl_I(10), 30), at = map.axes[axis].knots[knot], other = Rational(1) / 7;
+                    const Rational tiny = Rational(1) / cln::expt(cln::cl_I(10), 30), other = Rational(1) / 7;
+                    const Rational at = map.axes[axis].knots[knot];
                     for (int of = 0; of < std::min(order, 3); ++of) {
                         const std::array<int, 2> orders = axis == 0 ? std::array{of, 0} : std::array{0, of};
                         const auto value = [&](const Rational& x) {
@@ -187,7 +191,8 @@ TEST_CASE("emitted maps have their digits") {
                         return detail::map_value(x, y, table, 5, 4, map.degree(), static_cast<std::size_t>(orders[0]),
                                                  static_cast<std::size_t>(orders[1]));
                     };
-                    const double value = shape == Shape::linear ? emitted(table_of_map<22 + 4 * 30>(map)) : emitted(table_of_map<22 + 16 * 30>(map));
+                    const double value =
+                        shape == Shape::linear ? emitted(table_of_map<22 + 4 * 30>(map)) : emitted(table_of_map<22 + 16 * 30>(map));
                     const auto exact = [&](int more_x, int more_y) {
                         return exact_at(map, {orders[0] + more_x, orders[1] + more_y}, as_it_is(x), as_it_is(y));
                     };
@@ -196,12 +201,14 @@ TEST_CASE("emitted maps have their digits") {
                     if (orders[0] < 3) size += std::fabs(x * cln::double_approx(exact(1, 0)));
                     if (orders[1] < 3) size += std::fabs(y * cln::double_approx(exact(0, 1)));
                     const std::size_t p = map.axes[0].piece(as_it_is(x)), q = map.axes[1].piece(as_it_is(y));
-                    const double dx = std::fabs(x - cln::double_approx(map.axes[0].origins[p])), dy = std::fabs(y - cln::double_approx(map.axes[1].origins[q]));
+                    const double dx = std::fabs(x - cln::double_approx(map.axes[0].origins[p]));
+                    const double dy = std::fabs(y - cln::double_approx(map.axes[1].origins[q]));
                     const auto factor = [](int n, int order) { return order == 0 ? 1.0 : static_cast<double>(n); };
                     for (int n = orders[0]; n < 4; ++n)
                         for (int m = orders[1]; m < 4; ++m)
                             size += factor(n, orders[0]) * factor(m, orders[1]) *
-                                    std::fabs(cln::double_approx(map.cell(p, q)[static_cast<std::size_t>(n)][static_cast<std::size_t>(m)])) *
+                                    std::fabs(cln::double_approx(
+                                        map.cell(p, q)[static_cast<std::size_t>(n)][static_cast<std::size_t>(m)])) *
                                     std::pow(dx, n - orders[0]) * std::pow(dy, m - orders[1]);
                     const double error = std::fabs(cln::double_approx(as_it_is(value) - exact(0, 0)));
                     if (error > 0) worst = std::max(worst, error / (size * std::numeric_limits<double>::epsilon()));
