@@ -220,13 +220,14 @@ template <class Scalar>
     sin_and_cos(angle, s, c, 0);
 }
 
-/// The number of the piece that x lies in: computed where the knots are equally far from each other, else found by halving.
-template <class Scalar, std::size_t n>
-std::size_t curve_place(const Scalar& x, const std::array<Scalar, 7 * n + 7>& curve) noexcept {
-    const Scalar* const knots = curve.data() + 1;
+/// The number of the piece that x lies in: computed where the knots are equally far from each other, else found by halving. `axis` begins
+/// with how many knots there are in a unit, or 0; then the n knots.
+template <class Scalar>
+std::size_t curve_place(const Scalar& x, const Scalar* axis, std::size_t n) noexcept {
+    const Scalar* const knots = axis + 1;
     if constexpr (std::numeric_limits<Scalar>::is_iec559) {
-        if (curve[0] > Scalar(0)) {
-            const Scalar place = (x - knots[0]) * curve[0];
+        if (axis[0] > Scalar(0)) {
+            const Scalar place = (x - knots[0]) * axis[0];
             const std::size_t near = !(place >= Scalar(0)) ? 0 : place < Scalar(n - 1) ? static_cast<std::size_t>(place) + 1 : n;
             if (near > 0 && x < knots[near - 1]) return near - 1;  // roundings
             return near < n && x >= knots[near] ? near + 1 : near;
@@ -252,11 +253,11 @@ struct IsTruth<bool> {
     static constexpr bool value = true;
 };
 
-/// The six numbers of that piece. Of several numbers side by side each has its own: all pieces are gone through.
+/// The six numbers of the piece that x lies in. Of several numbers side by side each has its own: all pieces are gone through.
 template <class Scalar, std::size_t n>
 std::array<Scalar, 6> curve_piece(const Scalar& x, const std::array<Scalar, 7 * n + 7>& curve) noexcept {
     if constexpr (IsTruth<decltype(x < x)>::value) {
-        const Scalar* const piece = curve.data() + (n + 1) + 6 * curve_place<Scalar, n>(x, curve);
+        const Scalar* const piece = curve.data() + (n + 1) + 6 * curve_place(x, curve.data(), n);
         return {piece[0], piece[1], piece[2], piece[3], piece[4], piece[5]};
     } else {
         const Scalar* next = curve.data() + (n + 1);

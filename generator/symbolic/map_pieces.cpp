@@ -172,7 +172,7 @@ Bounds MapPieces::bounds(Bounds x, Bounds y) const {
             const auto part_x = part_of(axes[0], i, x), part_y = part_of(axes[1], k, y);
             if (!part_x || !part_y) continue;
             const auto from = [](const Bounds& part, const Rational& origin) {
-                const auto end = [&](const std::optional<Rational>& x) { return x ? std::optional<Rational>(*x - origin) : std::nullopt; };
+                const auto end = [&](const std::optional<Rational>& at) { return at ? std::optional<Rational>(*at - origin) : std::nullopt; };
                 return Bounds{end(part.low), end(part.high)};
             };
             const Bounds own = bounds_of_cell(cell(i, k), {from(*part_x, axes[0].origins[i]), from(*part_y, axes[1].origins[k])});

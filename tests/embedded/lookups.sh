@@ -29,8 +29,8 @@ END
 }
 
 # places COUNT EVEN: from 0 to 10, farther from each other at the end where they are not even.
-places() { awk -v n="$1" -v even="$2" 'BEGIN { for (i = 0; i < n; i++) { s = i/(n - 1); printf "%s%.3f", i ? " " : "", 10*s*(even ? 1 : (s + 3)/4) } }'; }
-points() { awk -v x="$(places "$1" "$2")" 'BEGIN { n = split(x, at); for (i = 1; i <= n; i++) printf "%s[%s, %.3f]", i > 1 ? ", " : "", at[i], sin(at[i]) + at[i] }'; }
+places() { awk -v n="$1" -v even="$2" 'BEGIN { for (i = 0; i < n; i++) { s = i/(n - 1); printf "%s%.4f", (i ? " " : ""), 10.08*s*(even ? 1 : (s + 3)/4) } }'; }
+points() { awk -v x="$(places "$1" "$2")" 'BEGIN { n = split(x, at); for (i = 1; i <= n; i++) printf "%s[%s, %.3f]", (i > 1 ? ", " : ""), at[i], sin(at[i]) + at[i] }'; }
 grid() {
   awk -v x="$(places "$1" "$2")" 'BEGIN {
     n = split(x, at)
@@ -41,6 +41,7 @@ grid() {
 }
 
 model lookup_none "2*x + y"
+model lookup_sine "sin(x) + y"  # to compare with
 for even in 1 0; do
   word=$([ $even = 1 ] && echo even || echo uneven)
   for count in 8 64; do
@@ -48,7 +49,7 @@ for even in 1 0; do
   done
   model "lookup_8x8_$word" "f(x, y) + y" "of = \"x [1], y [1]\"\ngrid = [$(grid 8 $even)]"
 done
-model lookup_8x8_linear "f(x, y) + y" "of = \"x [1], y [1]\"\nshape = \"linear\"\ngrid = [$(grid 8 0)]"
+model lookup_8x8_uneven_linear "f(x, y) + y" "of = \"x [1], y [1]\"\nshape = \"linear\"\ngrid = [$(grid 8 0)]"
 
 BUILD=$work bash "$here/table.sh" "$work"/headers/*.hpp >"$work/table.txt" || { cat "$work/table.txt"; exit 1; }
 
@@ -68,7 +69,7 @@ int main() {
         for (int i = 0; i < 10000; ++i) {
             x[0] = (i * 7919 % 10000) * 1e-3 + rate[1] * 1e-30;  // each begins when the one before is done
             x[1] = (i * 104729 % 10000) * 1e-3;
-            plant.rhs(x, rate, 0.0);
+            plant.rhs(x, {}, 0.0, rate);
             rate[1] += rate[0];
         }
         sum += rate[1];
