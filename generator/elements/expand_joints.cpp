@@ -66,7 +66,8 @@ public:
         body.on = joint_.on;
         body.origin = joint_.at ? *joint_.at : VectorExpression{zero, zero, zero};
         body.turns = joint_.turns;
-        if (joint_.law == Law::revolute) body.turns.push_back({joint_.axis, given_or_coordinate(joint_.angle, joint_.name, angle_unit(), body)});
+        if (joint_.law == Law::revolute)
+            body.turns.push_back({joint_.axis, given_or_coordinate(joint_.angle, joint_.name, angle_unit(), body)});
         if (joint_.law == Law::prismatic) slide(body);
         if (joint_.law == Law::universal) {
             body.turns.push_back({0, given_or_coordinate(joint_.angle, made_.part("1"), angle_unit(), body)});

@@ -7,6 +7,7 @@
 #include "form/loose_joints.hpp"
 #include "form/random_points.hpp"
 #include "symbolic/quotient.hpp"
+#include "symbolic/values.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {
@@ -99,6 +100,7 @@ public:
                     scales_[*balance.pivot] * divided(-balance.constant, balance.factors[*balance.pivot]);
                 solution[letters_[*balance.pivot]] = result.unknowns[*balance.pivot];
             }
+        check_values(result);
         for (LoadShare& share : result.shares)
             for (SpaceVector* v : {&share.force, &share.moment})
                 for (ex& e : *v) e = e.subs(solution, GiNaC::subs_options::no_pattern);
@@ -283,6 +285,19 @@ private:
                                    load_.name, independent, independent == 1 ? "" : "s", letters_.size(), quoted_list(open),
                                    load_.bars.empty() ? "" : "; leave out a bar or a support, or make a machine of springs of it"),
                        {{load_.span, "the load is defined here"}}});
+    }
+
+    /// What is determined may still move a little at these very values, as two bars in one line do.
+    void check_values(const LoadSolution& solution) const {
+        const GiNaC::exmap values = Values(system_.scene, system_.translate).substitution();
+        for (std::size_t j = 0; j < letters_.size(); ++j) try {
+                solution.unknowns[j].subs(values, GiNaC::subs_options::no_pattern);
+            } catch (const GiNaC::pole_error&) {
+                throw Failure(Diagnostic{Id::no_equilibrium, load_.span,
+                                         fmt::format("load '{}' has no equilibrium with the values of the model file: the solution for '{}' divides "
+                                                     "by zero, as where bars in one line let a joint move; other values would do",
+                                                     load_.name, load_.unknowns[j].name)});
+            }
     }
 
     const System& system_;

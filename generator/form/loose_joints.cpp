@@ -77,6 +77,7 @@ LooseJoints loose_joints(const System& system, const std::vector<JointBalance>& 
             result.names.push_back(balances[i].joint);
     }
     if (moves != 1) result.axis.reset();
+    std::sort(result.names.begin(), result.names.end());
     return result;
 }
 

@@ -7,8 +7,8 @@
 
 namespace dalembert {
 
-/// The entries of a list become those of single members, and a value for all members names the first of them. How many members there are
-/// is known with the sizes of a scene. Reports wrong-arguments for a list of what is no family, or of one member.
+/// Each entry of a list becomes that of one member. A value for all members names the first of them: the scene knows how many there are.
+/// Reports wrong-arguments for a list that is given to a single quantity.
 void expand_run_lists(Model& model, Diagnostics& diagnostics);
 
 }  // namespace dalembert

@@ -81,7 +81,7 @@ std::optional<Bounds> part_of(const MapPieces::Axis& axis, std::size_t i, const 
 /// Where a cell begins and ends, counted from its origins.
 using CellBounds = std::array<Bounds, 2>;
 
-/// Of one variable the value at a place, or the slope of what is linear there: a cell that does not change with it.
+/// The cell with one variable put in: its value at that place, or, of order 1, its slope there. The result does not change with it.
 MapPieces::Cell collapsed(const MapPieces::Cell& cell, std::size_t axis, int order, const Rational& place) {
     MapPieces::Cell result;
     const MapPieces::Cell along = axis == 0 ? turned_cell(cell) : cell;
@@ -172,7 +172,9 @@ Bounds MapPieces::bounds(Bounds x, Bounds y) const {
             const auto part_x = part_of(axes[0], i, x), part_y = part_of(axes[1], k, y);
             if (!part_x || !part_y) continue;
             const auto from = [](const Bounds& part, const Rational& origin) {
-                const auto end = [&](const std::optional<Rational>& at) { return at ? std::optional<Rational>(*at - origin) : std::nullopt; };
+                const auto end = [&](const std::optional<Rational>& at) {
+                    return at ? std::optional<Rational>(*at - origin) : std::nullopt;
+                };
                 return Bounds{end(part.low), end(part.high)};
             };
             const Bounds own = bounds_of_cell(cell(i, k), {from(*part_x, axes[0].origins[i]), from(*part_y, axes[1].origins[k])});

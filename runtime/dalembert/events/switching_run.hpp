@@ -141,8 +141,8 @@ private:
         return candidates.begin() == candidates.end();
     }
 
-    /// Beside an event with which the run ends, one at the same time with which it goes on: a force that falls to zero until its phase ends
-    /// has its zero there, and is told by what holds behind.
+    /// An event at the same time as one that ends the run, with which the run goes on. A force that falls to zero just when its phase ends
+    /// is such a case: what counts is the phase that begins.
     std::size_t happens_too(std::size_t event) const {
         using std::abs;
         typename System::Events g{}, rates{};

@@ -44,13 +44,15 @@ std::string outputs_of(std::initializer_list<const char*> names) {
 }  // namespace
 
 // Meriam, Kraige, Engineering Mechanics: Statics, sample problem 4/1: a cantilever truss of equilateral triangles, held by a pin at E and a
-// link at D that pulls at 30 degrees. Its forces in kN: 34.6, -17.32, -34.6, 34.6, 57.7, -63.5, -11.55, and 80.0, 69.3, 10.0 at the supports.
+// link at D that pulls at 30 degrees. Its forces in kN: 34.6, -17.32, -34.6, 34.6, 57.7, -63.5, -11.55; at the supports 80.0, 69.3, 10.0.
 TEST_CASE("the forces of a truss with five joints and seven bars are those of a textbook") {
     const Machine machine = machine_from(parameters +
         "[loads.truss]\n"
         "unknowns = { T = \"N\", E_x = \"N\", E_y = \"N\" }\n"
-        "points = { A = [\"-2*l\", 0, 0], C = [\"-l\", 0, 0], E = [0, 0, 0], B = [\"-3*l/2\", \"sqrt(3)/2*l\", 0], D = [\"-l/2\", \"sqrt(3)/2*l\", 0] }\n"
-        "bars = { AB = [\"A\", \"B\"], AC = [\"A\", \"C\"], BC = [\"B\", \"C\"], BD = [\"B\", \"D\"], CD = [\"C\", \"D\"], CE = [\"C\", \"E\"], DE = [\"D\", \"E\"] }\n"
+        "points = { A = [\"-2*l\", 0, 0], C = [\"-l\", 0, 0], E = [0, 0, 0], "
+        "B = [\"-3*l/2\", \"sqrt(3)/2*l\", 0], D = [\"-l/2\", \"sqrt(3)/2*l\", 0] }\n"
+        "bars = { AB = [\"A\", \"B\"], AC = [\"A\", \"C\"], BC = [\"B\", \"C\"], BD = [\"B\", \"D\"], "
+        "CD = [\"C\", \"D\"], CE = [\"C\", \"E\"], DE = [\"D\", \"E\"] }\n"
         "forces.link = { on = \"D\", force = [\"T*sqrt(3)/2\", \"T/2\", 0] }\n"
         "forces.pin  = { on = \"E\", force = [\"E_x\", \"E_y\", 0] }\n"
         "forces.load_A = { on = \"A\", force = [0, \"-F_1\", 0] }\n"
@@ -74,7 +76,8 @@ TEST_CASE("the forces of a bridge are those of sections through it") {
         "[loads.bridge]\n"
         "unknowns = { A_x = \"N\", A_y = \"N\", B_y = \"N\" }\n"
         "points = { A = [0, 0, 0], M = [\"l\", 0, 0], B = [\"2*l\", 0, 0], P = [\"l/2\", \"h\", 0], Q = [\"3*l/2\", \"h\", 0] }\n"
-        "bars = { AM = [\"A\", \"M\"], MB = [\"M\", \"B\"], AP = [\"A\", \"P\"], PM = [\"P\", \"M\"], PQ = [\"P\", \"Q\"], MQ = [\"M\", \"Q\"], QB = [\"Q\", \"B\"] }\n"
+        "bars = { AM = [\"A\", \"M\"], MB = [\"M\", \"B\"], AP = [\"A\", \"P\"], PM = [\"P\", \"M\"], "
+        "PQ = [\"P\", \"Q\"], MQ = [\"M\", \"Q\"], QB = [\"Q\", \"B\"] }\n"
         "forces.pin = { on = \"A\", force = [\"A_x\", \"A_y\", 0] }\n"
         "forces.roller = { on = \"B\", force = [0, \"B_y\", 0] }\n"
         "forces.middle = { on = \"M\", force = [0, \"-F_1\", 0] }\n"
@@ -150,7 +153,8 @@ TEST_CASE("a tripod in space") {
         "[loads.tripod]\n"
         "points.top = [0, 0, \"h\"]\n"
         "points.a = [\"l\", 0, 0]\npoints.b = [\"-l\", \"l\", 0]\npoints.c = [\"-l\", \"-l\", 0]\n"
-        "unknowns = { a_x = \"N\", a_y = \"N\", a_z = \"N\", b_x = \"N\", b_y = \"N\", b_z = \"N\", c_x = \"N\", c_y = \"N\", c_z = \"N\" }\n"
+        "unknowns = { a_x = \"N\", a_y = \"N\", a_z = \"N\", b_x = \"N\", b_y = \"N\", b_z = \"N\", "
+        "c_x = \"N\", c_y = \"N\", c_z = \"N\" }\n"
         "bars = { S_a = [\"top\", \"a\"], S_b = [\"top\", \"b\"], S_c = [\"top\", \"c\"] }\n"
         "forces.a = { on = \"a\", force = [\"a_x\", \"a_y\", \"a_z\"] }\n"
         "forces.b = { on = \"b\", force = [\"b_x\", \"b_y\", \"b_z\"] }\n"

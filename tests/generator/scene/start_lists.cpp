@@ -49,5 +49,6 @@ TEST_CASE("a list is as long as its family, whose size may change") {
     CHECK(refused(three, {{"N", 1}}) == "the start of coordinate 'x' is a list of 3 values, but the family has 1 member, x[0]");
     CHECK(refused(chain("start = [1]")) == "the start of coordinate 'x' is a list of 1 value, but the family has 3 members, x[0] to x[2]");
     CHECK(refused(chain("start = [1]"), {{"N", 1}}).empty());
-    CHECK(refused(chain("start = 1", ", start = [1, 2]")) == "the start of state 'z' is a list of 2 values, but the family has 3 members, z[1] to z[3]");
+    CHECK(refused(chain("start = 1", ", start = [1, 2]")) ==
+          "the start of state 'z' is a list of 2 values, but the family has 3 members, z[1] to z[3]");
 }
