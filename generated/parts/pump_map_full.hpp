@@ -223,41 +223,42 @@ Scalar derived_polynomial(const Scalar& d, const Scalar* c, std::size_t degree, 
     return sum;
 }
 
-/// A curve of two variables with n and m knots, derived so often by x and by y. Its table: the axes of x and y, as of curve_place; the
-/// n + 1 and m + 1 places that x and y are counted from; for each cell the coefficients of the powers of both, those of y side by side.
+/// A curve of two variables, or an integral of one, with n and m knots, of powers of x and y up to these (4 at most), derived so often by x
+/// and by y. Its table: the axes of x and y, as of curve_place; the n + 1 and m + 1 places that x and y are counted from; for each cell the
+/// coefficients of the powers of both, those of y side by side.
 template <class Scalar, std::size_t size>
-Scalar map_value(const Scalar& x, const Scalar& y, const std::array<Scalar, size>& table, std::size_t n, std::size_t m, std::size_t degree,
-                 std::size_t by_x, std::size_t by_y) noexcept {
-    const std::size_t row = degree + 1;
+Scalar map_value(const Scalar& x, const Scalar& y, const std::array<Scalar, size>& table, std::size_t n, std::size_t m,
+                 std::size_t power_of_x, std::size_t power_of_y, std::size_t by_x, std::size_t by_y) noexcept {
+    const std::size_t row = power_of_y + 1, numbers = (power_of_x + 1) * row;
     const Scalar* const axis_y = table.data() + (n + 1);
     const Scalar* const places = axis_y + (m + 1);
     const Scalar* const cells = places + (n + m + 2);
-    std::array<Scalar, 16> own{};
+    std::array<Scalar, 25> own{};
     Scalar from_x = places[0], from_y = places[n + 1];
     const Scalar* cell = cells;
     if constexpr (IsTruth<decltype(x < x)>::value) {
         const std::size_t i = curve_place(x, table.data(), n), k = curve_place(y, axis_y, m);
         from_x = places[i];
         from_y = places[n + 1 + k];
-        cell = cells + row * row * (i * (m + 1) + k);
+        cell = cells + numbers * (i * (m + 1) + k);
     } else {
         // Of several numbers side by side each has its own: all cells are gone through.
         for (std::size_t i = 0; i <= n; ++i) {
-            std::array<Scalar, 16> next{};
+            std::array<Scalar, 25> next{};
             for (std::size_t k = 0; k <= m; ++k)
-                for (std::size_t q = 0; q < row * row; ++q) {
-                    const Scalar& here = cells[row * row * (i * (m + 1) + k) + q];
+                for (std::size_t q = 0; q < numbers; ++q) {
+                    const Scalar& here = cells[numbers * (i * (m + 1) + k) + q];
                     next[q] = k == 0 ? here : select(y >= axis_y[k], here, next[q]);
                 }
-            for (std::size_t q = 0; q < row * row; ++q) own[q] = i == 0 ? next[q] : select(x >= table[i], next[q], own[q]);
+            for (std::size_t q = 0; q < numbers; ++q) own[q] = i == 0 ? next[q] : select(x >= table[i], next[q], own[q]);
             if (i > 0) from_x = select(x >= table[i], places[i], from_x);
         }
         for (std::size_t k = 1; k <= m; ++k) from_y = select(y >= axis_y[k], places[n + 1 + k], from_y);
         cell = own.data();
     }
-    std::array<Scalar, 4> by_powers{};
-    for (std::size_t p = by_x; p < row; ++p) by_powers[p] = derived_polynomial(y - from_y, cell + row * p, degree, by_y);
-    return derived_polynomial(x - from_x, by_powers.data(), degree, by_x);
+    std::array<Scalar, 5> by_powers{};
+    for (std::size_t p = by_x; p <= power_of_x; ++p) by_powers[p] = derived_polynomial(y - from_y, cell + row * p, power_of_y, by_y);
+    return derived_polynomial(x - from_x, by_powers.data(), power_of_x, by_x);
 }
 
 /// Curve 'friction', torque that the shaft takes beyond the displacement: steps and knots of both variables, places of both, and the coefficients of each cell.
@@ -1111,7 +1112,7 @@ public:
         const Scalar tau = u[0];
         const Scalar phi_dot = x[1];
         const Scalar friction_1 = detail::map_value<Scalar>(c_.k2
-            * phi_dot, c_.k3, detail::friction_curve<Scalar>, 7, 5, 3, 0, 0);
+            * phi_dot, c_.k3, detail::friction_curve<Scalar>, 7, 5, 3, 3, 0, 0);
         const Scalar phi_ddot = (c_.k1 + tau - friction_1) * c_.k0;
         dxdt[0] = x[1];
         dxdt[1] = phi_ddot;
@@ -1124,9 +1125,9 @@ public:
         const Scalar tau = u[0];
         const Scalar phi_dot = x[1];
         const Scalar e1 = c_.k2 * phi_dot;
-        const Scalar friction_2 = detail::map_value<Scalar>(e1, c_.k3, detail::friction_curve<Scalar>, 7, 5, 3, 0, 0);
+        const Scalar friction_2 = detail::map_value<Scalar>(e1, c_.k3, detail::friction_curve<Scalar>, 7, 5, 3, 3, 0, 0);
         const Scalar phi_ddot = (c_.k1 + tau - friction_2) * c_.k0;
-        const Scalar friction_n_3 = detail::map_value<Scalar>(e1, c_.k3, detail::friction_curve<Scalar>, 7, 5, 3, 1, 0);
+        const Scalar friction_n_3 = detail::map_value<Scalar>(e1, c_.k3, detail::friction_curve<Scalar>, 7, 5, 3, 3, 1, 0);
         const Scalar e4 = (-c_.k2 * friction_n_3) * c_.k0;
         dxdt[0] = x[1];
         dxdt[1] = phi_ddot;
@@ -1157,7 +1158,7 @@ public:
         const Scalar e1 = p_.p_0 - p_.p_s;
         const Scalar phi_dot = x[1];
         const Scalar friction_dp_2 = detail::map_value<Scalar>(c_.k2
-            * phi_dot, c_.k3, detail::friction_curve<Scalar>, 7, 5, 3, 0, 1);
+            * phi_dot, c_.k3, detail::friction_curve<Scalar>, 7, 5, 3, 3, 0, 1);
         const Scalar step_3 = detail::step<Scalar>(-e1);
         const Scalar e4 = p_.V_t + friction_dp_2 * step_3;
         J[0] = Scalar(0);
@@ -1194,7 +1195,7 @@ public:
     void bias(const State& x, const Input& /*u*/, Scalar /*t*/, Generalised& b) const noexcept {
         const Scalar phi_dot = x[1];
         const Scalar friction_1 = detail::map_value<Scalar>(c_.k2
-            * phi_dot, c_.k3, detail::friction_curve<Scalar>, 7, 5, 3, 0, 0);
+            * phi_dot, c_.k3, detail::friction_curve<Scalar>, 7, 5, 3, 3, 0, 0);
         b[0] = friction_1 - c_.k1;
     }
 
@@ -1217,7 +1218,7 @@ public:
         const Scalar phi_dot = x[1];
         const Scalar abs_phi_dot = abs(phi_dot);
         const Scalar leakage_1 = detail::map_value<Scalar>(c_.k2
-            * abs_phi_dot, -c_.k4, detail::leakage_curve<Scalar>, 5, 5, 3, 0, 0);
+            * abs_phi_dot, -c_.k4, detail::leakage_curve<Scalar>, 5, 5, 3, 3, 0, 0);
         const Scalar tau = u[0];
         y[0] = phi_dot;
         y[1] = p_.V_t * phi_dot - leakage_1;
@@ -1233,11 +1234,11 @@ public:
         const Scalar abs_phi_dot = abs(phi_dot);
         const Scalar e1 = c_.k2 * abs_phi_dot;
         const Scalar e2 = -c_.k4;
-        const Scalar leakage_n_3 = detail::map_value<Scalar>(e1, e2, detail::leakage_curve<Scalar>, 5, 5, 3, 1, 0);
+        const Scalar leakage_n_3 = detail::map_value<Scalar>(e1, e2, detail::leakage_curve<Scalar>, 5, 5, 3, 3, 1, 0);
         const Scalar e4 = sign_phi_dot * leakage_n_3;
         const Scalar tau = u[0];
         const Scalar inverse_5 = Scalar(1) / (Scalar(1) + tau * phi_dot);
-        const Scalar leakage_6 = detail::map_value<Scalar>(e1, e2, detail::leakage_curve<Scalar>, 5, 5, 3, 0, 0);
+        const Scalar leakage_6 = detail::map_value<Scalar>(e1, e2, detail::leakage_curve<Scalar>, 5, 5, 3, 3, 0, 0);
         C[0] = Scalar(0);
         C[1] = Scalar(0);
         C[2] = Scalar(0);
@@ -1256,7 +1257,7 @@ public:
         const Scalar e2 = phi_dot * inverse_1;
         const Scalar abs_phi_dot = abs(phi_dot);
         const Scalar leakage_3 = detail::map_value<Scalar>(c_.k2
-            * abs_phi_dot, -c_.k4, detail::leakage_curve<Scalar>, 5, 5, 3, 0, 0);
+            * abs_phi_dot, -c_.k4, detail::leakage_curve<Scalar>, 5, 5, 3, 3, 0, 0);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
         D[2] = -e2 * (c_.k4 * leakage_3 * inverse_1 - c_.k1 * e2);
@@ -1292,7 +1293,7 @@ public:
     Scalar dissipated_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         const Scalar phi_dot = x[1];
         const Scalar friction_1 = detail::map_value<Scalar>(c_.k2
-            * phi_dot, c_.k3, detail::friction_curve<Scalar>, 7, 5, 3, 0, 0);
+            * phi_dot, c_.k3, detail::friction_curve<Scalar>, 7, 5, 3, 3, 0, 0);
         return phi_dot * friction_1;
     }
 

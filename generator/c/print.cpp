@@ -95,7 +95,7 @@ std::string CPrinter::text(const Value& value) {
         case Value::Kind::real: return fmt::format("({}_real)({})", name_, text(value.parts()[0]));
         case Value::Kind::signed_index: return fmt::format("(int)({})", text(value.parts()[0]));
         case Value::Kind::comparison: return comparison(value);
-        case Value::Kind::curve: return fmt::format("{}_{}_curve", name_, value.text());
+        case Value::Kind::curve: return fmt::format("{}_{}", name_, value.text());
         case Value::Kind::choice:
             return fmt::format("{} ? {} : {}", text(value.parts()[0]), text(value.parts()[1]), text(value.parts()[2]));
     }
@@ -233,7 +233,7 @@ std::string CPrinter::text(const std::vector<Argument>& arguments) {
 std::string CPrinter::curves(const std::vector<PlantCurve>& curves) {
     std::string result;
     for (const PlantCurve& curve : curves) {
-        result += fmt::format("/// {0}\nstatic const {1}_real {1}_{2}_curve[{3}] = {{\n", curve.header(), name_, curve.name, curve.size());
+        result += fmt::format("/// {0}\nstatic const {1}_real {1}_{2}[{3}] = {{\n", curve.header(), name_, curve.table, curve.size());
         for (const std::vector<Value>& row : curve.rows) {
             std::vector<std::string> numbers;
             for (const Value& value : row) numbers.push_back(text(value));

@@ -175,7 +175,7 @@ std::string cpp_text(const Value& value) {
         case Value::Kind::real: return "Scalar(" + cpp_text(value.parts()[0]) + ")";
         case Value::Kind::signed_index: return "static_cast<int>(" + cpp_text(value.parts()[0]) + ")";
         case Value::Kind::comparison: return comparison_text(value);
-        case Value::Kind::curve: return fmt::format("detail::{}_curve<Scalar>", value.text());
+        case Value::Kind::curve: return fmt::format("detail::{}<Scalar>", value.text());
         case Value::Kind::choice:
             return fmt::format("{} ? {} : {}", cpp_text(value.parts()[0]), cpp_text(value.parts()[1]), cpp_text(value.parts()[2]));
     }

@@ -154,8 +154,8 @@ std::string constraint_table(const PlantConstraints& constraints) {
 std::string cpp_curves(const std::vector<PlantCurve>& curves) {
     std::string text;
     for (const PlantCurve& curve : curves) {
-        text += fmt::format("/// {}\ntemplate <class Scalar>\ninline const std::array<Scalar, {}> {}_curve{{\n", curve.header(),
-                            curve.size(), curve.name);
+        text += fmt::format("/// {}\ntemplate <class Scalar>\ninline const std::array<Scalar, {}> {}{{\n", curve.header(),
+                            curve.size(), curve.table);
         for (const std::vector<Value>& row : curve.rows) {
             std::vector<std::string> numbers;
             for (const Value& value : row) numbers.push_back(cpp_text(value));

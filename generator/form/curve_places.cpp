@@ -36,7 +36,7 @@ public:
             if (worst_) break;
         }
         for (auto part = e_.preorder_begin(); part != e_.preorder_end(); ++part)
-            if (const auto call = map_call(*part); call && call->orders == std::array{0, 0}) at_grid(*call->map, *part);
+            if (const auto call = map_call(*part); call && call->is_value()) at_grid(*call->map, *part);
         return worst_;
     }
 

@@ -129,7 +129,16 @@ std::string Notation::atom(const Atom& a, const Atoms& atoms) const {
         for (const std::size_t axis : {0U, 1U})
             for (int i = 0; i < call.orders[axis]; ++i) slope += latex_name(call.map->variables[axis]) + " ";
         const std::string map = latex_name(call.map->name), name = slope.empty() ? map : fmt::format("\\partial_{{{}}}{{{}}}", slope, map);
-        return fmt::format("{}\\left({}, {}\\right)", name, arguments[0], arguments[1]);
+        // From zero to an argument, whose place the variable takes.
+        std::string before, inside[2], behind;
+        for (const std::size_t axis : {0U, 1U}) {
+            const bool is_integral = call.map->is_integral[axis];
+            inside[axis] = is_integral ? latex_name(call.map->variables[axis]) : arguments[axis];
+            if (!is_integral) continue;
+            before = fmt::format("\\int_{{0}}^{{{}}}", arguments[axis]) + before;
+            behind += fmt::format("\\, d{}", inside[axis]);
+        }
+        return fmt::format("{}{}\\left({}, {}\\right){}", before, name, inside[0], inside[1], behind);
     }
     if (a.op == Op::if_else) {
         if (style_ == Style::text) return fmt::format("if({} >= 0, {}, {})", arguments[0], arguments[1], arguments[2]);

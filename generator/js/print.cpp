@@ -147,7 +147,7 @@ std::string JsPrinter::text(const Value& value) {
         case Value::Kind::comparison:
             return comparison(value);
         case Value::Kind::curve:
-            return fmt::format("${}_curve", value.text());
+            return fmt::format("${}", value.text());
         case Value::Kind::choice:
             return fmt::format("{} ? {} : {}", text(value.parts()[0]), text(value.parts()[1]), text(value.parts()[2]));
     }
@@ -157,7 +157,7 @@ std::string JsPrinter::text(const Value& value) {
 std::string JsPrinter::curves(const std::vector<PlantCurve>& curves) {
     std::string result;
     for (const PlantCurve& curve : curves) {
-        result += fmt::format("    /// {}\n    const ${}_curve = Float64Array.of(\n", curve.header(), curve.name);
+        result += fmt::format("    /// {}\n    const ${} = Float64Array.of(\n", curve.header(), curve.table);
         for (const std::vector<Value>& row : curve.rows) {
             std::vector<std::string> numbers;
             for (const Value& value : row) numbers.push_back(text(value));

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "elements/model.hpp"
+#include "symbolic/map_functions.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -34,6 +35,13 @@ std::string cached_name(const Symbols& symbols, std::size_t number) {
         return name.size() > 1 && name[0] == 'k' && name.find_first_not_of("0123456789", 1) == std::string::npos;
     });
     return fmt::format("{}{}", taken ? "cached_" : "k", number);
+}
+
+std::string table_name(const CurvePieces& curve) { return curve.name + "_curve"; }
+
+std::string table_name(const MapPieces& map) {
+    const bool is_integral = map.is_integral[0] || map.is_integral[1];
+    return name_of_map_function({&map, {}}) + (is_integral ? "_table" : "_curve");
 }
 
 std::string NameScope::unique(const std::string& wanted) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "form/system.hpp"
+#include "symbolic/map_pieces.hpp"
 
 namespace dalembert {
 
@@ -15,6 +16,10 @@ std::string identifier(const std::string& base, int index, bool is_member);
 
 /// The member that caches value `number`: k0, k1, ..., unless a definition has such a name.
 std::string cached_name(const Symbols& symbols, std::size_t number);
+
+/// The table of a measured characteristic: no other characteristic has one of this name.
+std::string table_name(const CurvePieces& curve);
+std::string table_name(const MapPieces& map);
 
 /// The names of one function.
 class NameScope {

@@ -119,7 +119,8 @@ struct PlantSeries {
 
 /// A measured characteristic, see runtime/dalembert/curve_functions.hpp.
 struct PlantCurve {
-    std::string name;
+    std::string name;   ///< as people write it
+    std::string table;  ///< as headers name it
     std::string doc;
     bool has_two_variables;
     std::vector<std::vector<Value>> rows;  ///< steps and knots, then one a piece; of two variables those of both, places of both, cells

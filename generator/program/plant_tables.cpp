@@ -37,7 +37,7 @@ std::vector<Value> axis_of(const std::vector<Rational>& knots) {
 }
 
 PlantCurve table_of(const CurvePieces& curve) {
-    PlantCurve result{curve.name, curve.doc, false, {axis_of(curve.knots)}};
+    PlantCurve result{curve.name, table_name(curve), curve.doc, false, {axis_of(curve.knots)}};
     for (const CurvePieces::Piece& piece : curve.pieces) {
         std::vector<Value>& row = result.rows.emplace_back();
         row = {Value::constant(piece.origin), Value::constant(piece.integral)};
@@ -47,13 +47,13 @@ PlantCurve table_of(const CurvePieces& curve) {
 }
 
 PlantCurve table_of(const MapPieces& map) {
-    PlantCurve result{map.name, map.doc, true, {}};
+    PlantCurve result{name_of_map_function({&map, {}}), table_name(map), map.doc, true, {}};
     for (const MapPieces::Axis& axis : map.axes) result.rows.push_back(axis_of(axis.knots));
     for (const MapPieces::Axis& axis : map.axes) result.rows.push_back(constants(axis.origins));
     for (const MapPieces::Cell& cell : map.cells) {
         std::vector<Value>& row = result.rows.emplace_back();
-        for (std::size_t i = 0; i <= map.degree(); ++i)
-            for (std::size_t k = 0; k <= map.degree(); ++k) row.push_back(Value::constant(cell[i][k]));
+        for (std::size_t i = 0; i <= map.degree(0); ++i)
+            for (std::size_t k = 0; k <= map.degree(1); ++k) row.push_back(Value::constant(cell[i][k]));
     }
     return result;
 }
@@ -172,7 +172,7 @@ std::vector<PlantCurve> curve_tables(const std::vector<const Code*>& codes) {
         for (Letter letter = 0; letter < code->atoms.size(); ++letter) {
             const Atom& atom = code->atoms[letter];
             const auto keep = [&](const auto& curve) {
-                if (!called.contains(curve.name)) called[curve.name] = table_of(curve);
+                if (!called.contains(table_name(curve))) called[table_name(curve)] = table_of(curve);
             };
             if (atom.op >= Op::curve_integral && atom.op <= Op::curve_third) keep(curve_of(leading(atom.arguments[1])));
             if (atom.op == Op::map_value) keep(*map_call_of(leading(atom.arguments[2])).map);

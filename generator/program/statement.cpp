@@ -194,7 +194,7 @@ std::size_t width(const Value& value) {
         case Value::Kind::call: return width_of_call(value);
         case Value::Kind::all_of: return value.parts().empty() ? 4 : width_of_list(value.parts()) + 2 * (value.parts().size() - 1);
         case Value::Kind::event: return std::string("event::").size() + value.text().size();
-        case Value::Kind::curve: return std::string("detail::_curve<Scalar>").size() + value.text().size();
+        case Value::Kind::curve: return std::string("detail::<Scalar>").size() + value.text().size();
         case Value::Kind::room_from: return width_of_list(value.parts()) + 1;
         case Value::Kind::real: return std::string("Scalar()").size() + width(value.parts()[0]);
         case Value::Kind::signed_index: return std::string("static_cast<int>()").size() + width(value.parts()[0]);

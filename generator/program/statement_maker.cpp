@@ -243,9 +243,9 @@ const CurvePieces* StatementMaker::curve_of_call(const Node& node) const {
 /// The sizes of its table and the orders of its derivative are whole numbers behind it.
 Value StatementMaker::map_value_of(const Node& node, std::vector<Value> arguments) const {
     const auto [map, orders] = map_call_of(function_.program[node.arguments[2]].value);
-    arguments[2] = Value::curve(map->name);
+    arguments[2] = Value::curve(table_name(*map));
     for (const MapPieces::Axis& axis : map->axes) arguments.push_back(Value::whole(axis.knots.size()));
-    arguments.push_back(Value::whole(map->degree()));
+    for (const std::size_t axis : {0U, 1U}) arguments.push_back(Value::whole(map->degree(axis)));
     for (const int order : orders) arguments.push_back(Value::whole(static_cast<std::size_t>(order)));
     return Value::call(Value::Where::helper, name_of(node.op), std::move(arguments));
 }
@@ -268,7 +268,7 @@ Value StatementMaker::call(const Node& node, Statements& statements) {
     if (node.op == Op::compression)
         if (const auto decay = exponential_of_minus(node.arguments[0])) arguments.push_back(part(*decay, statements));
     if (const CurvePieces* curve = curve_of_call(node))
-        return Value::call(where, name, {arguments[0], Value::curve(curve->name)}, {curve->knots.size()});
+        return Value::call(where, name, {arguments[0], Value::curve(table_name(*curve))}, {curve->knots.size()});
     if (node.op == Op::map_value) return map_value_of(node, std::move(arguments));
     if (is_array(node.op)) return Value::call(Value::Where::helper, name, {Value::list(std::move(arguments))}, {order_of_network(node)});
     return Value::call(where, name, std::move(arguments));

@@ -95,7 +95,7 @@ Bounds power(const Bounds& base, const ex& exponent) {
 Bounds of_function(const ex& e, const BoundsOfLetters& letters) {
     const auto part = [&](std::size_t i) { return bounds_of(e.op(i), letters); };
     if (const auto call = curve_call(e)) return call->order == 0 ? bounds_of(*call->curve, part(0)) : Bounds{};
-    if (const auto call = map_call(e)) return call->orders == std::array{0, 0} ? call->map->bounds(part(0), part(1)) : Bounds{};
+    if (const auto call = map_call(e)) return call->is_value() ? call->map->bounds(part(0), part(1)) : Bounds{};
     if (is_ex_the_function(e, unlocated) || is_ex_the_function(e, whole)) return part(0);
     const bool is_wave = GiNaC::is_the_function<GiNaC::sin_SERIAL>(e) || GiNaC::is_the_function<GiNaC::cos_SERIAL>(e);
     if (is_wave || is_ex_the_function(e, sign_of)) return {Rational(-1), Rational(1)};

@@ -79,7 +79,7 @@ private:
                 if (const int sign = of(rest_by_argument(product, factor)) * by_argument; sign != 0) return sign;
             }
             const auto call = map_call(factor);
-            for (std::size_t axis = 0; call && call->orders == std::array{0, 0} && axis < 2; ++axis) {
+            for (std::size_t axis = 0; call && call->is_value() && axis < 2; ++axis) {
                 const Bounds other = bounds_of(factor.op(1 - axis), letters_);
                 const int by_argument = sign_by_argument(
                     [&](const Bounds& x) { return axis == 0 ? call->map->bounds(x, other) : call->map->bounds(other, x); });

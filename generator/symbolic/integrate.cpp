@@ -5,6 +5,7 @@
 #include "symbolic/derivative.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/integrate_parts.hpp"
+#include "symbolic/map_functions.hpp"
 
 namespace dalembert {
 
@@ -68,9 +69,21 @@ Found integrate_extreme(const ex& f, const symbol& x) {
     return (of_sum + (is(f, "maximum") ? of_distance : -of_distance)) / 2;
 }
 
+/// A measured characteristic of two variables, one of which is linear in x.
+Found integrate_map(const ex& f, const symbol& x) {
+    for (const std::size_t axis : {0U, 1U}) {
+        if (f.op(1 - axis).has(x)) continue;
+        const Found a = slope(f.op(axis), x);
+        const auto number = number_of_integral(real_of(f.op(2)), axis);
+        if (a && number) return map_value(f.op(0), f.op(1), numeric(*number)) / *a;
+    }
+    return std::nullopt;
+}
+
 /// A function of one argument that is linear in x.
 Found integrate_function(const ex& f, const symbol& x) {
     if (is(f, "maximum") || is(f, "minimum")) return integrate_extreme(f, x);
+    if (map_call(f)) return integrate_map(f, x);
     const ex u = f.op(0);
     const Found a = slope(u, x);
     if (!a) return std::nullopt;

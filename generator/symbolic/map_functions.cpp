@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/map_functions.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+
 #include "symbolic/curve_functions.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/numbered.hpp"
@@ -30,8 +36,34 @@ std::string text_of(const MapPieces& map) {
     return text;
 }
 
-/// Of one variable there are derivatives 0 to 3.
-constexpr unsigned long derivatives = 4;
+/// Of one variable there are the integral and derivatives 0 to 3. With 48 bits for the map the number is whole as a double too.
+constexpr unsigned long orders_of_variable = 5;
+constexpr unsigned long steps_of_axis[]{orders_of_variable, 1};
+
+/// What a number is made of.
+struct Parts {
+    unsigned long map;
+    std::array<int, 2> orders;  ///< -1 for an integral
+};
+
+Parts parts_of(const cln::cl_R& number) {
+    const unsigned long all = cln::cl_I_to_ulong(cln::round1(number));
+    const auto order = [&](std::size_t axis) { return static_cast<int>(all / steps_of_axis[axis] % orders_of_variable) - 1; };
+    return {all / (orders_of_variable * orders_of_variable), {order(0), order(1)}};
+}
+
+/// Over x, over y. They are made when they are wanted, and kept as the maps are.
+const MapPieces& integral_of(unsigned long map, std::array<bool, 2> over) {
+    static std::mutex mutex;
+    static std::map<std::pair<unsigned long, std::array<bool, 2>>, MapPieces> all;
+    const std::scoped_lock lock(mutex);
+    const auto known = all.find({map, over});
+    if (known != all.end()) return known->second;
+    MapPieces result = all_maps()[map];
+    for (const std::size_t axis : {0U, 1U})
+        if (over[axis]) result = integrated(result, axis);
+    return all.emplace(std::pair(map, over), std::move(result)).first->second;
+}
 
 /// With all digits asked for, though the number of the map may be a decimal by now.
 ex map_evalf(const ex& x, const ex& y, const ex& number) {
@@ -42,7 +74,10 @@ ex map_evalf(const ex& x, const ex& y, const ex& number) {
 }
 
 ex map_eval(const ex& x, const ex& y, const ex& number) {
-    if (!is_real_number(x) || !is_real_number(y) || !is_real_number(number)) return map_value(x, y, number).hold();
+    if (!is_real_number(number)) return map_value(x, y, number).hold();
+    const Parts parts = parts_of(real_of(number));
+    if ((parts.orders[0] < 0 && x.is_zero()) || (parts.orders[1] < 0 && y.is_zero())) return 0;  // from zero to zero
+    if (!is_real_number(x) || !is_real_number(y)) return map_value(x, y, number).hold();
     const MapCall call = map_call_of(real_of(number));
     return numeric(call.map->at(call.orders, real_of(x), real_of(y)));
 }
@@ -52,13 +87,15 @@ ex map_eval(const ex& x, const ex& y, const ex& number) {
 REGISTER_FUNCTION(map_value, eval_func(map_eval).evalf_func(map_evalf))
 
 numeric number_of(const MapPieces& map) {
-    return numeric(cln::cl_I(static_cast<unsigned long>(all_maps().number_of(text_of(map), map) * derivatives * derivatives)));
+    const auto of_map = static_cast<unsigned long>(all_maps().number_of(text_of(map), map));
+    return numeric(cln::cl_I(of_map * orders_of_variable * orders_of_variable + steps_of_axis[0] + steps_of_axis[1]));
 }
 
 MapCall map_call_of(const cln::cl_R& number) {
-    const unsigned long all = cln::cl_I_to_ulong(cln::round1(number));
-    const auto by_x = static_cast<int>(all / derivatives % derivatives), by_y = static_cast<int>(all % derivatives);
-    return {&all_maps()[all / (derivatives * derivatives)], {by_x, by_y}};
+    const Parts parts = parts_of(number);
+    const std::array<bool, 2> over{parts.orders[0] < 0, parts.orders[1] < 0};
+    if (!over[0] && !over[1]) return {&all_maps()[parts.map], parts.orders};
+    return {&integral_of(parts.map, over), {std::max(parts.orders[0], 0), std::max(parts.orders[1], 0)}};
 }
 
 std::optional<MapCall> map_call(const ex& function) {
@@ -67,9 +104,14 @@ std::optional<MapCall> map_call(const ex& function) {
 }
 
 std::optional<cln::cl_I> number_of_slope(const cln::cl_R& number, std::size_t axis) {
-    const MapCall call = map_call_of(number);
-    if (static_cast<std::size_t>(call.orders[axis]) == call.map->degree()) return std::nullopt;
-    return cln::round1(number) + (axis == 0 ? derivatives : 1);
+    const Parts parts = parts_of(number);
+    if (parts.orders[axis] == static_cast<int>(all_maps()[parts.map].degree(axis))) return std::nullopt;
+    return cln::round1(number) + steps_of_axis[axis];
+}
+
+std::optional<cln::cl_I> number_of_integral(const cln::cl_R& number, std::size_t axis) {
+    if (parts_of(number).orders[axis] < 0) return std::nullopt;
+    return cln::round1(number) - steps_of_axis[axis];
 }
 
 std::vector<PointsOfCall> points_of_call(const ex& function) {
@@ -95,6 +137,8 @@ std::vector<PointsOfCall> points_that_end_runs(const ex& function) {
 
 std::string name_of_map_function(const MapCall& call) {
     std::string name = call.map->name;
+    for (const std::size_t axis : {0U, 1U})
+        if (call.map->is_integral[axis]) name = fmt::format("integral_of_{}_over_{}", name, call.map->variables[axis]);
     for (const std::size_t axis : {0U, 1U})
         for (int i = 0; i < call.orders[axis]; ++i) name += "_" + call.map->variables[axis];
     return name;

@@ -10,6 +10,7 @@ namespace dalembert {
 namespace {
 
 using Line = CurveCourse::Numbers;
+using Powers = MapPieces::Powers;
 using Lines = std::vector<Line>;
 
 Lines turned(const Lines& lines) {
@@ -40,34 +41,41 @@ int falling(int q, int order) {
     return result;
 }
 
+constexpr int most_powers = 5;
+constexpr int factorial[most_powers]{1, 1, 2, 6, 24};
+
 /// A polynomial, derived and taken at d.
-cln::cl_R derived(const CurveCourse::Coefficients& c, int order, const cln::cl_R& d) {
+cln::cl_R derived(const Powers& c, int order, const cln::cl_R& d) {
     cln::cl_R sum = 0;
-    for (int q = 3; q >= order; --q) sum = sum * d + falling(q, order) * c[static_cast<std::size_t>(q)];
+    for (int q = most_powers - 1; q >= order; --q) sum = sum * d + falling(q, order) * c[static_cast<std::size_t>(q)];
     return sum;
 }
 
 /// In the powers of u from 0 to 1, where d goes from low to high.
-CurveCourse::Coefficients stretched(const CurveCourse::Coefficients& c, const Rational& low, const Rational& high) {
-    CurveCourse::Coefficients result;
+Powers stretched(const Powers& c, const Rational& low, const Rational& high) {
+    Powers result;
     Rational scale = 1;
-    for (int order = 0; order < 4; ++order) {
-        static constexpr int factorial[]{1, 1, 2, 6};
+    for (int order = 0; order < most_powers; ++order) {
         result[static_cast<std::size_t>(order)] = cln::the<cln::cl_RA>(derived(c, order, low)) * scale / factorial[order];
         scale = scale * (high - low);
     }
     return result;
 }
 
-/// The same polynomial of u as a mean of numbers with weights that are not negative (Bernstein).
-CurveCourse::Coefficients as_mean(const CurveCourse::Coefficients& c) {
-    return {c[0], c[0] + c[1] / 3, c[0] + 2 * c[1] / 3 + c[2] / 3, c[0] + c[1] + c[2] + c[3]};
+/// The same polynomial of u, of this degree, as a mean of numbers with weights that are not negative (Bernstein).
+Powers as_mean(const Powers& c, std::size_t degree) {
+    Powers result;
+    for (std::size_t i = 0; i <= degree; ++i)
+        for (std::size_t q = 0; q <= i; ++q)  // i over q, as a part of degree over q
+            result[i] = result[i] + c[q] * falling(static_cast<int>(i), static_cast<int>(q)) /
+                                        falling(static_cast<int>(degree), static_cast<int>(q));
+    return result;
 }
 
 MapPieces::Cell turned_cell(const MapPieces::Cell& cell) {
     MapPieces::Cell result;
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t k = 0; k < 4; ++k) result[k][i] = cell[i][k];
+    for (std::size_t i = 0; i < cell.size(); ++i)
+        for (std::size_t k = 0; k < cell.size(); ++k) result[k][i] = cell[i][k];
     return result;
 }
 
@@ -85,17 +93,17 @@ using CellBounds = std::array<Bounds, 2>;
 MapPieces::Cell collapsed(const MapPieces::Cell& cell, std::size_t axis, int order, const Rational& place) {
     MapPieces::Cell result;
     const MapPieces::Cell along = axis == 0 ? turned_cell(cell) : cell;
-    for (std::size_t i = 0; i < 4; ++i) result[i] = {cln::the<cln::cl_RA>(derived(along[i], order, place)), 0, 0, 0};
+    for (std::size_t i = 0; i < along.size(); ++i) result[i][0] = cln::the<cln::cl_RA>(derived(along[i], order, place));
     return axis == 0 ? turned_cell(result) : result;
 }
 
 bool is_constant_along(const MapPieces::Cell& cell, std::size_t axis) {
     const MapPieces::Cell along = axis == 0 ? turned_cell(cell) : cell;
-    return std::all_of(along.begin(), along.end(), [](const auto& c) { return is_zero(c[1]) && is_zero(c[2]) && is_zero(c[3]); });
+    return std::all_of(along.begin(), along.end(), [](const Powers& c) { return std::all_of(c.begin() + 1, c.end(), is_zero); });
 }
 
-/// Of the values in a cell. One without an end goes straight on there.
-Bounds bounds_of_cell(MapPieces::Cell cell, CellBounds at) {
+/// Of the values in a cell of these degrees. One without an end goes straight on there.
+Bounds bounds_of_cell(MapPieces::Cell cell, const std::array<std::size_t, 2>& degrees, CellBounds at) {
     for (const std::size_t axis : {0U, 1U}) {
         Bounds& own = at[axis];
         if (is_constant_along(cell, axis)) own = {Rational(0), Rational(0)};
@@ -104,20 +112,20 @@ Bounds bounds_of_cell(MapPieces::Cell cell, CellBounds at) {
         const bool is_upwards = own.low.has_value();
         CellBounds flat = at;
         flat[axis] = {Rational(0), Rational(0)};
-        const Bounds first = bounds_of_cell(collapsed(cell, axis, 0, is_upwards ? *own.low : *own.high), flat);
-        const Bounds slope = bounds_of_cell(collapsed(cell, axis, 1, 0), flat);
+        const Bounds first = bounds_of_cell(collapsed(cell, axis, 0, is_upwards ? *own.low : *own.high), degrees, flat);
+        const Bounds slope = bounds_of_cell(collapsed(cell, axis, 1, 0), degrees, flat);
         const auto& falls_by = is_upwards ? slope.low : slope.high;
         const auto& rises_by = is_upwards ? slope.high : slope.low;
         const int way = is_upwards ? 1 : -1;
         return {falls_by && way * *falls_by >= 0 ? first.low : std::nullopt, rises_by && way * *rises_by <= 0 ? first.high : std::nullopt};
     }
     for (const std::size_t axis : {1U, 0U}) {  // turned twice
-        for (CurveCourse::Coefficients& c : cell) c = as_mean(stretched(c, *at[axis].low, *at[axis].high));
+        for (Powers& c : cell) c = as_mean(stretched(c, *at[axis].low, *at[axis].high), degrees[axis]);
         cell = turned_cell(cell);
     }
     Bounds result{cell[0][0], cell[0][0]};
-    for (const CurveCourse::Coefficients& row : cell)
-        for (const Rational& value : row) result = around(result, {value, value});
+    for (std::size_t i = 0; i <= degrees[0]; ++i)
+        for (std::size_t k = 0; k <= degrees[1]; ++k) result = around(result, {cell[i][k], cell[i][k]});
     return result;
 }
 
@@ -132,33 +140,29 @@ cln::cl_R MapPieces::at(std::array<int, 2> orders, const cln::cl_R& x, const cln
     const std::size_t i = axes[0].piece(x), k = axes[1].piece(y);
     const cln::cl_R dx = x - axes[0].origins[i], dy = y - axes[1].origins[k];
     cln::cl_R sum = 0;
-    for (int p = 3; p >= orders[0]; --p)
+    for (int p = most_powers - 1; p >= orders[0]; --p)
         sum = sum * dx + falling(p, orders[0]) * derived(cell(i, k)[static_cast<std::size_t>(p)], orders[1], dy);
     return sum;
 }
 
-int MapPieces::order_of_jump(std::size_t axis, std::size_t knot, std::array<int, 2> orders) const {
+std::optional<int> MapPieces::order_of_jump(std::size_t axis, std::size_t knot, std::array<int, 2> orders) const {
     const Axis &own = axes[axis], &other = axes[1 - axis];
     // The coefficients of the other variable's powers, in the piece below or above the knot.
     const auto is_same = [&](std::size_t piece, int order) {
         const auto at_knot = [&](std::size_t side) {
             const Cell along = axis == 0 ? turned_cell(cell(knot + side, piece)) : cell(piece, knot + side);
             std::vector<cln::cl_R> values;
-            for (int q = orders[1 - axis]; q < 4; ++q)
+            for (int q = orders[1 - axis]; q < most_powers; ++q)
                 values.push_back(derived(along[static_cast<std::size_t>(q)], order, own.knots[knot] - own.origins[knot + side]));
             return values;
         };
         const auto below = at_knot(0), above = at_knot(1);
         return std::equal(below.begin(), below.end(), above.begin(), [](const cln::cl_R& a, const cln::cl_R& b) { return a == b; });
     };
-    int order = orders[axis];
-    const auto is_joined = [&] {
+    for (int order = orders[axis]; order <= static_cast<int>(degree(axis)); ++order)
         for (std::size_t piece = 0; piece < other.origins.size(); ++piece)
-            if (!is_same(piece, order)) return false;
-        return true;
-    };
-    while (order < 4 && is_joined()) ++order;
-    return order;
+            if (!is_same(piece, order)) return order;
+    return std::nullopt;
 }
 
 Bounds MapPieces::bounds(Bounds x, Bounds y) const {
@@ -177,7 +181,8 @@ Bounds MapPieces::bounds(Bounds x, Bounds y) const {
                 };
                 return Bounds{end(part.low), end(part.high)};
             };
-            const Bounds own = bounds_of_cell(cell(i, k), {from(*part_x, axes[0].origins[i]), from(*part_y, axes[1].origins[k])});
+            const Bounds own =
+                bounds_of_cell(cell(i, k), {degree(0), degree(1)}, {from(*part_x, axes[0].origins[i]), from(*part_y, axes[1].origins[k])});
             result = result ? around(*result, own) : own;
         }
     return result.value_or(Bounds{});
@@ -186,7 +191,7 @@ Bounds MapPieces::bounds(Bounds x, Bounds y) const {
 MapPieces map_of(const Curve& curve) {
     const Curve::Grid& grid = *curve.grid;
     MapPieces result{curve.name, curve.doc, {curve.variable, grid.variable}, {}, {}, curve.shape == Curve::Shape::linear,
-                     curve.outside == Curve::Outside::error};
+                     curve.outside == Curve::Outside::error, {}};
     result.axes[0].knots = grid.x;
     result.axes[1].knots = grid.y;
     const CurveCourse along_x(grid.x, curve.shape, curve.outside), along_y(grid.y, curve.shape, curve.outside);
@@ -212,8 +217,46 @@ MapPieces map_of(const Curve& curve) {
         }
         for (std::size_t k = 0; k <= grid.y.size(); ++k) {
             MapPieces::Cell& cell = result.cells.emplace_back();
-            for (std::size_t p = 0; p < 4; ++p) cell[p] = along_y.piece(k, level[p], slope[p]);
+            for (std::size_t p = 0; p < 4; ++p) {
+                const CurveCourse::Coefficients c = along_y.piece(k, level[p], slope[p]);
+                std::copy(c.begin(), c.end(), cell[p].begin());
+            }
         }
+    }
+    return result;
+}
+
+MapPieces integrated(const MapPieces& map, std::size_t axis) {
+    MapPieces result = map;
+    result.is_integral[axis] = true;
+    const MapPieces::Axis &own = map.axes[axis], &other = map.axes[1 - axis];
+    const auto cell_at = [&](std::size_t piece, std::size_t beside) -> MapPieces::Cell& {
+        return result.cells[axis == 0 ? piece * other.origins.size() + beside : beside * own.origins.size() + piece];
+    };
+    const auto turned_of_y = [&](const MapPieces::Cell& cell) { return axis == 0 ? cell : turned_cell(cell); };
+    for (std::size_t beside = 0; beside < other.origins.size(); ++beside) {
+        // Rows are polynomials of the other variable.
+        const auto value = [&](std::size_t piece, const Rational& at) {
+            const MapPieces::Cell cell = turned_of_y(cell_at(piece, beside));
+            Powers sum;
+            for (std::size_t p = cell.size(); p-- > 0;)
+                for (std::size_t q = 0; q < sum.size(); ++q) sum[q] = sum[q] * (at - own.origins[piece]) + cell[p][q];
+            return sum;
+        };
+        const auto join = [&](std::size_t piece, const Rational& at, const Powers& wanted) {
+            const MapPieces::Cell of = turned_of_y(cell_at(piece, beside));
+            MapPieces::Cell cell;
+            for (std::size_t p = 1; p < cell.size(); ++p)
+                for (std::size_t q = 0; q < cell.size(); ++q) cell[p][q] = of[p - 1][q] / static_cast<int>(p);
+            cell_at(piece, beside) = turned_of_y(cell);
+            const Powers from_origin = value(piece, at);
+            for (std::size_t q = 0; q < cell.size(); ++q) cell[0][q] = wanted[q] - from_origin[q];
+            cell_at(piece, beside) = turned_of_y(cell);
+        };
+        const std::size_t zero = own.piece(0);
+        join(zero, 0, {});
+        for (std::size_t i = zero; i < own.knots.size(); ++i) join(i + 1, own.knots[i], value(i, own.knots[i]));
+        for (std::size_t i = zero; i-- > 0;) join(i, own.knots[i], value(i + 1, own.knots[i]));
     }
     return result;
 }

@@ -118,8 +118,8 @@ std::vector<Switch> switches_of_map(const ex& f, const MapCall& call) {
     for (const std::size_t axis : {0U, 1U}) {
         const std::vector<Rational>& knots = call.map->axes[axis].knots;
         for (std::size_t i = 0; i < knots.size(); ++i)
-            if (const int order = call.map->order_of_jump(axis, i, call.orders); order <= 3)
-                result.push_back({f.op(axis) - numeric(knots[i]), order - call.orders[axis], !is_unlocated(f.op(axis)), true});
+            if (const auto order = call.map->order_of_jump(axis, i, call.orders))
+                result.push_back({f.op(axis) - numeric(knots[i]), *order - call.orders[axis], !is_unlocated(f.op(axis)), true});
     }
     return result;
 }

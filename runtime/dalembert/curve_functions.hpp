@@ -132,41 +132,42 @@ Scalar derived_polynomial(const Scalar& d, const Scalar* c, std::size_t degree, 
     return sum;
 }
 
-/// A curve of two variables with n and m knots, derived so often by x and by y. Its table: the axes of x and y, as of curve_place; the
-/// n + 1 and m + 1 places that x and y are counted from; for each cell the coefficients of the powers of both, those of y side by side.
+/// A curve of two variables, or an integral of one, with n and m knots, of powers of x and y up to these (4 at most), derived so often by x
+/// and by y. Its table: the axes of x and y, as of curve_place; the n + 1 and m + 1 places that x and y are counted from; for each cell the
+/// coefficients of the powers of both, those of y side by side.
 template <class Scalar, std::size_t size>
-Scalar map_value(const Scalar& x, const Scalar& y, const std::array<Scalar, size>& table, std::size_t n, std::size_t m, std::size_t degree,
-                 std::size_t by_x, std::size_t by_y) noexcept {
-    const std::size_t row = degree + 1;
+Scalar map_value(const Scalar& x, const Scalar& y, const std::array<Scalar, size>& table, std::size_t n, std::size_t m,
+                 std::size_t power_of_x, std::size_t power_of_y, std::size_t by_x, std::size_t by_y) noexcept {
+    const std::size_t row = power_of_y + 1, numbers = (power_of_x + 1) * row;
     const Scalar* const axis_y = table.data() + (n + 1);
     const Scalar* const places = axis_y + (m + 1);
     const Scalar* const cells = places + (n + m + 2);
-    std::array<Scalar, 16> own{};
+    std::array<Scalar, 25> own{};
     Scalar from_x = places[0], from_y = places[n + 1];
     const Scalar* cell = cells;
     if constexpr (IsTruth<decltype(x < x)>::value) {
         const std::size_t i = curve_place(x, table.data(), n), k = curve_place(y, axis_y, m);
         from_x = places[i];
         from_y = places[n + 1 + k];
-        cell = cells + row * row * (i * (m + 1) + k);
+        cell = cells + numbers * (i * (m + 1) + k);
     } else {
         // Of several numbers side by side each has its own: all cells are gone through.
         for (std::size_t i = 0; i <= n; ++i) {
-            std::array<Scalar, 16> next{};
+            std::array<Scalar, 25> next{};
             for (std::size_t k = 0; k <= m; ++k)
-                for (std::size_t q = 0; q < row * row; ++q) {
-                    const Scalar& here = cells[row * row * (i * (m + 1) + k) + q];
+                for (std::size_t q = 0; q < numbers; ++q) {
+                    const Scalar& here = cells[numbers * (i * (m + 1) + k) + q];
                     next[q] = k == 0 ? here : select(y >= axis_y[k], here, next[q]);
                 }
-            for (std::size_t q = 0; q < row * row; ++q) own[q] = i == 0 ? next[q] : select(x >= table[i], next[q], own[q]);
+            for (std::size_t q = 0; q < numbers; ++q) own[q] = i == 0 ? next[q] : select(x >= table[i], next[q], own[q]);
             if (i > 0) from_x = select(x >= table[i], places[i], from_x);
         }
         for (std::size_t k = 1; k <= m; ++k) from_y = select(y >= axis_y[k], places[n + 1 + k], from_y);
         cell = own.data();
     }
-    std::array<Scalar, 4> by_powers{};
-    for (std::size_t p = by_x; p < row; ++p) by_powers[p] = derived_polynomial(y - from_y, cell + row * p, degree, by_y);
-    return derived_polynomial(x - from_x, by_powers.data(), degree, by_x);
+    std::array<Scalar, 5> by_powers{};
+    for (std::size_t p = by_x; p <= power_of_x; ++p) by_powers[p] = derived_polynomial(y - from_y, cell + row * p, power_of_y, by_y);
+    return derived_polynomial(x - from_x, by_powers.data(), power_of_x, by_x);
 }
 // end map_value
 

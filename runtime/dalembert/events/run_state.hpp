@@ -107,7 +107,7 @@ protected:
         return status == Status::not_finite ? end_not_finite(Scalar(64) * control_.smallest(t_)) : end(status);
     }
 
-    Point<State> here() const { return {x_, dxdt_, t_, moves_}; }
+    Point<State> here() const { return {x_, dxdt_, t_, moves_, is_anew_}; }
 
     void move(Scalar t, const State& x) {
         t_ = t;

@@ -29,6 +29,7 @@ struct Point {
     const State& dxdt;
     typename State::value_type t;
     std::size_t number;  ///< another one for another point
+    bool is_behind_event;  ///< next to the zero of a guard, which the right-hand side may round otherwise
 };
 
 /// How the steps of a run lie to its output points.

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSL-1.0
-// The method of Taylor series, with coefficients that the header of a system computes: one expansion a step, of the order that the tolerance
-// asks for, and its polynomial is the dense output. Jorba, Zou: A software package for the numerical integration of ODEs by means of
-// high-order Taylor methods, Experimental Mathematics 14 (2005), 99-117.
+// The method of Taylor series, with coefficients that the header of a system computes: one expansion a step, of the order that the
+// tolerance asks for, and its polynomial is the dense output. Jorba, Zou: A software package for the numerical integration of ODEs by means
+// of high-order Taylor methods, Experimental Mathematics 14 (2005), 99-117.
 //
-// note [trust]: The step follows from the last coefficients, and these tell nothing of what lies on the way: an input that jumps, a singular point.
-// So the polynomial must also satisfy the equation where it ends: its derivative there and the right-hand side differ by about
-// (p + 1)/h times the error of the step.
+// note [trust]: The step follows from the last coefficients, and these tell nothing of what lies on the way: an input that jumps, a
+// singular point. So the polynomial must also satisfy the equation where it ends: its derivative there and the right-hand side differ by
+// about (p + 1)/h times the error of the step.
 //
-// note [short series]: Next to a singular point, as a flow that begins like a root, coefficients grow so fast that a lower order reaches further, or
-// they are no numbers. Where an order below five would be best, a step of Dormand and Prince is made instead.
+// note [short series]: Next to a singular point, as a flow that begins like a root, coefficients grow so fast that a lower order reaches
+// further, or they are no numbers. Where an order below five would be best, a step of Dormand and Prince is made instead.
+//
+// note [behind events]: A guard has changed its sign there by rounding alone, and what the right-hand side compares may round the other
+// way: the series would be that of the side where the run comes from. Other methods have one stage there, a series all of its coefficients.
+// So it is one about a point a little further on, so little that the way there is straight to the last digit.
 #pragma once
 
 #include <algorithm>
@@ -27,8 +31,8 @@ inline namespace v1 {
 namespace detail {
 
 /// With steps of 1/e^2 of the radius of convergence, the cheapest ones where coefficients are all that costs, the error is as large as the
-/// tolerance at the order 1 - ln(tolerance)/2. See also note [trust]: the right-hand side once a step, and the polynomial at output points, make
-/// some four orders more the cheapest.
+/// tolerance at the order 1 - ln(tolerance)/2. See also note [trust]: the right-hand side once a step, and the polynomial at output points,
+/// make some four orders more the cheapest.
 template <class Scalar>
 std::size_t order_of_series(const Scalar& tolerance) {
     using std::ceil;
@@ -45,7 +49,9 @@ class Taylor final : public Stepper<State> {
 
 public:
     Taylor(Rhs rhs, const Series& series, const IntegrationOptions<State>& options)
-        : rhs_(rhs), other_(rhs), series_(series), options_(options), most_(options.order > 0 ? options.order : order_of_series(options.tolerance)), x_(most_ + 1), work_(2 * Series::rows() * most_) {}
+        : rhs_(rhs), other_(rhs), series_(series), options_(options),
+          most_(options.order > 0 ? options.order : order_of_series(options.tolerance)), x_(most_ + 1),
+          work_(2 * Series::rows() * most_) {}
 
     int order() const override { return is_series_ ? static_cast<int>(order_) : other_.order(); }
 
@@ -75,8 +81,9 @@ public:
         c.has_derivative = true;
         c.finite = are_finite(c.dydt, c.dydt);
         State slope{};
+        const Scalar s = c.length - ahead_;
         for (std::size_t m = order_; m > 0; --m)
-            for (std::size_t i = 0; i < slope.size(); ++i) slope[i] = slope[i] * c.length + Scalar(static_cast<double>(m)) * x_[m][i];
+            for (std::size_t i = 0; i < slope.size(); ++i) slope[i] = slope[i] * s + Scalar(static_cast<double>(m)) * x_[m][i];
         const Scalar share = c.length / Scalar(static_cast<double>(order_ + 1));
         for (std::size_t i = 0; i < slope.size(); ++i) c.error[i] = max(c.error[i], Scalar(share * abs(slope[i] - c.dydt[i])));
     }
@@ -87,8 +94,9 @@ public:
     }
 
 private:
-    /// The polynomial.
-    State at(const Scalar& s) const {
+    /// The polynomial, so long behind the start of the step.
+    State at(const Scalar& length) const {
+        const Scalar s = length - ahead_;
         State y = x_[order_];
         for (std::size_t m = order_; m-- > 0;)
             for (std::size_t i = 0; i < y.size(); ++i) y[i] = y[i] * s + x_[m][i];
@@ -104,14 +112,37 @@ private:
             is_series_ = false;
             return;
         }
-        x_[0] = from.x;
-        series_(from.t, most_, x_.data(), work_.data());
+        expand_about(from, Scalar(0));
+        if (from.is_behind_event && is_series_) expand_about(from, next_to(from));
+        patience_ = is_series_ ? 1 : std::min(2 * patience_, 16);
+        wait_ = is_series_ ? 0 : patience_ - 1;
+    }
+
+    /// See note [behind events]. A series that ends reaches everywhere, but the state must stay what it is to all digits.
+    Scalar next_to(const Point<State>& from) const {
+        using std::abs;
+        Scalar time = reach_;
+        for (std::size_t i = 0; i < from.x.size(); ++i) {
+            const Scalar size = scale_of(from, i), rate = abs(from.dxdt[i]);
+            if (time * rate > size) time = size / rate;
+        }
+        return time < std::numeric_limits<Scalar>::max() ? Scalar(time / Scalar(10000000000.0)) : Scalar(0);
+    }
+
+    Scalar scale_of(const Point<State>& from, std::size_t i) const {
+        using std::abs;
+        using std::max;
+        return max(options_.scale[i], Scalar(abs(from.x[i])));
+    }
+
+    void expand_about(const Point<State>& from, const Scalar& ahead) {
+        ahead_ = ahead;
+        for (std::size_t i = 0; i < from.x.size(); ++i) x_[0][i] = from.x[i] + ahead * from.dxdt[i];
+        series_(from.t + ahead, most_, x_.data(), work_.data());
         order_ = most_;
         while (order_ > 0 && !are_finite(x_[order_], x_[order_])) order_ = first_broken();
         choose(from);
         is_series_ = order_ >= std::min<std::size_t>(most_, 5);
-        patience_ = is_series_ ? 1 : std::min(2 * patience_, 16);
-        wait_ = is_series_ ? 0 : patience_ - 1;
     }
 
     /// The highest order up to which all coefficients are numbers.
@@ -128,7 +159,7 @@ private:
         using std::log;
         using std::max;
         State size;
-        for (std::size_t i = 0; i < size.size(); ++i) size[i] = max(options_.scale[i], Scalar(abs(from.x[i])));
+        for (std::size_t i = 0; i < size.size(); ++i) size[i] = scale_of(from, i);
         // The logarithm of 1/|x_m|^(1/m), by which the radius of convergence is estimated.
         const auto radius = [&](std::size_t m) {
             Scalar largest = Scalar(0);
@@ -163,6 +194,7 @@ private:
     std::vector<Scalar> work_;
     std::size_t order_ = 0;     ///< that is used
     Scalar reach_ = Scalar(0);  ///< s
+    Scalar ahead_ = Scalar(0);  ///< s, from the start of the step to the point of the expansion
     std::size_t number_ = 0;    ///< of the point of the expansion
     bool is_expanded_ = false, is_series_ = false;
     int wait_ = 0, patience_ = 1;  ///< points at which no expansion is tried

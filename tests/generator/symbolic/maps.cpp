@@ -10,6 +10,7 @@
 #include "symbolic/bounds.hpp"
 #include "symbolic/curve_dissipation.hpp"
 #include "symbolic/derivative.hpp"
+#include "symbolic/integrate.hpp"
 #include "symbolic/map_functions.hpp"
 #include "symbolic/switches.hpp"
 
@@ -66,8 +67,10 @@ CurvePieces along(const Line& places, const Line& values, Shape shape, Outside o
 
 Rational as_it_is(double x) { return cln::rational(cln::cl_F(x)); }
 
-template <std::size_t size>
-std::array<double, size> table_of_map(const MapPieces& map) {
+/// Of 5 and 4 knots, with room for every degree.
+using Table = std::array<double, 22 + 25 * 30>;
+
+Table table_of_map(const MapPieces& map) {
     std::vector<Rational> numbers;
     for (const MapPieces::Axis& axis : map.axes) {
         numbers.push_back(are_even(axis.knots) ? 1 / (axis.knots[1] - axis.knots[0]) : Rational(0));
@@ -75,12 +78,51 @@ std::array<double, size> table_of_map(const MapPieces& map) {
     }
     for (const MapPieces::Axis& axis : map.axes) numbers.insert(numbers.end(), axis.origins.begin(), axis.origins.end());
     for (const MapPieces::Cell& cell : map.cells)
-        for (std::size_t i = 0; i <= map.degree(); ++i)
-            numbers.insert(numbers.end(), cell[i].begin(), cell[i].begin() + static_cast<std::ptrdiff_t>(map.degree()) + 1);
-    std::array<double, size> table{};
-    REQUIRE(numbers.size() == size);
-    for (std::size_t i = 0; i < size; ++i) table[i] = cln::double_approx(numbers[i]);
+        for (std::size_t i = 0; i <= map.degree(0); ++i)
+            numbers.insert(numbers.end(), cell[i].begin(), cell[i].begin() + static_cast<std::ptrdiff_t>(map.degree(1)) + 1);
+    Table table{};
+    REQUIRE(numbers.size() == 22 + 30 * (map.degree(0) + 1) * (map.degree(1) + 1));
+    for (std::size_t i = 0; i < numbers.size(); ++i) table[i] = cln::double_approx(numbers[i]);
     return table;
+}
+
+/// Of a map with 5 and 4 knots: errors of the emitted function beside what a rounding of each coefficient and argument makes.
+void check_digits(const MapPieces& map) {
+    const Table table = table_of_map(map);
+    std::mt19937 engine(11);
+    std::uniform_real_distribution<double> places(-3, 4);
+    for (const std::array<int, 2> orders : {std::array{0, 0}, std::array{1, 0}, std::array{0, 1}, std::array{1, 1}}) {
+        double worst = 0;
+        for (int i = 0; i < 4000; ++i) {
+            const double x = places(engine), y = i % 3 == 0 ? places(engine) * 1e-6 : places(engine);
+            const double value = detail::map_value(x, y, table, 5, 4, map.degree(0), map.degree(1),
+                                                   static_cast<std::size_t>(orders[0]), static_cast<std::size_t>(orders[1]));
+            const auto exact = [&](int more_x, int more_y) {
+                return exact_at(map, {orders[0] + more_x, orders[1] + more_y}, as_it_is(x), as_it_is(y));
+            };
+            double size = 0;
+            if (orders[0] < 3) size += std::fabs(x * cln::double_approx(exact(1, 0)));
+            if (orders[1] < 3) size += std::fabs(y * cln::double_approx(exact(0, 1)));
+            const std::size_t p = map.axes[0].piece(as_it_is(x)), q = map.axes[1].piece(as_it_is(y));
+            const double dx = std::fabs(x - cln::double_approx(map.axes[0].origins[p]));
+            const double dy = std::fabs(y - cln::double_approx(map.axes[1].origins[q]));
+            const auto factor = [](int n, int order) { return order == 0 ? 1.0 : static_cast<double>(n); };
+            for (int n = orders[0]; n < 5; ++n)
+                for (int m = orders[1]; m < 5; ++m)
+                    size += factor(n, orders[0]) * factor(m, orders[1]) *
+                            std::fabs(cln::double_approx(
+                                map.cell(p, q)[static_cast<std::size_t>(n)][static_cast<std::size_t>(m)])) *
+                            std::pow(dx, n - orders[0]) * std::pow(dy, m - orders[1]);
+            const double error = std::fabs(cln::double_approx(as_it_is(value) - exact(0, 0)));
+            if (error > 0) worst = std::max(worst, error / (size * std::numeric_limits<double>::epsilon()));
+        }
+        CAPTURE(map.is_linear);
+        CAPTURE(map.is_integral[0]);
+        CAPTURE(map.is_integral[1]);
+        CAPTURE(orders[0]);
+        CAPTURE(orders[1]);
+        CHECK(worst < 4);
+    }
 }
 
 }  // namespace
@@ -133,7 +175,7 @@ TEST_CASE("maps are as smooth as their shape says") {
             for (const std::size_t axis : {0U, 1U})
                 for (std::size_t knot = 0; knot < map.axes[axis].knots.size(); ++knot) {
                     const bool is_end = knot == 0 || knot + 1 == map.axes[axis].knots.size();
-                    const int order = map.order_of_jump(axis, knot, {0, 0});
+                    const int order = map.order_of_jump(axis, knot, {0, 0}).value_or(4);
                     if (!is_end) CHECK(order == smooth + 1);
                     else CHECK(order == (outside == Outside::held ? 1 : shape == Shape::linear ? 4 : shape == Shape::spline ? 3 : 2));
                     // The other way: values on both sides.
@@ -181,44 +223,62 @@ TEST_CASE("emitted maps have their digits") {
             const Line& of_x = is_even ? even_x : knots_x;
             const Line& of_y = is_even ? even_y : knots_y;
             const MapPieces map = map_of(curve_of_two(bumpy(), shape, Outside::straight, of_x, of_y));
-            std::mt19937 engine(11);
-            std::uniform_real_distribution<double> places(-3, 4);
-            for (const std::array<int, 2> orders : {std::array{0, 0}, std::array{1, 0}, std::array{0, 1}, std::array{1, 1}}) {
-                double worst = 0;
-                for (int i = 0; i < 4000; ++i) {
-                    const double x = places(engine), y = i % 3 == 0 ? places(engine) * 1e-6 : places(engine);
-                    const auto emitted = [&](const auto& table) {
-                        return detail::map_value(x, y, table, 5, 4, map.degree(), static_cast<std::size_t>(orders[0]),
-                                                 static_cast<std::size_t>(orders[1]));
-                    };
-                    const double value =
-                        shape == Shape::linear ? emitted(table_of_map<22 + 4 * 30>(map)) : emitted(table_of_map<22 + 16 * 30>(map));
-                    const auto exact = [&](int more_x, int more_y) {
-                        return exact_at(map, {orders[0] + more_x, orders[1] + more_y}, as_it_is(x), as_it_is(y));
-                    };
-                    // What a rounding of the coefficients and of each argument makes of it.
-                    double size = 0;
-                    if (orders[0] < 3) size += std::fabs(x * cln::double_approx(exact(1, 0)));
-                    if (orders[1] < 3) size += std::fabs(y * cln::double_approx(exact(0, 1)));
-                    const std::size_t p = map.axes[0].piece(as_it_is(x)), q = map.axes[1].piece(as_it_is(y));
-                    const double dx = std::fabs(x - cln::double_approx(map.axes[0].origins[p]));
-                    const double dy = std::fabs(y - cln::double_approx(map.axes[1].origins[q]));
-                    const auto factor = [](int n, int order) { return order == 0 ? 1.0 : static_cast<double>(n); };
-                    for (int n = orders[0]; n < 4; ++n)
-                        for (int m = orders[1]; m < 4; ++m)
-                            size += factor(n, orders[0]) * factor(m, orders[1]) *
-                                    std::fabs(cln::double_approx(
-                                        map.cell(p, q)[static_cast<std::size_t>(n)][static_cast<std::size_t>(m)])) *
-                                    std::pow(dx, n - orders[0]) * std::pow(dy, m - orders[1]);
-                    const double error = std::fabs(cln::double_approx(as_it_is(value) - exact(0, 0)));
-                    if (error > 0) worst = std::max(worst, error / (size * std::numeric_limits<double>::epsilon()));
-                }
-                CAPTURE(static_cast<int>(shape));
-                CAPTURE(orders[0]);
-                CAPTURE(orders[1]);
-                CHECK(worst < 4);
-            }
+            check_digits(map);
+            for (const std::size_t axis : {0U, 1U}) check_digits(integrated(map, axis));
         }
+}
+
+TEST_CASE("the integral of a map is zero at zero, smoother by one, and has the map as its slope") {
+    const Rational tiny = Rational(1) / cln::expt(cln::cl_I(10), 30);
+    for (const Shape shape : shapes_of_maps)
+        for (const Outside outside : {Outside::held, Outside::straight})
+            for (const std::size_t axis : {0U, 1U}) {
+                const MapPieces map = bumpy_map(shape, outside), integral = integrated(map, axis);
+                const auto in_order = [&](int own, int other) { return axis == 0 ? std::array{own, other} : std::array{other, own}; };
+                const auto at = [&](const MapPieces& of, int order, int other_order, const Rational& own, const Rational& other) {
+                    return axis == 0 ? exact_at(of, in_order(order, other_order), own, other)
+                                     : exact_at(of, in_order(order, other_order), other, own);
+                };
+                for (int k = -30; k <= 45; k += 5) {
+                    const Rational other = Rational(k) / 11;
+                    for (const int derived : {0, 1, 2}) CHECK(at(integral, 0, derived, 0, other) == 0);
+                    for (int i = -35; i <= 35; i += 2)
+                        for (const int own : {0, 1})
+                            for (const int derived : {0, 1})
+                                CHECK(at(integral, own + 1, derived, Rational(i) / 11, other) ==
+                                      at(map, own, derived, Rational(i) / 11, other));
+                    for (const Rational& knot : map.axes[axis].knots)
+                        CHECK(cln::abs(at(integral, 0, 0, knot - tiny, other) - at(integral, 0, 0, knot, other)) < 1000 * tiny);
+                }
+                for (const std::size_t of : {0U, 1U})
+                    for (std::size_t knot = 0; knot < map.axes[of].knots.size(); ++knot) {
+                        const auto own = map.order_of_jump(of, knot, {0, 0}), behind = integral.order_of_jump(of, knot, {0, 0});
+                        REQUIRE(own.has_value() == behind.has_value());
+                        if (own) CHECK(*behind == *own + (of == axis ? 1 : 0));
+                    }
+                const MapPieces one = integrated(integral, 1 - axis), other_way = integrated(integrated(map, 1 - axis), axis);
+                const Rational x = Rational(7) / 5, y = Rational(-9) / 4;
+                CHECK(exact_at(one, {0, 0}, x, y) == exact_at(other_way, {0, 0}, x, y));
+            }
+}
+
+TEST_CASE("functions with a map in them are integrated") {
+    const GiNaC::symbol x("x"), y("y");
+    const numeric number = number_of(bumpy_map(Shape::monotone, Outside::held));
+    const ex f = 3 * y * map_value(2 * x - 1, y, number), over_x = *integrate(f, x);
+    CHECK(partial(over_x, x).is_equal(f));
+    CHECK(partial(*integrate(partial(f, x), x) - f, x).expand().is_zero());
+    const ex g = map_value(x, 2 - y, number), over_y = *integrate(g, y);
+    CHECK(partial(over_y, y).is_equal(g));
+    CHECK(partial(*integrate(over_y, x), x).is_equal(over_y));
+    CHECK(over_y.subs(y == 2).is_zero());
+    CHECK(!integrate(map_value(x, x, number), x));
+    CHECK(!integrate(map_value(x * x, y, number), x));
+    CHECK(!bounds_of(over_y, {}).low);
+    const auto call = map_call(partial(*integrate(map_value(x, y, number), x), y));
+    REQUIRE(call);
+    CHECK(name_of_map_function(*call) == "integral_of_f_over_x_y");
+    CHECK(!call->is_value());
 }
 
 TEST_CASE("kinks of maps are switches of both variables") {
