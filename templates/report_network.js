@@ -1,4 +1,5 @@
-// Fluids and heat as they are: volumes that fill, pressures and temperatures as colours, flows as arrows whose size follows the flow.
+// Fluids, heat and circuits as they are: volumes that fill, pressures, temperatures and potentials as colours, flows as arrows whose size
+// follows the flow.
 
 /// For each row of a run the values of the network.
 function network_rows(scene, recording) {
@@ -21,10 +22,16 @@ function make_network(network, rows, across) {
     const scales = {
         pressure: scale_of(rows, places('pressure')),
         temperature: scale_of(
-            rows, [...parts.filter((one) => one.pressure === null && one.temperature !== null).map((one) => one.temperature), ...cells])
+            rows, [...parts.filter((one) => one.pressure === null && one.temperature !== null).map((one) => one.temperature), ...cells]),
+        voltage: scale_of(rows, places('voltage'))
     };
     const colour = (quantity, value) =>
         Number.isFinite(value) && scales[quantity] !== null ? network_colours[quantity](scales[quantity].share(value)) : 'none';
+    const carried = {
+        mass: {words: 'mass', colour: 'var(--accent)'},
+        heat: {words: 'heat', colour: 'light-dark(#b3400a, #ffae70)'},
+        current: {words: 'charge', colour: 'light-dark(#1a7a3c, #7ddc9a)'}
+    };
     const largest = (list) => list.reduce((most, one) => Math.max(most, Math.abs(one) || 0), 0);
     const legends = Object.entries(scales).filter(([name, scale]) => scale !== null);
     const width = Math.max(layout.columns * step + 2 * margin, Math.min(across, room)),
@@ -38,34 +45,36 @@ function make_network(network, rows, across) {
     svg.append(lines, bodies);
     layout.paths.forEach((path, k) => {
         const d = path.map(at).map(([x, y], i) => `${i === 0 ? 'M' : 'L'}${x.toFixed(1)} ${y.toFixed(1)}`).join('');
-        lines.append(element('path', {d, ...(links[k].is_heat ? {'stroke-dasharray': '6 4'} : {})}));
+        lines.append(element('path', {d, ...(links[k].carries === 'heat' ? {'stroke-dasharray': '6 4'} : {})}));
     });
     const paper = {fill: 'var(--back)'};
     const text_of = (value, unit) => `${number_text(in_unit(value, unit), 4)} ${unit_text(unit)}`.trim();
     const shown_parts = parts.map((part, k) => {
         const [x, y] = at(layout.parts[k]);
         const size = part.size === null ? 0 : largest(rows.map((row) => row[part.size]));
-        bodies.append(element('rect', {x: x - 42, y: y - 24, width: part.kind === 'outside' ? 0 : 84, height: 48, rx: 20, ...paper}));
+        const has_box = !['outside', 'pin', 'ground'].includes(part.kind);
+        bodies.append(element('rect', {x: x - 42, y: y - 24, width: has_box ? 84 : 0, height: 48, rx: 20, ...paper}));
         const body = part_body(part, x, y, size, colour);
         const words = [
             element('text', {x, y: body.low + 13, 'text-anchor': 'middle'}), element('text', {x, y: body.low + 26, 'text-anchor': 'middle'})
         ];
-        bodies.append(body.node, short_text(part.name, x, y - (part.kind === 'junction' ? 14 : 29), step - 6), ...words);
+        bodies.append(body.node, short_text(part.name, x, y - (['junction', 'pin'].includes(part.kind) ? 14 : 29), step - 6), ...words);
         return {part, body, words};
     });
     const flows = links.map((link, k) => {
-        const [x, y] = at(layout.stations[k]);
-        const most = link.flow === null ? 0 : largest(rows.map((row) => row[link.flow]));
-        const arrow = element('path', {style: `fill: ${link.is_heat ? 'light-dark(#b3400a, #ffae70)' : 'var(--accent)'}`});
-        const words = element('text', {x, y: y + 28, 'text-anchor': 'middle'});
-        bodies.append(...link_symbol(link.kind, x, y), arrow, short_text(link.name, x, y - 21, step - 6), words);
-        return {link, x, y, most, arrow, words, heading: layout.headings[k]};
+        const [x, line] = at(layout.stations[k]), heading = layout.headings[k], is_branch = link.carries === 'current';
+        const most = link.flow === null ? 0 : largest(rows.map((row) => row[link.flow])), y = is_branch ? line + 17 : line;
+        const arrow = element('path', {style: `fill: ${carried[link.carries].colour}`});
+        const words = element('text', {x, y: line + (is_branch ? 38 : 28), 'text-anchor': 'middle'});
+        const symbol = is_branch ? branch_symbol(link.kind, x, line, heading) : {nodes: link_symbol(link.kind, x, line), show: () => {}};
+        bodies.append(...symbol.nodes, arrow, short_text(link.name, x, line - 21, step - 6), words);
+        return {link, x, y, most, arrow, words, heading, symbol};
     });
-    const most_of = (is_heat) => largest(flows.filter((flow) => flow.link.is_heat === is_heat).map((flow) => flow.most)) || 1;
-    const most_heat = most_of(true), most_mass = most_of(false);
+    for (const [kind, one] of Object.entries(carried))
+        one.most = largest(flows.filter((flow) => flow.link.carries === kind).map((flow) => flow.most)) || 1;
     legends.forEach(
         ([name, scale], k) => svg.append(legend_of(
-            name === 'pressure' ? 'Pressures' : 'Temperatures', scale, units[name], network_colours[name], 8,
+            network_legends[name], scale, units[name], network_colours[name], 8,
             layout.rows * tall + 40 * k + 22, Math.min(240, width - 16))));
     const show = (i, is_quick) => {
         const row = rows[Math.max(0, Math.min(i, rows.length - 1))];
@@ -75,6 +84,7 @@ function make_network(network, rows, across) {
             if (is_quick) continue;
             const lines_of_words = [];
             if (part.pressure !== null) lines_of_words.push(text_of(row[part.pressure], units.pressure));
+            if (part.voltage !== null) lines_of_words.push(text_of(row[part.voltage], units.voltage));
             if (part.temperature !== null) lines_of_words.push(text_of(row[part.temperature], units.temperature));
             if (part.cells !== null) {
                 const ends =
@@ -85,9 +95,8 @@ function make_network(network, rows, across) {
                 node.textContent = lines_of_words[k] || '';
             });
         }
-        for (const {link, x, y, arrow, words, heading} of flows) {
-            const value = link.flow === null ? NaN : row[link.flow],
-                  share = Math.sqrt(Math.abs(value) / (link.is_heat ? most_heat : most_mass));
+        for (const {link, x, y, arrow, words, heading, symbol} of flows) {
+            const value = link.flow === null ? NaN : row[link.flow], share = Math.sqrt(Math.abs(value) / carried[link.carries].most);
             const side = Number.isFinite(value) ? Math.sign(value) * heading : 0, thick = 1 + 5 * Math.min(1, share),
                   head = 5 + 4 * Math.min(1, share);
             const tip = x + side * 20;
@@ -96,14 +105,16 @@ function make_network(network, rows, across) {
                 side === 0 || share < 1e-3 ? `M${x - 6} ${y - 1}h12v2h-12z` :
                                              `M${x - side * 20} ${y - thick / 2}H${tip - side * 10}V${y - head}L${tip} ${y}L${
                                                  tip - side * 10} ${y + head}V${y + thick / 2}H${x - side * 20}z`);
-            if (!is_quick)
-                words.textContent = link.flow === null ? 'not known here' : text_of(value, link.is_heat ? units.heat : units.mass_flow);
+            symbol.show(link.conducts === null || row[link.conducts] > 0);
+            if (!is_quick) words.textContent = link.flow === null ? 'not known here' : text_of(value, units[link.carries]);
         }
     };
     show(0);
-    const has = (is_heat) => links.some((link) => link.is_heat === is_heat);
-    const kinds = has(false) && has(true) ? 'of mass (along lines) and heat (along broken lines)' : has(true) ? 'of heat' : 'of mass';
-    const caption = (links.length > 0 ? `Arrows show flows ${kinds}; the larger, the more flows. ` : '') +
-        'Dashed parts have given values. Places are not to scale.';
+    const found = Object.keys(carried).filter((kind) => links.some((link) => link.carries === kind));
+    const broken = found.length > 1 ? ' (along broken lines)' : '';
+    const kinds = found.map((kind) => carried[kind].words + (kind === 'heat' ? broken : '')).join(', ');
+    const caption = (links.length > 0 ? `Arrows show flows of ${kinds}; the larger, the more flows. ` : '') +
+        (parts.some((part) => ['reservoir', 'held'].includes(part.kind)) ? 'Dashed parts have given values. ' : '') +
+        'Places are not to scale.';
     return {node: element('figure', {}, svg, element('figcaption', {}, caption)), show};
 }

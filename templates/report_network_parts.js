@@ -1,9 +1,15 @@
-// Colours, scales and parts of the picture of fluids and heat.
+// Colours, scales and parts of the picture of fluids, heat and circuits.
 
-/// From pale to deep blue for pressures, from blue over violet to red for temperatures; `share` from 0 to 1.
+/// From pale to deep blue for pressures and green for potentials, from blue over violet to red for temperatures; `share` from 0 to 1.
 const network_colours = {
     pressure: (share) => `hsl(${(190 + 40 * share).toFixed(0)} 70% ${(82 - 50 * share).toFixed(0)}%)`,
-    temperature: (share) => `hsl(${(240 + 120 * share).toFixed(0)} 70% ${(62 - 12 * share).toFixed(0)}%)`
+    temperature: (share) => `hsl(${(240 + 120 * share).toFixed(0)} 70% ${(62 - 12 * share).toFixed(0)}%)`,
+    voltage: (share) => `hsl(${(90 + 60 * share).toFixed(0)} 60% ${(84 - 54 * share).toFixed(0)}%)`
+};
+const network_legends = {
+    pressure: 'Pressures',
+    temperature: 'Temperatures',
+    voltage: 'Potentials'
 };
 
 /// Where values are between the least and the largest of a run: { low, high, share(value) }; nothing where there are none.
@@ -51,6 +57,16 @@ function part_body(part, x, y, largest_size, colour) {
         const dot = element('circle', {cx: x, cy: y, r: 7, ...frame});
         node.append(dot);
         return {node, low: y + 10, show: (row) => dot.setAttribute('fill', colour('pressure', row[part.pressure]))};
+    }
+    if (part.kind === 'pin') {
+        const dot = element('circle', {cx: x, cy: y, r: 6, ...frame});
+        node.append(dot);
+        return {node, low: y + 8, show: (row) => dot.setAttribute('fill', colour('voltage', row[part.voltage]))};
+    }
+    if (part.kind === 'ground') {
+        const d = `M${x} ${y}v10M${x - 12} ${y + 10}h24M${x - 8} ${y + 14}h16M${x - 4} ${y + 18}h8`;
+        node.append(element('path', {d, fill: 'none', ...frame}));
+        return {node, low: y + 18, show: () => {}};
     }
     if (part.kind === 'outside' || part.kind === 'enclosure') {
         const is_outside = part.kind === 'outside';
@@ -117,4 +133,35 @@ function link_symbol(kind, x, y) {
     if (kind === 'pipe') return [line(`M${x - 18} ${y - 11}h36M${x - 18} ${y + 11}h36`)];
     if (kind === 'radiation') return [line(`M${x - 16} ${y - 13}q4 -5 8 0t8 0t8 0t8 0`)];
     return [];
+}
+
+/// The symbol of a branch of a circuit on a line that leads to the right (`heading` 1) or left (-1). Returns { nodes, show(conducts) }.
+function branch_symbol(kind, x, y, heading) {
+    const line = (d, more = {}) =>
+        element('path', {d, fill: 'none', stroke: 'currentColor', 'stroke-width': 1.5, 'stroke-linejoin': 'round', ...more});
+    const paper = (half) => element('rect', {x: x - half, y: y - 4, width: 2 * half, height: 8, fill: 'var(--back)'});
+    const circle = (at, r) => element('circle', {cx: at, cy: y, r, fill: 'var(--back)', stroke: 'currentColor', 'stroke-width': 1.5});
+    const still = (...nodes) => ({nodes, show: () => {}});
+    const h = heading < 0 ? -1 : 1;
+    switch (kind) {
+        case 'resistor': return still(line(`M${x - 15} ${y - 6}h30v12h-30z`, {fill: 'var(--back)'}));
+        case 'inductor': return still(paper(16), line(`M${x - 16} ${y}a4 4 0 0 1 8 0a4 4 0 0 1 8 0a4 4 0 0 1 8 0a4 4 0 0 1 8 0`));
+        case 'capacitor': return still(paper(3), line(`M${x - 3} ${y - 11}v22M${x + 3} ${y - 11}v22`));
+        case 'voltage_source':
+            return still(circle(x, 12), line(`M${x - 12} ${y}h24M${x + h * 17} ${y - 8}v6M${x + h * 17 - 3} ${y - 5}h6`));
+        case 'current_source': return still(circle(x, 12), line(`M${x} ${y - 12}v24`));
+        case 'motor': return still(circle(x, 12), element('text', {x, y: y + 4, 'text-anchor': 'middle'}, 'M'));
+        case 'transformer':
+            return still(circle(x - 6, 10), line(`M${x - 4} ${y}a10 10 0 1 0 20 0a10 10 0 1 0 -20 0z`));
+        case 'diode': {
+            const body = line(`M${x - h * 8} ${y - 9}L${x + h * 8} ${y}L${x - h * 8} ${y + 9}zM${x + h * 8} ${y - 9}v18`);
+            return {nodes: [body], show: (conducts) => body.setAttribute('fill', conducts ? 'currentColor' : 'var(--back)')};
+        }
+        case 'switch': {
+            const lever = line('');
+            const show = (conducts) => lever.setAttribute('d', `M${x - h * 13} ${y}L${x + h * 13} ${y - (conducts ? 0 : 12)}`);
+            return {nodes: [paper(13), circle(x - 13, 2), circle(x + 13, 2), lever], show};
+        }
+        default: return still();
+    }
 }

@@ -45,7 +45,9 @@ function make_plot(x, curves, events, room, on_zoom) {
     };
     const draw_curves = (inside) => {
         const {across, up} = scale;
-        for (const t of x.is_time ? events.filter((time) => time >= scale.x_low && time <= scale.x_high).slice(0, 200) : [])
+        // More would hide the curves; a zoom shows those that are left.
+        const times = x.is_time ? events.filter((time) => time >= scale.x_low && time <= scale.x_high) : [];
+        for (const t of times.length <= 200 ? times : [])
             inside.append(element('line', {
                 x1: across(t),
                 x2: across(t),

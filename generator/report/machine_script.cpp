@@ -187,7 +187,7 @@ private:
                                      {"rotation", place(look.rotation)}});
     }
 
-    /// Parts, links and layouts of the network of fluids and heat; none where there is nothing of it.
+    /// Parts, links and layouts of the network of fluids, heat and circuits; none where there is nothing of it.
     void add_network(Json& json) const {
         const NetworkDrawing& network = drawing_.networks.front();
         if (network.empty()) return;
@@ -204,6 +204,7 @@ private:
                                      {"pressure", place(part.pressure)},
                                      {"temperature", place(part.temperature)},
                                      {"size", place(part.size)},
+                                     {"voltage", place(part.voltage)},
                                      {"cells", place(part.cells)},
                                      {"count", part.cell_count},
                                      {"across", part.cells_across}});
@@ -213,8 +214,9 @@ private:
                                      {"kind", link.kind},
                                      {"from", link.from},
                                      {"to", link.to},
-                                     {"is_heat", link.is_heat},
-                                     {"flow", place(link.flow)}});
+                                     {"carries", link.carries},
+                                     {"flow", place(link.flow)},
+                                     {"conducts", place(link.conducts)}});
         for (const LayeredLayout& layout : network.layouts) {
             Json paths = Json::array();
             for (const auto& path : layout.paths) paths.push_back(points(path));
@@ -227,7 +229,8 @@ private:
         }
         made["count"] = network.values.size();
         for (const auto& [name, si] :
-             {std::pair{"pressure", "Pa"}, {"temperature", "K"}, {"size", "m^3"}, {"mass_flow", "kg/s"}, {"heat", "W"}})
+             {std::pair{"pressure", "Pa"}, {"temperature", "K"}, {"size", "m^3"}, {"voltage", "V"}, {"mass", "kg/s"}, {"heat", "W"},
+              {"current", "A"}})
             made["units"][name] = usual_unit(si);
     }
 

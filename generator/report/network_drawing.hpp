@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of fluids and heat can be drawn without a word of the model about it: volumes that fill, reservoirs, junctions, nodes and rods, and
-// between them flows of mass and heat. What is measured of them are functions of the state, the time and inputs.
+// What of fluids, heat and circuits can be drawn without a word of the model about it: volumes that fill, reservoirs, junctions, nodes,
+// rods and pins, and between them flows of mass and heat and currents. What is measured of them are functions of the state, the time and
+// inputs.
 #pragma once
 
 #include <optional>
@@ -17,19 +18,21 @@ struct NetworkDrawing {
     using Place = std::optional<std::size_t>;
 
     struct Part {
-        std::string name;
-        std::string
-            kind;  ///< "tank", "cylinder", "vessel", "reservoir", "junction", "node", "held", "sought", "cells", "enclosure", "outside"
-        Place pressure, temperature, size;
+        std::string name = {};
+        /// "tank", "cylinder", "vessel", "reservoir", "junction", "node", "held", "sought", "cells", "enclosure", "pin", "ground",
+        /// "outside"
+        std::string kind = {};
+        Place pressure = {}, temperature = {}, size = {}, voltage = {};
         Place cells = {};  ///< the first of the temperatures of a rod or block
         std::size_t cell_count = 0, cells_across = 0;
     };
     struct Link {
         std::string name;
-        std::string kind;  ///< the law of a flow, or "heat" and "radiation"
+        std::string kind;  ///< the law of a flow or branch, or "heat" and "radiation"
         std::size_t from, to;
-        bool is_heat;
-        Place flow;  ///< kg/s or W from `from` to `to`; nothing where it depends on accelerations
+        std::string carries;  ///< "mass", "heat" or "current"
+        Place flow;           ///< kg/s, W or A from `from` to `to`; nothing where it depends on accelerations
+        Place conducts = {};  ///< 1 or 0, of a diode or switch
     };
     std::vector<Part> parts;
     std::vector<Link> links;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Opens pages in chromium and plays with them: node browser.mjs PAGE.html ... With SHOTS a folder gets pictures.
+// Opens pages in chromium and plays with them: node browser.mjs PAGE.html ... With SHOTS a folder gets pictures. With AXE, the file
+// axe.min.js of axe-core, it finds what is hard to use without eyes or a pointer.
 import {spawn} from "child_process";
 import fs from "fs";
 import os from "os";
@@ -32,6 +33,13 @@ function call(method, params = {}, sessionId = undefined) {
 }
 
 const play = fs.readFileSync(new URL("browser.js", import.meta.url), "utf8");
+const axe = process.env.AXE ? fs.readFileSync(process.env.AXE, "utf8") : "";
+const ask_axe = `(async () => {
+    document.querySelectorAll("details").forEach((one) => { one.open = true; });
+    const {violations} = await axe.run(document, {resultTypes: ["violations"]});
+    const places = (one) => one.nodes.map((node) => node.html.slice(0, 200)).join(", ");
+    return violations.map((one) => \`axe: \${one.impact} \${one.id}: \${one.help}: \${places(one)}\`);
+})()`;
 let failures = 0;
 async function look_at(file, width, scheme) {
     const {targetId} = await call("Target.createTarget", {url: "about:blank"});
@@ -45,6 +53,11 @@ async function look_at(file, width, scheme) {
     while (!events.some((event) => event.method === "Page.loadEventFired")) await new Promise((resolve) => setTimeout(resolve, 20));
     const {result, exceptionDetails} = await page("Runtime.evaluate", {expression: play, awaitPromise: true, returnByValue: true});
     const found = exceptionDetails ? {errors: [exceptionDetails.exception.description]} : result.value;
+    if (axe !== "") {
+        await page("Runtime.evaluate", {expression: axe});
+        const answer = await page("Runtime.evaluate", {expression: ask_axe, awaitPromise: true, returnByValue: true});
+        found.errors.push(...(answer.exceptionDetails ? [answer.exceptionDetails.exception.description] : answer.result.value));
+    }
     for (const event of events) {
         if (event.method === "Log.entryAdded") found.errors.push("console: " + event.params.entry.text);
         if (event.method === "Runtime.consoleAPICalled") found.errors.push("console: " + JSON.stringify(event.params.args));

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Pages of `dalembert report` in a browser, wide and narrow, light and dark: every scene runs and moves, nothing is outside of the window,
 # nothing is written to the console, nothing is loaded. Needs node, chromium, the program (PROGRAM) and the sources (SOURCE). Arguments:
-# names of models of systems/. SHOTS: a folder for pictures.
+# names of models of systems/. SHOTS: a folder for pictures. AXE: axe.min.js of axe-core, which finds what is hard to use without eyes or a
+# pointer.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}"
 here=$(mktemp -d)

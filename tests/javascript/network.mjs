@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the picture of fluids and heat shows is what outputs of the model say, in every row and mode: node network.mjs NETWORK.html
+// What the picture of fluids, heat and circuits shows is what outputs of the model say, in every row and mode: node network.mjs NETWORK.html
 import {script_of} from './page.mjs';
 
 const page = await script_of(process.argv[2]), scene = page.scenes[0];
@@ -14,7 +14,8 @@ const {parts, links} = scene.network, part = (name) => parts.find((one) => one.n
 const of_key = {
     p: 'pressure',
     v: 'size',
-    t: 'temperature'
+    t: 'temperature',
+    u: 'voltage'
 };
 scene.outputs.forEach((output, k) => {
     const [kind, name] = [output.name.slice(0, 1), output.name.slice(2)];
