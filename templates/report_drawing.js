@@ -31,7 +31,7 @@ function make_drawing(scene, places, measures, forces, across) {
         for (const [from, to] of [[[k, -4], [k, 4]], [[-4, k], [4, k]]])
             grid.push([from, to].map(([a, b]) => [a * far / 4, b * far / 4, ground_height]));
     // A wall stands behind all that its spring does, by a third of how far bodies move; the length of a spring without load is not known.
-    const springs = scene.springs || [];
+    const connectors = scene.connectors;
     const reach = Math.max(far * 0.1, ...[0, 1, 2].map((i) => {
         let low = Infinity, high = -Infinity;
         for (const p of places)
@@ -42,7 +42,7 @@ function make_drawing(scene, places, measures, forces, across) {
         return high - low;
     })) ||
         1;
-    const walls = springs.map(([from, to, has_wall]) => {
+    const walls = connectors.map(({from, to, has_wall}) => {
         if (!has_wall || places.length === 0) return null;
         const along = (p, i) => p[3 * to + 3 + i] - p[3 * to + i];
         let most = 0;
@@ -88,7 +88,7 @@ function make_drawing(scene, places, measures, forces, across) {
     const bodies = element("g");
     const label = element("g");
     svg.append(ground, trails, bars, bodies, label);
-    const spring_lines = springs.map(() => trails.appendChild(element("polyline", {stroke: "currentColor", "stroke-opacity": 0.8})));
+    const connector_lines = connectors.map(() => trails.appendChild(element("path", {stroke: "currentColor", "stroke-opacity": 0.8})));
     const wall_lines = walls.map(
         (wall) =>
             wall === null ? null : trails.appendChild(element("line", {stroke: "currentColor", "stroke-opacity": 0.8, "stroke-width": 3})));
@@ -147,21 +147,17 @@ function make_drawing(scene, places, measures, forces, across) {
             for (const [key, value] of [["x1", from[0]], ["y1", from[1]], ["x2", to[0]], ["y2", to[1]]])
                 line.setAttribute(key, value.toFixed(2));
         });
-        springs.forEach(([from, to], s) => {
-            const [a, b] = [at[from], walls[s] === null ? at[to] : on_paper(walls[s](p), 0)];
-            const length = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1, across = [(b[1] - a[1]) / length * 7, (a[0] - b[0]) / length * 7];
-            const turns = 14;
-            let text = "";
-            for (let k = 0; k <= turns; ++k) {
-                const share = k / turns, side = k < 2 || k > turns - 2 ? 0 : k % 2 === 0 ? 1 : -1;
-                text += `${(a[0] + share * (b[0] - a[0]) + side * across[0]).toFixed(1)},${
-                    (a[1] + share * (b[1] - a[1]) + side * across[1]).toFixed(1)} `;
-            }
-            spring_lines[s].setAttribute("points", text);
+        connectors.forEach((one, s) => {
+            const ends = [at[one.from], walls[s] === null ? at[one.to] : on_paper(walls[s](p), 0)];
+            const length = Math.hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]) || 1;
+            const across = [(ends[1][1] - ends[0][1]) / length, (ends[0][0] - ends[1][0]) / length];
+            const aside = (one.beside - (one.together - 1) / 2) * 20;
+            const [a, b] = ends.map((end) => end.map((x, i) => x + aside * across[i]));
+            connector_lines[s].setAttribute('d', one.is_damper ? damper_path(a, b, across) : spring_path(a, b, across));
             if (wall_lines[s] !== null)
                 for (const [key, value] of [
-                         ["x1", b[0] - 2 * across[0]], ["y1", b[1] - 2 * across[1]], ["x2", b[0] + 2 * across[0]],
-                         ["y2", b[1] + 2 * across[1]]])
+                         ["x1", b[0] - 14 * across[0]], ["y1", b[1] - 14 * across[1]], ["x2", b[0] + 14 * across[0]],
+                         ["y2", b[1] + 14 * across[1]]])
                     wall_lines[s].setAttribute(key, value.toFixed(1));
         });
         [...discs, ...joints].forEach((disc, k) => {
@@ -208,7 +204,7 @@ function make_drawing(scene, places, measures, forces, across) {
             (largest_force > 0 ?
                  ` Arrows are forces (${scene.forces.map((one) => one.name).join(', ')}), up to ${number_text(largest_force, 3)} N.` :
                  '') +
-            (walls.some((wall) => wall !== null) ? ' The distances to the walls of springs are not to scale.' : ''));
+            (walls.some((wall) => wall !== null) ? ' The distances to walls are not to scale.' : ''));
     if (!is_planar) {
         let from = null;
         svg.setAttribute("tabindex", "0");

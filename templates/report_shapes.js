@@ -43,6 +43,26 @@ function arrow_path(x, y, along, up) {
         `L${(back[0] + side * b).toFixed(1)} ${(back[1] - side * a).toFixed(1)}z`;
 }
 
+const path_through = (points) => points.map(([x, y], k) => `${k === 0 ? 'M' : 'L'}${x.toFixed(1)} ${y.toFixed(1)}`).join('');
+
+/// The path of a spring from a to b; `across`: a pixel at right angles.
+function spring_path(a, b, across) {
+    const turns = 14, points = [];
+    for (let k = 0; k <= turns; ++k) {
+        const side = k < 2 || k > turns - 2 ? 0 : k % 2 === 0 ? 7 : -7;
+        points.push([0, 1].map((i) => a[i] + k / turns * (b[i] - a[i]) + side * across[i]));
+    }
+    return path_through(points);
+}
+
+/// The path of a damper: a piston on a rod from a, in a cylinder at b.
+function damper_path(a, b, across) {
+    const at = (share, side) => [0, 1].map((i) => a[i] + share * (b[i] - a[i]) + side * across[i]);
+    return [
+        [at(0, 0), at(0.5, 0)], [at(0.5, -5), at(0.5, 5)], [at(0.35, 8), at(0.65, 8), at(0.65, -8), at(0.35, -8)], [at(0.65, 0), at(1, 0)]
+    ].map(path_through).join('');
+}
+
 /// How far a shape reaches from the position of its body, in m.
 function reach_of(look, measures) {
     if (!look || look.shape === '') return 0;

@@ -54,8 +54,8 @@ void describe(Visitor& v, E& part) {
 
 /// What a part of a view may refine.
 inline const std::vector<const char*>& viewed_kinds() {
-    static const std::vector<const char*> kinds{"body", "spring", "volume", "junction", "reservoir", "flow",
-                                                "node", "link",   "rod",    "block",    "enclosure", "pin",      "branch"};
+    static const std::vector<const char*> kinds{"body", "spring", "damper", "volume", "junction", "reservoir", "flow",
+                                                "node", "link",   "rod",    "block",  "enclosure", "pin",      "branch"};
     return kinds;
 }
 

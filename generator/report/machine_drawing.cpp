@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <tuple>
@@ -12,13 +11,14 @@
 #include "elements/bodies.hpp"
 #include "elements/forces.hpp"
 #include "elements/view.hpp"
+#include "report/connectors.hpp"
 
 namespace dalembert {
 
 namespace {
 
 using GiNaC::ex;
-using Point = std::array<ex, 3>;
+using Point = DrawnPoint;
 
 class DrawingMaker {
 public:
@@ -42,7 +42,7 @@ public:
             add_bars_in_space();
         add_forces();
         drawing_.framed = points_.size();
-        add_springs();
+        left_out_ = add_connectors(system_, points_, drawing_);
         add_view();
         tell_rest();
         for (const Point& p : points_) drawing_.coordinates.insert(drawing_.coordinates.end(), p.begin(), p.end());
@@ -68,20 +68,11 @@ private:
         return points_.size() - 1;
     }
 
-    static bool is_zero_after_expansion(const ex& e) { return e.expand().is_zero(); }
-
     std::optional<std::size_t> place_of(const Point& point, std::size_t but) const {
         for (std::size_t i = 0; i < points_.size(); ++i)
             if (i != but && is_zero_after_expansion(points_[i][0] - point[0]) && is_zero_after_expansion(points_[i][1] - point[1]))
                 return i;
         return std::nullopt;
-    }
-
-    bool moves(const ex& e) const {
-        for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::state})
-            for (const Variable& variable : system_.symbols.all(kind))
-                if (e.has(variable.symbol)) return true;
-        return e.has(system_.symbols.time());
     }
 
     /// Bars in an order in which each may end where one before it does.
@@ -120,8 +111,8 @@ private:
             if (pivot.point[0].has(q) || pivot.point[1].has(q)) continue;
             pivot.turns_body = motion.has_rotation && !is_zero_after_expansion(plain(motion.rotation).diff(q));
             pivot.place = place_of(pivot.point, body);
-            pivot.moved_by = coordinates_in({pivot.point[0], pivot.point[1]}).size();
-            const bool moves_unseen = !pivot.place && (moves(pivot.point[0]) || moves(pivot.point[1]));
+            pivot.moved_by = coordinates_in({pivot.point[0], pivot.point[1]}, system_.symbols).size();
+            const bool moves_unseen = !pivot.place && (moves(pivot.point[0], system_.symbols) || moves(pivot.point[1], system_.symbols));
             if (!moves_unseen || pivot.turns_body) pivots.push_back(std::move(pivot));
         }
         return pivots;
@@ -201,13 +192,6 @@ private:
         return true;
     }
 
-    std::vector<ex> coordinates_in(const std::vector<ex>& values) const {
-        std::vector<ex> result;
-        for (const Variable& q : system_.symbols.all(SymbolKind::coordinate))
-            if (std::any_of(values.begin(), values.end(), [&](const ex& e) { return e.has(q.symbol); })) result.push_back(q.symbol);
-        return result;
-    }
-
     /// Those in the axes of the ground that are there in every mode.
     void add_forces() {
         for (const Member<Force>& member : system_.scene.forces) {
@@ -230,57 +214,6 @@ private:
             drawing_.forces.push_back({member.name(), *at});
             for (const ExpressionPtr& part : force.force) drawing_.force_values.push_back(plain(system_.translate(part, indices)));
         }
-    }
-
-    /// See note [springs].
-    void add_springs() {
-        for (const Member<Spring>& member : system_.scene.springs) {
-            if (is_hidden(*system_.scene.model, member.name())) continue;
-            const ex elongation = plain(system_.translate(*member.item->elongation, Translator::indices_of(member)));
-            const std::vector<ex> moving = coordinates_in({elongation});
-            std::vector<std::size_t> moved;
-            for (std::size_t b = 0; b < shown_.size(); ++b) {
-                const std::vector<ex> own = coordinates_in({points_[b][0], points_[b][1], points_[b][2]});
-                const auto counts = [&](const ex& q) {
-                    return std::any_of(moving.begin(), moving.end(), [&](const ex& m) { return m.is_equal(q); });
-                };
-                if (!own.empty() && std::all_of(own.begin(), own.end(), counts)) moved.push_back(b);
-            }
-            const bool is_drawn = moving.size() == 1 && moved.size() == 1   ? add_spring_at_wall(moved[0], elongation, moving[0])
-                                  : moving.size() == 2 && moved.size() == 2 ? add_spring_between(moved, elongation, moving)
-                                                                            : false;
-            if (!is_drawn) ++springs_not_drawn_;
-        }
-    }
-
-    bool add_spring_between(const std::vector<std::size_t>& bodies, const ex& elongation, const std::vector<ex>& coordinates) {
-        ex sum = 0;
-        for (const ex& q : coordinates) {
-            const ex change = elongation.diff(GiNaC::ex_to<GiNaC::symbol>(q)).expand();
-            if (moves(change)) return false;
-            sum += change;
-        }
-        if (!is_zero_after_expansion(sum)) return false;
-        drawing_.springs.push_back({bodies[0], bodies[1], false});
-        return true;
-    }
-
-    bool add_spring_at_wall(std::size_t body, const ex& elongation, const ex& coordinate) {
-        const auto& q = GiNaC::ex_to<GiNaC::symbol>(coordinate);
-        const ex change = elongation.diff(q).expand();
-        if (change.is_zero() || moves(change)) return false;
-        Point fixed, behind;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const ex direction = (points_[body][i].diff(q) / change).expand();
-            if (moves(direction)) return false;
-            fixed[i] = (points_[body][i] - elongation * direction).expand();
-            behind[i] = fixed[i] - direction;
-        }
-        if (std::all_of(points_[body].begin(), points_[body].end(), [&](const ex& e) { return e.diff(q).is_zero(); })) return false;
-        const std::size_t to = add(fixed);
-        add(behind);
-        drawing_.springs.push_back({body, to, true});
-        return true;
     }
 
     std::optional<std::size_t> measure(const ExpressionPtr& e) {
@@ -327,8 +260,8 @@ private:
         const auto tell = [&](std::size_t count, const char* one, const char* many) {
             if (count > 0) drawing_.not_drawn.push_back(count == 1 ? std::string("1 ") + one : fmt::format("{} {}", count, many));
         };
-        tell(springs_not_drawn_, "spring", "springs");
-        tell(scene.dampers.size(), "damper", "dampers");
+        tell(left_out_.springs, "spring", "springs");
+        tell(left_out_.dampers, "damper", "dampers");
         tell(forces_not_drawn_ + scene.torques.size(), "force or torque", "forces and torques");
         for (const ConstraintEquation& c : system_.constraints)
             if (c.holds) {
@@ -342,7 +275,8 @@ private:
     std::vector<Point> points_;
     std::vector<const BodyMotion*> shown_;
     std::vector<bool> hidden_;
-    std::size_t springs_not_drawn_ = 0, forces_not_drawn_ = 0;
+    ConnectorsLeftOut left_out_;
+    std::size_t forces_not_drawn_ = 0;
 };
 
 }  // namespace

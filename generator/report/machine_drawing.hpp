@@ -7,11 +7,6 @@
 // where a bar ends. Of several, the joint next to the body is the one that the most coordinates move. The bar reaches from p to r; and as
 // far behind r where the inertia is that of a uniform bar, or another bar begins there. In space a bar joins a body to what it keeps its
 // distance from, whatever moves.
-//
-// note [springs]: Where an elongation e and the positions of one body change with one coordinate alone, e in proportion to r, the spring
-// pulls along d = dr/de, and r - e d is fixed, or moves with the time
-// alone: what the spring hangs on is somewhere behind. Where e changes with the coordinates of two bodies alone, the
-// spring is between them.
 #pragma once
 
 #include <optional>
@@ -26,10 +21,11 @@ struct MachineDrawing {
     struct Bar {
         std::size_t from, to;  ///< points
     };
-    /// From a body to another, or to a wall: from point `to` on in the direction of the point behind it, a metre away.
-    struct DrawnSpring {
+    /// A spring or damper from a body to another, or to a wall: from point `to` on in the direction of the point behind it, a metre away.
+    struct Connector {
         std::size_t from, to;
-        bool has_wall;
+        bool has_wall, is_damper;
+        std::size_t beside = 0, together = 1;  ///< its number among those that lie side by side, and how many these are
     };
     /// What a view of the model says of a body.
     struct Look {
@@ -52,7 +48,7 @@ struct MachineDrawing {
     std::vector<std::string> bodies;     ///< names of the first points
     std::size_t framed = 0;              ///< points that are in the picture; those behind give directions
     std::vector<Bar> bars;
-    std::vector<DrawnSpring> springs;
+    std::vector<Connector> connectors;
     std::vector<std::size_t> plane;      ///< the two axes of the picture; none: in space
     std::vector<NetworkDrawing> networks;  ///< of fluids and heat, one a mode
     std::vector<std::string> not_drawn;  ///< what the page lists

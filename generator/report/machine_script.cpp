@@ -88,8 +88,14 @@ public:
         add_quantities(json);
         json["bodies"] = drawing_.bodies;
         for (const MachineDrawing::Bar& bar : drawing_.bars) json["bars"].push_back({bar.from, bar.to});
-        for (const MachineDrawing::DrawnSpring& spring : drawing_.springs)
-            json["springs"].push_back({spring.from, spring.to, spring.has_wall});
+        json["connectors"] = Json::array();
+        for (const MachineDrawing::Connector& one : drawing_.connectors)
+            json["connectors"].push_back({{"from", one.from},
+                                          {"to", one.to},
+                                          {"has_wall", one.has_wall},
+                                          {"is_damper", one.is_damper},
+                                          {"beside", one.beside},
+                                          {"together", one.together}});
         json["forces"] = Json::array();
         for (const MachineDrawing::DrawnForce& force : drawing_.forces) json["forces"].push_back({{"name", force.name}, {"at", force.at}});
         json["points"] = drawing_.coordinates.size() / 3;

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "generator/machine.hpp"
@@ -54,6 +55,40 @@ TEST_CASE("networks of fluids and heat have the parts and links of the scene, in
                                      "inflow:  source - tank; ");
     const MachineDrawing wall = drawing_of(machine_of("heat/pipe_wall"));
     CHECK(kinds(wall.networks[0]).starts_with("wall: cells; insulation: cells; flowing_water: held; air: held; "));
+    const MachineDrawing buck = drawing_of(machine_of("drives/buck_converter"));
+    CHECK(kinds(buck.networks[0]) == "plus: pin; chopped: pin; out: pin; : ground; : ground; : ground; : ground; "
+                                     "battery: voltage_source  - plus; S: switch plus - chopped; D: diode  - chopped; "
+                                     "choke: inductor chopped - out; store: capacitor out - ; load: resistor out - ; ");
+    CHECK(buck.networks.size() == 3);
+    std::vector<int> conducting;
+    for (const NetworkDrawing& mode : buck.networks) {
+        int conducts = 0;
+        for (const NetworkDrawing::Link& link : mode.links)
+            if (link.conducts && mode.values[*link.conducts].is_equal(1)) ++conducts;
+        conducting.push_back(conducts);
+    }
+    std::sort(conducting.begin(), conducting.end());
+    CHECK(conducting == std::vector{0, 1, 1});
+}
+
+TEST_CASE("springs and dampers are between bodies or at walls, side by side where they have the same ends") {
+    const MachineDrawing drawn = drawing_of(machine_from(
+        "[parameters]\nm = { unit = \"kg\", value = 1 }\nc = { unit = \"N/m\", value = 1 }\nd = { unit = \"N*s/m\", value = 1 }\n"
+        "[coordinates]\nx = { unit = \"m\" }\ny = { unit = \"m\" }\n"
+        "[bodies]\nfirst = { mass = \"m\", position = [\"x\", 0, 0] }\nsecond = { mass = \"m\", position = [\"y\", 0, 0] }\n"
+        "[springs]\nwall = { elongation = \"x - 1 m\", stiffness = \"c\" }\n"
+        "middle = { elongation = \"y - x\", stiffness = \"c\" }\n"
+        "[dampers]\nbeside = { rate = \"dot(x)\", coefficient = \"d\" }\n"
+        "between = { rate = \"2*(dot(x) - dot(y))\", coefficient = \"d\" }\n"
+        "turned = { rate = \"dot(x) + dot(y)\", coefficient = \"d\" }\nair = { on = \"first\", coefficient = \"d\" }\n"));
+    std::string text;
+    for (const MachineDrawing::Connector& one : drawn.connectors)
+        text += std::string(one.is_damper ? "damper" : "spring") + (one.has_wall ? " at wall" : "") + " " + std::to_string(one.beside) +
+                " of " + std::to_string(one.together) + "; ";
+    CHECK(text == "spring at wall 0 of 2; spring 0 of 2; damper at wall 1 of 2; damper 1 of 2; ");
+    REQUIRE(drawn.connectors.size() == 4);
+    CHECK(drawn.connectors[0].to == drawn.connectors[2].to);
+    CHECK(drawn.not_drawn == std::vector<std::string>{"2 dampers"});
 }
 
 TEST_CASE("views of models give shapes and hide parts with what leads to them") {
