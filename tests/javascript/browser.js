@@ -70,10 +70,15 @@
             for (const [name, text, shown] of [["h_0", "5", "5 5"], ["h", "3", "3 3"], ["h", "", "5 5"]])
                 if (await starts_at(name, text) !== shown) found.errors.push(`${name} = "${text}" does not start at ${shown}`);
             part("status").textContent = "";
+            const usual_e = field_of("e").value;
             field_of("e").value = "1";
             field_of("e").dispatchEvent(new Event("change"));
             for (let i = 0; i < 100 && !/end of the run/.test(part("status").textContent); ++i) await wait(20);
             if (!/end of the run/.test(part("status").textContent)) found.errors.push("no refusal: " + part("status").textContent);
+            part("status").textContent = "";
+            field_of("e").value = usual_e;
+            field_of("e").dispatchEvent(new Event("change"));
+            await is_ready();
         }
         for (const svg of document.querySelectorAll('#plots svg'))
             svg.dispatchEvent(new PointerEvent('pointermove', {clientX: 200, clientY: 100}));
