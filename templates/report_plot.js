@@ -5,10 +5,13 @@ const plot_colours = [
 ];
 const most_curves = 6;  // that a plot shows at first
 
-/// `x`: { name, unit, values }; `curves`: the same. `events`: times, where x is the time. `room`: pixels across. Returns { figure, svg,
-/// show(row, is_quick), at(event), zoom(low, high) }; on_zoom(low, high) is called where a person zooms along x, with nothing for all.
+/// `x`: { name, unit, values }; `curves`: the same, with an axis for each unit. `events`: times, where x is the time. `room`: pixels
+/// across. Returns { figure, svg, show(row, is_quick), at(event), zoom(low, high) }; on_zoom(low, high) is called where a person zooms along
+/// x, with nothing for all.
 function make_plot(x, curves, events, room, on_zoom) {
-    const width = Math.max(280, Math.min(640, room)), height = 240, left = 60, right = 12, top = 12, bottom = 38;
+    const axes = [...new Set(curves.map((curve) => curve.unit))], axis_of = curves.map((curve) => axes.indexOf(curve.unit));
+    const width = Math.max(280, Math.min(640, room)), height = 240, left = 60, top = 20, bottom = 38;
+    const apart = 54, right = 12 + apart * (axes.length - 1);
     const names = curves.map((curve) => curve.name).join(', '), colour = (c) => plot_colours[c % plot_colours.length];
     const svg = element('svg', {
         viewBox: `0 0 ${width} ${height}`,
@@ -21,18 +24,31 @@ function make_plot(x, curves, events, room, on_zoom) {
     const all_of_x = x.is_time ? [x.values[0], Math.max(x.values[x.values.length - 1], x.values[0] + 1e-300)] : axis_bounds(x.values);
     let bounds = {x: all_of_x, y: null}, scale, cursor, dots, selection = null, row = 0;
 
-    /// Of the curves that are shown, where x is in its bounds.
-    const bounds_of_y = () => axis_bounds(curves.flatMap((curve, c) => is_shown[c] ? curve.values : []).filter((value, i) => {
-        const at = x.values[i % x.values.length];
-        return Number.isFinite(value) && at >= bounds.x[0] && at <= bounds.x[1];
-    }));
+    /// Of the curves of an axis that are shown, where x is in its bounds.
+    const bounds_of_axis = (axis) => {
+        const values = curves.flatMap((curve, c) => is_shown[c] && axis_of[c] === axis ? curve.values : []);
+        return axis_bounds(values.filter((value, i) => {
+            const at = x.values[i % x.values.length];
+            return Number.isFinite(value) && at >= bounds.x[0] && at <= bounds.x[1];
+        }));
+    };
+    /// The first axis at the left, with lines across; others at the right, in the colour of their curve if it is one.
+    const draw_axis_up = (axis, line) => {
+        const {low, high, up} = scale.axes[axis], digits = axis_digits(low, high);
+        const own = axis_of.flatMap((one, c) => one === axis ? [c] : []);
+        const is_first = axis === 0, at = is_first ? left - 6 : width - right + 6 + apart * (axis - 1);
+        const look = {x: at, 'text-anchor': is_first ? 'end' : 'start'};
+        if (axes.length > 1 && own.length === 1) look.style = `fill: ${colour(own[0])}`;
+        for (const tick of ticks(low, high)) {
+            if (is_first) svg.append(element('line', {x1: left, x2: width - right, y1: up(tick), y2: up(tick), ...line}));
+            svg.append(element('text', {...look, y: up(tick) + 4}, number_text(tick, digits)));
+        }
+        if (axes[axis]) svg.append(element('text', {...look, y: 11}, `[${axes[axis]}]`));
+    };
     const draw_axes = () => {
-        const {across, up, x_low, x_high, y_low, y_high} = scale, line = {stroke: 'currentColor', 'stroke-opacity': 0.15};
-        const digits = axis_digits(y_low, y_high), step = width < 450 ? 2 : 1;  // of numbers below the axis
-        for (const tick of ticks(y_low, y_high))
-            svg.append(
-                element('line', {x1: left, x2: width - right, y1: up(tick), y2: up(tick), ...line}),
-                element('text', {x: left - 6, y: up(tick) + 4, 'text-anchor': 'end'}, number_text(tick, digits)));
+        const {across, x_low, x_high} = scale, line = {stroke: 'currentColor', 'stroke-opacity': 0.15};
+        const step = width < 450 ? 2 : 1;  // of numbers below the axis
+        axes.forEach((unit, axis) => draw_axis_up(axis, line));
         const below = ticks(x_low, x_high), distance = below.length > 1 ? below[1] - below[0] : 1,
               digits_below = axis_digits(x_low, x_high);
         for (const tick of below) {
@@ -44,7 +60,7 @@ function make_plot(x, curves, events, room, on_zoom) {
         svg.append(element('text', {x: width - right, y: height - 6, 'text-anchor': 'end'}, `${x.name} ${x.unit ? `[${x.unit}]` : ''}`));
     };
     const draw_curves = (inside) => {
-        const {across, up} = scale;
+        const {across} = scale;
         // More would hide the curves; a zoom shows those that are left.
         const times = x.is_time ? events.filter((time) => time >= scale.x_low && time <= scale.x_high) : [];
         for (const t of times.length <= 200 ? times : [])
@@ -59,6 +75,7 @@ function make_plot(x, curves, events, room, on_zoom) {
             }));
         curves.forEach((curve, c) => {
             if (!is_shown[c]) return;
+            const {up} = scale.axes[axis_of[c]];
             let path = '', pen = 'M';
             curve.values.forEach((value, i) => {
                 if (!Number.isFinite(value) || !Number.isFinite(x.values[i])) {
@@ -73,14 +90,15 @@ function make_plot(x, curves, events, room, on_zoom) {
         });
     };
     const draw = () => {
-        const [[x_low, x_high], [y_low, y_high]] = [bounds.x, bounds.y || bounds_of_y()];
+        const [x_low, x_high] = bounds.x;
         scale = {
             x_low,
             x_high,
-            y_low,
-            y_high,
             across: (value) => left + (width - left - right) * (value - x_low) / (x_high - x_low || 1),
-            up: (value) => height - bottom - (height - top - bottom) * (value - y_low) / (y_high - y_low)
+            axes: axes.map((unit, axis) => {
+                const [low, high] = bounds.y ? bounds.y[axis] : bounds_of_axis(axis);
+                return {low, high, up: (value) => height - bottom - (height - top - bottom) * (value - low) / (high - low)};
+            })
         };
         svg.replaceChildren();
         draw_axes();
@@ -96,12 +114,13 @@ function make_plot(x, curves, events, room, on_zoom) {
     const show = (i, is_quick) => {
         if (i < 0 || i >= x.values.length) return;
         row = i;
-        const {across, up} = scale, place = across(x.values[i]), is_inside = place >= left - 1e-6 && place <= width - right + 1e-6;
+        const {across} = scale, place = across(x.values[i]), is_inside = place >= left - 1e-6 && place <= width - right + 1e-6;
         cursor.setAttribute('x1', place);
         cursor.setAttribute('x2', place);
         if (!is_quick) caption.replaceChildren(`${x.name} = ${number_text(x.values[i])} ${x.unit}`);
         curves.forEach((curve, c) => {
-            const y = up(curve.values[i]), good = is_shown[c] && is_inside && y >= top - 1e-6 && y <= height - bottom + 1e-6;
+            const y = scale.axes[axis_of[c]].up(curve.values[i]), is_between = y >= top - 1e-6 && y <= height - bottom + 1e-6;
+            const good = is_shown[c] && is_inside && is_between;
             dots[c].setAttribute('cx', good ? place : -10);
             dots[c].setAttribute('cy', good ? y : -10);
             if (!is_quick && is_shown[c])
@@ -133,7 +152,7 @@ function make_plot(x, curves, events, room, on_zoom) {
         return best;
     };
     const value_across = (place) => scale.x_low + (place - left) / (width - left - right) * (scale.x_high - scale.x_low);
-    const value_up = (place) => scale.y_low + (height - bottom - place) / (height - top - bottom) * (scale.y_high - scale.y_low);
+    const value_up = ({low, high}, place) => low + (height - bottom - place) / (height - top - bottom) * (high - low);
     const end_selection = () => {
         if (selection !== null) selection.box.remove();
         selection = null;
@@ -161,7 +180,8 @@ function make_plot(x, curves, events, room, on_zoom) {
         end_selection();
         if (Math.abs(c - a) < 6) return;
         const [low, high] = [value_across(Math.min(a, c)), value_across(Math.max(a, c))];
-        const y = Math.abs(d - b) > 30 ? [value_up(Math.max(b, d)), value_up(Math.min(b, d))] : null;
+        const y = Math.abs(d - b) > 30 ? scale.axes.map((axis) => [Math.max(b, d), Math.min(b, d)].map((place) => value_up(axis, place))) :
+                                         null;
         on_zoom(low, high);
         if (y !== null) {
             bounds.y = y;
