@@ -2,6 +2,9 @@
 // Runs of machines with modes: what must be refused, output points, kinks, and the statuses of integrations.
 #include "runtime/switching.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 using namespace switching_tests;
 
 namespace {
@@ -85,10 +88,13 @@ TEST_CASE("a run may end where a guard jumps") {
             CAPTURE(end);
             Pulsed pulsed;
             Pulsed::State x{0};
-            const auto outcome = run(pulsed, x, end, with<Pulsed>(method, 1e-9), events);
+            auto options = with<Pulsed>(method, 1e-9);
+            options.max_step = Pulsed::period / 8;  // longer ones miss whole pulses
+            const auto outcome = run(pulsed, x, end, options, events);
             CHECK(outcome.status == Status::success);
             CHECK(outcome.t == end);
-            CHECK(x[0] == doctest::Approx(std::floor(end) / 4 + (end > 1 && end < 2 ? 1.0 / 32 : 0)).epsilon(1e-12));
+            const double pulse = Pulsed::period / 4, whole = std::floor(end / Pulsed::period);
+            CHECK(x[0] == doctest::Approx(whole * pulse + std::min(end - whole * Pulsed::period, pulse)).epsilon(1e-12));
         }
     }
 }
