@@ -6,12 +6,14 @@ const plot_colours = [
 const most_curves = 6;  // that a plot shows at first
 
 /// `x`: { name, unit, values }; `curves`: the same, with an axis for each unit. `events`: times, where x is the time. `room`: pixels
-/// across. Returns { figure, svg, show(row, is_quick), at(event), zoom(low, high) }; on_zoom(low, high) is called where a person zooms along
-/// x, with nothing for all.
+/// across. Returns { figure, svg, show(row, is_quick), at(event), zoom(low, high) }; on_zoom(low, high) is called where a person zooms
+/// along x, with nothing for all.
 function make_plot(x, curves, events, room, on_zoom) {
     const axes = [...new Set(curves.map((curve) => curve.unit))], axis_of = curves.map((curve) => axes.indexOf(curve.unit));
     const width = Math.max(280, Math.min(640, room)), height = 240, left = 60, top = 20, bottom = 38;
-    const apart = 54, right = 12 + apart * (axes.length - 1);
+    // Curves of further units have their values below alone.
+    const apart = 54, narrowest = 120, axes_shown = Math.min(axes.length, 1 + Math.floor((width - left - 12 - narrowest) / apart));
+    const right = 12 + apart * (axes_shown - 1);
     const names = curves.map((curve) => curve.name).join(', '), colour = (c) => plot_colours[c % plot_colours.length];
     const svg = element('svg', {
         viewBox: `0 0 ${width} ${height}`,
@@ -48,7 +50,7 @@ function make_plot(x, curves, events, room, on_zoom) {
     const draw_axes = () => {
         const {across, x_low, x_high} = scale, line = {stroke: 'currentColor', 'stroke-opacity': 0.15};
         const step = width < 450 ? 2 : 1;  // of numbers below the axis
-        axes.forEach((unit, axis) => draw_axis_up(axis, line));
+        for (let axis = 0; axis < axes_shown; ++axis) draw_axis_up(axis, line);
         const below = ticks(x_low, x_high), distance = below.length > 1 ? below[1] - below[0] : 1,
               digits_below = axis_digits(x_low, x_high);
         for (const tick of below) {

@@ -294,8 +294,9 @@ private:
                 solution.unknowns[j].subs(values, GiNaC::subs_options::no_pattern);
             } catch (const GiNaC::pole_error&) {
                 throw Failure(Diagnostic{Id::no_equilibrium, load_.span,
-                                         fmt::format("load '{}' has no equilibrium with the values of the model file: the solution for '{}' divides "
-                                                     "by zero, as where bars in one line let a joint move; other values would do",
+                                         fmt::format("load '{}' has no equilibrium with the values of the model file: the solution for "
+                                                     "'{}' divides by zero, as where bars in one line let a joint move; other values "
+                                                     "would do",
                                                      load_.name, load_.unknowns[j].name)});
             }
     }

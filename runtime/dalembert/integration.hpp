@@ -190,7 +190,8 @@ private:
             if (!(c.length > control_.smallest(t_)) && !clipped) return not_finite ? Status::not_finite : Status::step_too_small;
             try_step(c);
             clipped = clipped || is_cut();
-            if (c.finite && !is_cut()) stepper_->check(here(), c);
+            if (c.finite && is_cut()) stepper_->check_cut(here(), c);
+            else if (c.finite) stepper_->check(here(), c);
             const Scalar e = c.finite ? control_.error_norm(x_, c.y, c.error) : Scalar(0);
             if (!c.finite || !(e <= Scalar(1)) || !keeps_rest(c) || (!is_cut() && (this->ends_close(c) || this->is_moved_far(c)))) {
                 not_finite = not_finite || !c.finite;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the picture of fluids, heat and circuits shows is what outputs of the model say, in every row and mode: node network.mjs NETWORK.html
+// What the picture of fluids, heat and circuits shows is what outputs of the model say, in every row and mode:
+// node network.mjs NETWORK.html
 import {script_of} from './page.mjs';
 
 const page = await script_of(process.argv[2]), scene = page.scenes[0];

@@ -50,6 +50,8 @@ public:
     virtual Scalar suggested(const Point<State>&, Scalar h) { return h; }
     /// A second look at a step that is about to be accepted; may find larger errors.
     virtual void check(const Point<State>&, Candidate<State>&) {}
+    /// The same of a step that is cut at an event, where the right-hand side need not have a value.
+    virtual void check_cut(const Point<State>&, Candidate<State>&) {}
     /// The state at t within the step that was made last.
     virtual void between(const Point<State>& from, Candidate<State>& c, Scalar t, State& x) = 0;
 

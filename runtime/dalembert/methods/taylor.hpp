@@ -3,16 +3,17 @@
 // tolerance asks for, and its polynomial is the dense output. Jorba, Zou: A software package for the numerical integration of ODEs by means
 // of high-order Taylor methods, Experimental Mathematics 14 (2005), 99-117.
 //
-// note [trust]: The step follows from the last coefficients, and these tell nothing of what lies on the way: an input that jumps, a
-// singular point. So the polynomial must also satisfy the equation where it ends: its derivative there and the right-hand side differ by
-// about (p + 1)/h times the error of the step.
+// note [trust]: The step follows from the last coefficients. These do not show what lies on the way: an input that jumps, a singular point.
+// So the polynomial must also satisfy the equation where it ends: its derivative there and the right-hand side differ by about (p + 1)/h
+// times the error of the step.
 //
 // note [short series]: Next to a singular point, as a flow that begins like a root, coefficients grow so fast that a lower order reaches
 // further, or they are no numbers. Where an order below five would be best, a step of Dormand and Prince is made instead.
 //
 // note [behind events]: A guard has changed its sign there by rounding alone, and what the right-hand side compares may round the other
 // way: the series would be that of the side where the run comes from. Other methods have one stage there, a series all of its coefficients.
-// So it is one about a point a little further on, so little that the way there is straight to the last digit.
+// So it is one about a point a little further on, so little that the way there is straight to the last digit. A run that starts on a zero
+// at rest has no such point: there the end of the step tells, also of one that an event cuts.
 #pragma once
 
 #include <algorithm>
@@ -86,6 +87,12 @@ public:
             for (std::size_t i = 0; i < slope.size(); ++i) slope[i] = slope[i] * s + Scalar(static_cast<double>(m)) * x_[m][i];
         const Scalar share = c.length / Scalar(static_cast<double>(order_ + 1));
         for (std::size_t i = 0; i < slope.size(); ++i) c.error[i] = max(c.error[i], Scalar(share * abs(slope[i] - c.dydt[i])));
+    }
+
+    void check_cut(const Point<State>& from, Candidate<State>& c) override {
+        Candidate<State> judged = c;
+        check(from, judged);
+        if (judged.finite) c.error = judged.error;
     }
 
     void between(const Point<State>& from, Candidate<State>& c, Scalar t, State& x) override {
