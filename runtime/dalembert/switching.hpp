@@ -26,8 +26,8 @@
 //
 // note [acceptance]: A mode accepts a state when each guard that is watched in it is positive, or is zero and rises, or is zero with a
 // rate that is exactly zero, as at rest. Zero is exact: resets put guards there. A mode does not accept a state with a positive
-// guard that falls to zero within an instant (1024 roundings of the time). Such a guard, or one that is zero and falls, is an event that
-// happens at once. If no candidate accepts the state,
+// guard that falls to zero within an instant (1024 roundings of the time), in which inputs move on. Such a guard, or one that is zero and
+// falls, is an event that happens at once. If no candidate accepts the state,
 //  1. the event is passed an instant later, behind the zero: there an input has jumped, or a rate is no longer zero, for example of a body
 //     that leaves a belt with the same friction that held it;
 //  2. else the first candidate is taken in which nothing is worse than events that happen at once, and of these the first in order of

@@ -124,6 +124,7 @@ struct dalembert_modes {
     double* departures;            /* how fast the guards rose after their last events */
     size_t kept_size;
     double *u, *g, *rates, *dxdt, *before, *after; /* room to work in */
+    double *u_half, *u_whole, *g_half, *g_whole;   /* with inputs of half an instant and of an instant later */
     unsigned *candidates, *others;
     unsigned char *is_over, *is_ignored;
 };

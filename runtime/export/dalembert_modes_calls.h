@@ -31,6 +31,10 @@ static inline void dalembert_modes_lay_work(dalembert_modes* m, dalembert_room* 
     m->u = dalembert_numbers(room, p->inputs + 1);
     m->g = dalembert_numbers(room, values + 1);
     m->rates = dalembert_numbers(room, p->events + 1);
+    m->u_half = dalembert_numbers(room, p->inputs + 1);
+    m->u_whole = dalembert_numbers(room, p->inputs + 1);
+    m->g_half = dalembert_numbers(room, values + 1);
+    m->g_whole = dalembert_numbers(room, values + 1);
     m->dxdt = dalembert_numbers(room, p->states);
     m->before = dalembert_numbers(room, p->states);
     m->after = dalembert_numbers(room, p->states);

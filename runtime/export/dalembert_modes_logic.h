@@ -3,8 +3,8 @@
  *
  * note [acceptance]: A mode accepts a state when each guard that is watched in it is positive, or is zero and rises, or is zero with a
  * rate that is exactly zero, as at rest. Zero is exact: resets put guards there. A mode does not accept a state with a positive guard
- * that falls to zero within an instant (1024 roundings of the time). Such a guard, or one that is zero and falls, is an event that
- * happens at once. If no candidate accepts the state,
+ * that falls to zero within an instant (1024 roundings of the time), in which inputs move on. Such a guard, or one that is zero and
+ * falls, is an event that happens at once. If no candidate accepts the state,
  *  1. the event is passed an instant later, behind the zero: there an input has jumped, or a rate is no longer zero, for example of a
  *     body that leaves a belt with the same friction that held it;
  *  2. else the first candidate is taken in which nothing is worse than events that happen at once, and of these the first in order of
@@ -35,6 +35,13 @@ static inline void dalembert_inputs_at(const dalembert_modes* m, double t, const
 static inline double dalembert_smallest(double span, double t) { return 16 * DBL_EPSILON * fmax(fabs(t), span * DBL_EPSILON); }
 static inline double dalembert_tiny(const dalembert_modes* m, double t) { return 64 * dalembert_smallest(m->kept->span, t); }
 
+/* How much a guard changes within an instant because inputs move, as its rate is that with inputs held. Of a jump, which is found where it
+ * is, nothing. */
+static inline double dalembert_by_moving_inputs(double now, double half, double whole) {
+    const double change = whole - now;
+    return fabs(2 * (half - now) - change) <= fabs(change) / 2 ? change : 0;
+}
+
 /* Whether a mode can take a state; *event: the first event that happens there at once. What falls through zero within an instant does;
  * where `is_late`, so does what fell within the last two. */
 static inline int dalembert_accepts(const dalembert_modes* m, unsigned mode, double t, const double* x, int is_late, size_t* event) {
@@ -43,14 +50,18 @@ static inline int dalembert_accepts(const dalembert_modes* m, unsigned mode, dou
     *event = DALEMBERT_NONE;
     if (p->holds != NULL && !p->holds(m->self, mode, x, m->u, t)) return 0;
     p->guard_values(m->self, mode, x, m->u, t, m->g);
+    p->guard_values(m->self, mode, x, m->u_half, t, m->g_half);
+    p->guard_values(m->self, mode, x, m->u_whole, t, m->g_whole);
     p->guard_rates(m->self, mode, x, m->u, t, m->rates);
     for (size_t e = 0; e < p->events; ++e) {
         if (!p->is_watched(mode, e)) continue;
-        const double g = m->g[e], rate = m->rates[e];
-        const int fell = is_late && g < 0 && g >= 2 * instant * rate;
+        const double g = m->g[e], moved = dalembert_by_moving_inputs(g, m->g_half[e], m->g_whole[e]);
+        const double change = instant * m->rates[e] + moved;
+        const double slope = moved == 0 ? m->rates[e] : change; /* small numbers times an instant may be zero */
+        const int fell = is_late && g < 0 && g >= 2 * change;
         const int is_driven = g < 0 && p->happens_at_once != NULL && p->happens_at_once(e);
         if (!(g >= 0) && !fell && !is_driven) return 0;
-        const int falls = is_driven || (g > 0 || g < 0 ? g + instant * rate <= 0 : !(rate >= 0));
+        const int falls = is_driven || (g > 0 || g < 0 ? g + change <= 0 : !(slope >= 0));
         if (falls && *event == DALEMBERT_NONE) *event = e;
     }
     return 1;
@@ -59,8 +70,11 @@ static inline int dalembert_accepts(const dalembert_modes* m, unsigned mode, dou
 /* Takes the first of `count` modes (null: all) that accepts the state, or else the first one in which an event happens at once. */
 static inline int dalembert_choose(dalembert_modes* m, const unsigned* modes, size_t count, double t, const double* x, int is_late,
                                    size_t* event) {
+    const double instant = dalembert_tiny(m, t);
     int is_found = 0;
     dalembert_inputs_at(m, t, x, m->u);
+    dalembert_inputs_at(m, t + instant / 2, x, m->u_half);
+    dalembert_inputs_at(m, t + instant, x, m->u_whole);
     for (size_t i = 0; i < count; ++i) {
         const unsigned mode = modes != NULL ? modes[i] : (unsigned)i;
         size_t first;

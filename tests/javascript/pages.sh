@@ -21,7 +21,7 @@ node "$tests/network.mjs" "$here/network.html"
 models=()
 bad=()
 for model in "$@"; do models+=("$SOURCE"/systems/*/"$model".toml); done
-[ $# -gt 0 ] || mapfile -t models < <(find "$SOURCE/systems" -name '*.toml' -not -path '*/book/*' | sort; echo "$SOURCE/tests/regressions/flat_parallelogram.toml")
+[ $# -gt 0 ] || mapfile -t models < <(find "$SOURCE/systems" -name '*.toml' -not -path '*/book/*' | sort; printf "%s\n" "$SOURCE"/tests/regressions/{flat_parallelogram,moving_supply}.toml)
 for path in "${models[@]}"; do
   [ -f "$path" ] || failed "there is no model $path"
   page=$here/$(basename "$path" .toml).html

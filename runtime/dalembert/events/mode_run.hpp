@@ -47,10 +47,11 @@ protected:
     /// happened an instant ago.
     template <class Modes>
     bool choose(const Modes& modes, std::size_t& event, bool is_late = false) {
-        const Input u = inputs_(x_, t_);
+        const Scalar instant = control_.tiny(t_);
+        const InputsAhead<System> inputs{inputs_(x_, t_), inputs_(x_, t_ + instant / Scalar(2)), inputs_(x_, t_ + instant)};
         bool is_found = false;
         for (const Mode mode : modes) {
-            const Acceptance answer = acceptance(system_, mode, x_, u, t_, control_.tiny(t_), is_late);
+            const Acceptance answer = acceptance(system_, mode, x_, inputs, t_, instant, is_late);
             if (!answer.is_possible || (is_found && answer.event != none)) continue;
             here_.mode = mode;
             event = answer.event;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
@@ -122,24 +123,45 @@ struct Acceptance {
     std::size_t event = Outcome::none;
 };
 
-/// In `mode` at (t, x). What falls through zero within `instant`, in s, happens at once; where `is_late`, so does what fell within the last two.
+/// Inputs now, and half an instant and an instant later.
 template <class System>
-Acceptance acceptance(const System& system, typename System::Mode mode, const typename System::State& x, const typename System::Input& u, typename System::scalar_type t,
-                      typename System::scalar_type instant, bool is_late = false) {
+struct InputsAhead {
+    typename System::Input now, half, whole;
+};
+
+/// How much a guard changes within an instant because inputs move, as its rate is that with inputs held. Of a jump, which is found where it
+/// is, nothing.
+template <class Scalar>
+Scalar by_moving_inputs(Scalar now, Scalar half, Scalar whole) {
+    using std::abs;
+    const Scalar change = whole - now;
+    return abs(Scalar(2) * (half - now) - change) <= abs(change) / Scalar(2) ? change : Scalar(0);
+}
+
+/// In `mode` at (t, x). What falls through zero within `instant`, in s, happens at once; where `is_late`, so does what fell within the last
+/// two.
+template <class System>
+Acceptance acceptance(const System& system, typename System::Mode mode, const typename System::State& x, const InputsAhead<System>& inputs,
+                      typename System::scalar_type t, typename System::scalar_type instant, bool is_late = false) {
     using Scalar = typename System::scalar_type;
     if constexpr (has_conditions<System>)
-        if (!system.holds(mode, x, u, t)) return {};
-    typename System::Events g{}, rates{};
-    system.guards(mode, x, u, t, g);
-    system.guard_rates(mode, x, u, t, rates);
+        if (!system.holds(mode, x, inputs.now, t)) return {};
+    typename System::Events g{}, half{}, whole{}, rates{};
+    system.guards(mode, x, inputs.now, t, g);
+    system.guards(mode, x, inputs.half, t, half);
+    system.guards(mode, x, inputs.whole, t, whole);
+    system.guard_rates(mode, x, inputs.now, t, rates);
     Acceptance result{true, Outcome::none};
     for (std::size_t e = 0; e < g.size(); ++e) {
         if (!System::is_watched(mode, e)) continue;
-        const bool fell = is_late && g[e] < Scalar(0) && g[e] >= Scalar(2) * instant * rates[e];
+        const Scalar moved = by_moving_inputs(g[e], half[e], whole[e]);
+        const Scalar change = instant * rates[e] + moved;
+        const bool fell = is_late && g[e] < Scalar(0) && g[e] >= Scalar(2) * change;
         bool is_driven = false;
         if constexpr (has_events_at_once<System>) is_driven = System::happens_at_once(e) && g[e] < Scalar(0);
         if (!(g[e] >= Scalar(0)) && !fell && !is_driven) return {};
-        const bool falls = is_driven || (g[e] == Scalar(0) ? !(rates[e] >= Scalar(0)) : g[e] + instant * rates[e] <= Scalar(0));
+        const Scalar slope = moved == Scalar(0) ? rates[e] : change;  // small numbers times an instant may be zero
+        const bool falls = is_driven || (g[e] == Scalar(0) ? !(slope >= Scalar(0)) : g[e] + change <= Scalar(0));
         if (falls && result.event == Outcome::none) result.event = e;
     }
     return result;
