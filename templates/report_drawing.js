@@ -9,7 +9,12 @@ function make_drawing(scene, places, measures, forces, across) {
     const count = scene.framed, is_planar = scene.plane.length > 0;
     const {view: said} = scene, first = measures[0] || [], given = (key, usual) => said[key] === null ? usual : first[said[key]];
     const look_of = (k) => said.looks[k], is_hidden = (k) => k < scene.bodies.length && Boolean(look_of(k) && look_of(k).hidden);
-    const reach_at = (k, i) => k < scene.bodies.length ? reach_of(look_of(k), measures[i]) : 0;
+    const reach_at = (k, i) => k >= scene.bodies.length ?
+        0 :
+        scene.shapes.filter((one) => one.body === k).reduce((most, one) => {
+            const from = one.first + one.sizes, m = measures[i], p = places[i];
+            return Math.max(most, Math.hypot(...[0, 1, 2].map((j) => m[from + j] - p[3 * k + j])) + reach_of_solid(one, m));
+        }, reach_of(look_of(k), measures[i]));
     let turn = is_planar ? 0 : given("turn", -0.6), tilt = is_planar ? 0 : given("tilt", 0.45), shown = 0;
     // A look along z at the plane, or from aside and above with z upwards.
     const project = (p, k) => {
@@ -65,6 +70,8 @@ function make_drawing(scene, places, measures, forces, across) {
         places.forEach((p, i) => {
             for (let k = 0; k < count; ++k)
                 if (!is_hidden(k)) see(p, k, reach_at(k, i));
+            for (const one of connectors)
+                if (!one.has_wall) see(p, one.to);
         });
         if (is_planar && ground_height !== null) [y_low, y_high] = [Math.min(y_low, ground_height), Math.max(y_high, ground_height)];
         for (const wall of walls)
@@ -97,14 +104,21 @@ function make_drawing(scene, places, measures, forces, across) {
     const trail_lines = scene.bodies.map((name, k) => trails.appendChild(element('polyline', {style: `stroke: ${colour(k)}`})));
     const shapes =
         scene.bodies.map((name, k) => look_of(k) && look_of(k).shape !== '' && !is_hidden(k) ? make_shape(look_of(k), colour(k)) : null);
-    bodies.append(...shapes.flatMap((shape) => shape === null ? [] : [shape.node]));
-    const size_of = (k) => is_hidden(k) ? 0 : shapes[k] !== null ? 3 : count > 60 ? 4 : 9;
+    const solids = scene.shapes.map((one) => make_solid(one, colour(one.body)));
+    bodies.append(...shapes.flatMap((shape) => shape === null ? [] : [shape.node]), ...solids.map((one) => one.node));
+    const has_shape = (k) => shapes[k] !== null || scene.shapes.some((one) => one.body === k);
+    const size_of = (k) => is_hidden(k) ? 0 : has_shape(k) ? 3 : count > 60 ? 4 : 9;
     const discs = scene.bodies.map((name, k) => bodies.appendChild(element('circle', {r: size_of(k), style: `fill: ${colour(k)}`})));
     const size_of_force = (values, k) => Math.hypot(values[3 * k], values[3 * k + 1], values[3 * k + 2]);
-    const largest_force =
-        forces.reduce((most, values) => scene.forces.reduce((m, one, k) => Math.max(m, size_of_force(values, k) || 0), most), 0);
-    const arrow_style = {style: `stroke: ${view_colours.red}; fill: ${view_colours.red}`, 'stroke-width': 2.5};
-    const arrows = scene.forces.map(() => bodies.appendChild(element('path', arrow_style)));
+    const largest = (is_torque) => forces.reduce(
+        (most, values) => scene.forces.reduce(
+            (m, one, k) => one.is_torque === is_torque ? Math.max(m, size_of_force(values, k) || 0) : m, most),
+        0);
+    const largest_force = largest(false), largest_torque = largest(true);
+    const arrows = scene.forces.map(({is_torque}) => {
+        const colour = view_colours[is_torque ? 'purple' : 'red'];
+        return bodies.appendChild(element('path', {style: `stroke: ${colour}; fill: ${colour}`, 'stroke-width': 2.5}));
+    });
     const joints = [];
     for (let k = scene.bodies.length; k < count; ++k) joints.push(bodies.appendChild(element('circle', {r: 3, fill: 'currentColor'})));
     const names = scene.bodies.length > 12 ? [] : scene.bodies.map((name) => label.appendChild(element('text', {}, name)));
@@ -148,7 +162,7 @@ function make_drawing(scene, places, measures, forces, across) {
                 line.setAttribute(key, value.toFixed(2));
         });
         connectors.forEach((one, s) => {
-            const ends = [at[one.from], walls[s] === null ? at[one.to] : on_paper(walls[s](p), 0)];
+            const ends = [at[one.from], walls[s] === null ? on_paper(p, one.to) : on_paper(walls[s](p), 0)];
             const length = Math.hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]) || 1;
             const across = [(ends[1][1] - ends[0][1]) / length, (ends[0][0] - ends[1][0]) / length];
             const aside = (one.beside - (one.together - 1) / 2) * 20;
@@ -167,10 +181,15 @@ function make_drawing(scene, places, measures, forces, across) {
         shapes.forEach((shape, k) => {
             if (shape !== null) shape.show(at[k][0], at[k][1], measures[shown], view.span);
         });
+        for (const solid of solids) solid.show(measures[shown], (point) => on_paper(point, 0), view.span);
         arrows.forEach((arrow, k) => {
-            const [along, up] = project(forces[shown], k), scale = largest_force > 0 ? 70 / largest_force : 0,
-                          from = at[scene.forces[k].at];
-            arrow.setAttribute('d', arrow_path(from[0], from[1], along * scale, -up * scale));
+            const {at: place, is_torque} = scene.forces[k], most = is_torque ? largest_torque : largest_force, from = at[place];
+            if (is_torque && is_planar) {  // about the axis that points at us: z, -y or x
+                const normal = 3 - scene.plane[0] - scene.plane[1], share = forces[shown][3 * k + normal] / most || 0;
+                return arrow.setAttribute('d', turning_path(from[0], from[1], normal === 1 ? -share : share));
+            }
+            const [along, up] = project(forces[shown], k).map((one) => most > 0 ? 70 * one / most : 0);
+            arrow.setAttribute('d', (is_torque ? axis_path : arrow_path)(from[0], from[1], along, -up));
         });
         names.forEach((name, k) => {
             // Bodies at one place have one label.
@@ -197,13 +216,16 @@ function make_drawing(scene, places, measures, forces, across) {
         show(shown);
     };
     redraw();
+    const arrows_text = (is_torque, most, words, unit) => most > 0 ?
+        ` ${words} (${scene.forces.filter((one) => one.is_torque === is_torque).map((one) => one.name).join(', ')}), up to ${
+            number_text(most, 3)} ${unit}.` :
+        '';
     const caption = element(
         'figcaption', {},
         (is_planar ? 'Bodies at their positions, to scale.' :
                      'Bodies at their positions, to scale; drag, or use the arrow keys, to look from elsewhere.') +
-            (largest_force > 0 ?
-                 ` Arrows are forces (${scene.forces.map((one) => one.name).join(', ')}), up to ${number_text(largest_force, 3)} N.` :
-                 '') +
+            arrows_text(false, largest_force, 'Arrows are forces', 'N') +
+            arrows_text(true, largest_torque, is_planar ? 'Arrows around bodies are torques' : 'Arrows with two heads are torques', 'N m') +
             (walls.some((wall) => wall !== null) ? ' The distances to walls are not to scale.' : ''));
     if (!is_planar) {
         let from = null;

@@ -1,5 +1,5 @@
-// Fluids, heat and circuits as they are: volumes that fill, pressures, temperatures and potentials as colours, flows as arrows whose size
-// follows the flow.
+// Fluids, heat, circuits and shafts as they are: volumes that fill, pressures, temperatures and potentials as colours, rotors that turn,
+// flows and torques as arrows whose size follows them.
 
 /// For each row of a run the values of the network.
 function network_rows(scene, recording) {
@@ -30,7 +30,8 @@ function make_network(network, rows, across) {
     const carried = {
         mass: {words: 'mass', colour: 'var(--accent)'},
         heat: {words: 'heat', colour: 'light-dark(#b3400a, #ffae70)'},
-        current: {words: 'charge', colour: 'light-dark(#1a7a3c, #7ddc9a)'}
+        current: {words: 'charge', colour: 'light-dark(#1a7a3c, #7ddc9a)'},
+        torque: {words: 'torque', colour: view_colours.red}
     };
     const largest = (list) => list.reduce((most, one) => Math.max(most, Math.abs(one) || 0), 0);
     const legends = Object.entries(scales).filter(([name, scale]) => scale !== null);
@@ -52,7 +53,7 @@ function make_network(network, rows, across) {
     const shown_parts = parts.map((part, k) => {
         const [x, y] = at(layout.parts[k]);
         const size = part.size === null ? 0 : largest(rows.map((row) => row[part.size]));
-        const has_box = !['outside', 'pin', 'ground'].includes(part.kind);
+        const has_box = !['outside', 'pin', 'ground', 'fixed'].includes(part.kind);
         bodies.append(element('rect', {x: x - 42, y: y - 24, width: has_box ? 84 : 0, height: 48, rx: 20, ...paper}));
         const body = part_body(part, x, y, size, colour);
         const words = [
@@ -62,11 +63,14 @@ function make_network(network, rows, across) {
         return {part, body, words};
     });
     const flows = links.map((link, k) => {
-        const [x, line] = at(layout.stations[k]), heading = layout.headings[k], is_branch = link.carries === 'current';
-        const most = link.flow === null ? 0 : largest(rows.map((row) => row[link.flow])), y = is_branch ? line + 17 : line;
+        const [x, line] = at(layout.stations[k]), heading = layout.headings[k];
+        const has_symbol = link.carries === 'current' || (link.carries === 'torque' && link.kind !== 'torque');
+        const most = link.flow === null ? 0 : largest(rows.map((row) => row[link.flow])), y = has_symbol ? line + 17 : line;
         const arrow = element('path', {style: `fill: ${carried[link.carries].colour}`});
-        const words = element('text', {x, y: line + (is_branch ? 38 : 28), 'text-anchor': 'middle'});
-        const symbol = is_branch ? branch_symbol(link.kind, x, line, heading) : {nodes: link_symbol(link.kind, x, line), show: () => {}};
+        const words = element('text', {x, y: line + (has_symbol ? 38 : 28), 'text-anchor': 'middle'});
+        const symbol = link.carries === 'current' ? branch_symbol(link.kind, x, line, heading) :
+            link.carries === 'torque'             ? coupling_symbol(link.kind, x, line) :
+                                                    {nodes: link_symbol(link.kind, x, line), show: () => {}};
         bodies.append(...symbol.nodes, arrow, short_text(link.name, x, line - 21, step - 6), words);
         return {link, x, y, most, arrow, words, heading, symbol};
     });
@@ -85,6 +89,7 @@ function make_network(network, rows, across) {
             const lines_of_words = [];
             if (part.pressure !== null) lines_of_words.push(text_of(row[part.pressure], units.pressure));
             if (part.voltage !== null) lines_of_words.push(text_of(row[part.voltage], units.voltage));
+            if (part.speed !== null) lines_of_words.push(text_of(row[part.speed], units.speed));
             if (part.temperature !== null) lines_of_words.push(text_of(row[part.temperature], units.temperature));
             if (part.cells !== null) {
                 const ends =
@@ -100,20 +105,30 @@ function make_network(network, rows, across) {
             const side = Number.isFinite(value) ? Math.sign(value) * heading : 0, thick = 1 + 5 * Math.min(1, share),
                   head = 5 + 4 * Math.min(1, share);
             const tip = x + side * 20;
+            const holds = link.kind === 'clutch' && row[link.conducts] > 0, is_rigid = link.kind === 'shaft' || link.kind === 'gear';
             arrow.setAttribute(
                 'd',
+                is_rigid || holds          ? '' :
                 side === 0 || share < 1e-3 ? `M${x - 6} ${y - 1}h12v2h-12z` :
                                              `M${x - side * 20} ${y - thick / 2}H${tip - side * 10}V${y - head}L${tip} ${y}L${
                                                  tip - side * 10} ${y + head}V${y + thick / 2}H${x - side * 20}z`);
             symbol.show(link.conducts === null || row[link.conducts] > 0);
-            if (!is_quick) words.textContent = link.flow === null ? 'not known here' : text_of(value, units[link.carries]);
+            if (is_quick) continue;
+            words.textContent = link.kind === 'gear' ? `${number_text(row[link.ratio], 4)} : 1` :
+                link.kind === 'shaft'                ? '' :
+                holds                                ? 'holds' :
+                link.flow === null                   ? 'not known here' :
+                                                       text_of(value, units[link.carries]);
         }
     };
     show(0);
-    const found = Object.keys(carried).filter((kind) => links.some((link) => link.carries === kind));
+    const found = Object.keys(carried).filter((kind) => kind !== 'torque' && links.some((link) => link.carries === kind));
     const broken = found.length > 1 ? ' (along broken lines)' : '';
     const kinds = found.map((kind) => carried[kind].words + (kind === 'heat' ? broken : '')).join(', ');
-    const caption = (links.length > 0 ? `Arrows show flows of ${kinds}; the larger, the more flows. ` : '') +
+    const caption = (found.length > 0 ? `Arrows show flows of ${kinds}; the larger, the more flows. ` : '') +
+        (links.some((link) => link.carries === 'torque' && link.flow !== null) ?
+             'Arrows of torques point at what they turn counter-clockwise. ' :
+             '') +
         (parts.some((part) => ['reservoir', 'held'].includes(part.kind)) ? 'Dashed parts have given values. ' : '') +
         'Places are not to scale.';
     return {node: element('figure', {}, svg, element('figcaption', {}, caption)), show};

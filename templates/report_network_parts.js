@@ -1,4 +1,4 @@
-// Colours, scales and parts of the picture of fluids, heat and circuits.
+// Colours, scales and parts of the picture of fluids, heat, circuits and shafts.
 
 /// From pale to deep blue for pressures and green for potentials, from blue over violet to red for temperatures; `share` from 0 to 1.
 const network_colours = {
@@ -52,6 +52,7 @@ function short_text(text, x, y, across, anchor = 'middle') {
 function part_body(part, x, y, largest_size, colour) {
     const node = element('g'), wide = 84, high = 46, frame = {stroke: 'currentColor', 'stroke-width': 1.5};
     const box = (more) => element('rect', {x: x - wide / 2, y: y - high / 2, width: wide, height: high, ...more});
+    if (part.kind === 'rotor') return rotor_body(part, x, y);
     const fluid_or_heat = part.pressure !== null ? 'pressure' : 'temperature';
     if (part.kind === 'junction') {
         const dot = element('circle', {cx: x, cy: y, r: 7, ...frame});
@@ -66,6 +67,11 @@ function part_body(part, x, y, largest_size, colour) {
     if (part.kind === 'ground') {
         const d = `M${x} ${y}v10M${x - 12} ${y + 10}h24M${x - 8} ${y + 14}h16M${x - 4} ${y + 18}h8`;
         node.append(element('path', {d, fill: 'none', ...frame}));
+        return {node, low: y + 18, show: () => {}};
+    }
+    if (part.kind === 'fixed') {
+        const strokes = [-12, -4, 4, 12].map((aside) => `M${x - 3} ${y + aside}l6 -6`).join('');
+        node.append(element('path', {d: `M${x} ${y - 18}v36${strokes}`, fill: 'none', ...frame}));
         return {node, low: y + 18, show: () => {}};
     }
     if (part.kind === 'outside' || part.kind === 'enclosure') {
@@ -121,6 +127,42 @@ function part_body(part, x, y, largest_size, colour) {
     for (const one of node.children) one.setAttribute('rx', is_round ? high / 2 : 4);
     node.append(box({fill: 'none', rx: is_round ? high / 2 : 4, ...(is_dashed ? {'stroke-dasharray': '5 4'} : {}), ...frame}));
     return {node, low: y + high / 2, show: (row) => fill.setAttribute('fill', colour(fluid_or_heat, row[part[fluid_or_heat]]))};
+}
+
+/// A wheel with a mark that turns counter-clockwise, where the angle is known.
+function rotor_body(part, x, y) {
+    const r = 23, node = element('g'), frame = {stroke: 'currentColor', 'stroke-width': 1.5};
+    const spokes = element('path', {fill: 'none', ...frame}), mark = element('circle', {r: 3.5, style: `fill: ${plot_colours[0]}`});
+    node.append(element('circle', {cx: x, cy: y, r, fill: 'var(--back)', ...frame}), spokes, element('circle', {cx: x, cy: y, r: 3}));
+    if (part.angle !== null) node.append(mark);
+    const show = (row) => {
+        if (part.angle === null || !Number.isFinite(row[part.angle])) return;
+        const at = (turn, away) => [x + away * Math.cos(row[part.angle] + turn), y - away * Math.sin(row[part.angle] + turn)];
+        spokes.setAttribute('d', [0, 1, 2].map((k) => path_through([at(2 * k * Math.PI / 3, 3), at(2 * k * Math.PI / 3, r)])).join(''));
+        for (const [key, value] of [['cx', at(0, r - 7)[0]], ['cy', at(0, r - 7)[1]]]) mark.setAttribute(key, value.toFixed(2));
+    };
+    return {node, low: y + 25, show};
+}
+
+/// The symbol of a coupling. Returns { nodes, show(holds) }.
+function coupling_symbol(kind, x, y) {
+    const line = (d, more = {}) => element('path', {d, fill: 'none', stroke: 'currentColor', 'stroke-width': 1.5, ...more});
+    const paper = (half, high) => element('rect', {x: x - half, y: y - high, width: 2 * half, height: 2 * high, fill: 'var(--back)'});
+    const still = (...nodes) => ({nodes, show: () => {}});
+    switch (kind) {
+        case 'torsion spring': return still(paper(20, 6), line(spring_path([x - 20, y], [x + 20, y], [0, 1])));
+        case 'torsion damper': return still(paper(16, 6), line(damper_path([x - 20, y], [x + 20, y], [0, 1])));
+        case 'gear':
+            return still(...[-8, 8].map((aside) => element(
+                'circle',
+                {cx: x + aside, cy: y, r: 7, fill: 'var(--back)', stroke: 'currentColor', 'stroke-width': 3, 'stroke-dasharray': '2.2 2.2'})));
+        case 'clutch': {
+            const plates = line('');
+            const show = (holds) => plates.setAttribute('d', [-1, 1].map((k) => `M${x + k * (holds ? 2 : 5)} ${y - 12}v24`).join(''));
+            return {nodes: [paper(5, 12), plates], show};
+        }
+        default: return still();
+    }
 }
 
 /// What stands on a line, of its kind: an orifice, a valve, a pump, or nothing but the arrow.

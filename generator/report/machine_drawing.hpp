@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a machine can be drawn without a word of the model about it: its bodies at their positions, and bars between a body and the point
-// about which it turns.
-//
-// note [bars]: Let r(q) be the position of a body and q one of its angles. It turns about p = r + J dr/dq, J a quarter turn, where p does
-// not depend on q. That is a joint where the body itself turns by q, or where p is fixed to the ground, or is where another body is, or
-// where a bar ends. Of several, the joint next to the body is the one that the most coordinates move. The bar reaches from p to r; and as
-// far behind r where the inertia is that of a uniform bar, or another bar begins there. In space a bar joins a body to what it keeps its
-// distance from, whatever moves.
+// What of a machine can be drawn without a word of the model about it: its bodies at their positions, bars between joints, springs,
+// dampers, forces and torques; and beside that the network of all that has no place.
 #pragma once
 
 #include <optional>
@@ -37,20 +31,29 @@ struct MachineDrawing {
     std::vector<GiNaC::ex> measures; ///< m and rad
     std::optional<std::size_t> ground, turn, tilt;
     bool has_trails = true;
-    /// A force of the model, with its three components among the values.
+    /// A force or torque of the model, with its three components among the values.
     struct DrawnForce {
         std::string name;
         std::size_t at;  ///< point
+        bool is_torque;
     };
     std::vector<DrawnForce> forces;
-    std::vector<GiNaC::ex> force_values;  ///< N
+    std::vector<std::vector<GiNaC::ex>> force_values;  ///< N and N m in the axes of the ground, mode by mode
+    /// A solid, with its sizes, the origin and the three directions of its axes among the measures.
+    struct Shape {
+        std::size_t body;
+        std::string kind;   ///< "box", "cylinder", "cone", "sphere", "hemisphere", "disc" or "wheel"
+        std::size_t first;  ///< of the measures
+        std::size_t sizes;  ///< how many: lengths; radius, height and radius at the top
+    };
+    std::vector<Shape> shapes;
     std::vector<GiNaC::ex> coordinates;  ///< x, y, z of point after point, in m
     std::vector<std::string> bodies;     ///< names of the first points
     std::size_t framed = 0;              ///< points that are in the picture; those behind give directions
     std::vector<Bar> bars;
     std::vector<Connector> connectors;
     std::vector<std::size_t> plane;      ///< the two axes of the picture; none: in space
-    std::vector<NetworkDrawing> networks;  ///< of fluids and heat, one a mode
+    std::vector<NetworkDrawing> networks;  ///< one a mode
     std::vector<std::string> not_drawn;  ///< what the page lists
 };
 

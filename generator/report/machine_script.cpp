@@ -18,6 +18,7 @@
 #include "js/print.hpp"
 #include "language/lexer.hpp"
 #include "program/plant_tables.hpp"
+#include "report/drawing_json.hpp"
 #include "run/plant_run.hpp"
 #include "symbolic/map_functions.hpp"
 
@@ -86,30 +87,17 @@ public:
         json["command"] = command(file);
         add_run(json);
         add_quantities(json);
-        json["bodies"] = drawing_.bodies;
-        for (const MachineDrawing::Bar& bar : drawing_.bars) json["bars"].push_back({bar.from, bar.to});
-        json["connectors"] = Json::array();
-        for (const MachineDrawing::Connector& one : drawing_.connectors)
-            json["connectors"].push_back({{"from", one.from},
-                                          {"to", one.to},
-                                          {"has_wall", one.has_wall},
-                                          {"is_damper", one.is_damper},
-                                          {"beside", one.beside},
-                                          {"together", one.together}});
-        json["forces"] = Json::array();
-        for (const MachineDrawing::DrawnForce& force : drawing_.forces) json["forces"].push_back({{"name", force.name}, {"at", force.at}});
-        json["points"] = drawing_.coordinates.size() / 3;
-        json["framed"] = drawing_.framed;
-        json["plane"] = drawing_.plane;
-        add_view(json);
-        add_network(json);
+        json.update(drawing_json(drawing_, [&](const char* si) { return usual_unit(si); }));
+        std::vector<std::vector<GiNaC::ex>> network_values;
+        for (const NetworkDrawing& network : drawing_.networks) network_values.push_back(network.values);
         const std::string functions = fmt::format(
             "inputs: {}, place: {}, end_of_run: {}, start_values: {}, checked_values: {}, held: {}, switches: {}, network_values: {}, "
             "measures: {}, force_values: {}",
             written(run_.settings.inputs, "u", "t, x, u"), written(drawing_.coordinates, "points", "t, x, points"),
             formulas_.end ? written({*formulas_.end}, "end", "end") : "null", written(formulas_.start, "start", "start"), conditions(json),
-            held(json), switches(), network_values(), written(drawing_.measures, "values", "t, x, values"),
-            written(drawing_.force_values, "values", "t, x, u, values"));
+            held(json), switches(),
+            drawing_.networks.front().empty() ? "null" : by_modes(network_values), written(drawing_.measures, "values", "t, x, values"),
+            drawing_.forces.empty() ? "null" : by_modes(drawing_.force_values));
         return {js_module(run_.header.plant, name, "// SPDX-License-Identifier: BSL-1.0"),
                 fmt::format("{{ ...{}, make: {}, {} }}", script_json(json), name, functions)};
     }
@@ -177,85 +165,25 @@ private:
         return "[" + list + "]";
     }
 
-    /// What the view of the model says, with places of measures.
-    void add_view(Json& json) const {
-        const auto place = [](const std::optional<std::size_t>& one) { return one ? Json(*one) : Json(); };
-        Json& view = json["view"];
-        view = {{"count", drawing_.measures.size()}, {"ground", place(drawing_.ground)},  {"turn", place(drawing_.turn)},
-                {"tilt", place(drawing_.tilt)},      {"has_trails", drawing_.has_trails}, {"looks", Json::array()}};
-        for (const MachineDrawing::Look& look : drawing_.looks)
-            view["looks"].push_back({{"shape", look.shape},
-                                     {"colour", look.colour},
-                                     {"hidden", look.hidden},
-                                     {"radius", place(look.radius)},
-                                     {"width", place(look.width)},
-                                     {"height", place(look.height)},
-                                     {"rotation", place(look.rotation)}});
-    }
-
-    /// Parts, links and layouts of the network of fluids, heat and circuits; none where there is nothing of it.
-    void add_network(Json& json) const {
-        const NetworkDrawing& network = drawing_.networks.front();
-        if (network.empty()) return;
-        const auto place = [](const NetworkDrawing::Place& one) { return one ? Json(*one) : Json(); };
-        const auto points = [](const std::vector<GridPoint>& list) {
-            Json rows = Json::array();
-            for (const GridPoint& one : list) rows.push_back({one.column, one.row});
-            return rows;
-        };
-        Json& made = json["network"];
-        for (const NetworkDrawing::Part& part : network.parts)
-            made["parts"].push_back({{"name", part.name},
-                                     {"kind", part.kind},
-                                     {"pressure", place(part.pressure)},
-                                     {"temperature", place(part.temperature)},
-                                     {"size", place(part.size)},
-                                     {"voltage", place(part.voltage)},
-                                     {"cells", place(part.cells)},
-                                     {"count", part.cell_count},
-                                     {"across", part.cells_across}});
-        made["links"] = Json::array();
-        for (const NetworkDrawing::Link& link : network.links)
-            made["links"].push_back({{"name", link.name},
-                                     {"kind", link.kind},
-                                     {"from", link.from},
-                                     {"to", link.to},
-                                     {"carries", link.carries},
-                                     {"flow", place(link.flow)},
-                                     {"conducts", place(link.conducts)}});
-        for (const LayeredLayout& layout : network.layouts) {
-            Json paths = Json::array();
-            for (const auto& path : layout.paths) paths.push_back(points(path));
-            made["layouts"].push_back({{"columns", layout.columns},
-                                       {"rows", layout.rows},
-                                       {"parts", points(layout.nodes)},
-                                       {"stations", points(layout.stations)},
-                                       {"paths", paths},
-                                       {"headings", layout.headings}});
-        }
-        made["count"] = network.values.size();
-        for (const auto& [name, si] :
-             {std::pair{"pressure", "Pa"}, {"temperature", "K"}, {"size", "m^3"}, {"voltage", "V"}, {"mass", "kg/s"}, {"heat", "W"},
-              {"current", "A"}})
-            made["units"][name] = usual_unit(si);
-    }
-
-    /// That of the first quantity of the model that has the dimension and a unit other than SI, states before others.
+    /// That of the first quantity of the model that has the dimension and a unit other than SI, states before others. One of speeds of
+    /// rotation counts turns or degrees, as 1/min alone may be anything, and of torques there is none, as energies have their dimension.
     Json usual_unit(const std::string& si) const {
         const Dimension wanted = parse_unit(excerpt_of(std::make_shared<const Source>("unit", si))).dimension;
+        const auto fits = [&](const Unit& unit) {
+            return unit.dimension == wanted && !unit.is_coherent() && si != "N*m" && (si != "rad/s" || unit.pi_power != 0);
+        };
         for (const SymbolKind kind : {SymbolKind::state, SymbolKind::input, SymbolKind::parameter})
             for (const Variable& variable : system_.symbols.all(kind))
-                if (variable.declared != nullptr && variable.declared->unit.dimension == wanted && !variable.declared->unit.is_coherent())
-                    return unit_json(variable.declared->unit);
+                if (variable.declared != nullptr && fits(variable.declared->unit)) return unit_json(variable.declared->unit);
         return unit_json(si, 1, 0);
     }
 
-    std::string network_values() {
-        if (drawing_.networks.front().empty()) return "null";
+    /// Functions of the state, the time and inputs.
+    std::string by_modes(const std::vector<std::vector<GiNaC::ex>>& values) {
         std::string list;
-        for (std::size_t i = 0; i < drawing_.networks.size(); ++i)
-            list += written_function(i == 0 ? *run_.machine.code : *run_.machine.other_modes[i - 1].code, run_.header.plant,
-                                     drawing_.networks[i].values, "values", "t, x, u, values") +
+        for (std::size_t i = 0; i < values.size(); ++i)
+            list += written_function(i == 0 ? *run_.machine.code : *run_.machine.other_modes[i - 1].code, run_.header.plant, values[i],
+                                     "values", "t, x, u, values") +
                     ", ";
         return "[" + list + "]";
     }

@@ -7,12 +7,18 @@ namespace dalembert {
 
 using GiNaC::ex;
 
-NetworkDrawing::Place NetworkBuilder::add(const ex& value) {
+std::optional<ex> known_value(const System& system, const ex& value) {
     const ex plain = system.symbols.without_definitions(system.with_rates(value));
     for (const SymbolKind kind : {SymbolKind::acceleration, SymbolKind::multiplier, SymbolKind::state_rate})
         for (const Variable& variable : system.symbols.all(kind))
             if (plain.has(variable.symbol)) return std::nullopt;
-    drawing.values.push_back(plain);
+    return plain;
+}
+
+NetworkDrawing::Place NetworkBuilder::add(const ex& value) {
+    const std::optional<ex> known = known_value(system, value);
+    if (!known) return std::nullopt;
+    drawing.values.push_back(*known);
     return drawing.values.size() - 1;
 }
 

@@ -34,7 +34,7 @@ void hide(NetworkDrawing& drawing, const Model& model) {
     for (std::size_t i = 0; i < drawing.parts.size(); ++i) {
         place.push_back(parts.size());
         const Part& part = drawing.parts[i];
-        static const std::set<std::string> ends_of_links{"reservoir", "held", "ground", "outside"};
+        static const std::set<std::string> ends_of_links{"reservoir", "held", "ground", "fixed", "outside"};
         const bool is_end = ends_of_links.contains(part.kind);
         if (!is_hidden(model, part.name) && !(is_end && had_links[i] && !has_links[i])) parts.push_back(part);
     }
@@ -45,15 +45,16 @@ void hide(NetworkDrawing& drawing, const Model& model) {
     }
 }
 
-NetworkDrawing network_of(const System& system, const std::vector<Member<Flow>>& flows) {
-    NetworkBuilder network(system);
-    add_fluids(network, flows);
+NetworkDrawing network_of(const System& system, const NetworkLists& lists) {
+    NetworkBuilder network(system, lists);
+    add_fluids(network);
     add_heat(network);
     add_circuit(network);
+    add_rotors(network);
     NetworkDrawing drawing = std::move(network.drawing);
     hide(drawing, *system.scene.model);
     if (drawing.parts.size() > most_parts) {
-        const std::string told = fmt::format("the network of fluids, heat and circuits, which has {} parts", drawing.parts.size());
+        const std::string told = fmt::format("the network of fluids, heat, circuits and shafts, which has {} parts", drawing.parts.size());
         drawing = {};
         drawing.not_drawn.push_back(told);
         return drawing;
@@ -85,40 +86,50 @@ namespace {
 bool is_same(const NetworkDrawing& a, const NetworkDrawing& b) {
     const auto same_part = [](const Part& one, const Part& other) {
         return one.name == other.name && one.kind == other.kind && one.pressure == other.pressure && one.temperature == other.temperature &&
-               one.size == other.size && one.voltage == other.voltage && one.cells == other.cells;
+               one.size == other.size && one.voltage == other.voltage && one.cells == other.cells && one.speed == other.speed &&
+               one.angle == other.angle;
     };
     const auto same_link = [](const NetworkDrawing::Link& one, const NetworkDrawing::Link& other) {
         return one.name == other.name && one.from == other.from && one.to == other.to && one.flow == other.flow &&
-               one.conducts == other.conducts;
+               one.conducts == other.conducts && one.ratio == other.ratio;
     };
     return std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(), same_part) &&
            std::equal(a.links.begin(), a.links.end(), b.links.begin(), b.links.end(), same_link);
 }
 
-/// In order of declaration.
-std::vector<Member<Flow>> flows_of_all_modes(const Machine& machine) {
-    std::vector<Member<Flow>> flows;
-    const auto add = [&](const System& system) {
-        for (const FlowState& flow : system.fluids.flows) flows.push_back(flow.member);
-    };
-    add(*machine.system);
-    for (const Machine& other : machine.other_modes) add(*other.system);
+template <class Visit>
+void in_all_modes(const Machine& machine, const Visit& visit) {
+    visit(*machine.system);
+    for (const Machine& other : machine.other_modes) visit(*other.system);
+}
+
+NetworkLists lists_of(const Machine& machine, const std::vector<std::string>& unplaced) {
+    NetworkLists lists;
+    in_all_modes(machine, [&](const System& system) {
+        for (const FlowState& flow : system.fluids.flows) lists.flows.push_back(flow.member);
+        for (const ControlVolume& volume : system.fluids.containers.volumes)
+            if (!volume.heat.is_zero()) lists.heated.insert(volume.member.name());
+        for (const NodeState& node : system.heat.nodes)
+            if (!node.source.is_zero()) lists.heated.insert(node.name);
+    });
     const auto place = [](const Member<Flow>& flow) { return std::pair(flow.item, flow.index); };
+    std::vector<Member<Flow>>& flows = lists.flows;
     std::sort(flows.begin(), flows.end(), [&](const auto& a, const auto& b) { return place(a) < place(b); });
     flows.erase(std::unique(flows.begin(), flows.end(), [&](const auto& a, const auto& b) { return place(a) == place(b); }), flows.end());
-    return flows;
+    list_couplings(lists, machine, unplaced);
+    return lists;
 }
 
 }  // namespace
 
-std::vector<NetworkDrawing> networks_of(const Machine& machine) {
-    const std::vector<Member<Flow>> flows = flows_of_all_modes(machine);
-    std::vector<NetworkDrawing> networks{network_of(*machine.system, flows)};
+std::vector<NetworkDrawing> networks_of(const Machine& machine, const std::vector<std::string>& unplaced) {
+    const NetworkLists lists = lists_of(machine, unplaced);
+    std::vector<NetworkDrawing> networks{network_of(*machine.system, lists)};
     for (const Machine& other : machine.other_modes) {
-        networks.push_back(network_of(*other.system, flows));
+        networks.push_back(network_of(*other.system, lists));
         if (is_same(networks.front(), networks.back())) continue;
         NetworkDrawing none;
-        none.not_drawn.push_back("the network of fluids, heat and circuits, whose parts differ between modes");
+        none.not_drawn.push_back("the network of fluids, heat, circuits and shafts, whose parts differ between modes");
         return std::vector<NetworkDrawing>(1 + machine.other_modes.size(), none);
     }
     return networks;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of fluids, heat and circuits can be drawn without a word of the model about it: volumes that fill, reservoirs, junctions, nodes,
-// rods and pins, and between them flows of mass and heat and currents. What is measured of them are functions of the state, the time and
-// inputs.
+// What has no place of fluids, heat, circuits and shafts can be drawn without a word of the model about it: volumes that fill, reservoirs,
+// junctions, nodes, rods, pins and rotors, and between them flows of mass and heat, currents and torques. What is measured of them are
+// functions of the state, the time and inputs.
 #pragma once
 
 #include <optional>
@@ -19,26 +19,28 @@ struct NetworkDrawing {
 
     struct Part {
         std::string name = {};
-        /// "tank", "cylinder", "vessel", "reservoir", "junction", "node", "held", "sought", "cells", "enclosure", "pin", "ground",
+        /// "tank", "cylinder", "vessel", "reservoir", "junction", "node", "held", "sought", "cells", "enclosure", "pin", "ground", "rotor", "fixed",
         /// "outside"
         std::string kind = {};
-        Place pressure = {}, temperature = {}, size = {}, voltage = {};
+        Place pressure = {}, temperature = {}, size = {}, voltage = {}, speed = {}, angle = {};
         Place cells = {};  ///< the first of the temperatures of a rod or block
         std::size_t cell_count = 0, cells_across = 0;
     };
     struct Link {
         std::string name;
-        std::string kind;  ///< the law of a flow or branch, or "heat" and "radiation"
+        std::string kind;  ///< the law of a flow or branch, "heat", "radiation", or the kind of a coupling
         std::size_t from, to;
-        std::string carries;  ///< "mass", "heat" or "current"
-        Place flow;           ///< kg/s, W or A from `from` to `to`; nothing where it depends on accelerations
-        Place conducts = {};  ///< 1 or 0, of a diode or switch
+        std::string carries;  ///< "mass", "heat", "current" or "torque"
+        Place flow;           ///< kg/s, W, A or N m from `from` to `to`; nothing where it depends on accelerations
+        Place conducts = {};  ///< 1 or 0, of a diode, switch or clutch
+        Place ratio = {};     ///< of a gear
     };
     std::vector<Part> parts;
     std::vector<Link> links;
     std::vector<GiNaC::ex> values;
     std::vector<LayeredLayout> layouts;  ///< for narrow and for wide pages
     std::vector<std::string> not_drawn;
+    std::vector<std::string> drawn;  ///< rotors and couplings, as "body rotor" and "spring shaft"
 
     bool empty() const { return parts.empty(); }
 };
@@ -48,6 +50,7 @@ const ViewPart* find_view(const Model& model, const std::string& name);
 bool is_hidden(const Model& model, const std::string& name);
 
 /// In each mode, that of the machine first: all but the values is the same, or nothing is drawn. A flow of other modes is zero.
-std::vector<NetworkDrawing> networks_of(const Machine& machine);
+/// `unplaced`: what the picture of bodies has no place for, as "spring shaft".
+std::vector<NetworkDrawing> networks_of(const Machine& machine, const std::vector<std::string>& unplaced);
 
 }  // namespace dalembert

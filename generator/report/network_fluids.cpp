@@ -12,8 +12,7 @@ using Part = NetworkDrawing::Part;
 
 class FluidsDrawn {
 public:
-    FluidsDrawn(NetworkBuilder& network, const std::vector<Member<Flow>>& flows)
-        : network_(network), system_(network.system), flows_(flows) {}
+    explicit FluidsDrawn(NetworkBuilder& network) : network_(network), system_(network.system) {}
 
     void run() {
         const Containers& all = system_.fluids.containers;
@@ -30,7 +29,7 @@ public:
             const NetworkDrawing::Place pressure = network_.add(junction.fluid.pressure);
             junctions_[&junction] = network_.add({.name = junction.member.name(), .kind = "junction", .pressure = pressure});
         }
-        for (const Member<Flow>& member : flows_) {
+        for (const Member<Flow>& member : network_.lists.flows) {
             const FlowState* flow = system_.fluids.find_flow(member.item->name, member.index);
             const std::size_t from =
                 flow != nullptr ? end_of(flow->from_volume, flow->from_junction, flow->from) : end_named(member.item->from, member);
@@ -39,7 +38,7 @@ public:
             network_.link(member.name(), law_of(*member.item), from, to, "mass", flow != nullptr ? flow->mass_flow : ex(0));
         }
         for (const ControlVolume& volume : all.volumes)
-            if (!volume.heat.is_zero()) {
+            if (network_.lists.heated.contains(volume.member.name())) {
                 const std::size_t place = network_.volumes.at(&volume);
                 network_.link(volume.member.name() + ", heat", "heat", network_.outside(), place, "heat", volume.heat);
             }
@@ -72,12 +71,11 @@ public:
 
     NetworkBuilder& network_;
     const System& system_;
-    const std::vector<Member<Flow>>& flows_;
     std::map<const JunctionState*, std::size_t> junctions_;
 };
 
 }  // namespace
 
-void add_fluids(NetworkBuilder& network, const std::vector<Member<Flow>>& flows) { FluidsDrawn(network, flows).run(); }
+void add_fluids(NetworkBuilder& network) { FluidsDrawn(network).run(); }
 
 }  // namespace dalembert

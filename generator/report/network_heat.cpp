@@ -30,7 +30,8 @@ public:
                 const NetworkDrawing::Place temperature = network_.add(node.warmth.temperature);
                 const std::size_t place = network_.add({.name = node.name, .kind = kind, .temperature = temperature});
                 nodes_[&node] = place;
-                if (!node.source.is_zero()) network_.link(node.name + ", heat", "heat", network_.outside(), place, "heat", node.source);
+                if (network_.lists.heated.contains(node.name))
+                    network_.link(node.name + ", heat", "heat", network_.outside(), place, "heat", node.source);
             }
         for (const EnclosureState& enclosure : system_.heat.enclosures) add_enclosure(enclosure);
         for (const LinkState& one : system_.heat.links) {
@@ -60,15 +61,17 @@ public:
             Part part{.name = member.item->name, .kind = "cells"};
             part.cell_count = part.cells_across = count;
             ex source = 0;
+            bool is_heated = false;
             for (const NodeState& node : system_.heat.nodes) {
                 if (!is_of_it(node)) continue;
                 const NetworkDrawing::Place place = network_.add(node.warmth.temperature);
                 if (!part.cells) part.cells = place;
                 source += node.source;
+                is_heated = is_heated || network_.lists.heated.contains(node.name);
             }
             const std::size_t place = network_.add(std::move(part));
             cells_[member.item] = place;
-            if (!source.is_zero()) network_.link(member.item->name + ", heat", "heat", network_.outside(), place, "heat", source);
+            if (is_heated) network_.link(member.item->name + ", heat", "heat", network_.outside(), place, "heat", source);
         }
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the picture of fluids, heat and circuits shows is what outputs of the model say, in every row and mode:
+// What the picture of fluids, heat, circuits and shafts shows is what outputs of the model say, in every row and mode:
 // node network.mjs NETWORK.html
 import {script_of} from './page.mjs';
 
@@ -16,7 +16,9 @@ const of_key = {
     p: 'pressure',
     v: 'size',
     t: 'temperature',
-    u: 'voltage'
+    u: 'voltage',
+    w: 'speed',
+    a: 'angle'
 };
 scene.outputs.forEach((output, k) => {
     const [kind, name] = [output.name.slice(0, 1), output.name.slice(2)];
@@ -34,5 +36,6 @@ check(
     rows.every((row, i) => row[chain.cells + 7] === run.rows[i].x[scene.states.findIndex((one) => one.name === 'c[8]')]),
     'the cells of the family');
 check(bar.count === 5 && rows[0][bar.cells] === 350 && rows[0][bar.cells + 1] === 300, 'the cells of the bar, from its held end');
+check(rows.every((row) => row[links.find((one) => one.kind === 'gear').ratio] === 5), 'the ratio of the gear');
 console.log(`${compared} values of the network`);
 process.exit(failures > 0 ? 1 : 0);

@@ -30,19 +30,21 @@ bool is_at(const MachineDrawing& drawn, std::size_t point, double x, double y) {
     return number(0) == doctest::Approx(x) && number(1) == doctest::Approx(y);
 }
 
+/// Parts and links of a network, by names.
+std::string kinds(const NetworkDrawing& of) {
+    std::string text;
+    for (const NetworkDrawing::Part& part : of.parts) text += part.name + ": " + part.kind + "; ";
+    for (const NetworkDrawing::Link& link : of.links)
+        text += link.name + ": " + link.kind + " " + of.parts[link.from].name + " - " + of.parts[link.to].name + "; ";
+    return text;
+}
+
 }  // namespace
 
 TEST_CASE("networks of fluids and heat have the parts and links of the scene, in all of its modes") {
     const MachineDrawing cylinder = drawing_of(machine_of("hydraulics/hydraulic_cylinder", "leaking"));
     REQUIRE(cylinder.networks.size() == 1);
     const NetworkDrawing& network = cylinder.networks[0];
-    const auto kinds = [](const NetworkDrawing& of) {
-        std::string text;
-        for (const NetworkDrawing::Part& part : of.parts) text += part.name + ": " + part.kind + "; ";
-        for (const NetworkDrawing::Link& link : of.links)
-            text += link.name + ": " + link.kind + " " + of.parts[link.from].name + " - " + of.parts[link.to].name + "; ";
-        return text;
-    };
     CHECK(kinds(network) == "chamber_1: cylinder; chamber_2: cylinder; supply: reservoir; tank: reservoir; "
                             "inlet_1:  supply - chamber_1; inlet_2:  tank - chamber_2; leak: laminar chamber_1 - chamber_2; ");
     const MachineDrawing valve = drawing_of(machine_of("pneumatics/check_valve"));
@@ -71,6 +73,92 @@ TEST_CASE("networks of fluids and heat have the parts and links of the scene, in
     CHECK(conducting == std::vector{0, 1, 1});
 }
 
+TEST_CASE("bodies that turn and have no place are drawn with what turns and couples them") {
+    const MachineDrawing train = drawing_of(machine_of("mechanics/drive_train", "damped"));
+    CHECK(kinds(train.networks[0]) == "motor: rotor; disc: rotor; load: rotor; : outside; : outside; : gear motor - disc; "
+                                      "shaft: torsion spring disc - load; shaft: torsion damper disc - load; "
+                                      "motor: torque  - motor; load: torque  - load; ");
+    CHECK(train.not_drawn.empty());
+    // A contact and a friction are one coupling each, whatever they bring in which mode.
+    const MachineDrawing dry = drawing_of(machine_of("mechanics/dry_drive_train", "damped"));
+    CHECK(dry.not_drawn.empty());
+    CHECK(kinds(dry.networks[0]).ends_with(": gear motor - disc; motor: torque  - motor; load: clutch  - load; "
+                                           "damped_shaft: torsion spring disc - load; "));
+    bool is_held = false, is_slipping = false;
+    for (const NetworkDrawing& mode : dry.networks) {
+        const NetworkDrawing::Link& brake = mode.links.at(2);
+        REQUIRE(brake.flow);
+        const GiNaC::ex holds = mode.values.at(brake.conducts.value()), torque = mode.values.at(*brake.flow);
+        CHECK(holds.is_equal(torque.is_zero() ? 1 : 0));
+        (holds.is_equal(1) ? is_held : is_slipping) = true;
+    }
+    CHECK((is_held && is_slipping));
+    // The rate of a bearing is that of one rotor, although another one has the same coordinate.
+    const MachineDrawing screw = drawing_of(machine_of("parts/ball_screw"));
+    CHECK(kinds(screw.networks[0]) == "screw: rotor; : fixed; : outside; bearings: torsion damper  - screw; drive: torque  - screw; ");
+}
+
+TEST_CASE("forces and torques are in the axes of the ground, at bodies, points and joints") {
+    const auto value = [](const GiNaC::ex& e) {
+        GiNaC::exmap values;
+        for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
+            if (GiNaC::is_a<GiNaC::symbol>(*part)) values[*part] = 1;
+        return GiNaC::ex_to<GiNaC::numeric>(e.subs(values).evalf()).to_double();
+    };
+    const MachineDrawing drawn = drawing_of(machine_from(
+        "[bodies]\narm = { mass = \"1 kg\", inertia = [\"1 kg*m^2\", \"1 kg*m^2\", \"1 kg*m^2\"], centre = [\"1 m\", 0, 0] }\n"
+        "[joints]\nshoulder = { law = \"revolute\", body = \"arm\", at = [0, 0, \"2 m\"], axis = \"y\" }\n"
+        "[forces]\nthrust = { on = \"arm\", force = [0, 0, \"5 N\"], in_axes = true }\n"
+        "[torques]\nmotor = { rate = \"2*dot(shoulder)\", torque = \"3 N*m\" }\n"));
+    REQUIRE(drawn.forces.size() == 2);
+    const std::vector<GiNaC::ex>& values = drawn.force_values.at(0);
+    CHECK(value(values[0]) == doctest::Approx(5 * std::sin(1.0)));
+    CHECK(value(values[1]) == 0);
+    CHECK(value(values[2]) == doctest::Approx(5 * std::cos(1.0)));
+    CHECK(drawn.forces[1].is_torque);
+    CHECK(std::vector{value(values[3]), value(values[4]), value(values[5])} == std::vector{0.0, 6.0, 0.0});
+    const std::size_t joint = drawn.forces[1].at;
+    CHECK(std::vector{value(drawn.coordinates[3 * joint]), value(drawn.coordinates[3 * joint + 2])} == std::vector{0.0, 2.0});
+    REQUIRE(drawn.bars.size() == 1);
+    CHECK(drawn.bars[0].from == joint);
+    CHECK(drawn.not_drawn.empty());
+}
+
+TEST_CASE("bars stand where a constraint holds a distance") {
+    const MachineDrawing drawn = drawing_of(machine_of("mechanics/double_pendulum_xy"));
+    CHECK(drawn.bars.size() == 2);
+    CHECK(drawn.not_drawn.empty());
+    CHECK(drawing_of(machine_of("mechanics/four_bar")).not_drawn == std::vector<std::string>{"constraints 'loop_x' and 'loop_y'"});
+}
+
+TEST_CASE("bodies have the shapes of their solids, around their centres of mass where that is their position") {
+    const std::string solids = "[coordinates]\na = { unit = \"rad\" }\n[solids]\n"
+                               "plate = { shape = \"box\", size = [\"2 m\", \"1 m\", \"1 m\"], at = [\"1 m\", 0, 0], mass = \"1 kg\" }\n"
+                               "pin = { shape = \"cylinder\", radius = \"1 m\", height = \"3 m\", at = [\"3 m\", 0, 0], mass = \"1 kg\" }\n"
+                               "both = { of = [\"plate\", \"pin\"], at = [0, \"1 m\", 0] }\n";
+    const auto place_of = [](const MachineDrawing& drawn, std::size_t shape) {
+        std::vector<double> place;
+        for (std::size_t i = 0; i < 3; ++i) {
+            GiNaC::ex e = drawn.measures.at(drawn.shapes.at(shape).first + drawn.shapes[shape].sizes + i);
+            GiNaC::exmap still;
+            for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
+                if (GiNaC::is_a<GiNaC::symbol>(*part)) still[*part] = 0;
+            place.push_back(GiNaC::ex_to<GiNaC::numeric>(e.subs(still).evalf()).to_double());
+        }
+        return place;
+    };
+    const MachineDrawing placed = drawing_of(
+        machine_from(solids + "[bodies.rotor]\nsolid = \"both\"\norigin = [0, 0, 0]\nturns = [[\"z\", \"a\"]]\n"));
+    REQUIRE(placed.shapes.size() == 2);
+    CHECK(placed.shapes[0].kind == "box");
+    CHECK(placed.shapes[1].kind == "cylinder");
+    CHECK(place_of(placed, 0) == std::vector{1.0, 1.0, 0.0});
+    CHECK(place_of(placed, 1) == std::vector{3.0, 1.0, 0.0});
+    const MachineDrawing centred =
+        drawing_of(machine_from(solids + "[bodies.rotor]\nsolid = \"both\"\nposition = [0, 0, 0]\nrotation = \"a\"\n"));
+    CHECK(place_of(centred, 0) == std::vector{-1.0, 0.0, 0.0});
+}
+
 TEST_CASE("springs and dampers are between bodies or at walls, side by side where they have the same ends") {
     const MachineDrawing drawn = drawing_of(machine_from(
         "[parameters]\nm = { unit = \"kg\", value = 1 }\nc = { unit = \"N/m\", value = 1 }\nd = { unit = \"N*s/m\", value = 1 }\n"
@@ -88,7 +176,7 @@ TEST_CASE("springs and dampers are between bodies or at walls, side by side wher
     CHECK(text == "spring at wall 0 of 2; spring 0 of 2; damper at wall 1 of 2; damper 1 of 2; ");
     REQUIRE(drawn.connectors.size() == 4);
     CHECK(drawn.connectors[0].to == drawn.connectors[2].to);
-    CHECK(drawn.not_drawn == std::vector<std::string>{"2 dampers"});
+    CHECK(drawn.not_drawn == std::vector<std::string>{"dampers 'turned' and 'air'"});
 }
 
 TEST_CASE("views of models give shapes and hide parts with what leads to them") {

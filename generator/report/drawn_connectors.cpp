@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/connectors.hpp"
-
+// Springs and dampers in the picture of a machine: between which bodies they are, or what kind of wall they hang on.
+//
+// note [connectors]: Where an elongation e and the positions of one body change with one coordinate alone, e in proportion to r, the spring
+// pulls along d = dr/de, and r - e d is fixed, or moves with the time alone: what the spring hangs on is somewhere behind. Where e changes
+// with the coordinates of two bodies alone, the spring is between them. Where r is in proportion to the coordinate, it hangs on the origin. The elongation of a damper is what its rate is the rate of.
 #include <algorithm>
 
+#include "elements/bodies.hpp"
 #include "elements/forces.hpp"
+#include "report/machine_builder.hpp"
 
 namespace dalembert {
 
@@ -13,29 +18,27 @@ using GiNaC::ex;
 
 class ConnectorMaker {
 public:
-    ConnectorMaker(const System& system, std::vector<DrawnPoint>& points, MachineDrawing& drawing)
-        : system_(system), points_(points), drawing_(drawing) {}
+    explicit ConnectorMaker(MachineBuilder& machine)
+        : machine_(machine), system_(machine.system), points_(machine.points), drawing_(machine.drawing) {}
 
-    ConnectorsLeftOut run() {
-        ConnectorsLeftOut left_out;
+    void run() {
+        const auto is_drawn = [&](const std::string& name, const std::optional<ex>& elongation, bool is_damper) {
+            return is_hidden(*system_.scene.model, name) || (elongation && add(*elongation, is_damper));
+        };
         for (const Member<Spring>& member : system_.scene.springs) {
-            if (is_hidden(*system_.scene.model, member.name())) continue;
             const ex elongation = system_.translate(*member.item->elongation, Translator::indices_of(member));
-            if (!add(system_.symbols.without_definitions(elongation), false)) ++left_out.springs;
+            if (is_drawn(member.name(), system_.symbols.without_definitions(elongation), false))
+                machine_.drawn.insert("spring " + member.name());
         }
-        for (const Member<Damper>& member : system_.scene.dampers) {
-            if (is_hidden(*system_.scene.model, member.name())) continue;
-            const auto elongation = elongation_of(member);
-            if (!elongation || !add(*elongation, true)) ++left_out.dampers;
-        }
-        return left_out;
+        for (const Member<Damper>& member : system_.scene.dampers)
+            if (is_drawn(member.name(), elongation_of(member), true)) machine_.drawn.insert("damper " + member.name());
     }
 
 private:
     /// Nothing where the damper is not there in every mode, or its rate is that of nothing, or more than of coordinates.
     std::optional<ex> elongation_of(const Member<Damper>& member) const {
         const Damper& damper = *member.item;
-        if (!damper.rate || (!system_.scene.modes.empty() && damper.when)) return std::nullopt;
+        if (!damper.rate || (machine_.has_modes() && damper.when)) return std::nullopt;
         ex rest = system_.symbols.without_definitions(system_.translate(*damper.rate, Translator::indices_of(member))).expand();
         ex elongation = 0;
         for (std::size_t j = 0; j < system_.symbols.degrees(); ++j) {
@@ -79,15 +82,31 @@ private:
         const auto& q = GiNaC::ex_to<GiNaC::symbol>(coordinate);
         const ex change = elongation.diff(q).expand();
         if (change.is_zero() || moves(change, system_.symbols)) return false;
+        if (is_angle(coordinate) && GiNaC::is_a<GiNaC::numeric>(change)) return false;  // it turns, whatever it moves
         DrawnPoint fixed, direction;
         for (std::size_t i = 0; i < 3; ++i) {
             direction[i] = (points_[body][i].diff(q) / change).expand();
-            if (moves(direction[i], system_.symbols)) return false;
+            if (moves(direction[i], system_.symbols)) return add_at_origin(body, q, is_damper);
             fixed[i] = (points_[body][i] - elongation * direction[i]).expand();
         }
         if (std::all_of(points_[body].begin(), points_[body].end(), [&](const ex& e) { return e.diff(q).is_zero(); })) return false;
         put({body, wall(body, fixed, direction), true, is_damper});
         return true;
+    }
+
+    /// Where the coordinate is the distance from the origin of the ground.
+    bool add_at_origin(std::size_t body, const GiNaC::symbol& q, bool is_damper) {
+        for (const ex& component : points_[body])
+            if (!is_zero_after_expansion(component - q * component.diff(q))) return false;
+        if (!origin_) origin_ = machine_.add({0, 0, 0});
+        put({body, *origin_, false, is_damper});
+        return true;
+    }
+
+    bool is_angle(const ex& coordinate) const {
+        for (const Variable& q : system_.symbols.all(SymbolKind::coordinate))
+            if (coordinate.is_equal(q.symbol)) return q.unit == "rad";
+        return false;
     }
 
     /// That of another spring or damper on this side of the body, or a new one.
@@ -116,15 +135,15 @@ private:
             if (is_beside(one)) one.together = connector.beside + 1;
     }
 
+    MachineBuilder& machine_;
     const System& system_;
     std::vector<DrawnPoint>& points_;
     MachineDrawing& drawing_;
+    std::optional<std::size_t> origin_;
 };
 
 }  // namespace
 
-ConnectorsLeftOut add_connectors(const System& system, std::vector<DrawnPoint>& points, MachineDrawing& drawing) {
-    return ConnectorMaker(system, points, drawing).run();
-}
+void add_connectors(MachineBuilder& machine) { ConnectorMaker(machine).run(); }
 
 }  // namespace dalembert
