@@ -3,7 +3,8 @@
 /// `places`: for each row of the run the coordinates of all points. `measures`, `forces`: of
 /// view_rows() and force_rows(). `across`: pixels. Returns { node, show(i) }.
 function make_drawing(scene, places, measures, forces, across) {
-    const width = Math.max(280, Math.min(640, across)), room = 36;
+    const arrow = 60, room = scene.forces.length > 0 ? arrow + 6 : 36;
+    const width = Math.max(280, Math.min(640, across));
     let height = Math.round(0.75 * width);
     const svg = element("svg", {viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Drawing of ${scene.bodies.join(", ")}`});
     const count = scene.framed, is_planar = scene.plane.length > 0;
@@ -182,14 +183,14 @@ function make_drawing(scene, places, measures, forces, across) {
             if (shape !== null) shape.show(at[k][0], at[k][1], measures[shown], view.span);
         });
         for (const solid of solids) solid.show(measures[shown], (point) => on_paper(point, 0), view.span);
-        arrows.forEach((arrow, k) => {
+        arrows.forEach((path, k) => {
             const {at: place, is_torque} = scene.forces[k], most = is_torque ? largest_torque : largest_force, from = at[place];
             if (is_torque && is_planar) {  // about the axis that points at us: z, -y or x
                 const normal = 3 - scene.plane[0] - scene.plane[1], share = forces[shown][3 * k + normal] / most || 0;
-                return arrow.setAttribute('d', turning_path(from[0], from[1], normal === 1 ? -share : share));
+                return path.setAttribute('d', turning_path(from[0], from[1], normal === 1 ? -share : share));
             }
-            const [along, up] = project(forces[shown], k).map((one) => most > 0 ? 70 * one / most : 0);
-            arrow.setAttribute('d', (is_torque ? axis_path : arrow_path)(from[0], from[1], along, -up));
+            const [along, up] = project(forces[shown], k).map((one) => most > 0 ? arrow * one / most : 0);
+            path.setAttribute('d', (is_torque ? axis_path : arrow_path)(from[0], from[1], along, -up));
         });
         names.forEach((name, k) => {
             // Bodies at one place have one label.

@@ -133,7 +133,8 @@ function part_body(part, x, y, largest_size, colour) {
 function rotor_body(part, x, y) {
     const r = 23, node = element('g'), frame = {stroke: 'currentColor', 'stroke-width': 1.5};
     const spokes = element('path', {fill: 'none', ...frame}), mark = element('circle', {r: 3.5, style: `fill: ${plot_colours[0]}`});
-    node.append(element('circle', {cx: x, cy: y, r, fill: 'var(--back)', ...frame}), spokes, element('circle', {cx: x, cy: y, r: 3}));
+    node.append(element('circle', {cx: x, cy: y, r, fill: 'var(--back)', ...frame}), spokes,
+        element('circle', {cx: x, cy: y, r: 3, fill: 'currentColor'}));
     if (part.angle !== null) node.append(mark);
     const show = (row) => {
         if (part.angle === null || !Number.isFinite(row[part.angle])) return;

@@ -23,7 +23,13 @@ using Point = DrawnPoint;
 
 class BarMaker {
 public:
-    explicit BarMaker(MachineBuilder& machine) : machine_(machine), system_(machine.system), has_bar_(machine.shown.size(), false) {}
+    explicit BarMaker(MachineBuilder& machine) : machine_(machine), system_(machine.system), has_bar_(machine.shown.size(), false) {
+        int next = 0;
+        for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::state, SymbolKind::parameter})
+            for (const Variable& variable : system_.symbols.all(kind))
+                somewhere_[variable.symbol] = GiNaC::numeric(37 + 11 * next, 59 + 7 * next), ++next;
+        somewhere_[system_.symbols.time()] = GiNaC::numeric(5, 7);
+    }
 
     void run() {
         if (machine_.drawing.plane == std::vector<std::size_t>{0, 1})
@@ -74,7 +80,7 @@ private:
             const ex dx = r[0].diff(q), dy = r[1].diff(q);
             if (is_zero_after_expansion(dx) && is_zero_after_expansion(dy)) continue;
             Pivot pivot{{(r[0] - dy).expand(), (r[1] + dx).expand(), 0}, dx, dy};
-            if (pivot.point[0].has(q) || pivot.point[1].has(q)) continue;
+            if (pivot.point[0].has(q) || pivot.point[1].has(q) || !is_of_one_length(dx, dy)) continue;
             pivot.turns_body = motion.has_rotation && !is_zero_after_expansion(machine_.plain(motion.rotation).diff(q));
             pivot.place = place_of(pivot.point, body);
             pivot.moved_by = coordinates_in({pivot.point[0], pivot.point[1]}, system_.symbols).size();
@@ -82,6 +88,15 @@ private:
             if (!moves_unseen || pivot.turns_body) pivots.push_back(std::move(pivot));
         }
         return pivots;
+    }
+
+    bool is_of_one_length(const ex& dx, const ex& dy) const {
+        const ex square = dx * dx + dy * dy;
+        const std::vector<ex> coordinates = coordinates_in({square}, system_.symbols);
+        const double size = std::fabs(at_a_point(square));
+        return std::all_of(coordinates.begin(), coordinates.end(), [&](const ex& q) {
+            return std::fabs(at_a_point(square.diff(GiNaC::ex_to<GiNaC::symbol>(q)))) <= 1e-9 * size;
+        });
     }
 
     /// Whether the inertia m (l^2 + b^2)/12 tells of a bar with the joint at its end; where a bar of another kind ends nobody knows.
@@ -143,70 +158,84 @@ private:
     /// Bodies whose distance from the origin of the ground, or from an earlier body, no velocity changes, or none that a constraint
     /// allows.
     void add_bars_between() {
+        if (std::find(has_bar_.begin(), has_bar_.end(), false) == has_bar_.end()) return;
+        for (std::size_t b = 0; b < machine_.shown.size(); ++b) numbers_.push_back(numbers_of(b));
+        find_constraints();
+        const Numbers ground{{0, 0, 0}, std::vector<Place>(system_.symbols.degrees(), Place{0, 0, 0})};
         for (std::size_t b = 0; b < machine_.shown.size(); ++b) {
             if (machine_.hidden[b] || has_bar_[b]) continue;
-            const Point ground{0, 0, 0};
-            if (keeps_distance(b, ground, nullptr)) {
-                if (!origin_) origin_ = machine_.add(ground);
+            if (keeps_distance(numbers_[b], ground)) {
+                if (!origin_) origin_ = machine_.add({0, 0, 0});
                 machine_.drawing.bars.push_back({*origin_, b});
                 continue;
             }
             for (std::size_t other = 0; other < b; ++other) {
-                if (!keeps_distance(b, machine_.points[other], machine_.shown[other])) continue;
+                if (!keeps_distance(numbers_[b], numbers_[other])) continue;
                 machine_.drawing.bars.push_back({other, b});
                 break;
             }
         }
     }
 
+    using Place = std::array<double, 3>;
+    /// The position of a body, and how it moves with each velocity.
+    struct Numbers {
+        Place position;
+        std::vector<Place> along;
+    };
+
+    Numbers numbers_of(std::size_t body) const {
+        Numbers numbers{numbers_at(machine_.points[body]), {}};
+        for (std::size_t j = 0; j < system_.symbols.degrees(); ++j)
+            numbers.along.push_back(numbers_at(machine_.shown[body]->along(j, system_.symbols)));
+        return numbers;
+    }
+    Place numbers_at(const SpaceVector& v) const { return {at_a_point(v[0]), at_a_point(v[1]), at_a_point(v[2])}; }
+
     /// A value where no two letters are alike: enough for a drawing to see what is zero.
     double at_a_point(const ex& e) const {
-        GiNaC::exmap values;
-        int next = 0;
-        for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::state, SymbolKind::parameter})
-            for (const Variable& variable : system_.symbols.all(kind))
-                values[variable.symbol] = GiNaC::numeric(37 + 11 * next, 59 + 7 * next), ++next;
-        values[system_.symbols.time()] = GiNaC::numeric(5, 7);
-        const ex value = machine_.plain(e).subs(values).evalf();
+        if (e.is_zero()) return 0;
+        const ex value = machine_.plain(e).subs(somewhere_, GiNaC::subs_options::no_pattern).evalf();
         return GiNaC::is_a<GiNaC::numeric>(value) ? GiNaC::ex_to<GiNaC::numeric>(value).to_double() : 1.0;
     }
 
     double distance(const Point& a, const Point& b) const {
-        ex square = 0;
-        for (std::size_t i = 0; i < 3; ++i) square += GiNaC::pow(a[i] - b[i], 2);
-        return std::sqrt(std::fabs(at_a_point(square)));
+        const Place from = numbers_at(a), to = numbers_at(b);
+        return std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
     }
 
-    bool keeps_distance(std::size_t body, const Point& from, const BodyMotion* other) {
-        const double size = distance(machine_.points[body], from);
-        if (!(size > 1e-9)) return false;
-        std::vector<double> change;  // of half the square of the distance, by velocities
-        for (std::size_t j = 0; j < system_.symbols.degrees(); ++j) {
-            const SpaceVector along = machine_.shown[body]->along(j, system_.symbols);
-            const SpaceVector along_other = other != nullptr ? other->along(j, system_.symbols) : SpaceVector{};
-            ex sum = 0;
-            for (std::size_t i = 0; i < 3; ++i) sum += (machine_.points[body][i] - from[i]) * (along[i] - along_other[i]);
-            change.push_back(at_a_point(sum));
-        }
-        const auto is_small = [&](double one) { return std::fabs(one) <= 1e-9 * size * size; };
+    bool keeps_distance(const Numbers& a, const Numbers& b) {
+        double square = 0;
+        for (std::size_t i = 0; i < 3; ++i) square += (a.position[i] - b.position[i]) * (a.position[i] - b.position[i]);
+        if (!(square > 1e-18)) return false;
+        std::vector<double> change(a.along.size(), 0);  // of half the square, by velocities
+        for (std::size_t j = 0; j < change.size(); ++j)
+            for (std::size_t i = 0; i < 3; ++i) change[j] += (a.position[i] - b.position[i]) * (a.along[j][i] - b.along[j][i]);
+        const auto is_small = [&](double one) { return std::fabs(one) <= 1e-9 * square; };
         return std::all_of(change.begin(), change.end(), is_small) || is_held(change);
     }
 
-    /// Whether one constraint on positions, which always holds, keeps what changes so as it is.
-    bool is_held(const std::vector<double>& change) {
-        if (machine_.has_modes()) return false;
+    /// Rates of constraints on positions that always hold, by velocities.
+    void find_constraints() {
         for (const ConstraintEquation& constraint : system_.constraints) {
-            if (!constraint.position || !constraint.holds) continue;
-            double across = 0, along = 0, own = 0;
+            if (machine_.has_modes() || !constraint.position || !constraint.holds) continue;
             std::vector<double> row;
             for (const ex& e : constraint.rate.jacobian) row.push_back(at_a_point(e));
-            for (std::size_t j = 0; j < row.size(); ++j) {
-                own += row[j] * row[j];
-                along += change[j] * change[j];
-                for (std::size_t k = 0; k < j; ++k) across = std::max(across, std::fabs(row[j] * change[k] - row[k] * change[j]));
-            }
-            if (!(own > 0) || across > 1e-9 * std::sqrt(own * along)) continue;
-            machine_.drawn.insert("constraint " + constraint.name);
+            rows_.emplace_back("constraint " + constraint.name, std::move(row));
+        }
+    }
+
+    /// Whether one constraint keeps what changes so as it is.
+    bool is_held(const std::vector<double>& change) {
+        const auto is_smaller = [](double a, double b) { return std::fabs(a) < std::fabs(b); };
+        for (const auto& [name, row] : rows_) {
+            const auto largest = static_cast<std::size_t>(std::max_element(row.begin(), row.end(), is_smaller) - row.begin());
+            if (row[largest] == 0) continue;
+            const double ratio = change[largest] / row[largest], size = std::fabs(change[largest]);
+            std::size_t j = 0;
+            while (j < row.size() && std::fabs(change[j] - ratio * row[j]) <= 1e-9 * size) ++j;
+            if (j < row.size()) continue;
+            machine_.drawn.insert(name);
             return true;
         }
         return false;
@@ -215,7 +244,10 @@ private:
     MachineBuilder& machine_;
     const System& system_;
     std::vector<bool> has_bar_;
-    std::optional<std::size_t> origin_;          ///< of the ground
+    std::optional<std::size_t> origin_;  ///< of the ground
+    GiNaC::exmap somewhere_;
+    std::vector<Numbers> numbers_;  ///< of the bodies
+    std::vector<std::pair<std::string, std::vector<double>>> rows_;
 };
 
 }  // namespace

@@ -3,7 +3,8 @@
 //
 // note [connectors]: Where an elongation e and the positions of one body change with one coordinate alone, e in proportion to r, the spring
 // pulls along d = dr/de, and r - e d is fixed, or moves with the time alone: what the spring hangs on is somewhere behind. Where e changes
-// with the coordinates of two bodies alone, the spring is between them. Where r is in proportion to the coordinate, it hangs on the origin. The elongation of a damper is what its rate is the rate of.
+// with the coordinates of two bodies alone, the spring is between them. Where r is in proportion to the coordinate, it hangs on the
+// origin. The elongation of a damper is what its rate is the rate of.
 #include <algorithm>
 
 #include "elements/bodies.hpp"
@@ -35,10 +36,10 @@ public:
     }
 
 private:
-    /// Nothing where the damper is not there in every mode, or its rate is that of nothing, or more than of coordinates.
+    /// Nothing where a friction or contact brings the damper, or its rate is not that of coordinates.
     std::optional<ex> elongation_of(const Member<Damper>& member) const {
         const Damper& damper = *member.item;
-        if (!damper.rate || (machine_.has_modes() && damper.when)) return std::nullopt;
+        if (!damper.rate || damper.is_made) return std::nullopt;
         ex rest = system_.symbols.without_definitions(system_.translate(*damper.rate, Translator::indices_of(member))).expand();
         ex elongation = 0;
         for (std::size_t j = 0; j < system_.symbols.degrees(); ++j) {
@@ -61,9 +62,13 @@ private:
             };
             if (!own.empty() && std::all_of(own.begin(), own.end(), counts)) moved.push_back(b);
         }
-        if (moving.size() != moved.size()) return false;
-        if (moving.size() == 1) return add_at_wall(moved[0], elongation, moving[0], is_damper);
-        return moving.size() == 2 && add_between(moved, elongation, moving, is_damper);
+        if (moving.size() == 2 && moved.size() == 2) return add_between(moved, elongation, moving, is_damper);
+        if (moving.size() != 1) return false;
+        if (std::any_of(moved.begin(), moved.end(), [&](std::size_t b) { return add_at_wall(b, elongation, moving[0], is_damper); }))
+            return true;
+        for (std::size_t b = 0; b < drawing_.bodies.size(); ++b)
+            if (add_at_origin(b, GiNaC::ex_to<GiNaC::symbol>(moving[0]), is_damper)) return true;
+        return false;
     }
 
     bool add_between(const std::vector<std::size_t>& bodies, const ex& elongation, const std::vector<ex>& coordinates, bool is_damper) {
@@ -86,7 +91,7 @@ private:
         DrawnPoint fixed, direction;
         for (std::size_t i = 0; i < 3; ++i) {
             direction[i] = (points_[body][i].diff(q) / change).expand();
-            if (moves(direction[i], system_.symbols)) return add_at_origin(body, q, is_damper);
+            if (moves(direction[i], system_.symbols)) return false;
             fixed[i] = (points_[body][i] - elongation * direction[i]).expand();
         }
         if (std::all_of(points_[body].begin(), points_[body].end(), [&](const ex& e) { return e.diff(q).is_zero(); })) return false;
@@ -96,7 +101,9 @@ private:
 
     /// Where the coordinate is the distance from the origin of the ground.
     bool add_at_origin(std::size_t body, const GiNaC::symbol& q, bool is_damper) {
-        for (const ex& component : points_[body])
+        const DrawnPoint& r = points_[body];
+        if (std::none_of(r.begin(), r.end(), [&](const ex& component) { return component.has(q); })) return false;
+        for (const ex& component : r)
             if (!is_zero_after_expansion(component - q * component.diff(q))) return false;
         if (!origin_) origin_ = machine_.add({0, 0, 0});
         put({body, *origin_, false, is_damper});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Forces and torques of the model in the picture of a machine, as arrows.
+// Forces, torques and the resistance of media in the picture of a machine, as arrows.
 #include <algorithm>
 
 #include "elements/bodies.hpp"
@@ -26,6 +26,12 @@ public:
             const auto at = member.item->on ? place_of(*member.item->on, member) : point_of(member, system);
             add("force ", member, at, false, [&](const System& of) {
                 return find_in(of, &Scene::forces, member) ? in_ground(of, member, member.item->force, member.item->on) : zero();
+            });
+        });
+        for_each(&Scene::dampers, [&](const Member<Damper>& member, const System&) {
+            const auto at = member.item->on ? place_of(*member.item->on, member) : std::nullopt;
+            add("damper ", member, at, false, [&](const System& of) {
+                return find_in(of, &Scene::dampers, member) ? resistance(of, member, *at) : zero();
             });
         });
         for_each(&Scene::torques, [&](const Member<Torque>& member, const System& system) {
@@ -55,6 +61,18 @@ private:
                 const auto has_it = [&](const System* earlier) { return find_in(*earlier, list, member); };
                 if (std::none_of(systems_.begin(), systems_.begin() + static_cast<std::ptrdiff_t>(i), has_it)) visit(member, *systems_[i]);
             }
+    }
+
+    /// Of a medium at rest on a body: against its velocity.
+    SpaceVector resistance(const System& system, const Member<Damper>& member, std::size_t body) const {
+        const Damper& damper = *member.item;
+        const Indices indices = Translator::indices_of(member);
+        const SpaceVector& velocity = find_motion_of(system, body)->velocity;
+        if (damper.coefficient) return -system.translate(damper.coefficient, indices) * velocity;
+        const ex speed = GiNaC::sqrt(dot(velocity, velocity));
+        const GiNaC::realsymbol letter(damper.force->variable);
+        const ex law = system.translate(*damper.force->body, indices, {{damper.force->variable, letter}}).subs(letter == speed);
+        return ex(-law / speed) * velocity;
     }
 
     /// Along a rate that is one velocity, on the first body that turns with it: where that is joined to what carries it, about the axis.

@@ -35,7 +35,7 @@ struct MachineBuilder {
 };
 
 void add_bars(MachineBuilder& machine);
-/// Forces and torques on what has a place, in all modes.
+/// Forces, torques and resistance on what has a place, in all modes.
 void add_forces(MachineBuilder& machine);
 /// Springs and dampers; points that give places and directions of walls are added.
 void add_connectors(MachineBuilder& machine);

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "elements/bodies.hpp"
 #include "elements/forces.hpp"
+#include "elements/switching.hpp"
 #include "elements/view.hpp"
 #include "report/machine_builder.hpp"
 
@@ -73,42 +75,61 @@ void add_view(MachineBuilder& machine) {
     }
 }
 
-/// Bodies, and what acts on them in some mode, as "spring shaft"; each once.
-std::vector<std::string> elements_of(const Machine& machine) {
-    std::vector<std::string> names;
-    const auto add = [&](const std::string& kind, const std::string& name) {
-        const std::string whole = kind + " " + name;
-        if (std::find(names.begin(), names.end(), whole) == names.end()) names.push_back(whole);
-    };
-    const auto add_all = [&](const System& system) {
-        for (const BodyMotion& one : system.bodies) add("body", one.member.name());
-        for (const auto& one : system.scene.springs) add("spring", one.name());
-        for (const auto& one : system.scene.dampers) add("damper", one.name());
-        for (const auto& one : system.scene.forces) add("force", one.name());
-        for (const auto& one : system.scene.torques) add("torque", one.name());
-        for (const ConstraintEquation& one : system.constraints) add("constraint", one.name);
-    };
-    add_all(*machine.system);
-    for (const Machine& other : machine.other_modes) add_all(*other.system);
-    return names;
-}
-
-/// "springs 'a' and 'b'", or how many where they are many; kind by kind, in order.
-void tell(const std::vector<std::string>& elements, std::vector<std::string>& told) {
-    constexpr std::size_t most_named = 3;
-    for (auto one = elements.begin(); one != elements.end();) {
-        const std::string kind = one->substr(0, one->find(' '));
-        const auto end = std::find_if(one, elements.end(), [&](const std::string& e) { return !e.starts_with(kind + " "); });
-        const auto count = static_cast<std::size_t>(end - one);
-        const std::string many = kind == "body" ? "bodies" : kind + "s";
-        std::string text = count > most_named ? fmt::format("{} {}", count, many) : count > 1 ? many : kind;
-        for (std::size_t i = 0; i < count && count <= most_named; ++i)
-            text += fmt::format("{}'{}'", i == 0 ? " " : i + 1 == count ? " and " : ", ",
-                                one[static_cast<std::ptrdiff_t>(i)].substr(kind.size() + 1));
-        told.push_back(text);
-        one = end;
+/// Bodies, and what acts on them in some mode, each once: as "spring shaft", and of what it is told.
+class Elements {
+public:
+    explicit Elements(const Machine& machine) : model_(*machine.system->scene.model) {
+        add_all(*machine.system);
+        for (const Machine& other : machine.other_modes) add_all(*other.system);
     }
-}
+
+    std::vector<std::string> names;
+
+    /// "springs 'a' and 'b'", or how many where they are many.
+    std::vector<std::string> tell() const {
+        constexpr std::size_t most_named = 3;
+        std::vector<std::pair<std::string, std::vector<std::string>>> kinds;
+        for (const std::string& name : names) {
+            const auto& [kind, own] = told_.at(name);
+            auto known = std::find_if(kinds.begin(), kinds.end(), [&](const auto& one) { return one.first == kind; });
+            if (known == kinds.end()) known = kinds.insert(known, {kind, {}});
+            if (std::find(known->second.begin(), known->second.end(), own) == known->second.end()) known->second.push_back(own);
+        }
+        std::vector<std::string> lines;
+        for (const auto& [kind, list] : kinds) {
+            const std::string many = kind.ends_with("y") ? kind.substr(0, kind.size() - 1) + "ies" : kind + "s";
+            std::string text = list.size() > most_named ? fmt::format("{} {}", list.size(), many) : list.size() > 1 ? many : kind;
+            for (std::size_t i = 0; i < list.size() && list.size() <= most_named; ++i)
+                text += fmt::format("{}'{}'", i == 0 ? " " : i + 1 == list.size() ? " and " : ", ", list[i]);
+            lines.push_back(text);
+        }
+        return lines;
+    }
+
+private:
+    void add_all(const System& system) {
+        for (const BodyMotion& one : system.bodies) add("body", *one.member.item, one.member.name());
+        for (const auto& one : system.scene.springs) add("spring", *one.item, one.name());
+        for (const auto& one : system.scene.dampers) add("damper", *one.item, one.name());
+        for (const auto& one : system.scene.forces) add("force", *one.item, one.name());
+        for (const auto& one : system.scene.torques) add("torque", *one.item, one.name());
+        for (const ConstraintEquation& one : system.constraints) add("constraint", *one.item, one.name);
+    }
+
+    void add(const std::string& kind, const Item& item, const std::string& name) {
+        const std::string whole = kind + " " + name;
+        if (!told_.emplace(whole, std::pair(kind, name)).second) return;
+        names.push_back(whole);
+        const auto is_maker = [&](const Item& one) { return one.span.source == item.span.source && one.span.begin == item.span.begin; };
+        for (const Friction& one : model_.frictions)
+            if (item.is_made && is_maker(one)) told_[whole] = {kind_of<Friction>.word, one.name};
+        for (const Contact& one : model_.contacts)
+            if (item.is_made && is_maker(one)) told_[whole] = {kind_of<Contact>.word, one.name};
+    }
+
+    const Model& model_;
+    std::map<std::string, std::pair<std::string, std::string>> told_;  ///< kind and name
+};
 
 }  // namespace
 
@@ -124,14 +145,15 @@ MachineDrawing drawing_of(const Machine& machine) {
     add_solids(maker);
     MachineDrawing drawing = std::move(maker.drawing);
     for (const DrawnPoint& p : maker.points) drawing.coordinates.insert(drawing.coordinates.end(), p.begin(), p.end());
-    std::vector<std::string> unplaced = elements_of(machine);
-    std::erase_if(unplaced, [&](const std::string& one) { return maker.drawn.contains(one); });
-    drawing.networks = networks_of(machine, unplaced);
+    Elements unplaced(machine);
+    std::erase_if(unplaced.names, [&](const std::string& one) { return maker.drawn.contains(one); });
+    drawing.networks = networks_of(machine, unplaced.names);
     const NetworkDrawing& network = drawing.networks.front();
-    std::erase_if(unplaced, [&](const std::string& one) {
+    std::erase_if(unplaced.names, [&](const std::string& one) {
         return std::find(network.drawn.begin(), network.drawn.end(), one) != network.drawn.end();
     });
-    tell(unplaced, drawing.not_drawn);
+    const std::vector<std::string> told = unplaced.tell();
+    drawing.not_drawn.insert(drawing.not_drawn.end(), told.begin(), told.end());
     drawing.not_drawn.insert(drawing.not_drawn.end(), network.not_drawn.begin(), network.not_drawn.end());
     return drawing;
 }

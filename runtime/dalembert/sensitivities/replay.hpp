@@ -184,8 +184,8 @@ private:
             const auto* kink = known_kinks_.moving(t_);
             return kink != nullptr ? kink->slope : fixed;
         }
-        const Scalar here = value(system_, x_, t_);
-        const bool is_caused = has_last_ && t_ - time_of_last_ <= instant(t_) && here < -abs(slope) * instant(t_);
+        const Scalar now = value(system_, x_, t_);
+        const bool is_caused = has_last_ && t_ - time_of_last_ <= instant(t_) && now < -abs(slope) * instant(t_);
         return is_caused ? shift_ : times_of_zero(value, slope, event);
     }
 

@@ -33,18 +33,18 @@ protected:
         mode_ = mode;
         knows_sides_ = true;
         if constexpr (may_have_entries<Kinks>) {
-            const Kinks here = kinks_at(mode, x_, t_);
+            const Kinks values = kinks_at(mode, x_, t_);
             for (std::size_t i = 0; i < sides_.size(); ++i)
-                sides_[i] = here[i] != Scalar(0) ? (here[i] < Scalar(0) ? -1 : 1) : side_ahead(mode, i);
+                sides_[i] = values[i] != Scalar(0) ? (values[i] < Scalar(0) ? -1 : 1) : side_ahead(mode, i);
             sides_since_ = t_;
         }
     }
     /// The sign of a kink a little later, by trial steps of second order: from rest it does not go along the rates. 1 where it stays.
     int side_ahead(Mode mode, std::size_t kink) const {
-        const Plain here = rate(mode, x_, t_);
+        const Plain now = rate(mode, x_, t_);
         for (Scalar h = instant(t_); h <= span_ / Scalar(1000); h *= Scalar(16)) {
-            const Plain there = rate(mode, moved(x_, here, h), t_ + h);
-            const Scalar value = kinks_at(mode, moved(moved(x_, here, h / Scalar(2)), there, h / Scalar(2)), t_ + h)[kink];
+            const Plain ahead = rate(mode, moved(x_, now, h), t_ + h);
+            const Scalar value = kinks_at(mode, moved(moved(x_, now, h / Scalar(2)), ahead, h / Scalar(2)), t_ + h)[kink];
             if (value != Scalar(0)) return value < Scalar(0) ? -1 : 1;
         }
         return 1;
@@ -108,10 +108,10 @@ protected:
     }
     /// The rate on the side where a kink comes from, which may lie behind: where it was passed in the instant of another, or of an output.
     bool rate_before(std::size_t kink, const Scalar& of_time, Plain& before) const {
-        const Plain here = rate(mode_, x_, t_);
+        const Plain now = rate(mode_, x_, t_);
         const Scalar step = instant(t_);
         for (Scalar distance = step; distance <= Scalar(64) * step; distance += step) {
-            const Plain x = moved(x_, here, -distance);
+            const Plain x = moved(x_, now, -distance);
             const Scalar t = t_ - of_time * distance;
             if (!(kinks_at(mode_, x, t)[kink] * Scalar(sides_[kink]) > Scalar(0))) continue;
             before = rate(mode_, x, t);
