@@ -38,10 +38,12 @@ std::string cause_and_remedy(const SimulateResult& result) {
         return fmt::format("{}; try a larger --tolerance than {:g}, and look there for a jump or a growth without bound", culprit,
                            result.tolerance);
     }
-    if (run.status == "too many steps" && !run.guard.empty())
-        return fmt::format("; it stays at a {}, because both sides lead back to it; use a friction, which can hold there, or a smooth "
-                           "transition",
-                           run.guard);
+    if (run.status == "too many steps" && !run.guard.empty()) {
+        const std::string place = (run.guard.starts_with("flow ") ? "where " : "at a ") + run.guard;
+        const std::string roots = near_exact_roots(result.exact_roots, "");
+        return fmt::format("; it stays {}, because both sides lead back to it{}", place,
+                           roots.empty() ? "; use a friction, which can hold there, or a smooth transition" : roots);
+    }
     if (run.status == "too many steps")
         return fmt::format("; try a larger --tolerance, a shorter --until, or an implicit --method{}",
                            near_exact_roots(result.exact_roots, "or, near equal pressures: "));

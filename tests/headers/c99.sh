@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# C headers: every scene of systems/ compiles without a warning as C99 and as C++, in double and in float, and computes the same as its C++ header.
+# C headers: every scene of a machine of systems/ compiles without a warning as C99 and as C++, in double and in float, and computes the same as its C++ header.
 # Needs the program (PROGRAM) and the sources (SOURCE). Arguments: names of models of systems/, or model files; all of systems/ if there are none.
 # COMPILERS: of C, more than one in quotes. OPTIONS: of generate. What has series is compared with them.
 set -euo pipefail
@@ -45,7 +45,7 @@ models=()
 for model in "$@"; do
   if [ -f "$model" ]; then models+=("$(realpath "$model")"); else models+=("$SOURCE"/systems/*/"$model".toml); fi
 done
-[ $# -gt 0 ] || mapfile -t models < <(find "$SOURCE/systems" -name '*.toml' -not -path '*/book/*' -not -path '*/parts/*' | sort)
+[ $# -gt 0 ] || mapfile -t models < <(find "$SOURCE/systems" -name '*.toml' -not -path '*/book/*' -not -path '*/parts/*' -not -path '*/controllers/*' | sort)
 for path in "${models[@]}"; do
   [ -f "$path" ] || failed "there is no model $path"
   read -r -a options <<<"${OPTIONS:-}"

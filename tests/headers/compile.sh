@@ -17,7 +17,8 @@ while read -r header; do
   name_space=$(sed -n 's/^namespace \(.*::.*\) {$/\1/p' "$header" | head -1)
   {
     echo "#include \"$header\""
-    for scalar in float double "long double"; do echo "template class $name_space::System<$scalar>;"; done
+    class=$(sed -n 's/^class \(System\|Controller\)\b.*/\1/p' "$header" | head -1)
+    for scalar in float double "long double"; do echo "template class $name_space::$class<$scalar>;"; done
   } >"$here/all.cpp"
   "$compiler" "${flags[@]}" "$here/all.cpp" || { echo "$header fails with $compiler"; exit 1; }
   included=$(grep -c '^#include' "$header")
