@@ -8,6 +8,8 @@
 
 namespace dalembert {
 
+struct Model;
+
 /// Makes a model a controller: at each sample it computes outputs and next states from its inputs, and in between they stay.
 struct ControllerSampling {
     enum class Numbers { doubles, floats };
