@@ -63,7 +63,7 @@ private:
             if (!own.empty() && std::all_of(own.begin(), own.end(), counts)) moved.push_back(b);
         }
         if (moving.size() == 2 && moved.size() == 2) return add_between(moved, elongation, moving, is_damper);
-        if (moving.size() != 1) return false;
+        if (moving.size() != 1 || turns(elongation, moving[0])) return false;
         if (std::any_of(moved.begin(), moved.end(), [&](std::size_t b) { return add_at_wall(b, elongation, moving[0], is_damper); }))
             return true;
         for (std::size_t b = 0; b < drawing_.bodies.size(); ++b)
@@ -87,7 +87,6 @@ private:
         const auto& q = GiNaC::ex_to<GiNaC::symbol>(coordinate);
         const ex change = elongation.diff(q).expand();
         if (change.is_zero() || moves(change, system_.symbols)) return false;
-        if (is_angle(coordinate) && GiNaC::is_a<GiNaC::numeric>(change)) return false;  // it turns, whatever it moves
         DrawnPoint fixed, direction;
         for (std::size_t i = 0; i < 3; ++i) {
             direction[i] = (points_[body][i].diff(q) / change).expand();
@@ -110,7 +109,9 @@ private:
         return true;
     }
 
-    bool is_angle(const ex& coordinate) const {
+    /// Whether the elongation is an angle, whatever the coordinate moves.
+    bool turns(const ex& elongation, const ex& coordinate) const {
+        if (!GiNaC::is_a<GiNaC::numeric>(elongation.diff(GiNaC::ex_to<GiNaC::symbol>(coordinate)))) return false;
         for (const Variable& q : system_.symbols.all(SymbolKind::coordinate))
             if (coordinate.is_equal(q.symbol)) return q.unit == "rad";
         return false;

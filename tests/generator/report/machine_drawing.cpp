@@ -30,6 +30,14 @@ bool is_at(const MachineDrawing& drawn, std::size_t point, double x, double y) {
     return number(0) == doctest::Approx(x) && number(1) == doctest::Approx(y);
 }
 
+/// A value where all letters are 1.
+double at_ones(const GiNaC::ex& e) {
+    GiNaC::exmap values;
+    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
+        if (GiNaC::is_a<GiNaC::symbol>(*part)) values[*part] = 1;
+    return GiNaC::ex_to<GiNaC::numeric>(e.subs(values).evalf()).to_double();
+}
+
 /// Parts and links of a network, by names.
 std::string kinds(const NetworkDrawing& of) {
     std::string text;
@@ -99,12 +107,6 @@ TEST_CASE("bodies that turn and have no place are drawn with what turns and coup
 }
 
 TEST_CASE("forces and torques are in the axes of the ground, at bodies, points and joints") {
-    const auto value = [](const GiNaC::ex& e) {
-        GiNaC::exmap values;
-        for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
-            if (GiNaC::is_a<GiNaC::symbol>(*part)) values[*part] = 1;
-        return GiNaC::ex_to<GiNaC::numeric>(e.subs(values).evalf()).to_double();
-    };
     const MachineDrawing drawn = drawing_of(machine_from(
         "[bodies]\narm = { mass = \"1 kg\", inertia = [\"1 kg*m^2\", \"1 kg*m^2\", \"1 kg*m^2\"], centre = [\"1 m\", 0, 0] }\n"
         "[joints]\nshoulder = { law = \"revolute\", body = \"arm\", at = [0, 0, \"2 m\"], axis = \"y\" }\n"
@@ -112,13 +114,13 @@ TEST_CASE("forces and torques are in the axes of the ground, at bodies, points a
         "[torques]\nmotor = { rate = \"2*dot(shoulder)\", torque = \"3 N*m\" }\n"));
     REQUIRE(drawn.forces.size() == 2);
     const std::vector<GiNaC::ex>& values = drawn.force_values.at(0);
-    CHECK(value(values[0]) == doctest::Approx(5 * std::sin(1.0)));
-    CHECK(value(values[1]) == 0);
-    CHECK(value(values[2]) == doctest::Approx(5 * std::cos(1.0)));
+    CHECK(at_ones(values[0]) == doctest::Approx(5 * std::sin(1.0)));
+    CHECK(at_ones(values[1]) == 0);
+    CHECK(at_ones(values[2]) == doctest::Approx(5 * std::cos(1.0)));
     CHECK(drawn.forces[1].is_torque);
-    CHECK(std::vector{value(values[3]), value(values[4]), value(values[5])} == std::vector{0.0, 6.0, 0.0});
+    CHECK(std::vector{at_ones(values[3]), at_ones(values[4]), at_ones(values[5])} == std::vector{0.0, 6.0, 0.0});
     const std::size_t joint = drawn.forces[1].at;
-    CHECK(std::vector{value(drawn.coordinates[3 * joint]), value(drawn.coordinates[3 * joint + 2])} == std::vector{0.0, 2.0});
+    CHECK(std::vector{at_ones(drawn.coordinates[3 * joint]), at_ones(drawn.coordinates[3 * joint + 2])} == std::vector{0.0, 2.0});
     REQUIRE(drawn.bars.size() == 1);
     CHECK(drawn.bars[0].from == joint);
     CHECK(drawn.not_drawn.empty());
@@ -176,7 +178,10 @@ TEST_CASE("springs and dampers are between bodies or at walls, side by side wher
     CHECK(text == "spring at wall 0 of 2; spring 0 of 2; damper at wall 1 of 2; damper 1 of 2; ");
     REQUIRE(drawn.connectors.size() == 4);
     CHECK(drawn.connectors[0].to == drawn.connectors[2].to);
-    CHECK(drawn.not_drawn == std::vector<std::string>{"dampers 'turned' and 'air'"});
+    CHECK(drawn.not_drawn == std::vector<std::string>{"damper 'turned'"});
+    REQUIRE(drawn.forces.size() == 1);
+    const std::vector<GiNaC::ex>& air = drawn.force_values.at(0);
+    CHECK(std::vector{at_ones(air[0]), at_ones(air[1])} == std::vector{-1.0, 0.0});
 }
 
 TEST_CASE("views of models give shapes and hide parts with what leads to them") {
