@@ -8,6 +8,7 @@
 #include "elements/bodies.hpp"
 #include "elements/forces.hpp"
 #include "report/drawn_points.hpp"
+#include "report/maker.hpp"
 
 namespace dalembert {
 
@@ -17,13 +18,8 @@ using GiNaC::ex;
 /// A rate by velocities.
 using Row = std::vector<ex>;
 
-Row rate_row(const ex& rate, const Symbols& symbols) {
-    const ex plain = symbols.without_definitions(rate);
-    Row row;
-    for (std::size_t j = 0; j < symbols.degrees(); ++j)
-        row.push_back(plain.diff(GiNaC::ex_to<GiNaC::symbol>(symbols.get(SymbolKind::velocity, j))));
-    return row;
-}
+Row rate_row(const ex& rate, const Item& of, const Symbols& symbols) { return affine_rate(rate, symbols, of.span, "the rate").jacobian; }
+Row rate_row(const BodyMotion& rotor, const Symbols& symbols) { return rate_row(rotor.angular_velocity, *rotor.member.item, symbols); }
 
 /// Constant factors, or nothing.
 std::optional<Row> row_of(const std::vector<ex>& jacobian, const Symbols& symbols) {
@@ -42,7 +38,7 @@ public:
     CouplingMaker(const System& system, const std::vector<std::string>& unplaced)
         : system_(system), unplaced_(unplaced), rotors_(rotors_of(system)) {
         for (const BodyMotion* rotor : rotors_)
-            rows_.push_back(row_of(rate_row(rotor->angular_velocity, system.symbols), system.symbols).value());
+            rows_.push_back(row_of(rate_row(*rotor, system.symbols), system.symbols).value());
     }
 
     std::vector<Coupling> run() {
@@ -62,7 +58,7 @@ public:
             if (!member.item->rate || !is_looked_at(name)) continue;
             const ex rate = system_.translate(*member.item->rate, Translator::indices_of(member));
             for (const Resistance& one : system_.resistances)
-                if (one.name == name) add("torsion damper", member, rate_row(rate, system_.symbols), one.force);
+                if (one.name == name) add("torsion damper", member, rate_row(rate, *member.item, system_.symbols), one.force);
         }
         for (const Member<Torque>& member : system_.scene.torques)
             if (is_looked_at("torque " + member.name())) add_torque(member);
@@ -126,32 +122,17 @@ private:
         return best;
     }
 
-    /// Of what a contact or friction brings, that of the contact or friction, the shortest of all that it brings.
-    std::string name_of(const Item& item) const {
-        std::string name = item.name;
-        const auto look_at = [&](const auto& list) {
-            for (const auto& one : list)
-                if (one.is_made && one.span.begin == item.span.begin && one.span.source == item.span.source && one.name.size() < name.size())
-                    name = one.name;
-        };
-        if (!item.is_made) return name;
-        const Model& model = *system_.scene.model;
-        look_at(model.springs);
-        look_at(model.dampers);
-        look_at(model.constraints);
-        return name;
-    }
-
     void put(Coupling one, const Item& item, const std::string& kind, const std::string& member) {
-        one.name = name_of(item) + member.substr(item.name.size());
-        one.elements.push_back(kind + " " + member);
-        one.is_made = item.is_made;
+        const std::optional<Maker> maker = maker_of(item, *system_.scene.model);
+        one.name = (maker ? maker->name : item.name) + member.substr(item.name.size());
+        one.elements.insert(kind + " " + member);
+        one.is_made = maker.has_value();
         for (Coupling& other : couplings_) {
             if (!one.is_made || !other.is_made || one.name != other.name || one.from != other.from || one.to != other.to) continue;
             if (one.kind == "clutch") other.kind = one.kind;
             other.torque += one.torque;
             other.holds += one.holds;
-            other.elements.push_back(one.elements.front());
+            other.elements.merge(one.elements);
             return;
         }
         couplings_.push_back(std::move(one));
@@ -174,7 +155,7 @@ private:
         const auto value = [&] { return system_.translate(torque.torque, indices); };
         if (torque.vector) return;
         if (torque.rate) {
-            if (const auto ends = ends_of(rate_row(system_.translate(torque.rate, indices), system_.symbols)))
+            if (const auto ends = ends_of(rate_row(system_.translate(torque.rate, indices), torque, system_.symbols)))
                 put({"torque", "", ends->from, ends->to, ends->to_share * value()}, torque, "torque", member.name());
             return;
         }
@@ -225,7 +206,7 @@ private:
 std::vector<const BodyMotion*> rotors_of(const System& system) {
     std::vector<const BodyMotion*> rotors;
     for (const BodyMotion& body : system.bodies) {
-        if (!body.has_position && body.turns && row_of(rate_row(body.angular_velocity, system.symbols), system.symbols))
+        if (!body.has_position && body.turns && row_of(rate_row(body, system.symbols), system.symbols))
             rotors.push_back(&body);
     }
     return rotors;

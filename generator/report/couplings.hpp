@@ -7,25 +7,26 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
-#include "pipeline.hpp"
+#include "form/system.hpp"
 
 namespace dalembert {
 
-/// What stands between a rotor, or the ground, and another rotor: one element of a model, or all that a contact or a friction brings.
+/// What stands between a rotor, or the ground, and another rotor: one element of a model, or all that a friction, contact or stop brings.
 struct Coupling {
-    std::string kind;                       ///< "torsion spring", "torsion damper", "torque", "clutch" where a constraint holds in some modes
-                                            ///< or a rotor against the ground, "gear" and "shaft"
-    std::string name;                       ///< empty: one body of the model follows another
+    /// "torsion spring", "torsion damper", "torque"; "gear" and "shaft" hold always, a "clutch" in some modes or against the ground.
+    std::string kind;
+    std::string name;                     ///< empty: one body of the model follows another
     std::optional<std::size_t> from;
     std::size_t to;
-    GiNaC::ex torque = 0;                   ///< N m, on `to`; without what holds
-    std::optional<GiNaC::ex> ratio = {};    ///< of a gear: speed of `from` by that of `to`
-    GiNaC::ex holds = 0;                    ///< of a clutch: 1 where it does, else 0
-    bool is_made = false;                   ///< by a contact or friction
-    std::vector<std::string> elements = {}; ///< "spring shaft"
+    GiNaC::ex torque = 0;                 ///< N m, on `to`; without what holds
+    std::optional<GiNaC::ex> ratio = {};  ///< of a gear: speed of `from` by that of `to`
+    GiNaC::ex holds = 0;                  ///< of a clutch: 1 where it does, else 0
+    bool is_made = false;                 ///< by a friction, contact or stop
+    std::set<std::string> elements = {};  ///< "spring shaft"
 };
 
 /// Their angular velocity is made of velocities with constant factors.

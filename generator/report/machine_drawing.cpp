@@ -8,9 +8,9 @@
 
 #include "elements/bodies.hpp"
 #include "elements/forces.hpp"
-#include "elements/switching.hpp"
 #include "elements/view.hpp"
 #include "report/machine_builder.hpp"
+#include "report/maker.hpp"
 
 namespace dalembert {
 
@@ -75,7 +75,7 @@ void add_view(MachineBuilder& machine) {
     }
 }
 
-/// Bodies, and what acts on them in some mode, each once: as "spring shaft", and of what it is told.
+/// The bodies of a machine and what acts on them in any of its modes, as "spring shaft"; and how the page calls them.
 class Elements {
 public:
     explicit Elements(const Machine& machine) : model_(*machine.system->scene.model) {
@@ -120,11 +120,7 @@ private:
         const std::string whole = kind + " " + name;
         if (!told_.emplace(whole, std::pair(kind, name)).second) return;
         names.push_back(whole);
-        const auto is_maker = [&](const Item& one) { return one.span.source == item.span.source && one.span.begin == item.span.begin; };
-        for (const Friction& one : model_.frictions)
-            if (item.is_made && is_maker(one)) told_[whole] = {kind_of<Friction>.word, one.name};
-        for (const Contact& one : model_.contacts)
-            if (item.is_made && is_maker(one)) told_[whole] = {kind_of<Contact>.word, one.name};
+        if (const std::optional<Maker> maker = maker_of(item, model_)) told_[whole] = {maker->kind, maker->name};
     }
 
     const Model& model_;
@@ -149,9 +145,7 @@ MachineDrawing drawing_of(const Machine& machine) {
     std::erase_if(unplaced.names, [&](const std::string& one) { return maker.drawn.contains(one); });
     drawing.networks = networks_of(machine, unplaced.names);
     const NetworkDrawing& network = drawing.networks.front();
-    std::erase_if(unplaced.names, [&](const std::string& one) {
-        return std::find(network.drawn.begin(), network.drawn.end(), one) != network.drawn.end();
-    });
+    std::erase_if(unplaced.names, [&](const std::string& one) { return network.drawn.contains(one); });
     const std::vector<std::string> told = unplaced.tell();
     drawing.not_drawn.insert(drawing.not_drawn.end(), told.begin(), told.end());
     drawing.not_drawn.insert(drawing.not_drawn.end(), network.not_drawn.begin(), network.not_drawn.end());

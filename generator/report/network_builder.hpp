@@ -16,7 +16,7 @@ struct NetworkLists {
     std::set<std::string> heated;           ///< nodes and volumes with heat from outside
     std::vector<Coupling> couplings;
     std::map<const System*, std::vector<Coupling>> couplings_in;
-    std::set<std::string> unknown_torques;  ///< first elements of couplings whose torque depends on accelerations in some mode
+    std::set<std::string> unknown_torques;  ///< elements of couplings whose torque depends on accelerations in some mode
 };
 
 /// Without definitions; nothing where a value needs accelerations or the forces of constraints, which are no functions of the state.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,8 @@ struct NetworkDrawing {
 
     struct Part {
         std::string name = {};
-        /// "tank", "cylinder", "vessel", "reservoir", "junction", "node", "held", "sought", "cells", "enclosure", "pin", "ground", "rotor", "fixed",
-        /// "outside"
+        /// "tank", "cylinder", "vessel", "reservoir", "junction", "node", "held", "sought", "cells", "enclosure", "pin", "ground", "rotor",
+        /// "fixed", "outside"
         std::string kind = {};
         Place pressure = {}, temperature = {}, size = {}, voltage = {}, speed = {}, angle = {};
         Place cells = {};  ///< the first of the temperatures of a rod or block
@@ -40,7 +41,7 @@ struct NetworkDrawing {
     std::vector<GiNaC::ex> values;
     std::vector<LayeredLayout> layouts;  ///< for narrow and for wide pages
     std::vector<std::string> not_drawn;
-    std::vector<std::string> drawn;  ///< rotors and couplings, as "body rotor" and "spring shaft"
+    std::set<std::string> drawn;  ///< rotors and couplings, as "body rotor" and "spring shaft"
 
     bool empty() const { return parts.empty(); }
 };

@@ -24,14 +24,14 @@ void list_couplings(NetworkLists& lists, const Machine& machine, const std::vect
     const auto add = [&](const System& system) {
         std::vector<Coupling>& own = lists.couplings_in[&system] = couplings_of(system, unplaced);
         for (const Coupling& one : own) {
-            if (!known_value(system, one.torque)) lists.unknown_torques.insert(one.elements.front());
+            if (!known_value(system, one.torque)) lists.unknown_torques.insert(one.elements.begin(), one.elements.end());
             Coupling* known = find(lists.couplings, one);
             if (known == nullptr) {
                 lists.couplings.push_back(one);
                 continue;
             }
             if (one.kind == "clutch") known->kind = one.kind;
-            known->elements.insert(known->elements.end(), one.elements.begin(), one.elements.end());
+            known->elements.insert(one.elements.begin(), one.elements.end());
         }
     };
     add(*machine.system);
@@ -46,7 +46,7 @@ void add_rotors(NetworkBuilder& network) {
         part.speed = network.add(rotor->angular_velocity);
         if (rotor->has_rotation) part.angle = network.add(rotor->rotation);
         places.push_back(network.add(std::move(part)));
-        network.drawing.drawn.push_back("body " + rotor->member.name());
+        network.drawing.drawn.insert("body " + rotor->member.name());
     }
     std::vector<Coupling> own = network.lists.couplings_in.at(&system);
     for (const Coupling& one : network.lists.couplings) {
@@ -60,7 +60,7 @@ void add_rotors(NetworkBuilder& network) {
         if (one.kind == "clutch") link.conducts = network.add(here == nullptr ? GiNaC::ex(0) : here->holds);
         if (is_rigid && here != nullptr) link.ratio = network.add(here->ratio.value());
         network.drawing.links.push_back(std::move(link));
-        network.drawing.drawn.insert(network.drawing.drawn.end(), one.elements.begin(), one.elements.end());
+        network.drawing.drawn.insert(one.elements.begin(), one.elements.end());
     }
 }
 

@@ -105,7 +105,8 @@ public:
     void guards(const State& x, const Input& u, scalar_type t, Guards& g) const {
         Events of_events{};
         system_.guards(mode, x, u, t, of_events);
-        for (std::size_t e = 0; e < of_events.size(); ++e) g[e] = !is_ignored[e] && System::is_watched(mode, e) ? of_events[e] : scalar_type(1);
+        for (std::size_t e = 0; e < of_events.size(); ++e)
+            g[e] = !is_ignored[e] && System::is_watched(mode, e) ? of_events[e] : scalar_type(1);
         if constexpr (may_have_entries<Kinks>) {
             Kinks of_kinks{};
             system_.kinks(mode, x, u, t, of_kinks);
