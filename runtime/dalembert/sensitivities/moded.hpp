@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "dalembert/api.hpp"
 #include "dalembert/events/modes.hpp"
 #include "dalembert/sensitivities/variational.hpp"
 

@@ -6,11 +6,12 @@ set -euo pipefail
 : "${SOURCE:?}"
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
-files=()
-for file in math scalar angle fluid heat; do files+=("$SOURCE/runtime/c/${file}_functions.h.in"); done
-for file in heat_networks junctions series_functions ldlt; do files+=("$SOURCE/runtime/c/$file.h.in"); done
+# In the order in which the generator takes them.
+mapfile -t files < <(sed -n 's|.*HelperFile{"\([a-z_]*\)", [a-z]*, true}.*|\1|p' "$SOURCE/generator/program/helper_files.hpp")
+files=("${files[@]/#/$SOURCE/runtime/c/}")
+files=("${files[@]/%/.h.in}")
 [ "${#files[@]}" -eq "$(find "$SOURCE/runtime/c" -type f | wc -l)" ] ||
-  { echo "runtime/c has a file that this test does not know"; exit 1; }
+  { echo "runtime/c has a file that the generator does not know"; exit 1; }
 flags=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Wfloat-conversion -Werror)
 includes='#include <float.h>\n#include <math.h>\n#include <stdbool.h>\n#include <stddef.h>\n'
 

@@ -2,10 +2,13 @@
 # Writes functions_REAL.c and functions_REAL.h for float and double to `folder`: all functions of runtime/c, those of a size for each of
 # `sizes`.
 function(dalembert_c_functions folder sizes)
+  set(order ${PROJECT_SOURCE_DIR}/generator/program/helper_files.hpp)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${order})
+  file(STRINGS ${order} files REGEX "HelperFile{\"[a-z_]*\", [a-z]*, true}")
+  list(TRANSFORM files REPLACE ".*{\"([a-z_]*)\".*" "\\1")
   foreach(REAL float double)
     set(all "")
-    foreach(file math_functions scalar_functions angle_functions fluid_functions heat_functions curve_functions
-                 heat_networks junctions series_functions ldlt)
+    foreach(file IN LISTS files)
       set(path ${PROJECT_SOURCE_DIR}/runtime/c/${file}.h.in)
       set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})
       file(READ ${path} text)
