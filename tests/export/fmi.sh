@@ -6,11 +6,10 @@
 # Arguments: names of models of systems/; all of them if there are none.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}" "${IMPORTER:?the importer}"
+. "$SOURCE/tests/machines.sh"
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
-models=()
-for model in "$@"; do models+=("$SOURCE"/systems/*/"$model".toml); done
-[ $# -gt 0 ] || mapfile -t models < <(find "$SOURCE/systems" -name '*.toml' -not -path '*/book/*' -not -path '*/parts/*' | sort)
+mapfile -t models < <(machines "$@")
 schemas=$SOURCE/tests/export/schemas
 good=0 bad=0
 complain() { echo "FAILED: $*"; bad=$((bad + 1)); }

@@ -4,13 +4,14 @@
 # Needs the program (PROGRAM), the sources (SOURCE) and the importer (IMPORTER). Arguments: number of calls, names of models of systems/.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}" "${IMPORTER:?the importer}"
+. "$SOURCE/tests/machines.sh"
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
 calls=$1
 shift
 warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror)
 for name in "$@"; do
-  model=$(ls "$SOURCE"/systems/*/"$name".toml)
+  model=$(machines "$name")
   for version in 2 3; do
     folder=$here/$name$version
     "$PROGRAM" export "$model" --to fmi$version -o "$folder" >/dev/null 2>&1

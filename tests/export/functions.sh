@@ -5,6 +5,7 @@
 # Needs the program (PROGRAM) and the sources (SOURCE). Arguments: names of models of systems/, or model files; all of systems/ if there are none.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}"
+. "$SOURCE/tests/machines.sh"
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
 failed() { echo "FAILED: $*"; exit 1; }
@@ -12,11 +13,7 @@ read -ra flags <<<"${FLAGS:-}"
 warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror)
 "${CXX:-c++}" -std=c++17 -O1 "${flags[@]}" -Wall -Wextra -Wconversion -Wshadow -I "$SOURCE/runtime" -I "$SOURCE/tests" \
   "$SOURCE/tests/export/functions.cpp" -o "$here/functions" -ldl -pthread
-models=()
-for model in "$@"; do
-  if [ -f "$model" ]; then models+=("$model"); else models+=("$SOURCE"/systems/*/"$model".toml); fi
-done
-[ $# -gt 0 ] || mapfile -t models < <(find "$SOURCE/systems" -name '*.toml' -not -path '*/book/*' -not -path '*/parts/*' | sort)
+mapfile -t models < <(machines "$@")
 count=0 with_second=0
 for model in "${models[@]}"; do
   size=()

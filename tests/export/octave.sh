@@ -4,6 +4,7 @@
 # and the sources (SOURCE). Arguments: MODEL or MODEL:SCENE of systems/; every scene of all of them if there are none. Exit code 77 without Octave or numpy.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}"
+. "$SOURCE/tests/machines.sh"
 skip() { echo "skipped: $*"; exit 77; }
 command -v octave-cli >/dev/null || skip "there is no Octave (on Debian: apt-get install octave octave-dev)"
 command -v mkoctfile >/dev/null || skip "there is no mkoctfile (on Debian: apt-get install octave-dev)"
@@ -18,8 +19,8 @@ export PYTHONDONTWRITEBYTECODE=1
 failed() { echo "FAILED: $*"; exit 1; }
 octave() { octave-cli --no-history --no-init-file --quiet "$@" 2>&1; }
 scenes=()
-for model in "$@"; do scenes+=("$(echo "$SOURCE"/systems/*/"${model%%:*}".toml):${model#*:}"); done
-[ $# -gt 0 ] || while read -r model; do scenes+=("$model:"); done < <(find "$SOURCE/systems" -name '*.toml' -not -path '*/book/*' -not -path '*/parts/*' | sort)
+for model in "$@"; do scenes+=("$(machines "${model%%:*}"):${model#*:}"); done
+[ $# -gt 0 ] || while read -r model; do scenes+=("$model:"); done < <(machines)
 count=0 bad=0
 for entry in "${scenes[@]}"; do
   model=${entry%%:*} wanted=${entry#*:} size=()

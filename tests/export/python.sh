@@ -4,6 +4,7 @@
 # MODEL:SCENE of systems/; every scene of all of them if there are none. Exit code 77 where no Python has numpy.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}"
+. "$SOURCE/tests/machines.sh"
 python=
 for candidate in python3 /usr/bin/python3; do
   "$candidate" -c 'import numpy' 2>/dev/null && { python=$candidate; break; }
@@ -14,8 +15,8 @@ trap 'rm -rf "$here"' EXIT
 export PYTHONDONTWRITEBYTECODE=1
 failed() { echo "FAILED: $*"; exit 1; }
 scenes=()
-for model in "$@"; do scenes+=("$(echo "$SOURCE"/systems/*/"${model%%:*}".toml):${model#*:}"); done
-[ $# -gt 0 ] || while read -r model; do scenes+=("$model:"); done < <(find "$SOURCE/systems" -name '*.toml' -not -path '*/book/*' -not -path '*/parts/*' | sort)
+for model in "$@"; do scenes+=("$(machines "${model%%:*}"):${model#*:}"); done
+[ $# -gt 0 ] || while read -r model; do scenes+=("$model:"); done < <(machines)
 count=0 bad=0
 for entry in "${scenes[@]}"; do
   model=${entry%%:*} wanted=${entry#*:} size=()

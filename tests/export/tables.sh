@@ -4,16 +4,13 @@
 # Needs the program (PROGRAM) and the sources (SOURCE). Arguments: names of models of systems/, or model files; all of systems/ if there are none.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}"
+. "$SOURCE/tests/machines.sh"
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
 failed() { echo "FAILED: $*"; exit 1; }
 warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Werror)
 "${CC:-cc}" -std=gnu99 -O1 "${warnings[@]}" -Wno-pedantic -I "$SOURCE/runtime" "$SOURCE/tests/export/tables.c" -o "$here/tables" -ldl -lm
-models=()
-for model in "$@"; do
-  if [ -f "$model" ]; then models+=("$model"); else models+=("$SOURCE"/systems/*/"$model".toml); fi
-done
-[ $# -gt 0 ] || mapfile -t models < <(find "$SOURCE/systems" -name '*.toml' -not -path '*/book/*' -not -path '*/parts/*' | sort)
+mapfile -t models < <(machines "$@")
 count=0
 for model in "${models[@]}"; do
   size=()

@@ -5,6 +5,7 @@
 # COMPILERS: of C, more than one in quotes. OPTIONS: of generate. What has series is compared with them.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}"
+. "$SOURCE/tests/machines.sh"
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
 warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wdouble-promotion -Wfloat-conversion -Werror)
@@ -41,11 +42,7 @@ compare() {
   count=$((count + 1))
 }
 
-models=()
-for model in "$@"; do
-  if [ -f "$model" ]; then models+=("$(realpath "$model")"); else models+=("$SOURCE"/systems/*/"$model".toml); fi
-done
-[ $# -gt 0 ] || mapfile -t models < <(find "$SOURCE/systems" -name '*.toml' -not -path '*/book/*' -not -path '*/parts/*' -not -path '*/controllers/*' | sort)
+mapfile -t models < <(machines "$@")
 for path in "${models[@]}"; do
   [ -f "$path" ] || failed "there is no model $path"
   read -r -a options <<<"${OPTIONS:-}"

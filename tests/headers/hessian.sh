@@ -4,12 +4,11 @@
 # told. Needs the program (PROGRAM) and the sources (SOURCE). Arguments: names of models of systems/; all of them if there are none.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}"
+. "$SOURCE/tests/machines.sh"
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
 failed() { echo "FAILED: $*"; exit 1; }
-models=()
-for model in "$@"; do models+=("$SOURCE"/systems/*/"$model".toml); done
-[ $# -gt 0 ] || mapfile -t models < <(find "$SOURCE/systems" -name '*.toml' -not -path '*/book/*' -not -path '*/parts/*' | sort)
+mapfile -t models < <(machines "$@")
 compared=0 linear=0 refused=0 sparse=0
 for model in "${models[@]}"; do
   size=()

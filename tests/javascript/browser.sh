@@ -6,11 +6,12 @@
 # pointer.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}"
+. "$SOURCE/tests/machines.sh"
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
 pages=()
 for model in "$@"; do
-  "$PROGRAM" report "$SOURCE"/systems/*/"$model".toml -o "$here" >/dev/null 2>&1
+  "$PROGRAM" report "$(machines "$model")" -o "$here" >/dev/null 2>&1
   pages+=("$here/$model.html")
 done
 node "$SOURCE/tests/javascript/browser.mjs" "${pages[@]}"

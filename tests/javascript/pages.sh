@@ -5,6 +5,7 @@
 # Needs node, the program (PROGRAM) and the sources (SOURCE). Arguments: names of models of systems/; all of them if there are none.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}"
+. "$SOURCE/tests/machines.sh"
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
 failed() { echo "FAILED: $*"; exit 1; }
@@ -18,10 +19,9 @@ node "$tests/hostile.mjs" "$here/several/index.html"
 cmp "$here/hostile.html" "$here/several/hostile.html" || failed "a page of several is not that of one"
 "$PROGRAM" report "$tests/network.toml" -o "$here" >/dev/null || failed "network.toml"
 node "$tests/network.mjs" "$here/network.html"
-models=()
 bad=()
-for model in "$@"; do models+=("$SOURCE"/systems/*/"$model".toml); done
-[ $# -gt 0 ] || mapfile -t models < <(find "$SOURCE/systems" -name '*.toml' -not -path '*/book/*' | sort; printf "%s\n" "$SOURCE"/tests/regressions/{flat_parallelogram,moving_supply}.toml)
+mapfile -t models < <(machines_and_parts "$@")
+[ $# -gt 0 ] || models+=("$SOURCE"/tests/regressions/{flat_parallelogram,moving_supply}.toml)
 for path in "${models[@]}"; do
   [ -f "$path" ] || failed "there is no model $path"
   page=$here/$(basename "$path" .toml).html

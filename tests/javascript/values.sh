@@ -4,14 +4,13 @@
 # models of systems/; all of them if there are none.
 set -euo pipefail
 : "${PROGRAM:?the program}" "${SOURCE:?the sources}"
+. "$SOURCE/tests/machines.sh"
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
 failed() { echo "FAILED: $*"; exit 1; }
 command -v node >/dev/null || failed "node is missing (on Debian: apt-get install nodejs)"
 "${CC:-gcc}" -std=gnu11 -O1 -Wall -Wextra -Werror -I "$SOURCE/runtime" "$SOURCE/tests/javascript/values.c" -o "$here/values" -lm -ldl
-models=()
-for model in "$@"; do models+=("$SOURCE"/systems/*/"$model".toml); done
-[ $# -gt 0 ] || mapfile -t models < <(find "$SOURCE/systems" -name '*.toml' -not -path '*/book/*' | sort)
+mapfile -t models < <(machines_and_parts "$@")
 count=0
 for path in "${models[@]}"; do
   [ -f "$path" ] || failed "there is no model $path"
