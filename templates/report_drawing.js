@@ -192,14 +192,17 @@ function make_drawing(scene, places, measures, forces, across) {
             const [along, up] = project(forces[shown], k).map((one) => most > 0 ? arrow * one / most : 0);
             path.setAttribute('d', (is_torque ? axis_path : arrow_path)(from[0], from[1], along, -up));
         });
+        const taken = [];
         names.forEach((name, k) => {
             // Bodies at one place have one label.
             const together = scene.bodies.filter((one, j) => !is_hidden(j) && Math.hypot(at[j][0] - at[k][0], at[j][1] - at[k][1]) < 4);
-            name.textContent = together[0] === scene.bodies[k] && !is_hidden(k) ? together.join(", ") : "";
-            const is_right = at[k][0] > width - 130;
-            name.setAttribute("x", at[k][0] + (is_right ? -14 : 14));
-            name.setAttribute("text-anchor", is_right ? "end" : "start");
-            name.setAttribute("y", at[k][1] - 10);
+            const text = together[0] === scene.bodies[k] && !is_hidden(k) ? together.join(", ") : "";
+            const place = text === "" ? null : label_place(taken, at[k], text.length, width);
+            name.textContent = place === null ? "" : text;
+            if (place === null) return;
+            name.setAttribute("x", place.x);
+            name.setAttribute("y", place.y);
+            name.setAttribute("text-anchor", place.anchor);
         });
         trail_lines.forEach((line, k) => {
             if (!said.has_trails || is_hidden(k)) return;

@@ -7,6 +7,9 @@ function number_text(value, digits = 5) {
     return size >= 1e6 || (size > 0 && size < 1e-3) ? rounded.toExponential().replace("e+", "e") : String(rounded);
 }
 
+/// "1 step", "2 steps"
+function counted(count, word) { return `${count} ${word}${count === 1 ? "" : "s"}`; }
+
 /// "0.5" and "0,5"; NaN for what is no number.
 function read_number(text) {
     const plain = text.trim().replace(/\u2212/g, "-").replace(",", ".");

@@ -68,9 +68,9 @@ class Player {
             this.part("time").max = this.end;
             this.part("status").textContent = this.refused + moved_start(this.scene, this.recording) +
                 (this.recording.is_good ? "" : this.recording.message + " ") +
-                `${this.recording.steps} steps` +
+                counted(this.recording.steps, "step") +
                 (this.recording.implicit_steps > 0 ? `, of which ${this.recording.implicit_steps} implicit` : "") +
-                (this.recording.events.length > 0 ? `, ${this.recording.events.length} events` : "") +
+                (this.recording.events.length > 0 ? `, ${counted(this.recording.events.length, "event")}` : "") +
                 `, computed in ${duration.toFixed(0)} ms.`;
             if (this.speed === undefined || this.speed_of !== this.scene) {
                 const wanted = this.end / 10, choices = [...this.part("speed").options].map((one) => Number(one.value));
@@ -308,6 +308,7 @@ globalThis.dalembert_page = {
     check_settings,
     run_scene,
     network_rows,
+    label_place,
     columns_of,
     command_of,
     tick_texts: (values) => {

@@ -179,3 +179,18 @@ function ground_line(width, y) {
     for (let x = 6; x < width; x += 14) group.append(element('line', {x1: x, x2: x - 6, y1: y, y2: y + 7}));
     return group;
 }
+
+/// Where so many letters beside a point stand without lying on those of `taken`, which they join: { x, y, anchor }; null where all places
+/// are taken.
+function label_place(taken, [x, y], letters, width) {
+    const across = 7 * letters, up = 13;  // at most, at 12 px
+    const places = [[1, -10], [-1, -10], [1, 20], [-1, 20]].map(([side, below]) => ({
+        x: x + 14 * side, y: y + below, anchor: side > 0 ? 'start' : 'end', left: side > 0 ? x + 14 : x - 14 - across
+    }));
+    const inside = places.filter((one) => one.left >= 0 && one.left + across <= width);
+    const place = (inside.length > 0 ? inside : places).find((one) => !taken.some(
+        (other) => one.left < other.left + other.across && other.left < one.left + across && Math.abs(one.y - other.y) < up));
+    if (place === undefined) return null;
+    taken.push({...place, across});
+    return place;
+}

@@ -6,8 +6,8 @@
     const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
     const part = (id) => document.getElementById(id);
     const is_ready = async () => {
-        for (let i = 0; i < 400 && !/steps/.test(part("status").textContent); ++i) await wait(50);
-        if (!/steps/.test(part("status").textContent)) found.errors.push("no run: " + part("status").textContent);
+        for (let i = 0; i < 400 && !/steps?,/.test(part("status").textContent); ++i) await wait(50);
+        if (!/steps?,/.test(part("status").textContent)) found.errors.push("no run: " + part("status").textContent);
     };
     try {
         await wait(200);

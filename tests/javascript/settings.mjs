@@ -74,5 +74,10 @@ for (const values of [[403, 403 + 1e-4], [403, 403 + 1e-9], [1e6, 1e6 + 3], [5, 
     const texts = page.tick_texts(values);
     check(texts.length >= 2 && new Set(texts).size === texts.length, `ticks of ${values}: ${texts}`);
 }
+// Labels of four points that lie close together surround them, a fifth one has no room; near the edge they stand on the other side.
+const taken = [], of_points = [0, 1, 2, 3, 4].map((i) => page.label_place(taken, [200 + i, 100], 8, 400));
+const anchors = of_points.map((one) => one === null ? "none" : `${one.anchor} ${one.y}`);
+check(anchors.join(", ") === "start 90, end 90, start 120, end 120, none", "labels: " + anchors.join(", "));
+check(page.label_place([], [390, 100], 8, 400).anchor === "end", "a label near the edge");
 if (failures === 0) console.log("settings, starts and refusals of pages are right");
 process.exit(failures > 0 ? 1 : 0);
