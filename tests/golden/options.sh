@@ -4,6 +4,8 @@
 # condition. "full": every machine of the repository with all passes and with none but `rewriting`, which keeps digits, and asked for all
 # at once; and each option of machines that take longer.
 set -euo pipefail
+: "${PROGRAM:?the program}" "${SOURCE:?the sources}"
+. "$SOURCE/tests/machines.sh"
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
 cat >"$here/print.cpp" <<'CODE'
@@ -219,7 +221,7 @@ if [ "${1:-}" = full ]; then
     esac
     same "${model%.toml}" double -- --without "$passes"
     same "${model%.toml}" double -- --together
-  done < <(cd "$SOURCE/systems" && ls */*.toml | grep -v ^book/)
+  done < <(machines_and_parts | sed "s|^$SOURCE/systems/||")
   limit=4 beside_largest=
   for model in mechanics/stick_slip mechanics/slack_rope hydraulics/hydraulic_cylinder heat/fin; do same $model double -- --together; done
   same mechanics/n_pendulum double --size N=12 -- --together

@@ -24,7 +24,7 @@ mapfile -t models < <(machines_and_parts "$@")
 [ $# -gt 0 ] || models+=("$SOURCE"/tests/regressions/{flat_parallelogram,moving_supply}.toml)
 for path in "${models[@]}"; do
   [ -f "$path" ] || failed "there is no model $path"
-  page=$here/$(basename "$path" .toml).html
+  page=$here/$(sed -n 's/^name *= *"\(.*\)"/\1/p' "$path" | head -1).html
   "$PROGRAM" report "$path" -o "$here" >"$here/told.txt" 2>/dev/null || failed "$path"
   ! grep 'does not run' "$here/told.txt" | sed "s|^|$(basename "$path" .toml):|" || true
   ! grep -qE '(src|href)="[^#]|url\(|@import|fetch\(|XMLHttpRequest' "$page" || failed "$page loads something"
