@@ -83,6 +83,8 @@ for (const scene of page.scenes)
             continue;
         }
         const rows = program_run.columns.get("t").length;
+        if (scene.network && !page.network_rows(scene, run).every((values) => values.every(Number.isFinite)))
+            throw new Error(`${name}: the network has values that are not finite`);
         // A row at the time of an event may be that before or behind it.
         const is_event = run.rows.map((row) => run.events.some((event) => Math.abs(event.t - row.t) < 1e-9 * scene.until));
         const {worst, where} = largest_difference(program_run.columns, recorded(scene, run), is_event);
