@@ -2,7 +2,7 @@
 # For scripts to source: the models that they go through. Needs the sources (SOURCE).
 
 # machines NAME...: model files, a line each: a file as it is, else the model of systems/ of that name. Without a name all of systems/ but
-# parts, which stand alone only for tests, and controllers, which are no machines.
+# parts, which machines are made of, and controllers, which move nothing.
 machines() {
   local name
   [ $# -gt 0 ] || find "$SOURCE/systems" -name '*.toml' -not -path '*/book/*' -not -path '*/parts/*' -not -path '*/controllers/*' | sort

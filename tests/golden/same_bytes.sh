@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The same model gives the same bytes on every run, with addresses of memory randomised by the system. Argument: how many runs.
 set -euo pipefail
+. "$SOURCE/tests/machines.sh"
 here=$(mktemp -d)
 trap 'rm -rf "$here"' EXIT
 runs=$1
 for ((run = 1; run <= runs; ++run)); do
-  for model in "$SOURCE"/systems/{mechanics,hydraulics,pneumatics,heat,drives,parts,controllers}/*.toml; do
+  for model in $(machines_and_parts) "$SOURCE"/systems/controllers/*.toml; do
     "$PROGRAM" generate "$model" --every-scene -o "$here/$run" >/dev/null
     "$PROGRAM" derive "$model" --format latex >"$here/$run/$(basename "$model").tex"
   done
