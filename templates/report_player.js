@@ -309,6 +309,7 @@ globalThis.dalembert_page = {
     run_scene,
     network_rows,
     label_place,
+    path_of,
     columns_of,
     command_of,
     tick_texts: (values) => {

@@ -5,6 +5,31 @@ const plot_colours = [
 ];
 const most_curves = 6;  // that a plot shows at first
 
+/// The path through points, in pixels; it ends and begins again at what is no number. Of points that follow one another in one column of
+/// pixels, it takes the first, the lowest, the highest and the last: they cover the same pixels, and a browser paints thousands of others
+/// at each frame.
+function path_of(across, up) {
+    let path = '', pen = 'M';
+    for (let begin = 0, end; begin < across.length; begin = end) {
+        end = begin + 1;
+        if (!Number.isFinite(across[begin]) || !Number.isFinite(up[begin])) {
+            pen = 'M';
+            continue;
+        }
+        let lowest = begin, highest = begin;
+        const column = Math.floor(across[begin]);
+        for (; Math.floor(across[end]) === column && Number.isFinite(up[end]); ++end) {
+            if (up[end] < up[lowest]) lowest = end;
+            if (up[end] > up[highest]) highest = end;
+        }
+        for (const i of [...new Set([begin, Math.min(lowest, highest), Math.max(lowest, highest), end - 1])]) {
+            path += `${pen}${across[i].toFixed(2)} ${up[i].toFixed(2)}`;
+            pen = 'L';
+        }
+    }
+    return path;
+}
+
 /// `x`: { name, unit, values }; `curves`: the same, with an axis for each unit. `events`: times, where x is the time. `room`: pixels
 /// across. Returns { figure, svg, show(row, is_quick), at(event), zoom(low, high) }; on_zoom(low, high) is called where a person zooms
 /// along x, with nothing for all.
@@ -77,16 +102,7 @@ function make_plot(x, curves, events, room, on_zoom) {
             }));
         curves.forEach((curve, c) => {
             if (!is_shown[c]) return;
-            const {up} = scale.axes[axis_of[c]];
-            let path = '', pen = 'M';
-            curve.values.forEach((value, i) => {
-                if (!Number.isFinite(value) || !Number.isFinite(x.values[i])) {
-                    pen = 'M';
-                    return;
-                }
-                path += `${pen}${across(x.values[i]).toFixed(2)} ${up(value).toFixed(2)}`;
-                pen = 'L';
-            });
+            const path = path_of(x.values.map(across), curve.values.map(scale.axes[axis_of[c]].up));
             inside.append(
                 element('path', {d: path, fill: 'none', style: `stroke: ${colour(c)}`, 'stroke-width': 1.8, 'stroke-linejoin': 'round'}));
         });
@@ -109,8 +125,8 @@ function make_plot(x, curves, events, room, on_zoom) {
         draw_curves(inside);
         cursor = element('line', {y1: top, y2: height - bottom, stroke: 'currentColor', 'stroke-opacity': 0.7});
         dots = curves.map((curve, c) => element('circle', {r: 4, style: `fill: ${colour(c)}`}));
-        inside.append(cursor);
-        svg.append(inside, ...dots);
+        // In a layer of its own, so that a browser need not paint the curves again where it moves.
+        svg.append(inside, element('g', {style: 'will-change: transform'}, cursor, ...dots));
     };
     /// `is_quick`: without the words below, which cost most of the time of a frame.
     const show = (i, is_quick) => {

@@ -79,5 +79,18 @@ const taken = [], of_points = [0, 1, 2, 3, 4].map((i) => page.label_place(taken,
 const anchors = of_points.map((one) => one === null ? "none" : `${one.anchor} ${one.y}`);
 check(anchors.join(", ") === "start 90, end 90, start 120, end 120, none", "labels: " + anchors.join(", "));
 check(page.label_place([], [390, 100], 8, 400).anchor === "end", "a label near the edge");
+// A curve of many points is drawn by few of them, which cover in each column of pixels what all cover; what is no number parts it.
+const many = Array.from({length: 50000}, (_, i) => i), across = many.map((i) => i / 100);
+const up = many.map((i) => i === 30007 ? NaN : 100 + 90 * Math.sin(0.7 * i) * Math.cos(i / 9000));
+const pieces = page.path_of(across, up).split("M").slice(1).map((text) => text.split("L").map((point) => point.split(" ").map(Number)));
+check(pieces.length === 2 && pieces.flat().length <= 4 * 501, `${pieces.length} pieces of ${pieces.flat().length} points`);
+const covered = (points, column) => {
+    const here = points.filter(([at]) => Math.floor(at) === column).map((point) => point[1]);
+    return `${Math.min(...here).toFixed(2)} to ${Math.max(...here).toFixed(2)}`;
+};
+const all = many.filter((i) => i !== 30007).map((i) => [across[i], Number(up[i].toFixed(2))]);
+for (let column = 0; column < 500; ++column)
+    check(covered(pieces.flat(), column) === covered(all, column), `a curve covers other pixels in column ${column}`);
+check(page.path_of([0, 5, 5.5, 2], [1, 2, 3, 4]) === "M0.00 1.00L5.00 2.00L5.50 3.00L2.00 4.00", "the path of four points");
 if (failures === 0) console.log("settings, starts and refusals of pages are right");
 process.exit(failures > 0 ? 1 : 0);
