@@ -3,7 +3,7 @@
 #pragma once
 
 #include "balance/flow.hpp"
-#include "balance/rod.hpp"
+#include "balance/field.hpp"
 
 namespace dalembert {
 

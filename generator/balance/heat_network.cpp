@@ -9,6 +9,7 @@
 
 #include "balance/block.hpp"
 #include "balance/enclosure.hpp"
+#include "balance/field.hpp"
 #include "balance/rod.hpp"
 #include "balance/sought_temperatures.hpp"
 #include "elements/conduction.hpp"

@@ -80,13 +80,13 @@ struct EnclosureState {
     GiNaC::ex irradiation(std::size_t i) const;
 };
 
-struct RodField;
+struct CellField;
 
 /// All that heat does outside of fluids.
 struct HeatNetwork {
     std::deque<NodeState> nodes;  ///< addresses are kept
     std::vector<LinkState> links;
-    std::vector<RodField> fields;
+    std::vector<CellField> fields;
     std::vector<EnclosureState> enclosures;
     std::vector<BorderState> borders;
     GiNaC::ex stored_energy = 0;    ///< J

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "balance/field.hpp"
 #include "elements/conduction.hpp"
 #include "text/diagnostic.hpp"
 
@@ -91,52 +92,26 @@ private:
         node.is_tapped = true;
     }
 
-    RodField field() {
-        const State& states = *field_->states;
+    CellField field() {
         const auto letter = [&](const char* name) { return symbols_.grid_letter(fmt::format("{}[{}]", name, rod_.name)); };
-        const auto temperature = [&](const char* name) { return symbols_.letter(fmt::format("{}[{}]", name, rod_.name)); };
         // In this order differences of them are written as what is positive.
         const ex beyond = letter("beyond");
         const ex right = letter("right");
         const ex middle = letter("here");
-        RodField f{&rod_,
-                   &states,
-                   field_->from,
-                   geometry_,
-                   {letter("left"), middle, right},
-                   beyond,
-                   letter("index"),
-                   temperature("T_here"),
-                   temperature("T_next"),
-                   {},
-                   {},
-                   {},
-                   {},
-                   {},
-                   {}};
-        if (!geometry_.has_points()) f.place.here = (f.place.left + f.place.right) / 2;
-        const GridPlace next{f.place.right, f.place.right, f.beyond};
+        GridPlace place{letter("left"), middle, right};
+        if (!geometry_.has_points()) place.here = (place.left + place.right) / 2;
+        CellField f = make_field(*field_, translate_, symbols_, RodLetters{geometry_, place, beyond});
+        const GridPlace next{place.right, place.right, beyond};
         const Warmth here = warmth_of(f.here);
-        f.link = conduct(*rod_.conductivity, geometry_.shape_factor(f.place, next), here, warmth_of(f.next), translate_, symbols_, {});
-        f.source = source(here, f.place);
+        f.faces.push_back({{0, f.cells - 1},
+                           1,
+                           conduct(*rod_.conductivity, geometry_.shape_factor(place, next), here, warmth_of(f.next), translate_, symbols_,
+                                   {})});
         NodeState generic{NodeState::Kind::storing, rod_.name, &rod_, rod_.span, here, {}};
-        store(generic, *rod_.heat_capacity, mass(f.place), translate_, symbols_, {});
-        f.capacity = generic.capacity;
-        f.energy = generic.stored_energy;
-        if (states.start.is_list)
-            throw Failure(Diagnostic{
-                Id::not_allowed_here, states.start.span,
-                fmt::format("rod '{}' has {} cells, which a loop computes; '{}' then starts with one value or an expression of '{}', not "
-                            "with a list. loops = false writes the cells out",
-                            rod_.name, geometry_.cells(), states.name, states.family->index)});
-        f.start = states.start.empty() ? ex(0) : translate_(*states.start.front(), {}, {{states.family->index, f.number}});
+        store(generic, *rod_.heat_capacity, mass(place), translate_, symbols_, {});
+        f.laws.push_back({f.all(), source(here, place), generic.capacity, generic.stored_energy});
         f.tapped.assign(cells_.begin(), cells_.end());
-        for (const Variable& state : symbols_.all(SymbolKind::state))
-            if (f.source.has(state.symbol))
-                throw Failure(Diagnostic{Id::not_allowed_here, rod_.span,
-                                         fmt::format("rod '{}' has {} cells, which a loop computes; its surroundings and heat sources must "
-                                                     "then not depend on the state '{}'",
-                                                     rod_.name, geometry_.cells(), state.name)});
+        refuse_states(f, symbols_);
         return f;
     }
 

@@ -79,7 +79,7 @@ private:
                 fmt::format("        {}_real {}{};\n", name_, member.identifier, member.size > 0 ? fmt::format("[{}]", member.size) : "");
         texts_["CACHED"] =
             cached.empty() ? ""
-                           : "    struct {\n" + cached + "    } c;  ///< depends on parameters alone; of the cells of a rod one by one\n";
+                           : "    struct {\n" + cached + "    } c;  ///< depends on parameters alone; of cells one by one\n";
     }
 
     /// Those that cells do not change.

@@ -29,11 +29,11 @@ std::vector<double> start_values(const System& system) {
     std::vector<double> x(places.count, 0);
     const GiNaC::exmap known = values.substitution();
     for (std::size_t r = 0; r < system.heat.fields.size(); ++r) {
-        const RodField& rod = system.heat.fields[r];
-        const GiNaC::ex start = system.symbols.without_definitions(rod.start).subs(known, GiNaC::subs_options::no_pattern);
+        const CellField& field = system.heat.fields[r];
+        const GiNaC::ex start = system.symbols.without_definitions(field.start).subs(known, GiNaC::subs_options::no_pattern);
         std::vector<GiNaC::ex> cells;
-        for (std::size_t k = 0; k < rod.geometry.cells(); ++k)
-            cells.push_back(start.subs(rod.number == rod.first_index + static_cast<int>(k), GiNaC::subs_options::no_pattern));
+        for (std::size_t k = 0; k < field.cells; ++k)
+            cells.push_back(start.subs(field.number == field.first_index + static_cast<int>(k), GiNaC::subs_options::no_pattern));
         const std::vector<double> numbers = numbers_of(cells);
         std::copy(numbers.begin(), numbers.end(), x.begin() + static_cast<std::ptrdiff_t>(places.firsts[r]));
     }

@@ -32,7 +32,7 @@ GeneratedHeader generated_header(const Machine& machine, const Header& header, c
     }
     for (std::size_t i = 0; machine.fields && i < machine.fields->fields.size(); ++i) {
         const FieldFunctions& f = machine.fields->fields[i];
-        result.cells.push_back({f.field->rod->name, f.field->geometry.cells(), machine.fields->per_cell(f).total()});
+        result.cells.push_back({f.field->body->name, f.field->cells, machine.fields->per_cell(f).total()});
     }
     return result;
 }

@@ -49,7 +49,7 @@ ScenePage prepare_scene(const std::shared_ptr<const LoadedModel>& model, const s
     try {
         page.run.emplace(prepare_run(model, scene, options, "report"));
         if (page.run->machine.fields) {
-            page.reason = "the cells of its rods are computed in loops, which the JavaScript of a page does not have yet.";
+            page.reason = "cells of its rods or blocks are computed in loops, which the JavaScript of a page does not have yet.";
             page.machine = std::move(page.run->machine);
             page.run.reset();
         }

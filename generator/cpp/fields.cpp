@@ -25,7 +25,7 @@ std::string cached_members(const PlantFields& fields) {
         text += member.size > 0 ? fmt::format("        std::array<Scalar, {}> {};\n", member.size, member.identifier)
                                 : fmt::format("        Scalar {};\n", member.identifier);
     return text.empty() ? text
-                        : "    /// Constants computed from the parameters, for each cell of a rod.\n    struct Cached {\n" + text +
+                        : "    /// Constants computed from the parameters, for each cell of a rod or block.\n    struct Cached {\n" + text +
                               "    };\n    Cached c_{};\n";
 }
 
@@ -60,33 +60,33 @@ void sums(const PlantFields& fields, Texts& texts) {
 }
 
 /// ", low, high", where a range is declared.
-std::string range_text(const PlantRod& rod) {
+std::string range_text(const PlantField& field) {
     const auto bound = [](const std::optional<double>& value, const char* otherwise) {
         return value ? fmt::format("{}", *value) : otherwise;
     };
-    if (!rod.has_range) return {};
-    return fmt::format(", {}, {}", bound(rod.states.low, "-std::numeric_limits<double>::infinity()"),
-                       bound(rod.states.high, "std::numeric_limits<double>::infinity()"));
+    if (!field.has_range) return {};
+    return fmt::format(", {}, {}", bound(field.states.low, "-std::numeric_limits<double>::infinity()"),
+                       bound(field.states.high, "std::numeric_limits<double>::infinity()"));
 }
 
 void tables(const PlantFields& fields, Texts& texts) {
-    std::string rods, names, quantities;
+    std::string lists, names, quantities;
     std::vector<std::string> indices;
     for (const auto& [name, at] : fields.indices) indices.push_back(fmt::format("{} = {}", name, at));
     std::size_t longest = 0;
-    for (const PlantRod& rod : fields.rods) {
-        const PlantQuantity& q = rod.states;
-        longest = std::max(longest, q.name.size() + std::to_string(static_cast<std::size_t>(rod.first_number) + rod.cells).size() + 3);
-        rods += fmt::format("{}Cells{{{}, {}}}", rods.empty() ? "" : ", ", rod.first, rod.cells);
-        names += fmt::format("inline constexpr CellNames<{}> {}_names({}, {});\n", rod.cells, q.name, cpp_string(q.name), rod.first_number);
+    for (const PlantField& field : fields.list) {
+        const PlantQuantity& q = field.states;
+        longest = std::max(longest, q.name.size() + std::to_string(static_cast<std::size_t>(field.first_number) + field.cells).size() + 3);
+        lists += fmt::format("{}Cells{{{}, {}, {}}}", lists.empty() ? "" : ", ", field.first, field.cells, field.columns);
+        names += fmt::format("inline constexpr CellNames<{}> {}_names({}, {});\n", field.cells, q.name, cpp_string(q.name), field.first_number);
         quantities += fmt::format("    for (std::size_t k = 0; k < {}; ++k) table[{}] = Quantity{{{}_names.names[k].data(), {}, {}{}}};\n",
-                                  rod.cells, rod.first == 0 ? "k" : fmt::format("{} + k", rod.first), q.name, cpp_string(q.unit),
-                                  cpp_string(q.doc), range_text(rod));
+                                  field.cells, field.first == 0 ? "k" : fmt::format("{} + k", field.first), q.name, cpp_string(q.unit),
+                                  cpp_string(q.doc), range_text(field));
     }
     texts["STATE_INDICES"] = fmt::format(" enum : std::size_t {{ {} }}; ", fmt::join(indices, ", "));
     texts["POSITIONS"] = fmt::format("{}", fmt::join(fields.positions, ", "));
-    texts["RODS"] = rods;
-    texts["ROD_COUNT"] = std::to_string(fields.rods.size());
+    texts["FIELDS"] = lists;
+    texts["FIELD_COUNT"] = std::to_string(fields.list.size());
     texts["NAME_SIZE"] = std::to_string(longest);
     texts["CELL_NAMES"] = names;
     texts["CELL_QUANTITIES"] = quantities;

@@ -107,7 +107,7 @@ std::string first_inputs_text(const FirstInputs& first) {
 std::string loop_text(const Loop& loop) {
     const std::string head = fmt::format("for (std::size_t {0} = {1}; {0} < {2}; ++{0}) ", loop.index, loop.first, cpp_text(loop.end));
     const auto* inner = loop.body.size() == 1 ? std::get_if<Loop>(&loop.body[0].content) : nullptr;
-    if (inner == nullptr) return braced(head, loop.body);
+    if (inner == nullptr || inner->body.size() > 1) return braced(head, loop.body);
     const std::string body = cpp_text(inner->body);
     return fmt::format("{0}{1}\n{0}    for (std::size_t {2} = {3}; {2} < {4}; ++{2}) {5}", indent_of_body, head.substr(0, head.size() - 1),
                        inner->index, inner->first, cpp_text(inner->end), body.substr(body.find_first_not_of(' ')));

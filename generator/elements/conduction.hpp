@@ -166,6 +166,7 @@ struct Block : Item {
     Table conductivity, density, heat_capacity;
     std::optional<Property> source;  ///< W/m^3, an expression or a law "(x, y) -> ..."
     std::optional<Side> left, right, bottom, top;
+    std::optional<bool> loops;               ///< as of a rod
 
     static const ExpressionPtr& at(const Table& table, std::size_t column, std::size_t row) {
         return table.size() == 1 && table[0].size() == 1 ? table[0][0] : table[column][row];
@@ -216,6 +217,9 @@ void describe(Visitor& v, E& block) {
     v.table("right", block.right, {.words = "side", .noun = "side", .doc = "the same at the right side"});
     v.table("bottom", block.bottom, {.words = "side", .noun = "side", .doc = "the same at the bottom"});
     v.table("top", block.top, {.words = "side", .noun = "side", .doc = "the same at the top"});
+    v("loops", block.loops, {
+        .doc = "true: loops compute the cells, so that the code does not grow with their number; if left out, true above 40 "
+               "cells without a side that is a node or radiates, which loops do not compute"});
     v.item({});
 }
 

@@ -50,20 +50,6 @@ std::vector<NamedPart> parts(const System& s) {
     return all;
 }
 
-struct CellPart {
-    const char* key;
-    const char* title;
-    const ex& value;
-};
-
-/// What a cell in a loop does.
-std::vector<CellPart> parts(const RodField& f) {
-    return {{"heat_to_next", "heat to the next", f.link},
-            {"source", "source", f.source},
-            {"capacity", "capacity", f.capacity},
-            {"energy", "energy", f.energy}};
-}
-
 bool all_zero(const Generalised& values) {
     for (const ex& value : values)
         if (!value.is_zero()) return false;
@@ -224,25 +210,30 @@ std::string equations_as_text(const System& s) {
     if (!s.state_rates.empty()) text += "\nstates\n";
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
         text += fmt::format("  {} = {}\n", rate_of_state(s, i), write(s.named.state_rates[i]));
-    for (const RodField& f : s.heat.fields) {
-        text += fmt::format("\nrod {}: {} cells in a loop; what stands above of its cells comes from elsewhere and is added\n", f.rod->name,
-                            f.geometry.cells());
-        for (const CellPart& part : parts(f)) text += fmt::format("  {} = {}\n", part.title, write(part.value));
-        text += "  capacity*dot(T_here) = heat from the cell before - heat to the next + source\n";
+    for (const CellField& f : s.heat.fields) {
+        text += fmt::format("\n{} {}: {} cells in a loop; what stands above of its cells comes from elsewhere and is added\n", f.kind,
+                            f.body->name, f.cells);
+        for (const FieldPart& part : f.parts()) text += fmt::format("  {} = {}\n", f.title(part), write(part.value));
+        text += "  " + f.balance() + "\n";
     }
     const bool has_energy = s.scene.sampling == nullptr;
     if (has_energy) text += "\nenergies and powers\n";
     for (const auto& [name, value] : has_energy ? scalars(s) : decltype(scalars(s)){}) text += fmt::format("  {} = {}\n", name, write(value));
-    const auto of_cells = [&](const char* part, GiNaC::ex RodField::* what) {
+    const auto of_cells = [&](const char* name, GiNaC::ex CellLaw::* what) {
         std::string sums;
-        for (const RodField& f : s.heat.fields)
-            if (!(f.*what).is_zero()) sums += fmt::format(" + sum of {} over the cells of {}", part, f.rod->name);
+        for (const CellField& f : s.heat.fields)
+            if (std::any_of(f.laws.begin(), f.laws.end(), [&](const CellLaw& law) { return !(law.*what).is_zero(); }))
+                sums += fmt::format(" + sum of {} over the cells of {}", name, f.body->name);
         return sums;
     };
+    std::string through_sides;
+    for (const CellField& f : s.heat.fields)
+        if (!f.sides.empty()) through_sides += fmt::format(" + sum of heat through sides of {}", f.body->name);
     if (s.has_balances())
-        text += fmt::format("  internal_energy = {}{}\n", write(s.named.internal_energy), of_cells("energy", &RodField::energy));
+        text += fmt::format("  internal_energy = {}{}\n", write(s.named.internal_energy), of_cells("energy", &CellLaw::energy));
     if (s.has_exchange())
-        text += fmt::format("  exchanged_power = {}{}\n", write(s.named.exchanged_power), of_cells("source", &RodField::source));
+        text += fmt::format("  exchanged_power = {}{}{}\n", write(s.named.exchanged_power), of_cells("source", &CellLaw::source),
+                            through_sides);
     if (!s.guards.empty())
         text += "\nguards: a run ends where one becomes negative, or the right-hand side has an edge where its sign changes\n";
     for (const Guard& guard : s.guards) text += fmt::format("  {} ({}): {}\n", guard.doc, guard.ends ? "ends" : "edge", write(guard.value));
@@ -280,9 +271,9 @@ std::string equations_as_latex(const System& s) {
                                     s.scene.sampling == nullptr ? write.symbol(s.symbols.all(SymbolKind::state_rate)[i])
                                                                 : write.symbol(s.symbols.all(SymbolKind::state)[i]) + "^{+}",
                                     write(s.named.state_rates[i])));
-    for (const RodField& f : s.heat.fields)
-        for (const CellPart& part : parts(f))
-            lines.push_back(fmt::format("\\text{{{}, {}}} &= {}", f.rod->name, part.title, write(part.value)));
+    for (const CellField& f : s.heat.fields)
+        for (const FieldPart& part : f.parts())
+            lines.push_back(fmt::format("\\text{{{}, {}}} &= {}", f.body->name, f.title(part), write(part.value)));
     aligned(lines);
     lines.clear();
     if (s.scene.sampling == nullptr)
@@ -317,10 +308,19 @@ nlohmann::ordered_json equations_as_json(const System& s) {
     for (std::size_t i = 0; i < s.state_rates.size(); ++i)
         json["state_rates"][s.symbols.all(SymbolKind::state)[i].name] = write(s.state_rates[i]);
     json["rods"] = nlohmann::ordered_json::array();
-    for (const RodField& f : s.heat.fields) {
-        nlohmann::ordered_json rod{{"name", f.rod->name}, {"cells", f.geometry.cells()}};
-        for (const CellPart& part : parts(f)) rod[part.key] = write(part.value);
-        json["rods"].push_back(std::move(rod));
+    json["blocks"] = nlohmann::ordered_json::array();
+    for (const CellField& f : s.heat.fields) {
+        nlohmann::ordered_json field{{"name", f.body->name}, {"cells", f.cells}};
+        if (!f.is_block()) {
+            for (const FieldPart& part : f.parts())
+                field[part.what == "heat to the next" ? "heat_to_next" : part.what] = write(part.value);
+            json["rods"].push_back(std::move(field));
+            continue;
+        }
+        field["parts"] = nlohmann::ordered_json::array();
+        for (const FieldPart& part : f.parts())
+            field["parts"].push_back({{"title", f.title(part)}, {"value", write(part.value)}});
+        json["blocks"].push_back(std::move(field));
     }
     for (const auto& [name, value] : scalars(s)) json[name] = write(value);
     json["internal_energy"] = write(s.internal_energy);

@@ -28,7 +28,8 @@ bool uses_time(const FieldColumn& column) {
     const auto is_there = [](const FunctionCode& f) {
         return std::any_of(f.results.begin(), f.results.end(), [&](NodeId id) { return !f.is_zero(id); });
     };
-    return column.by == By::time && (is_there(column.link) || is_there(column.cell));
+    const auto any = [&](const std::vector<FunctionCode>& laws) { return std::any_of(laws.begin(), laws.end(), is_there); };
+    return column.by == By::time && (any(column.faces) || any(column.sides) || any(column.cells));
 }
 
 bool has_time(const ExportSubject& subject) {

@@ -15,95 +15,100 @@ using GiNaC::ex;
 
 namespace {
 
+Note defined_here(const CellField& field) { return {field.body->span, fmt::format("the {} is defined here", field.kind)}; }
+
 /// What differs from cell to cell for other reasons than the place and the temperature has no place in a loop.
-void refuse_motion(const System& system, const ex& term, const RodField& field, const Expression& place) {
-    for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::acceleration, SymbolKind::state,
-                                  SymbolKind::state_rate, SymbolKind::multiplier, SymbolKind::letter})
-        for (const Variable& variable : system.symbols.all(kind))
-            if (!variable.symbol.is_equal(field.here) && term.has(variable.symbol))
-                throw Failure(Diagnostic{Id::not_allowed_here,
-                                         place.span,
-                                         fmt::format("'{}' sums over cells of rod '{}', which a loop computes; '{}' must not stand inside "
-                                                     "the sum, only before or after it",
-                                                     place.written(), field.rod->name, variable.name),
-                                         {{field.rod->span, "the rod is defined here"}}});
+void refuse_motion(const System& system, const ex& term, const CellField& field, const Expression& place) {
+    if (const Variable* variable = variable_outside(field, system.symbols, term))
+        throw Failure(Diagnostic{Id::not_allowed_here,
+                                 place.span,
+                                 fmt::format("'{}' sums over cells of {}, which a loop computes; '{}' must not stand inside the sum, only "
+                                             "before or after it",
+                                             place.written(), field.written(), variable->name),
+                                 {defined_here(field)}});
 }
 
 ex letter_of(System& system, CellSum wanted) {
     for (const CellSum& sum : system.cell_sums)
-        if (sum.field == wanted.field && sum.first == wanted.first && sum.last == wanted.last && sum.term.is_equal(wanted.term))
+        if (sum.field == wanted.field && sum.cells == wanted.cells && sum.term.is_equal(wanted.term))
             return sum.letter;
     wanted.letter =
-        system.symbols.letter(fmt::format("sum_{}[{}]", system.cell_sums.size() + 1, system.heat.fields[wanted.field].rod->name));
+        system.symbols.letter(fmt::format("sum_{}[{}]", system.cell_sums.size() + 1, system.heat.fields[wanted.field].body->name));
     system.cell_sums.push_back(wanted);
     return wanted.letter;
 }
 
-ex add_up(System& system, const RodField& field, int first, int last, const ex& term, const Expression& place) {
-    if (last < first || term.is_zero()) return 0;
-    const int to = field.first_index + static_cast<int>(field.geometry.cells()) - 1;
-    for (const int index : {first, last})
-        if (index < field.first_index || index > to)
-            throw Failure(Diagnostic{Id::index_out_of_range, place.span,
-                                     fmt::format("rod '{}' has the cells {} to {}, but '{}' asks for {}", field.rod->name,
-                                                 field.first_index, to, place.written(), index)});
+ex add_up(System& system, const CellField& field, const CellRange& cells, const ex& term, const Expression& place) {
+    if (cells.count() == 0 || term.is_zero()) return 0;
     refuse_motion(system, term, field, place);
-    const auto cell = [&](int index) { return static_cast<std::size_t>(index - field.first_index); };
-    return letter_of(system, {static_cast<std::size_t>(&field - system.heat.fields.data()), cell(first), cell(last), term, {}});
+    return letter_of(system, {static_cast<std::size_t>(&field - system.heat.fields.data()), cells, term, {}});
 }
 
-const RodField& field_of(const System& system, const Field& field) {
-    return *std::find_if(system.heat.fields.begin(), system.heat.fields.end(), [&](const RodField& f) { return f.rod == field.rod; });
+/// Those of a sum, by the numbers of their states.
+CellRange cells_between(const CellField& field, int first, int last, const Expression& place) {
+    if (last < first) return {};
+    for (const int index : {first, last})
+        if (index < field.first_index || index > field.last_index())
+            throw Failure(Diagnostic{Id::index_out_of_range, place.span,
+                                     fmt::format("{} has the cells {} to {}, but '{}' asks for {}", field.written(), field.first_index,
+                                                 field.last_index(), place.written(), index)});
+    return {static_cast<std::size_t>(first - field.first_index), static_cast<std::size_t>(last - first + 1)};
+}
+
+const CellField& field_of(const System& system, const Field& field) {
+    return *std::find_if(system.heat.fields.begin(), system.heat.fields.end(), [&](const CellField& f) { return f.body == field.body; });
 }
 
 /// The state of a cell, counted from 0.
-const ex& temperature_of(const System& system, const RodField& field, std::size_t cell, const Expression& place) {
+const ex& temperature_of(const System& system, const CellField& field, std::size_t cell, const Expression& place) {
     const int index = field.first_index + static_cast<int>(cell);
     if (const Variable* state = system.symbols.find(SymbolKind::state, field.states->name, index)) return state->symbol;
     throw Failure(Diagnostic{
         Id::not_allowed_here,
         place.span,
         fmt::format(
-            "'{}' contains the rate of a cell of rod '{}', which a loop computes; write it as dot({}[k]) with the number of the cell",
-            place.written(), field.rod->name, field.states->name),
-        {{field.rod->span, "the rod is defined here"}}});
+            "'{}' contains the rate of a cell of {}, which a loop computes; write it as dot({}[k]) with the number of the cell",
+            place.written(), field.written(), field.states->name),
+        {defined_here(field)}});
 }
 
 /// What the loops add to the rate of a cell.
-ex rate_in_loop(const System& system, const RodField& field, std::size_t cell, const Expression& place) {
-    const std::size_t count = field.geometry.cells();
-    const auto at = [&](const ex& e, std::size_t k) {
-        const GridPlace here = field.geometry.place(k);
-        GiNaC::exmap map{{field.place.left, here.left},
-                         {field.place.right, here.right},
-                         {field.number, field.first_index + static_cast<int>(k)},
-                         {field.here, temperature_of(system, field, k, place)}};
-        if (GiNaC::is_a<GiNaC::symbol>(field.place.here)) map[field.place.here] = here.here;
-        if (k + 1 < count) {
-            map[field.beyond] = field.geometry.place(k + 1).right;
-            map[field.next] = temperature_of(system, field, k + 1, place);
-        }
+ex rate_in_loop(const System& system, const CellField& field, std::size_t cell, const Expression& place) {
+    const auto at = [&](const ex& e, std::size_t k, std::size_t neighbour) {
+        GiNaC::exmap map = field.place_of(k);
+        map[field.here] = temperature_of(system, field, k, place);
+        if (neighbour != k) map[field.next] = temperature_of(system, field, neighbour, place);
         return e.subs(map, GiNaC::subs_options::no_pattern);
     };
-    ex heat = at(field.source, cell);
-    if (cell > 0) heat += at(field.link, cell - 1);
-    if (cell + 1 < count) heat -= at(field.link, cell);
-    return heat / at(field.capacity, cell);
+    ex heat = 0, capacity;
+    for (const CellLaw& law : field.laws)
+        if (law.cells.contains(cell)) {
+            heat += at(law.source, cell, cell);
+            capacity = at(law.capacity, cell, cell);
+        }
+    for (const SideLaw& side : field.sides)
+        if (side.cells.contains(cell)) heat += at(side.heat, cell, cell);
+    for (const FaceLaw& face : field.faces) {
+        if (cell >= face.offset && face.cells.contains(cell - face.offset)) heat += at(face.heat, cell - face.offset, cell);
+        if (face.cells.contains(cell)) heat -= at(face.heat, cell, cell + face.offset);
+    }
+    return heat / capacity;
 }
 
 }  // namespace
 
 OpenSums::OpenSums(System& system) : system_(system) {
     if (system.heat.fields.empty()) return;
-    system.sum_over_cells = [&system](const RodField& field, int first, int last, const ex& term, const Expression& place) {
-        return add_up(system, field, first, last, term, place);
+    system.sum_over_cells = [&system](const CellField& field, const CellRange& cells, const ex& term, const Expression& place) {
+        return add_up(system, field, cells, term, place);
     };
     system.translate.set_sums([&system](const Expression& e, const Indices& indices) -> std::optional<ex> {
         const Field* summed = summed_cells(e, system.scene);
         if (summed == nullptr) return std::nullopt;
-        const RodField& field = field_of(system, *summed);
+        const CellField& field = field_of(system, *summed);
         const auto bound = [&](std::size_t child) { return index_value(*e.children[child], system.scene, indices); };
-        return add_up(system, field, bound(0), bound(1), system.translate.term_of_cells(e, indices, field.here, field.number), e);
+        return add_up(system, field, cells_between(field, bound(0), bound(1), e),
+                      system.translate.term_of_cells(e, indices, field.here, field.number), e);
     });
 }
 
@@ -114,7 +119,7 @@ OpenSums::~OpenSums() {
 
 void add_rates_in_loops(const System& system, const Expression& place, ex& value) {
     GiNaC::exmap rates;
-    for (const RodField& field : system.heat.fields)
+    for (const CellField& field : system.heat.fields)
         for (const Variable& state : system.symbols.all(SymbolKind::state)) {
             const ex& rate = system.symbols.get(SymbolKind::state_rate, state.position);
             if (state.base == field.states->name && value.has(rate))

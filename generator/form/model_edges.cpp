@@ -151,15 +151,15 @@ private:
 
     /// Loops over cells do not watch where a curve ends.
     void refuse_in_loops() const {
-        for (const RodField& field : system_.heat.fields)
-            for (const ex& e : {field.link, field.source, field.capacity})
+        for (const CellField& field : system_.heat.fields)
+            for (const ex& e : field.expressions())
                 for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
                     if (const auto ends = points_that_end_runs(*part); !ends.empty())
                         throw Failure(Diagnostic{
-                            Id::not_allowed_here, field.rod->span,
-                            fmt::format("the cells of rod '{}' are computed in loops, which do not watch where curve '{}' ends; give the "
-                                        "curve outside = \"held\" or \"straight\", or the rod loops = false",
-                                        field.rod->name, ends.front().curve)});
+                            Id::not_allowed_here, field.body->span,
+                            fmt::format("the cells of {} are computed in loops, which do not watch where curve '{}' ends; give the "
+                                        "curve outside = \"held\" or \"straight\", or the {} loops = false",
+                                        field.written(), ends.front().curve, field.kind)});
     }
 
     void look_at(const ex& equation) {

@@ -72,10 +72,28 @@ ex property_of_medium(const MediumModel& medium, const Expression& e, const ex& 
     return state.pressure_by_temperature / p;
 }
 
+/// What a loop adds up, which outputs alone can ask for.
+ex over_cells(const System& system, const CellField& field, const CellRange& cells, const ex& term, const Expression& e) {
+    if (term.is_zero()) return 0;
+    if (system.sum_over_cells) return system.sum_over_cells(field, cells, term, e);
+    throw Failure(Diagnostic{Id::not_allowed_here,
+                             e.span,
+                             fmt::format("'{}' is a sum over {} cells of {}, which a loop computes; use it in an output, or give the {} "
+                                         "loops = false or fewer cells",
+                                         e.written(), cells.count(), field.written(), field.kind),
+                             {{field.body->span, fmt::format("the {} is defined here", field.kind)}}});
+}
+
 /// Of a node, a link, a cell of a rod or block, or its border.
 std::optional<ex> heat_quantity(const System& system, const Expression& e, const std::string& name) {
     if (const LinkState* link = system.heat.find_link(name)) return link->heat;
-    if (const BorderState* border = system.heat.find_border(name)) return border->heat;
+    if (const BorderState* border = system.heat.find_border(name)) {
+        ex heat = border->heat;
+        for (const CellField& field : system.heat.fields)
+            for (const SideLaw& side : field.sides)
+                if (side.border == name) heat += over_cells(system, field, side.cells, side.heat, e);
+        return heat;
+    }
     const NodeState* node = system.heat.find_node(name);
     if (node == nullptr) return std::nullopt;
     if (e.name == "temperature") return node->warmth.temperature;
@@ -114,23 +132,14 @@ ex surface_quantity(const System& system, const Expression& e, const Indices& in
     throw Failure(Diagnostic{Id::needs_absent, named.span, fmt::format("scene '{}' has no '{}'", system.scene.name, named.written())});
 }
 
-/// What cells in loops store or take up, which outputs alone can ask for.
+/// What cells in loops store or take up.
 ex over_cells(const System& system, const Expression& e) {
     ex sum = 0;
-    for (const RodField& field : system.heat.fields) {
-        const ex& term = e.name == "exchanged_power" ? field.source : field.energy;
-        if (term.is_zero()) continue;
-        if (system.sum_over_cells) {
-            sum +=
-                system.sum_over_cells(field, field.first_index, field.first_index + static_cast<int>(field.geometry.cells()) - 1, term, e);
-            continue;
-        }
-        throw Failure(Diagnostic{Id::not_allowed_here,
-                                 e.span,
-                                 fmt::format("'{}' is a sum over the {} cells of rod '{}', which a loop computes; use it in an output, or "
-                                             "give the rod loops = false or fewer cells",
-                                             e.name, field.geometry.cells(), field.rod->name),
-                                 {{field.rod->span, "the rod is defined here"}}});
+    for (const CellField& field : system.heat.fields) {
+        const bool is_power = e.name == "exchanged_power";
+        for (const CellLaw& law : field.laws) sum += over_cells(system, field, law.cells, is_power ? law.source : law.energy, e);
+        for (const SideLaw& side : field.sides)
+            if (is_power) sum += over_cells(system, field, side.cells, side.heat, e);
     }
     return sum;
 }

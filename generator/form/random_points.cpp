@@ -100,15 +100,14 @@ RandomPoints::RandomPoints(const System& system) {
         quaternions_.push_back(places);
     }
     look_at_curves(system, at_start);
-    // What the cells of rods in loops are made of: temperatures, and numbers on the grid in their order.
-    for (const RodField& field : system.heat.fields) {
+    // What cells in loops are made of: temperatures, and numbers on the grid in their order.
+    for (const CellField& field : system.heat.fields) {
         for (const ex& temperature : {field.here, field.next}) intervals_.push_back({temperature, Rational(250), Rational(600)});
         int number = 1;
-        for (const ex& letter : {field.place.left, field.place.here, field.place.right, field.beyond, field.number})
-            if (GiNaC::is_a<GiNaC::symbol>(letter)) {
-                intervals_.push_back({letter, Rational(number), Rational(2 * number + 1) / 2});
-                ++number;
-            }
+        for (const ex& letter : field.letters()) {
+            intervals_.push_back({letter, Rational(number), Rational(2 * number + 1) / 2});
+            ++number;
+        }
     }
     for (const CellSum& sum : system.cell_sums) intervals_.push_back({sum.letter, Rational(250), Rational(600)});
     for (const SymbolKind kind : {SymbolKind::costate, SymbolKind::adjoint})

@@ -12,7 +12,7 @@ StatePlaces place_states(const System& system) {
     for (std::size_t i = 0; i < system.symbols.positions() + system.symbols.degrees(); ++i) places.positions.push_back(places.count++);
     for (std::size_t i = 0; i < states.size(); ++i) {
         const State* item = states[i].item;
-        const auto field = std::find_if(fields.begin(), fields.end(), [&](const RodField& f) { return f.states == item; });
+        const auto field = std::find_if(fields.begin(), fields.end(), [&](const CellField& f) { return f.states == item; });
         if (field == fields.end()) {
             places.positions.push_back(places.count++);
             continue;
@@ -20,7 +20,7 @@ StatePlaces place_states(const System& system) {
         std::size_t& first = places.firsts[static_cast<std::size_t>(field - fields.begin())];
         if (i == 0 || states[i - 1].item != item) first = places.count;
         places.positions.push_back(first + static_cast<std::size_t>(states[i].index - field->first_index));
-        if (i + 1 == states.size() || states[i + 1].item != item) places.count = first + field->geometry.cells();
+        if (i + 1 == states.size() || states[i + 1].item != item) places.count = first + field->cells;
     }
     return places;
 }

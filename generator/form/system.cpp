@@ -130,7 +130,8 @@ void refuse_pressures_of_junctions(const System& system) {
         for (const NodeState& node : system.heat.nodes)
             refuse(node.source + node.capacity + node.warmth.temperature, node.place, fmt::format("node '{}'", node.name));
         for (const LinkState& link : system.heat.links) refuse(link.heat, link.place, fmt::format("the heat of '{}'", link.name));
-        for (const RodField& field : system.heat.fields) refuse(field.source, field.rod->span, fmt::format("rod '{}'", field.rod->name));
+        for (const CellField& field : system.heat.fields)
+            for (const ex& e : field.expressions()) refuse(e, field.body->span, field.written());
         refuse(system.heat.exchanged_power, junction.member.item->span, "heat from outside");
         refuse(system.dissipated_power, junction.member.item->span, "what a damper dissipates");
     }

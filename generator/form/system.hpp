@@ -7,7 +7,7 @@
 
 #include "balance/balance_equation.hpp"
 #include "balance/circuit.hpp"
-#include "balance/rod.hpp"
+#include "balance/field.hpp"
 #include "mechanics/chain.hpp"
 #include "mechanics/dalembert.hpp"
 #include "mechanics/euler_lagrange.hpp"
@@ -192,8 +192,8 @@ struct System {
     NamedBalances named;
     std::vector<OutputEquation> outputs;
     std::vector<CellSum> cell_sums;  ///< that outputs contain
-    /// Only while outputs are derived: the letter of a sum over the cells first..last of a field, counted as its states are.
-    std::function<GiNaC::ex(const RodField& field, int first, int last, const GiNaC::ex& term, const Expression& place)> sum_over_cells;
+    /// Only while outputs are derived: the letter of a sum over cells of a field.
+    std::function<GiNaC::ex(const CellField& field, const CellRange& cells, const GiNaC::ex& term, const Expression& place)> sum_over_cells;
 
     std::vector<ConstraintEquation> constraints;
     std::vector<Repetition> repetitions;

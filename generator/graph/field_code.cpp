@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
+
 #include "graph/lower.hpp"
 #include "graph/raise.hpp"
 #include "elements/verdict.hpp"
@@ -29,42 +32,56 @@ ex column_of(const System& system, const ex& e, By by, std::size_t column) {
 }
 
 /// Definitions are the other code's; here parameters stand for themselves.
-struct Cell {
-    ex link, source, capacity, energy, start;
-    Cell(const RodField& f, const Symbols& symbols)
-        : link(symbols.without_definitions(f.link)),
-          source(symbols.without_definitions(f.source)),
-          capacity(symbols.without_definitions(f.capacity)),
-          energy(symbols.without_definitions(f.energy)),
-          start(symbols.without_definitions(f.start)) {}
-};
+CellField plain(CellField f, const Symbols& symbols) {
+    for (FaceLaw& face : f.faces) face.heat = symbols.without_definitions(face.heat);
+    for (SideLaw& side : f.sides) side.heat = symbols.without_definitions(side.heat);
+    for (CellLaw& law : f.laws)
+        for (ex* part : {&law.source, &law.capacity, &law.energy}) *part = symbols.without_definitions(*part);
+    f.start = symbols.without_definitions(f.start);
+    return f;
+}
 
-void add_columns(FieldFunctions& functions, const System& system, const Cell& cell, By by, std::size_t count) {
-    for (std::size_t c = 0; c < count; ++c) {
-        const auto matters = [&](const ex& e) { return !column_of(system, e, by, c).is_zero(); };
-        if (matters(cell.link) || matters(cell.source) || matters(cell.capacity)) functions.columns.push_back({by, c, {}, {}});
-    }
+void add_columns(FieldFunctions& functions, const System& system, const CellField& f, By by, std::size_t count) {
+    const std::vector<ex> all = f.expressions();
+    for (std::size_t c = 0; c < count; ++c)
+        if (std::any_of(all.begin(), all.end(), [&](const ex& e) { return !column_of(system, e, by, c).is_zero(); }))
+            functions.columns.push_back({by, c, std::vector<FunctionCode>(f.faces.size()), std::vector<FunctionCode>(f.sides.size()),
+                                         std::vector<FunctionCode>(f.laws.size())});
 }
 
 /// All functions of a field with what they are to compute. In the columns of parameters nothing is cached.
 std::vector<Wanted> wanted(FieldFunctions& functions, const System& system) {
-    const RodField& f = *functions.field;
-    const Cell cell(f, system.symbols);
+    const CellField f = plain(*functions.field, system.symbols);
     const auto here = [&](const ex& e) { return partial(e, f.here); };
-    std::vector<Wanted> result{
-        {&functions.link, {cell.link}, ParameterParts::cached},
-        {&functions.link_slopes, {cell.link, here(cell.link), partial(cell.link, f.next)}, ParameterParts::cached},
-        {&functions.cell, {cell.source, 1 / cell.capacity}, ParameterParts::cached},
-        {&functions.cell_slopes, {cell.source, 1 / cell.capacity, here(cell.source), here(cell.capacity)}, ParameterParts::cached},
-        {&functions.source, {cell.source}, ParameterParts::cached},
-        {&functions.energy, {cell.energy}, ParameterParts::cached},
-        {&functions.start, {cell.start}, parameters_as_they_are},
-    };
+    constexpr auto cached = ParameterParts::cached;
+    std::vector<Wanted> result;
+    for (std::size_t i = 0; i < f.faces.size(); ++i) {
+        const ex& heat = f.faces[i].heat;
+        result.push_back({&functions.faces[i].heat, {heat}, cached});
+        result.push_back({&functions.faces[i].slopes, {heat, here(heat), partial(heat, f.next)}, cached});
+    }
+    for (std::size_t i = 0; i < f.sides.size(); ++i) {
+        result.push_back({&functions.sides[i].heat, {f.sides[i].heat}, cached});
+        result.push_back({&functions.sides[i].slope, {here(f.sides[i].heat)}, cached});
+    }
+    for (std::size_t i = 0; i < f.laws.size(); ++i) {
+        const auto& [cells, source, capacity, energy] = f.laws[i];
+        result.push_back({&functions.cells[i].rate, {source, 1 / capacity}, cached});
+        result.push_back({&functions.cells[i].slopes, {source, 1 / capacity, here(source), here(capacity)}, cached});
+        result.push_back({&functions.cells[i].source, {source}, cached});
+        result.push_back({&functions.cells[i].energy, {energy}, cached});
+    }
+    result.push_back({&functions.start, {f.start}, parameters_as_they_are});
     for (FieldColumn& column : functions.columns) {
         const auto by = [&](const ex& e) { return column_of(system, e, column.by, column.column); };
-        const auto parts = column.by == By::parameter ? parameters_as_they_are : ParameterParts::cached;
-        if (!by(cell.link).is_zero()) result.push_back({&column.link, {by(cell.link)}, parts});
-        result.push_back({&column.cell, {by(cell.source), by(cell.capacity), 1 / cell.capacity}, parts});
+        const auto parts = column.by == By::parameter ? parameters_as_they_are : cached;
+        const auto add = [&](FunctionCode& function, const ex& heat) {
+            if (const ex slope = by(heat); !slope.is_zero()) result.push_back({&function, {slope}, parts});
+        };
+        for (std::size_t i = 0; i < f.faces.size(); ++i) add(column.faces[i], f.faces[i].heat);
+        for (std::size_t i = 0; i < f.sides.size(); ++i) add(column.sides[i], f.sides[i].heat);
+        for (std::size_t i = 0; i < f.laws.size(); ++i)
+            result.push_back({&column.cells[i], {by(f.laws[i].source), by(f.laws[i].capacity), 1 / f.laws[i].capacity}, parts});
     }
     return result;
 }
@@ -136,21 +153,41 @@ bool FieldCode::depends_on_grid(std::uint32_t cached) const {
 
 /// With what the loops do themselves: heat added on both sides of a face, the source, and the division by the capacity.
 OperationCount FieldCode::per_cell(const FieldFunctions& functions) const {
-    OperationCount count = functions.link.program.count(functions.link.results);
-    count += functions.cell.program.count(functions.cell.results);
-    count += OperationCount{.additions = functions.field->source.is_zero() ? 2 : 3, .multiplications = 1};
+    const auto largest = [](const auto& laws) {
+        return static_cast<std::size_t>(
+            std::max_element(laws.begin(), laws.end(), [](const auto& a, const auto& b) { return a.cells.count() < b.cells.count(); }) -
+            laws.begin());
+    };
+    const CellField& field = *functions.field;
+    const std::size_t most = largest(field.laws);
+    OperationCount count;
+    int faces = 0;
+    for (const std::size_t offset : std::set<std::size_t>{1, field.columns}) {
+        std::vector<FaceLaw> along = field.faces;
+        for (FaceLaw& face : along)
+            if (face.offset != offset) face.cells.rows = 0;
+        const std::size_t face = largest(along);
+        if (along[face].cells.count() == 0) continue;
+        ++faces;
+        count += functions.faces[face].heat.program.count(functions.faces[face].heat.results);
+    }
+    count += functions.cells[most].rate.program.count(functions.cells[most].rate.results);
+    count += OperationCount{.additions = 2 * faces + (field.laws[most].source.is_zero() ? 0 : 1), .multiplications = 1};
     return count;
 }
 
 std::unique_ptr<FieldCode> make_field_code(const System& system) {
     auto result = std::make_unique<FieldCode>(system);
-    for (const RodField& field : system.heat.fields) {
+    for (const CellField& field : system.heat.fields) {
         FieldFunctions& functions = result->fields.emplace_back();
         functions.field = &field;
-        const Cell cell(field, system.symbols);
-        add_columns(functions, system, cell, By::input, system.symbols.count(SymbolKind::input));
-        add_columns(functions, system, cell, By::parameter, system.symbols.count(SymbolKind::parameter));
-        add_columns(functions, system, cell, By::time, 1);
+        functions.faces.resize(field.faces.size());
+        functions.sides.resize(field.sides.size());
+        functions.cells.resize(field.laws.size());
+        const CellField f = plain(field, system.symbols);
+        add_columns(functions, system, f, By::input, system.symbols.count(SymbolKind::input));
+        add_columns(functions, system, f, By::parameter, system.symbols.count(SymbolKind::parameter));
+        add_columns(functions, system, f, By::time, 1);
     }
     std::vector<Wanted> all;
     for (FieldFunctions& functions : result->fields)
@@ -190,11 +227,11 @@ std::vector<AuditEntry> verify_fields(const FieldCode& field_code) {
     };
     for (const FieldFunctions& fields : field_code.fields) {
         FieldFunctions copy = fields;
-        AuditEntry emitted{fmt::format("emitted = derived, cells of {}", fields.field->rod->name), {Verdict::proven}};
+        AuditEntry emitted{fmt::format("emitted = derived, cells of {}", fields.field->body->name), {Verdict::proven}};
         compare_all(emitted, wanted(copy, system));
         entries.push_back(std::move(emitted));
-        AuditEntry energy{fmt::format("capacity = d(energy)/dT, cells of {}", fields.field->rod->name), {Verdict::proven}};
-        compare(energy, partial(fields.field->energy, fields.field->here), fields.field->capacity);
+        AuditEntry energy{fmt::format("capacity = d(energy)/dT, cells of {}", fields.field->body->name), {Verdict::proven}};
+        for (const CellLaw& law : fields.field->laws) compare(energy, partial(law.energy, fields.field->here), law.capacity);
         entries.push_back(std::move(energy));
     }
     if (!field_code.sums.empty()) {

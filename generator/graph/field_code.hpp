@@ -1,29 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The code of rods with many cells: what one cell does, as straight-line code that is emitted inside of loops.
+// The code of rods and blocks with many cells: what one cell does, as straight-line code that is emitted inside of loops.
 #pragma once
 
-#include "balance/rod.hpp"
+#include "balance/field.hpp"
 #include "graph/code.hpp"
 #include "prove/audit.hpp"
 
 namespace dalembert {
 
-/// Derivatives by one input, the time or a parameter.
+/// Derivatives by one input, the time or a parameter; of what does not depend on it there are no results.
 struct FieldColumn {
     By by;
     std::size_t column;
-    FunctionCode link;    ///< result: d(heat to the next cell); none where it is zero
-    FunctionCode cell;    ///< results: d(source), d(capacity), 1/capacity
+    std::vector<FunctionCode> faces;  ///< result: d(heat to the cell behind)
+    std::vector<FunctionCode> sides;  ///< result: d(heat through a side)
+    std::vector<FunctionCode> cells;  ///< results: d(source), d(capacity), 1/capacity; always
 };
 
-struct FieldFunctions {
-    const RodField* field;
-    FunctionCode link;         ///< result: heat to the next cell
-    FunctionCode link_slopes;  ///< results: that, d/d(here), d/d(next)
-    FunctionCode cell;         ///< results: source, 1/capacity
-    FunctionCode cell_slopes;  ///< results: those, d(source)/d(here), d(capacity)/d(here)
+struct FaceFunctions {
+    FunctionCode heat;         ///< result: heat to the cell behind
+    FunctionCode slopes;       ///< results: that, d/d(here), d/d(next)
+};
+
+struct SideFunctions {
+    FunctionCode heat;         ///< result: heat through a side
+    FunctionCode slope;        ///< result: d/d(here)
+};
+
+struct CellFunctions {
+    FunctionCode rate;         ///< results: source, 1/capacity
+    FunctionCode slopes;       ///< results: those, d(source)/d(here), d(capacity)/d(here)
     FunctionCode source;       ///< result: source
     FunctionCode energy;       ///< result: energy
+};
+
+/// One of each law of the field, in their order.
+struct FieldFunctions {
+    const CellField* field;
+    std::vector<FaceFunctions> faces;
+    std::vector<SideFunctions> sides;
+    std::vector<CellFunctions> cells;
     FunctionCode start;        ///< result: temperature at the start
     std::vector<FieldColumn> columns;
 };
@@ -52,7 +68,7 @@ struct FieldCode {
     SumOutputs outputs;
     FunctionCode update;                      ///< results: cached values
     bool depends_on_grid(std::uint32_t cached) const;
-    /// Of the right-hand side, for each cell of a rod and the face behind it.
+    /// Of the right-hand side, for each cell and the faces behind it; of a block where most is done.
     OperationCount per_cell(const FieldFunctions& functions) const;
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 const std::set<std::string> names_in_loops{"x",      "u",    "t",    "k",     "i",      "J",      "dxdt",  "energy", "power",
                                            "heat",   "p_",   "c_",   "core_", "detail", "Scalar", "State", "place",  "T_here",
-                                           "T_next", "left", "here", "right", "beyond", "index",  "number"};
+                                           "T_next", "left", "here", "right", "beyond", "index",  "number", "column", "row", "c", "r"};
 
 /// Further ones around sums.
 const std::set<std::string> names_in_sums{"sums", "by_sums", "of_core", "slope", "y", "C", "D"};
@@ -19,8 +19,9 @@ Value cell() { return Value::name("k"); }
 /// The index of what belongs to cell k.
 Value at(std::size_t first) { return first == 0 ? cell() : Value::sum({Value::whole(first), cell()}); }
 
-/// k + number
-Value after_cell(std::size_t number) { return number == 0 ? cell() : Value::sum({cell(), Value::whole(number)}); }
+/// value + number
+Value behind(Value value, std::size_t number) { return number == 0 ? value : Value::sum({std::move(value), Value::whole(number)}); }
+Value after_cell(std::size_t number) { return behind(cell(), number); }
 
 Value entry(const char* array, Value index) { return Value::element(Value::name(array), std::move(index)); }
 
@@ -75,12 +76,16 @@ Value FieldBodies::cell_place(std::size_t r) const { return at(first_place(r)); 
 void FieldBodies::name_cached() {
     for (std::size_t r = 0; r < code_.fields.size(); ++r) {
         const FieldFunctions& f = code_.fields[r];
-        note_cached(f.link, r, links_);
-        note_cached(f.link_slopes, r, links_);
-        for (const FunctionCode* one : {&f.cell, &f.cell_slopes, &f.source, &f.energy}) note_cached(*one, r, cells_);
+        for (const FaceFunctions& face : f.faces)
+            for (const FunctionCode* one : {&face.heat, &face.slopes}) note_cached(*one, r, links_);
+        for (const SideFunctions& side : f.sides)
+            for (const FunctionCode* one : {&side.heat, &side.slope}) note_cached(*one, r, cells_);
+        for (const CellFunctions& law : f.cells)
+            for (const FunctionCode* one : {&law.rate, &law.slopes, &law.source, &law.energy}) note_cached(*one, r, cells_);
         for (const FieldColumn& column : f.columns) {
-            note_cached(column.link, r, links_);
-            note_cached(column.cell, r, cells_);
+            for (const FunctionCode& face : column.faces) note_cached(face, r, links_);
+            for (const auto* laws : {&column.sides, &column.cells})
+                for (const FunctionCode& law : *laws) note_cached(law, r, cells_);
         }
     }
     for (std::size_t i = 0; i < code_.sums.size(); ++i) {
@@ -106,7 +111,7 @@ std::vector<FieldBodies::CachedMember> FieldBodies::cached_members() const {
     for (const auto& [index, name] : members_) {
         const auto link = links_.find(index);
         const std::size_t r = link != links_.end() ? link->second : cells_.at(index);
-        result.push_back({name, code_.depends_on_grid(index) ? std::optional(field(r).geometry.cells()) : std::nullopt});
+        result.push_back({name, code_.depends_on_grid(index) ? std::optional(field(r).cells) : std::nullopt});
     }
     return result;
 }
@@ -127,13 +132,15 @@ Statements FieldBodies::computed(const FunctionCode& f, const Use& use) {
 
 /// The numbers on the grid that statements of a loop mention, as real numbers.
 Statements FieldBodies::grid_numbers(std::size_t r, const Statements& statements) const {
-    const RodGeometry& g = field(r).geometry;
     Statements numbers;
     const auto declare = [&](const char* name, const Value& value) {
         if (mentions(statements, name)) numbers.push_back(naming(name, Value::real(value)));
     };
     const auto declare_index = [&](const char* name, const Value& index) { declare(name, Value::signed_index(index)); };
-    if (g.has_points()) {
+    if (const auto* letters = std::get_if<RodLetters>(&field(r).place); letters == nullptr) {
+        declare_index("column", Value::name("c"));
+        declare_index("row", Value::name("r"));
+    } else if (const RodGeometry& g = letters->geometry; g.has_points()) {
         const bool is_first_point = g.skipped() == 0;
         const Value zero = Value::whole(0), last = Value::whole(g.intervals()), next = after_cell(g.skipped() + 1);
         const Value before = Value::sum({cell(), Value::whole(1)}, {false, true});
@@ -153,29 +160,28 @@ Statements FieldBodies::grid_numbers(std::size_t r, const Statements& statements
     return numbers;
 }
 
-Statements FieldBodies::temperatures(std::size_t r, const Statements& statements) const {
-    Statements result;
-    if (mentions(statements, "T_here")) result.push_back(naming("T_here", entry("x", cell_place(r))));
-    if (mentions(statements, "T_next")) result.push_back(naming("T_next", entry("x", at(first_place(r) + 1))));
-    return result;
-}
-
-Statement FieldBodies::loop(std::size_t r, std::size_t first, std::size_t end, Statements statements) const {
+/// Over cells k; `offset` behind each stands the one that is next to it.
+Statement FieldBodies::loop(std::size_t r, const CellRange& cells, Statements statements, std::size_t offset) const {
     Statements body = grid_numbers(r, statements);
-    append(body, temperatures(r, statements));
+    if (mentions(statements, "T_here")) body.push_back(naming("T_here", entry("x", cell_place(r))));
+    if (mentions(statements, "T_next")) body.push_back(naming("T_next", entry("x", at(first_place(r) + offset))));
     append(body, std::move(statements));
-    return Loop{"k", first, Value::whole(end), std::move(body)};
+    if (cells.stride == 0) return Loop{"k", cells.first, Value::whole(cells.first + cells.columns), std::move(body)};
+    const std::size_t row = cells.first / cells.stride, column = cells.first % cells.stride;
+    Statements numbered;
+    if (mentions(body, "k")) {
+        const Value place = Value::sum({Value::name("c"), Value::product({Value::whole(cells.stride), Value::name("r")})});
+        numbered.push_back(Declaration{{Storage::Kind::index}, {"k"}, place});
+    }
+    append(numbered, std::move(body));
+    return Loop{"r", row, Value::whole(row + cells.rows), {Loop{"c", column, Value::whole(column + cells.columns), std::move(numbered)}}};
 }
 
-Statement FieldBodies::over_cells(std::size_t r, const FunctionCode& f, const Use& use) {
-    return loop(r, 0, field(r).geometry.cells(), computed(f, use));
+Statement FieldBodies::over(std::size_t r, const CellRange& cells, const FunctionCode& f, const Use& use, std::size_t offset) {
+    return loop(r, cells, computed(f, use), offset);
 }
 
-Statement FieldBodies::over_faces(std::size_t r, const FunctionCode& f, const Use& use) {
-    return loop(r, 0, field(r).geometry.cells() - 1, computed(f, use));
-}
-
-Statements FieldBodies::filled_cache(std::size_t r, bool over_links, const std::vector<std::uint32_t>& wanted) {
+Statements FieldBodies::filled_cache(std::size_t r, const CellRange& cells, const std::vector<std::uint32_t>& wanted) {
     FunctionCode f = code_.update;
     f.results.clear();
     for (const std::uint32_t index : wanted) f.results.push_back(code_.update.results[index]);
@@ -185,7 +191,7 @@ Statements FieldBodies::filled_cache(std::size_t r, bool over_links, const std::
         return stored;
     });
     if (!code_.depends_on_grid(wanted[0])) return {Braces{std::move(statements)}};
-    return {loop(r, 0, field(r).geometry.cells() - (over_links ? 1 : 0), std::move(statements))};
+    return {loop(r, cells, std::move(statements))};
 }
 
 Statements FieldBodies::update() {
@@ -197,9 +203,11 @@ Statements FieldBodies::update() {
             if (r != (by_cells != cells_.end() ? by_cells->second : links_.at(index))) continue;
             (!code_.depends_on_grid(index) ? once_for_all : by_cells != cells_.end() ? by_cell : by_link).push_back(index);
         }
-        if (!once_for_all.empty()) append(statements, filled_cache(r, false, once_for_all));
-        if (!by_link.empty()) append(statements, filled_cache(r, true, by_link));
-        if (!by_cell.empty()) append(statements, filled_cache(r, false, by_cell));
+        const CellRange all = field(r).all();
+        if (!once_for_all.empty()) append(statements, filled_cache(r, all, once_for_all));
+        // Behind the last cell of a rod is no face.
+        if (!by_link.empty()) append(statements, filled_cache(r, field(r).is_block() ? all : field(r).faces[0].cells, by_link));
+        if (!by_cell.empty()) append(statements, filled_cache(r, all, by_cell));
     }
     return statements;
 }
@@ -207,7 +215,7 @@ Statements FieldBodies::update() {
 Statements FieldBodies::start_state() {
     Statements statements;
     for (std::size_t r = 0; r < code_.fields.size(); ++r)
-        statements.push_back(over_cells(r, code_.fields[r].start, [&](Results v) {
+        statements.push_back(over(r, field(r).all(), code_.fields[r].start, [&](Results v) {
             return Statements{Assignment{entry("x", cell_place(r)), v[0]}};
         }));
     return statements;
@@ -216,48 +224,85 @@ Statements FieldBodies::start_state() {
 Statements FieldBodies::rates() {
     Statements statements;
     for (std::size_t r = 0; r < code_.fields.size(); ++r) {
-        const Value here = entry("dxdt", cell_place(r)), next = entry("dxdt", at(first_place(r) + 1));
-        statements.push_back(over_faces(r, code_.fields[r].link, [&](Results v) { return moved_heat(here, next, v[0]); }));
-        statements.push_back(over_cells(r, code_.fields[r].cell, [&](Results v) {
-            if (v[0].is_zero()) return Statements{Assignment{here, v[1], Operation::multiply}};
-            return Statements{Assignment{here, Value::product({sum_of(here, v[0]), Value::parenthesised(v[1])})}};
-        }));
+        const FieldFunctions& functions = code_.fields[r];
+        const Value here = entry("dxdt", cell_place(r));
+        for (std::size_t i = 0; i < functions.faces.size(); ++i) {
+            const auto& [cells, offset, heat] = field(r).faces[i];
+            const Value next = entry("dxdt", at(first_place(r) + offset));
+            statements.push_back(
+                over(r, cells, functions.faces[i].heat, [&](Results v) { return moved_heat(here, next, v[0]); }, offset));
+        }
+        for (std::size_t i = 0; i < functions.sides.size(); ++i)
+            statements.push_back(over(r, field(r).sides[i].cells, functions.sides[i].heat, [&](Results v) {
+                return Statements{Assignment{here, v[0], Operation::add}};
+            }));
+        for (std::size_t i = 0; i < functions.cells.size(); ++i)
+            statements.push_back(over(r, field(r).laws[i].cells, functions.cells[i].rate, [&](Results v) {
+                if (v[0].is_zero()) return Statements{Assignment{here, v[1], Operation::multiply}};
+                return Statements{Assignment{here, Value::product({sum_of(here, v[0]), Value::parenthesised(v[1])})}};
+            }));
     }
     return statements;
+}
+
+/// The results of a function behind the first ones.
+FunctionCode FieldBodies::without_first(FunctionCode f) {
+    f.results.erase(f.results.begin());
+    return f;
 }
 
 Statements FieldBodies::jacobian() {
     Statements statements;
     for (std::size_t r = 0; r < code_.fields.size(); ++r) {
-        FunctionCode slopes = code_.fields[r].link_slopes;
-        slopes.results.erase(slopes.results.begin());
-        const Value here = cell_place(r), next = at(first_place(r) + 1), by_here = Value::name("by_here"), by_next = Value::name("by_next");
-        statements.push_back(over_faces(r, slopes, [&](Results v) {
-            return Statements{naming("by_here", v[0]),
-                              naming("by_next", v[1]),
-                              Assignment{slope(here, here), by_here, Operation::subtract},
-                              Assignment{slope(next, here), by_here, Operation::add},
-                              Assignment{slope(here, next), by_next, Operation::subtract},
-                              Assignment{slope(next, next), by_next, Operation::add}};
-        }));
-        append(statements, cell_slopes(r));
+        const FieldFunctions& functions = code_.fields[r];
+        const Value here = cell_place(r), by_here = Value::name("by_here"), by_next = Value::name("by_next");
+        for (std::size_t i = 0; i < functions.faces.size(); ++i) {
+            const auto& [cells, offset, heat] = field(r).faces[i];
+            const Value next = at(first_place(r) + offset);
+            const Use use = [&](Results v) {
+                return Statements{naming("by_here", v[0]),
+                                  naming("by_next", v[1]),
+                                  Assignment{slope(here, here), by_here, Operation::subtract},
+                                  Assignment{slope(next, here), by_here, Operation::add},
+                                  Assignment{slope(here, next), by_next, Operation::subtract},
+                                  Assignment{slope(next, next), by_next, Operation::add}};
+            };
+            statements.push_back(over(r, cells, without_first(functions.faces[i].slopes), use, offset));
+        }
+        for (std::size_t i = 0; i < functions.sides.size(); ++i) {
+            const FunctionCode& side = functions.sides[i].slope;
+            if (side.is_zero(side.results[0])) continue;
+            statements.push_back(over(r, field(r).sides[i].cells, side, [&](Results v) {
+                return Statements{Assignment{slope(here, here), v[0], Operation::add}};
+            }));
+        }
+        for (std::size_t i = 0; i < functions.cells.size(); ++i) append(statements, cell_slopes(r, i));
     }
     return statements;
 }
 
-Statements FieldBodies::cell_slopes(std::size_t r) {
-    FunctionCode f = code_.fields[r].cell_slopes;
-    f.results.erase(f.results.begin());
+/// Divides the row of each cell by its capacity.
+Statements FieldBodies::cell_slopes(std::size_t r, std::size_t law) {
     const Value i = Value::name("i"), inverse = Value::name("inverse_capacity");
-    const Value before = Value::sum({i, Value::whole(1)}, {false, true}), behind = Value::sum({i, Value::whole(1)});
-    const Value has_before = Value::comparison(Value::Comparison::greater, cell(), Value::whole(0));
-    const Value has_behind = Value::comparison(Value::Comparison::less, after_cell(1), Value::whole(field(r).geometry.cells()));
-    return {over_cells(r, f, [&](Results v) {
-        return Statements{naming("inverse_capacity", v[0]),
-                          Declaration{{Storage::Kind::index}, {"i"}, cell_place(r)},
-                          If{has_before, {Assignment{slope(i, before), inverse, Operation::multiply}}},
-                          Assignment{slope(i, i), Value::product({balance(slope(i, i), v[1], entry("dxdt", i), v[2]), inverse})},
-                          If{has_behind, {Assignment{slope(i, behind), inverse, Operation::multiply}}}};
+    const auto scaled = [&](Value condition, const Value& neighbour) {
+        return If{std::move(condition), {Assignment{slope(i, neighbour), inverse, Operation::multiply}}};
+    };
+    const auto ahead = [&](std::size_t distance) { return Value::sum({i, Value::whole(distance)}, {false, true}); };
+    const auto is_behind_first = [](Value number) { return Value::comparison(Value::Comparison::greater, std::move(number), Value::whole(0)); };
+    const auto is_before_last = [](Value number, std::size_t count) {
+        return Value::comparison(Value::Comparison::less, behind(std::move(number), 1), Value::whole(count));
+    };
+    const CellField& f = field(r);
+    const bool is_block = f.is_block();
+    const Value along = is_block ? Value::name("c") : cell(), up = Value::name("r");
+    return {over(r, f.laws[law].cells, without_first(code_.fields[r].cells[law].slopes), [&](Results v) {
+        Statements statements{naming("inverse_capacity", v[0]), Declaration{{Storage::Kind::index}, {"i"}, cell_place(r)}};
+        if (is_block) statements.push_back(scaled(is_behind_first(up), ahead(f.columns)));
+        if (f.columns > 1) statements.push_back(scaled(is_behind_first(along), ahead(1)));
+        statements.push_back(Assignment{slope(i, i), Value::product({balance(slope(i, i), v[1], entry("dxdt", i), v[2]), inverse})});
+        if (f.columns > 1) statements.push_back(scaled(is_before_last(along, f.columns), behind(i, 1)));
+        if (is_block) statements.push_back(scaled(is_before_last(up, f.cells / f.columns), behind(i, f.columns)));
+        return statements;
     })};
 }
 
@@ -276,26 +321,49 @@ Statements FieldBodies::jacobian(By by) {
 
 Statements FieldBodies::column_loops(std::size_t r, const FieldColumn& column) {
     const std::size_t first = first_place(r) + (column.by == By::time ? 0 : column.column * places_.count);
-    const Value here = entry("J", at(first)), next = entry("J", at(first + 1));
+    const Value here = entry("J", at(first));
     Statements statements;
-    if (!column.link.results.empty())
-        statements.push_back(over_faces(r, column.link, [&](Results v) { return moved_heat(here, next, v[0]); }));
+    for (std::size_t i = 0; i < column.faces.size(); ++i) {
+        if (column.faces[i].results.empty()) continue;
+        const auto& [cells, offset, heat] = field(r).faces[i];
+        const Value next = entry("J", at(first + offset));
+        statements.push_back(over(r, cells, column.faces[i], [&](Results v) { return moved_heat(here, next, v[0]); }, offset));
+    }
+    for (std::size_t i = 0; i < column.sides.size(); ++i)
+        if (!column.sides[i].results.empty())
+            statements.push_back(over(r, field(r).sides[i].cells, column.sides[i], [&](Results v) {
+                return Statements{Assignment{here, v[0], Operation::add}};
+            }));
     const Value rate = entry("dxdt", cell_place(r));
-    statements.push_back(over_cells(r, column.cell, [&](Results v) {
-        return Statements{Assignment{here, Value::product({balance(here, v[0], rate, v[1]), Value::parenthesised(v[2])})}};
-    }));
+    for (std::size_t i = 0; i < column.cells.size(); ++i)
+        statements.push_back(over(r, field(r).laws[i].cells, column.cells[i], [&](Results v) {
+            return Statements{Assignment{here, Value::product({balance(here, v[0], rate, v[1]), Value::parenthesised(v[2])})}};
+        }));
     return statements;
 }
 
-/// Adds results of all cells to a number.
-Statements FieldBodies::totals(FunctionCode FieldFunctions::*function, const char* total) {
+/// Adds the result of all cells of a range to a number.
+Statement FieldBodies::total(std::size_t r, const CellRange& cells, const FunctionCode& f, const char* name) {
+    return over(r, cells, f, [&](Results v) { return Statements{Assignment{Value::name(name), v[0], Operation::add}}; });
+}
+
+Statements FieldBodies::energy() {
     Statements statements;
-    const Use use = [&](Results v) { return Statements{Assignment{Value::name(total), v[0], Operation::add}}; };
-    for (std::size_t r = 0; r < code_.fields.size(); ++r) statements.push_back(over_cells(r, code_.fields[r].*function, use));
+    for (std::size_t r = 0; r < code_.fields.size(); ++r)
+        for (std::size_t i = 0; i < field(r).laws.size(); ++i)
+            statements.push_back(total(r, field(r).laws[i].cells, code_.fields[r].cells[i].energy, "energy"));
     return statements;
 }
 
-Statements FieldBodies::energy() { return totals(&FieldFunctions::energy, "energy"); }
-Statements FieldBodies::power() { return totals(&FieldFunctions::source, "power"); }
+Statements FieldBodies::power() {
+    Statements statements;
+    for (std::size_t r = 0; r < code_.fields.size(); ++r) {
+        for (std::size_t i = 0; i < field(r).sides.size(); ++i)
+            statements.push_back(total(r, field(r).sides[i].cells, code_.fields[r].sides[i].heat, "power"));
+        for (std::size_t i = 0; i < field(r).laws.size(); ++i)
+            statements.push_back(total(r, field(r).laws[i].cells, code_.fields[r].cells[i].source, "power"));
+    }
+    return statements;
+}
 
 }  // namespace dalembert

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What functions of rods with many cells do, as statements: loops over cells k, or over the faces behind cells k.
+// What functions of rods and blocks with many cells do, as statements: loops over cells k, or over the faces behind cells k.
 #pragma once
 
 #include <functional>
@@ -38,7 +38,7 @@ public:
     Statements output_by_input();
     Statements output_by_sum();
 
-    /// A member that keeps what depends on parameters alone: "k3", or an array of them over the cells of a rod.
+    /// A member that keeps what depends on parameters alone: "k3", or an array of them over the cells of a field.
     struct CachedMember {
         std::string name;
         std::optional<std::size_t> cells;
@@ -51,7 +51,7 @@ private:
     using Results = const std::vector<Value>&;
     using Use = std::function<Statements(Results)>;
 
-    const RodField& field(std::size_t r) const { return *code_.fields[r].field; }
+    const CellField& field(std::size_t r) const { return *code_.fields[r].field; }
     std::size_t first_place(std::size_t r) const { return places_.firsts[r]; }
     /// The index of cell k in x.
     Value cell_place(std::size_t r) const;
@@ -59,14 +59,12 @@ private:
     void name_cached();
     Statements computed(const FunctionCode& f, const Use& use);
     Statements grid_numbers(std::size_t r, const Statements& statements) const;
-    Statements temperatures(std::size_t r, const Statements& statements) const;
-    Statement loop(std::size_t r, std::size_t first, std::size_t end, Statements statements) const;
-    Statement over_cells(std::size_t r, const FunctionCode& f, const Use& use);
-    Statement over_faces(std::size_t r, const FunctionCode& f, const Use& use);
-    Statement sum_loop(std::size_t i, Statements statements) const;
-    Statements filled_cache(std::size_t r, bool over_links, const std::vector<std::uint32_t>& wanted);
-    Statements cell_slopes(std::size_t r);
-    Statements totals(FunctionCode FieldFunctions::*function, const char* total);
+    Statement loop(std::size_t r, const CellRange& cells, Statements statements, std::size_t offset = 1) const;
+    Statement over(std::size_t r, const CellRange& cells, const FunctionCode& f, const Use& use, std::size_t offset = 1);
+    Statements filled_cache(std::size_t r, const CellRange& cells, const std::vector<std::uint32_t>& wanted);
+    static FunctionCode without_first(FunctionCode f);
+    Statements cell_slopes(std::size_t r, std::size_t law);
+    Statement total(std::size_t r, const CellRange& cells, const FunctionCode& f, const char* name);
     Statements column_loops(std::size_t r, const FieldColumn& column);
     Statements added_slope(std::size_t i, const FunctionCode& f, const char* array, const Value& column);
     Value of_matrix(const char* array, std::size_t column, std::size_t output) const;
@@ -75,7 +73,7 @@ private:
     const FieldCode& code_;
     const System& system_;
     const StatePlaces places_;
-    std::map<std::uint32_t, std::size_t> links_, cells_;  ///< cached values that code of faces and cells uses, with the rod
+    std::map<std::uint32_t, std::size_t> links_, cells_;  ///< cached values that code of faces and cells uses, with the field
     std::map<std::uint32_t, std::string> members_;
     CachedValues cached_;
     std::set<std::string> helpers_;

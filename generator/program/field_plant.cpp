@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    const RodField& field(std::size_t r) const { return *code_.fields[r].field; }
+    const CellField& field(std::size_t r) const { return *code_.fields[r].field; }
 
     void indices() {
         std::set<std::string> seen;
@@ -72,8 +72,9 @@ private:
     void rods() {
         for (std::size_t r = 0; r < code_.fields.size(); ++r) {
             const State& states = *field(r).states;
-            PlantRod rod{places_.firsts[r],
-                         field(r).geometry.cells(),
+            PlantField one{places_.firsts[r],
+                         field(r).cells,
+                         field(r).columns,
                          field(r).first_index,
                          {states.name, states.name, states.unit.si(), states.doc, {}, {}},
                          states.range.has_value()};
@@ -81,27 +82,29 @@ private:
                 return e ? std::optional(double_value(system_.translate(*e, {}))) : std::nullopt;
             };
             if (states.range) {
-                rod.states.low = bound(states.range->low);
-                rod.states.high = bound(states.range->high);
+                one.states.low = bound(states.range->low);
+                one.states.high = bound(states.range->high);
             }
-            fields_.rods.push_back(std::move(rod));
+            fields_.list.push_back(std::move(one));
         }
     }
 
     void equations() {
         const Notation write(system_.symbols, Style::text);
         for (std::size_t r = 0; r < code_.fields.size(); ++r) {
-            const RodField& f = field(r);
-            for (std::string line :
-                 {fmt::format("Rod {}: capacity*dot(T_here) = heat from the cell before - heat to the next + source, with", f.rod->name),
-                  fmt::format("  heat to the next = {}", write(f.link)), fmt::format("  source = {}", write(f.source)),
-                  fmt::format("  capacity = {}", write(f.capacity)),
-                  std::string("  left, here, right, beyond: numbers of points or faces on the grid.")})
-                fields_.equations.push_back(std::move(line));
+            const CellField& f = field(r);
+            fields_.equations.push_back(fmt::format("{} {}: {}, with", f.is_block() ? "Block" : "Rod", f.body->name, f.balance()));
+            for (const FieldPart& part : f.parts())
+                if (part.what != "energy") fields_.equations.push_back(fmt::format("  {} = {}", f.title(part), write(part.value)));
+            fields_.equations.push_back(f.is_block() ? "  column, row: numbers of the cell, from 0." :
+                                                       "  left, here, right, beyond: numbers of points or faces on the grid.");
         }
-        for (const CellSum& sum : system_.cell_sums)
-            fields_.equations.push_back(
-                fmt::format("{} = sum over cells {} to {} of {}", write(sum.letter), sum.first + 1, sum.last + 1, write(sum.term)));
+        for (const CellSum& sum : system_.cell_sums) {
+            const std::string cells = sum.cells.stride > 0 ? fmt::format("{} cells", sum.cells.count()) :
+                                                             fmt::format("cells {} to {}", sum.cells.first + 1,
+                                                                         sum.cells.first + sum.cells.columns);
+            fields_.equations.push_back(fmt::format("{} = sum over {} of {}", write(sum.letter), cells, write(sum.term)));
+        }
     }
 
     const FieldCode& code_;

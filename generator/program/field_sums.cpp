@@ -15,18 +15,12 @@ Value of_column(const Value& column, std::size_t output) { return Value::sum({co
 
 std::string FieldBodies::sum_name(std::size_t i) { return fmt::format("sum_{}", i + 1); }
 
-/// Over the cells that a sum adds up.
-Statement FieldBodies::sum_loop(std::size_t i, Statements statements) const {
-    const CellSum& sum = system_.cell_sums[i];
-    return loop(sum.field, sum.first, sum.last + 1, std::move(statements));
-}
-
 Statements FieldBodies::sums() {
     Statements statements;
     for (std::size_t i = 0; i < code_.sums.size(); ++i)
-        statements.push_back(sum_loop(i, computed(code_.sums[i].term, [&](Results v) {
+        statements.push_back(over(system_.cell_sums[i].field, system_.cell_sums[i].cells, code_.sums[i].term, [&](Results v) {
             return Statements{Assignment{sum_entry("sums", Value::whole(i)), v[0], Assignment::Operation::add}};
-        })));
+        }));
     return statements;
 }
 
@@ -34,7 +28,7 @@ Statements FieldBodies::sums() {
 Statements FieldBodies::added_slope(std::size_t i, const FunctionCode& f, const char* array, const Value& column) {
     if (f.is_zero(f.results[0])) return {};
     const SumOutputs& outputs = code_.outputs;
-    return {sum_loop(i, computed(f, [&](Results v) {
+    return {over(system_.cell_sums[i].field, system_.cell_sums[i].cells, f, [&](Results v) {
         Statements added{Declaration{{}, {"slope"}, v[0]}};
         for (std::size_t o = 0; o < outputs.outputs.size(); ++o) {
             if (outputs.by_sum.is_zero(outputs.by_sum.results[i * outputs.outputs.size() + o])) continue;
@@ -42,7 +36,7 @@ Statements FieldBodies::added_slope(std::size_t i, const FunctionCode& f, const 
             added.push_back(Assignment{sum_entry(array, of_column(column, outputs.outputs[o])), more, Assignment::Operation::add});
         }
         return added;
-    }))};
+    })};
 }
 
 Statements FieldBodies::sum_slopes() {

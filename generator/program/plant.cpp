@@ -32,7 +32,7 @@ std::size_t PlantModes::most_modes() const {
 
 namespace {
 
-/// df/dx: neighbours in a rod, and what the core has there.
+/// df/dx: neighbours in a rod or block, and what the core has there.
 PlantPattern pattern_of(const PlantPattern& core, const PlantFields& fields) {
     PlantPattern result;
     result.is_sparse = true;
@@ -40,11 +40,14 @@ PlantPattern pattern_of(const PlantPattern& core, const PlantFields& fields) {
     result.column_starts.push_back(0);
     for (std::size_t column = 0; column < fields.states; ++column) {
         std::set<std::size_t> rows;
-        for (const PlantRod& rod : fields.rods)
-            if (column >= rod.first && column < rod.first + rod.cells) {
-                if (column > rod.first) rows.insert(column - 1);
+        for (const PlantField& field : fields.list)
+            if (column >= field.first && column < field.first + field.cells) {
+                const std::size_t cell = column - field.first;
+                if (cell >= field.columns) rows.insert(column - field.columns);
+                if (cell % field.columns > 0) rows.insert(column - 1);
                 rows.insert(column);
-                if (column + 1 < rod.first + rod.cells) rows.insert(column + 1);
+                if ((cell + 1) % field.columns > 0) rows.insert(column + 1);
+                if (cell + field.columns < field.cells) rows.insert(column + field.columns);
             }
         const auto place = std::lower_bound(fields.positions.begin(), fields.positions.end(), column);
         if (place != fields.positions.end() && *place == column) {
@@ -76,11 +79,11 @@ Plant whole_plant(const Plant& core, const PlantFields& fields) {
     whole.plain_states = fields.plain_states;
     whole.states.assign(fields.states, {});
     for (std::size_t i = 0; i < fields.positions.size(); ++i) whole.states[fields.positions[i]] = core.states[i];
-    for (const PlantRod& rod : fields.rods)
-        for (std::size_t k = 0; k < rod.cells; ++k) {
-            PlantQuantity& cell = whole.states[rod.first + k];
-            cell = rod.states;
-            cell.name += "[" + std::to_string(rod.first_number + static_cast<int>(k)) + "]";
+    for (const PlantField& field : fields.list)
+        for (std::size_t k = 0; k < field.cells; ++k) {
+            PlantQuantity& cell = whole.states[field.first + k];
+            cell = field.states;
+            cell.name += "[" + std::to_string(field.first_number + static_cast<int>(k)) + "]";
         }
     whole.by_state = pattern_of(core.by_state, fields);
     whole.by_input = full_pattern(fields.states, core.inputs.size());

@@ -159,10 +159,11 @@ struct Plant {
     std::set<std::string> helpers;            ///< functions of the runtime that are called
 };
 
-/// A rod whose cells are computed in loops. Its cells stand one after the other in x.
-struct PlantRod {
+/// A rod or block whose cells are computed in loops. Its cells stand one after the other in x, those of a block row by row.
+struct PlantField {
     std::size_t first;         ///< index of the first cell in x
     std::size_t cells;
+    std::size_t columns;       ///< in a row; of a rod, all
     int first_number;          ///< of the family of states in the model: T[first_number] is the first cell
     PlantQuantity states;      ///< of one of them: "T"
     bool has_range = false;
@@ -184,7 +185,7 @@ struct PlantFields {
     std::size_t plain_states = 0;
     std::vector<std::size_t> positions;                             ///< of the states of the core in x, rising
     std::vector<std::pair<std::string, std::size_t>> indices;       ///< of states in x, of a rod that of its first cell
-    std::vector<PlantRod> rods;
+    std::vector<PlantField> list;
     std::vector<std::string> equations;                             ///< for the reader
     std::vector<PlantCached> cached;
     Statements update, start_state;

@@ -52,20 +52,32 @@ bool has_sign(const ex& e, int sign) {
 
 const ex& letter(const NodeState& node) { return node.kind == NodeState::Kind::sought ? node.letter : node.warmth.temperature; }
 
-/// What holds for every cell of a rod in a loop: conduction is symmetric, the surroundings draw towards themselves.
-bool is_passive(const RodField& f) {
-    if (f.rod->grid || f.rod->shape != Rod::Shape::bar || !f.rod->area->variables.empty())
-        return false;  // the signs of widths and areas are not told by their terms
-    // Numbers on a uniform grid stand in differences alone, from the smaller to the larger: any that rise give their signs.
-    const GiNaC::exmap rising{{f.place.left, 1}, {f.place.here, 2}, {f.place.right, 3}, {f.beyond, 4}};
+/// What holds for every cell in a loop: conduction is symmetric, the surroundings draw towards themselves.
+bool is_passive(const CellField& f) {
+    GiNaC::exmap rising;
+    if (const auto* letters = std::get_if<RodLetters>(&f.place)) {
+        const Rod& rod = static_cast<const Rod&>(*f.body);
+        if (rod.grid || rod.shape != Rod::Shape::bar || !rod.area->variables.empty())
+            return false;  // the signs of widths and areas are not told by their terms
+        // Numbers on a uniform grid stand in differences alone, from the smaller to the larger: any that rise give their signs.
+        rising = {{letters->place.left, 1}, {letters->place.here, 2}, {letters->place.right, 3}, {letters->beyond, 4}};
+    }
     const auto at = [&](const ex& e) { return e.subs(rising, GiNaC::subs_options::no_pattern); };
     const auto knows = [&](const ex& e) { return e.has(f.here) || e.has(f.next); };
-    const ex by_here = partial(f.link, f.here);
-    const ex by_next = partial(f.link, f.next);
-    const ex side = partial(f.source, f.here);
-    const auto capacity = sign_of_terms(at(f.capacity));
-    return !knows(by_here) && !knows(by_next) && !knows(side) && !knows(f.capacity) && capacity == 1 && has_sign(at(by_here), 1) &&
-           (by_here + by_next).expand().is_zero() && has_sign(at(side), -1);
+    const auto draws = [&](const ex& heat) {
+        const ex slope = partial(heat, f.here);
+        return !knows(slope) && has_sign(at(slope), -1);
+    };
+    return std::all_of(f.faces.begin(), f.faces.end(),
+                       [&](const FaceLaw& face) {
+                           const ex by_here = partial(face.heat, f.here), by_next = partial(face.heat, f.next);
+                           return !knows(by_here) && !knows(by_next) && has_sign(at(by_here), 1) && (by_here + by_next).expand().is_zero();
+                       }) &&
+           std::all_of(f.sides.begin(), f.sides.end(), [&](const SideLaw& side) { return draws(side.heat); }) &&
+           std::all_of(f.laws.begin(), f.laws.end(), [&](const CellLaw& law) {
+               const auto capacity = sign_of_terms(at(law.capacity));
+               return !knows(law.capacity) && capacity == 1 && draws(law.source);
+           });
 }
 
 }  // namespace
@@ -98,7 +110,7 @@ bool is_passive(const System& system, Prover& prover) {
         }
         if (!has_sign(sum, -1)) return false;
     }
-    for (const RodField& field : system.heat.fields)
+    for (const CellField& field : system.heat.fields)
         if (!is_passive(field)) return false;
     return true;
 }

@@ -21,7 +21,7 @@ nlohmann::ordered_json as_json(const GeneratedHeader& header) {
                                         {"trigonometric", c.trigonometric}, {"other", c.other}, {"total", c.total()}};
     json["cells"] = nlohmann::ordered_json::array();
     for (const GeneratedHeader::Cells& cells : header.cells)
-        json["cells"].push_back({{"rod", cells.rod}, {"count", cells.count}, {"operations", cells.operations}});
+        json["cells"].push_back({{"name", cells.name}, {"count", cells.count}, {"operations", cells.operations}});
     json["seconds"] = nlohmann::ordered_json::object();
     for (const StageReport& stage : header.stages) json["seconds"][stage.stage] = stage.seconds;
     return json;
@@ -41,7 +41,7 @@ std::string as_text(const GenerateResult& result) {
     for (const GeneratedHeader& header : result.headers) {
         std::string cells;
         for (const GeneratedHeader::Cells& one : header.cells)
-            cells += fmt::format(" and {} for each of the {} cells of {}", one.operations, one.count, one.rod);
+            cells += fmt::format(" and {} for each of the {} cells of {}", one.operations, one.count, one.name);
         const char* proofs = header.all_proven ? "everything proven" : "some parts only numerically equal";
         if (header.samples)
             text += fmt::format("{}: a controller, {} operations in a sample, {}\n", header.path.string(), header.main_operations, proofs);

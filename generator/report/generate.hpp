@@ -11,9 +11,9 @@
 namespace dalembert {
 
 struct GeneratedHeader {
-    /// Of a rod whose cells are computed in a loop.
+    /// Of a rod or block whose cells are computed in a loop.
     struct Cells {
-        std::string rod;
+        std::string name;
         std::size_t count;
         int operations;  ///< of each
     };

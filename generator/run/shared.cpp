@@ -69,11 +69,11 @@ const Machine& in_chosen_mode(const Machine& machine, const Options& options) {
 }
 
 void refuse_fields(const System& system, const char* verb) {
-    for (const RodField& field : system.heat.fields)
-        throw Failure(Diagnostic{Id::too_large, field.rod->span,
-                                 fmt::format("the {} cells of rod '{}' are computed in a loop, and '{}' needs each cell separately; choose "
+    for (const CellField& field : system.heat.fields)
+        throw Failure(Diagnostic{Id::too_large, field.body->span,
+                                 fmt::format("the {} cells of {} are computed in a loop, and '{}' needs each cell separately; choose "
                                              "fewer cells, or set loops = false",
-                                             field.geometry.cells(), field.rod->name, verb)});
+                                             field.cells, field.written(), verb)});
 }
 
 void tell_of_samplers(const System& system, Streams streams) {

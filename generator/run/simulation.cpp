@@ -36,8 +36,8 @@ std::string name_of_state(const System& system, std::size_t place) {
     const auto found = std::find(places.positions.begin(), places.positions.end(), place);
     if (found != places.positions.end()) return names[static_cast<std::size_t>(found - places.positions.begin())];
     for (std::size_t f = 0; f < places.firsts.size(); ++f) {
-        const RodField& field = system.heat.fields[f];
-        if (place >= places.firsts[f] && place < places.firsts[f] + field.geometry.cells())
+        const CellField& field = system.heat.fields[f];
+        if (place >= places.firsts[f] && place < places.firsts[f] + field.cells)
             return fmt::format("{}[{}]", field.states->name, place - places.firsts[f] + static_cast<std::size_t>(field.first_index));
     }
     return "";

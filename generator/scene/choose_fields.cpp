@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 #include "elements/conduction.hpp"
 #include "elements/heat.hpp"
@@ -14,7 +15,7 @@ namespace dalembert {
 
 namespace {
 
-/// A rod with more cells is computed in loops.
+/// A rod or block with more cells is computed in loops.
 constexpr int most_written_out = 40;
 
 bool mentions(const Expression& e, const std::string& name) {
@@ -47,17 +48,28 @@ const Field* summed_cells(const Expression& sum, const Scene& scene) {
 }
 
 void FieldChoice::find_all(const Names& names) {
-    for (const auto& member : scene_.rods) {
-        const auto& states = static_cast<const State&>(*names.find(member.item->temperature.name)->item);
+    const auto add = [&]<class Body>(const Body& body, bool may_loop, long long columns) {
+        const auto& states = static_cast<const State&>(*names.find(body.temperature.name)->item);
         const auto [from, to] = bounds(*states.family, scene_);
-        if (member.item->loops.value_or(to - from + 1 > most_written_out) && to > from)
-            scene_.fields.push_back({member.item, &states, from, to, {from, to}});
+        if (body.loops.value_or(may_loop && to - from + 1 > most_written_out) && to > from)
+            scene_.fields.push_back({&body, kind_of<Body>.word, &states, from, to,
+                                     static_cast<int>(std::clamp<long long>(columns, 1, to - from + 1)), {from, to}});
+    };
+    for (const auto& member : scene_.rods) add(*member.item, true, std::numeric_limits<int>::max());
+    for (const auto& member : scene_.blocks) {
+        const Block& block = *member.item;
+        bool may_loop = true;
+        for (const auto* side : {&block.left, &block.right, &block.bottom, &block.top})
+            if (*side) may_loop = may_loop && !(*side)->node && !(*side)->emissivity;
+        long long columns = 0;
+        for (const BlockPiece& piece : block.columns) columns += index_value(*piece.cells, scene_, {});
+        add(block, may_loop, columns);
     }
 }
 
 Field* FieldChoice::find(const std::string& name) {
     const auto found = std::find_if(scene_.fields.begin(), scene_.fields.end(),
-                                    [&](const Field& f) { return f.states->name == name || f.rod->name == name; });
+                                    [&](const Field& f) { return f.states->name == name || f.body->name == name; });
     return found == scene_.fields.end() ? nullptr : &*found;
 }
 
@@ -70,8 +82,8 @@ void FieldChoice::tap(const Expression& name) {
     });
     if (counts)
         throw Failure(Diagnostic{Id::too_large, name.span,
-                                 fmt::format("'{}' needs all {} cells of rod '{}', which a loop computes; name single cells",
-                                             name.written(), field->to - field->from + 1, field->rod->name)});
+                                 fmt::format("'{}' needs all {} cells of {}, which a loop computes; name single cells", name.written(),
+                                             field->to - field->from + 1, field->written())});
     tap(*field, *name.children[0], {});
 }
 
@@ -100,7 +112,7 @@ void FieldChoice::tap_neighbours(const Expression& rate) {
             is_single = is_single && (part.kind != Expression::Kind::name || scene_.sizes.contains(part.name));
         });
         const int cell = is_single ? index_value(*e.children[0], scene_, {}) : field->from;
-        for (const int next : {cell - 1, cell + 1})
+        for (const int next : {cell - field->columns, cell - 1, cell + 1, cell + field->columns})
             if (next >= field->from && next <= field->to) field->tapped.insert(next);
     });
 }
@@ -109,7 +121,7 @@ void FieldChoice::tap(Field& field, const Expression& index, const Indices& indi
     const int value = index_value(index, scene_, indices);
     if (value < field.from || value > field.to)
         throw Failure(Diagnostic{Id::index_out_of_range, index.span,
-                                 fmt::format("rod '{}' has the cells {} to {}, but not {}", field.rod->name, field.from, field.to, value)});
+                                 fmt::format("{} has the cells {} to {}, but not {}", field.written(), field.from, field.to, value)});
     field.tapped.insert(value);
 }
 

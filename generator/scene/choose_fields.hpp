@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which rods of a scene are computed in loops, and which of their cells something else asks for.
+// Which rods and blocks of a scene are computed in loops, and which of their cells something else asks for.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -14,9 +14,9 @@ class FieldChoice {
 public:
     explicit FieldChoice(Scene& scene) : scene_(scene) {}
 
-    /// Rods that say so, or that have too many cells to be written out.
+    /// Those that say so, or that have too many cells to be written out.
     void find_all(const Names& names);
-    /// By the name of the rod or of its states; null where it is written out.
+    /// By the name of the rod or block, or of its states; null where it is written out.
     Field* find(const std::string& name);
 
     /// A cell that an expression asks for by its number is a state of its own. Throws Failure (too-large: all of them;

@@ -28,8 +28,10 @@ bool Scene::has_capacity(const HeatNode& node, const Names& names) const {
     return node.capacity && holds(names.find(node.temperature->name)->item->when);
 }
 
-const Field* Scene::find_field(const Rod& rod) const {
-    const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.rod == &rod; });
+std::string Field::written() const { return fmt::format("{} '{}'", kind, body->name); }
+
+const Field* Scene::find_field(const Item& body) const {
+    const auto found = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.body == &body; });
     return found == fields.end() ? nullptr : &*found;
 }
 

@@ -30,13 +30,16 @@ inline constexpr bool is_there_where_used =
     std::is_same_v<Element, Parameter> || std::is_same_v<Element, Definition> || std::is_same_v<Element, Input> ||
     std::is_same_v<Element, State> || std::is_same_v<Element, Solid> || std::is_same_v<Element, Medium>;
 
-/// A family of states that is computed in loops: the cells of a rod with many of them. Of its states only those are in the scene that
-/// something else needs, and the first and last.
+/// A family of states that is computed in loops: the cells of a rod or block with many of them. Of its states only those are in the
+/// scene that something else needs, and the first and last.
 struct Field {
-    const Rod* rod;
+    const Item* body;
+    std::string_view kind;  ///< "rod", "block"
     const State* states;
     int from, to;
+    int columns;            ///< cells in a row; of a rod, all
     std::set<int> tapped;
+    std::string written() const;  ///< "rod 'bar'"
 };
 
 /// The value of the index of a family or sum, by name.
@@ -119,7 +122,7 @@ struct Scene {
     /// Whether a node stores heat in this scene.
     bool has_capacity(const HeatNode& node, const Names& names) const;
     /// The field of a rod; null where its cells are states one by one.
-    const Field* find_field(const Rod& rod) const;
+    const Field* find_field(const Item& body) const;
     /// The number of states, cells of fields included.
     std::size_t state_count() const;
     /// "n_pendulum_N5": the model's name and its sizes.

@@ -35,10 +35,10 @@ void refuse_rates_of_cells(const Expression& e, const ex& rate, const Scene& sce
         for (const Variable& state : symbols.all(SymbolKind::state))
             if (state.base == field.states->name && rate.has(symbols.get(SymbolKind::state_rate, state.position)))
                 fail(Id::not_allowed_here, e,
-                     fmt::format("'{}' needs the rate of '{}', a cell of rod '{}', which a loop computes; give the rod loops = false, or "
-                                 "fewer cells",
-                                 e.written(), state.name, field.rod->name),
-                     {{field.rod->span, "the rod is defined here"}});
+                     fmt::format("'{}' needs the rate of '{}', a cell of {}, which a loop computes; give the {} loops = false, or fewer "
+                                 "cells",
+                                 e.written(), state.name, field.written(), field.kind),
+                     {{field.body->span, fmt::format("the {} is defined here", field.kind)}});
 }
 
 /// The exact number that an expression is, or begins with as a factor or term.

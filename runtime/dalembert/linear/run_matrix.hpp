@@ -9,6 +9,9 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
+
 #include "dalembert/linear/jacobian_pattern.hpp"
 #include "dalembert/run_array.hpp"
 
@@ -134,6 +137,54 @@ struct RunShape {
     Rows rows() const { return Rows(columns); }
 };
 
+/// What Eigen's sparse elimination takes for a column of many unknowns in a plane, where fill grows slowly.
+inline double sparse_fill(std::size_t n) { return 4 * std::log2(static_cast<double>(n)); }
+/// Multiplications to factor a matrix of few entries with it and to solve so many times.
+inline double sparse_multiplications(std::size_t n, double solutions) {
+    return static_cast<double>(n) * sparse_fill(n) * (sparse_fill(n) + solutions);
+}
+/// Whether it is worth more than a band or all places: so much that what it does besides does not matter.
+template <class Pattern>
+bool is_worth_sparse(std::size_t n) {
+    constexpr std::size_t fewest_states = 200, most_entries = 12;  // of a column
+    return n >= fewest_states && entries_of<Pattern>(n) <= most_entries * n &&
+           looped_multiplications(bandwidth<Pattern>(n), n, 8) > 3 * sparse_multiplications(n, 8);
+}
+
+/// Eigen's elimination of sparse matrices. The order of the columns is found once for a pattern.
+template <class Vector>
+class SparseElimination {
+    using Scalar = typename Vector::value_type;
+    using Matrix = Eigen::SparseMatrix<Scalar>;
+
+public:
+    explicit SparseElimination(std::size_t n) : n_(static_cast<int>(n)), matrix_(n_, n_) {}
+
+    void clear() { entries_.clear(); }
+    void add(std::size_t row, std::size_t column, const Scalar& value) { entries_.emplace_back(static_cast<int>(row), static_cast<int>(column), value); }
+    bool factor() {
+        matrix_.setFromTriplets(entries_.begin(), entries_.end());
+        matrix_.makeCompressed();
+        std::vector<int> pattern(matrix_.outerIndexPtr(), matrix_.outerIndexPtr() + n_ + 1);
+        pattern.insert(pattern.end(), matrix_.innerIndexPtr(), matrix_.innerIndexPtr() + matrix_.nonZeros());
+        if (pattern != pattern_) lu_.analyzePattern(matrix_);
+        pattern_ = std::move(pattern);
+        lu_.factorize(matrix_);
+        return lu_.info() == Eigen::Success;
+    }
+    void solve(Vector& b) const {
+        Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>> known(b.data(), n_);
+        known = lu_.solve(known).eval();
+    }
+
+private:
+    int n_;
+    std::vector<Eigen::Triplet<Scalar>> entries_;
+    Matrix matrix_;
+    std::vector<int> pattern_;
+    Eigen::SparseLU<Matrix> lu_;
+};
+
 /// A matrix with the pattern and the diagonal.
 template <class Vector, class Pattern>
 class RunMatrix {
@@ -143,17 +194,20 @@ public:
     RunMatrix() {
         const RunShape<Vector> shape{size_of<Vector>(), bandwidth<Pattern>(size_of<Vector>())};
         if (const auto plan = RunPlan::of<Pattern>(shape.columns)) straight_.emplace(*plan);
+        else if (is_worth_sparse<Pattern>(shape.columns)) sparse_.emplace(shape.columns);
         else if (is_worth_a_band(shape.band, shape.columns)) band_.emplace(shape);
-        if (!band_) dense_.emplace(shape);
+        if (!sparse_ && !band_) dense_.emplace(shape);
     }
 
     void clear() {
         is_outside_ = !straight_;
         if (straight_) straight_->clear();
+        else if (sparse_) sparse_->clear();
         else if (band_) band_->clear();
         else dense_->clear();
     }
     void add(std::size_t row, std::size_t column, const Scalar& value) {
+        if (sparse_) return sparse_->add(row, column, value);
         if (band_) return band_->add(row, column, value);
         if (!is_outside_ && straight_->add(row, column, value)) return;
         if (!is_outside_) straight_->copy_to(*dense_);
@@ -161,6 +215,7 @@ public:
         dense_->add(row, column, value);
     }
     bool factor() {
+        if (sparse_) return sparse_->factor();
         if (band_) return band_->factor();
         is_dense_ = is_outside_;
         if (!is_dense_) {
@@ -170,13 +225,15 @@ public:
         return !is_dense_ || dense_->factor();
     }
     void solve(Vector& b) const {
-        if (band_) band_->solve(b);
+        if (sparse_) sparse_->solve(b);
+        else if (band_) band_->solve(b);
         else if (is_dense_) dense_->solve(b);
         else straight_->solve(b);
     }
 
 private:
     std::optional<RunPatternLu<Vector>> straight_;
+    std::optional<SparseElimination<Vector>> sparse_;
     std::optional<BandElimination<RunShape<Vector>>> band_;
     std::optional<DenseElimination<RunShape<Vector>>> dense_;
     bool is_outside_ = false;  ///< some entry does not lie in the pattern
@@ -186,9 +243,12 @@ private:
 template <class Size, class Scalar, class Pattern>
 struct MatrixOf<RunArray<Size, Scalar>, Pattern> {
     using type = RunMatrix<RunArray<Size, Scalar>, Pattern>;
-    static bool fits() { return fits_the_stack(bandwidth<Pattern>(Size::of_run()), Size::of_run(), sizeof(Scalar)); }
+    static bool fits() {
+        return is_worth_sparse<Pattern>(Size::of_run()) || fits_the_stack(bandwidth<Pattern>(Size::of_run()), Size::of_run(), sizeof(Scalar));
+    }
     static double multiplications(double solutions) {
         if (const auto plan = RunPlan::of<Pattern>(Size::of_run())) return static_cast<double>(plan->updates) + solutions * static_cast<double>(plan->entries);
+        if (is_worth_sparse<Pattern>(Size::of_run())) return sparse_multiplications(Size::of_run(), solutions);
         return looped_multiplications(bandwidth<Pattern>(Size::of_run()), Size::of_run(), solutions);
     }
 };

@@ -112,12 +112,24 @@ TEST_CASE("passive networks are known by the signs of their parts") {
     CHECK_FALSE(is_passive_network(linear + "c = { from = \"plate\", to = \"air\", conductance = \"1/R - P/T_0\" }\n"));
 }
 
-TEST_CASE("the code of a cell is proven, and a wrong one is seen") {
-    const Machine machine = machine_of("heat/fin", "convective", {{"N", 200}});
+void is_proven_and_a_wrong_one_is_seen(const Machine& machine) {
     const auto code = make_field_code(*machine.system);
     for (const AuditEntry& entry : verify_fields(*code)) CHECK(entry.result.verdict == Verdict::proven);
-    FunctionCode& link = code->fields[0].link;
-    link.results[0] = link.program.negated(link.results[0]);
-    const auto entries = verify_fields(*code);
-    CHECK(std::any_of(entries.begin(), entries.end(), [](const AuditEntry& entry) { return entry.result.verdict == Verdict::wrong; }));
+    FieldFunctions& field = code->fields[0];
+    std::vector<FunctionCode*> all{&field.faces.back().heat, &field.faces.back().slopes, &field.cells.back().rate};
+    for (SideFunctions& side : field.sides) all.push_back(&side.heat);
+    for (FunctionCode* one : all) {
+        const NodeId right = one->results.back();
+        one->results.back() = one->program.negated(right);
+        const auto entries = verify_fields(*code);
+        CHECK(std::any_of(entries.begin(), entries.end(), [](const AuditEntry& entry) { return entry.result.verdict == Verdict::wrong; }));
+        one->results.back() = right;
+    }
+}
+
+TEST_CASE("the code of a cell is proven, and a wrong one is seen") {
+    is_proven_and_a_wrong_one_is_seen(machine_of("heat/fin", "convective", {{"N", 200}}));
+    const Machine plate = machine_of("../tests/physics/heat/plate", "looped");
+    CHECK(plate.system->heat.fields[0].sides.size() == 8);
+    is_proven_and_a_wrong_one_is_seen(plate);
 }

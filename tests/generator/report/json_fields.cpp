@@ -118,6 +118,7 @@ TEST_CASE("the JSON fields are the documented ones") {
           {SOURCE_DIR "/tests/golden/capacitor.toml"},
           {SOURCE_DIR "/systems/hydraulics/torricelli.toml"},
           {SOURCE_DIR "/systems/heat/fin.toml", "--size", "N=50"},
+          {SOURCE_DIR "/tests/physics/heat/plate.toml", "--scene", "looped"},
           {SOURCE_DIR "/systems/drives/motor_start.toml"},
           {sliding}}},
         {"generate",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSL-1.0
-// A rod whose cells are computed in loops does what one does whose cells are written out.
+// A rod or block whose cells are computed in loops does what one does whose cells are written out.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -8,11 +8,10 @@
 #include "coupled_looped.hpp"
 #include "coupled_single.hpp"
 #include "dalembert/matrices.hpp"
+#include "plate_looped.hpp"
+#include "plate_single.hpp"
 
 namespace {
-
-using Looped = coupled_N10::looped::System<double>;
-using Single = coupled_N10::single::System<double>;
 
 /// The largest difference, relative to the largest entry.
 template <class A, class B>
@@ -26,14 +25,15 @@ double difference(const A& a, const B& b) {
 }
 
 /// Sums over cells and rates of cells, and what is made of them.
-void same_outputs(const Looped& looped, const Single& single, const Looped::State& x, const Looped::Input& u, double t) {
-    Looped::Output y, y_single;
+template <class Looped, class Single>
+void same_outputs(const Looped& looped, const Single& single, const typename Looped::State& x, const typename Looped::Input& u, double t) {
+    typename Looped::Output y, y_single;
     looped.output(x, u, t, y);
     single.output(x, u, t, y_single);
-    Looped::OutputJacobianX C, C_single;
+    typename Looped::OutputJacobianX C, C_single;
     looped.output_jacobian_x(x, u, t, C);
     single.output_jacobian_x(x, u, t, C_single);
-    Looped::OutputJacobianU D, D_single;
+    typename Looped::OutputJacobianU D, D_single;
     looped.output_jacobian_u(x, u, t, D);
     single.output_jacobian_u(x, u, t, D_single);
     for (std::size_t i = 0; i < y.size(); ++i) {
@@ -46,9 +46,8 @@ void same_outputs(const Looped& looped, const Single& single, const Looped::Stat
     }
 }
 
-}  // namespace
-
-TEST_CASE("cells in loops and cells one by one are the same system") {
+template <class Looped, class Single>
+void same_system() {
     const Looped looped;
     const Single single;
     CHECK(difference(looped.start_state(), single.start_state()) < 1e-15);
@@ -59,11 +58,11 @@ TEST_CASE("cells in loops and cells one by one are the same system") {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> temperature(250, 600);
     for (int trial = 0; trial < 20; ++trial) {
-        Looped::State x;
+        typename Looped::State x;
         for (double& T : x) T = temperature(random);
-        const Looped::Input u{temperature(random)};
+        const typename Looped::Input u{temperature(random)};
         const double t = trial * 1000.0;
-        Looped::State a, b;
+        typename Looped::State a, b;
         looped.rhs(x, u, t, a);
         single.rhs(x, u, t, b);
         CHECK(difference(a, b) < 1e-13);
@@ -72,8 +71,8 @@ TEST_CASE("cells in loops and cells one by one are the same system") {
         const auto by_looped = dalembert::jacobian_p(looped, x, u, t);
         const auto by_single = dalembert::jacobian_p(single, x, u, t);
         for (Eigen::Index p = 0; p < by_single.cols(); ++p) CHECK(difference(by_looped.col(p).eval(), by_single.col(p).eval()) < 1e-12);
-        Looped::JacobianT by_time;
-        Single::JacobianT by_time_single;
+        typename Looped::JacobianT by_time;
+        typename Single::JacobianT by_time_single;
         looped.jacobian_t(x, u, t, by_time);
         single.jacobian_t(x, u, t, by_time_single);
         CHECK(difference(by_time, by_time_single) < 1e-13);
@@ -81,4 +80,14 @@ TEST_CASE("cells in loops and cells one by one are the same system") {
         CHECK(std::fabs(looped.exchanged_power(x, u, t) - single.exchanged_power(x, u, t)) < 1e-10);
         same_outputs(looped, single, x, u, t);
     }
+}
+
+}  // namespace
+
+TEST_CASE("a rod with its cells in loops is the one whose cells are written out") {
+    same_system<coupled_N10::looped::System<double>, coupled_N10::single::System<double>>();
+}
+
+TEST_CASE("a block with its cells in loops is the one whose cells are written out") {
+    same_system<plate_M2_N3::looped::System<double>, plate_M2_N3::single::System<double>>();
 }
