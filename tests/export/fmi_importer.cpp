@@ -162,8 +162,14 @@ int whole(const std::string& path, const std::string& runs, const std::string& l
     const RunWish wish{s.until, 50, 2e-11};
     const Trajectory run = run_exchange(*exchange, d, wish, [&](Instance& fmu) { s.prepare(fmu, 1e-10); });
     double by_exchange = 0, by_steps = 0, in_time = 0, jacobians = 0;
-    if (!run.failure.empty()) fail("model exchange at t = " + std::to_string(run.t.back()) + ": " + run.failure);
-    else {
+    // As a vehicle at rest whose wheels are driven: no step can be made.
+    const bool ends_at_start = fine.number("t", fine.rows - 1) == 0;
+    const auto is_made = [&](const Trajectory& one, const char* what) {
+        if (one.failure.empty()) return true;
+        if (!ends_at_start || one.t.back() != 0) fail(std::string(what) + " at t = " + std::to_string(one.t.back()) + ": " + one.failure);
+        return false;
+    };
+    if (is_made(run, "model exchange")) {
         compare_ends(s, run, fine, 1e-8, "model exchange");
         by_exchange = compare(s, run, fine, rough, 1e-8, 30, "model exchange");
         in_time = compare_changes(run, events);
@@ -175,8 +181,7 @@ int whole(const std::string& path, const std::string& runs, const std::string& l
     const auto steps = unit.instantiate(true);
     s.prepare(*steps, 1e-9);
     const Trajectory stepped = run_steps(*steps, d, wish);
-    if (!stepped.failure.empty()) fail("co-simulation at t = " + std::to_string(stepped.t.back()) + ": " + stepped.failure);
-    else {
+    if (is_made(stepped, "co-simulation")) {
         compare_ends(s, stepped, fine, 1e-6, "co-simulation");
         by_steps = compare(s, stepped, fine, rough, 1e-7, 300, "co-simulation");
     }

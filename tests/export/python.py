@@ -262,7 +262,8 @@ def check_sensitivities(plant, run):
     check(same(x, plant.x0) and S.shape == (len(x), len(names)) and S[-1, -1] == 1, "y0 of sensitivities() is not that of the plant")
     rng = np.random.default_rng(3)
     x = plant.state(run["x0"])
-    S = rng.uniform(-1, 1, S.shape) * (1e-3 + abs(x))[:, None]
+    sizes = np.array([abs(plant[name]) or 1.0 for name in names[:-1]] + [1.0])
+    S = rng.uniform(-1, 1, S.shape) * (1e-3 + abs(x))[:, None] / sizes
     rates = f.split(f(0.1, np.concatenate([x, S.T.ravel()])))[1]
     for k, name in enumerate(names):
         def rhs(step):
@@ -271,11 +272,13 @@ def check_sensitivities(plant, run):
                 other[name] = plant[name] + step
             return other.rhs(x + step * S[:, k], u, 0.1)
 
-        size = abs(plant[name]) or 1.0 if name != plant.states[-1].name else 1.0
-        h = 2e-5 * min(size, 1.0)
+        size = sizes[k]
+        h = 2e-5 * size
         expected = (8 * (rhs(h) - rhs(-h)) - (rhs(2 * h) - rhs(-2 * h))) / (12 * h)
-        scale = 1e-5 * (abs(expected).max() + abs(rhs(0)).max() / size) + 1e-9
-        if np.isfinite(expected).all() and abs(rhs(h) - 2 * rhs(0) + rhs(-h)).max() < 1e-4 * abs(rhs(h) - rhs(-h)).max():
+        scale = 1e-5 * (abs(expected).max() + abs(rhs(0)).max() / size) + 1e-9 / size
+        # A flow like a root has no derivative at equal pressures.
+        is_known = np.isfinite(expected).all() and np.isfinite(plant.jacobian_x(x, u, 0.1)).all()
+        if is_known and abs(rhs(h) - 2 * rhs(0) + rhs(-h)).max() < 1e-4 * abs(rhs(h) - rhs(-h)).max():
             check(np.max(abs(rates[:, k] - expected)) <= scale, f"dS/dt by {name} is {np.max(abs(rates[:, k] - expected)):.2g} off")
     if scipy is None or not plant.parameters or plant.modes or plant.guard_table or plant.constraints or len(x) > 12:
         return
