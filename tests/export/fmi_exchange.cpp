@@ -56,7 +56,7 @@ public:
         std::size_t next = 1, rejected_in_row = 0;
         while (next <= wish_.intervals) {
             const double goal = wish_.until * double(next) / double(wish_.intervals);
-            if (++result_.steps > (wish_.is_stiff ? 200000U : 30000U)) return fail("too many steps");
+            if (++result_.steps > (wish_.is_stiff ? 200000U : 100000U)) return fail("too many steps");
             const bool is_last = t_ + h * (1 + 1e-10) >= goal;
             const double used = is_last ? goal - t_ : h;
             Vector y;
