@@ -100,9 +100,10 @@ function make_plot(x, curves, events, room, on_zoom) {
                 'stroke-opacity': 0.4,
                 'stroke-dasharray': '2 4'
             }));
+        const places = x.values.map(across);
         curves.forEach((curve, c) => {
             if (!is_shown[c]) return;
-            const path = path_of(x.values.map(across), curve.values.map(scale.axes[axis_of[c]].up));
+            const path = path_of(places, curve.values.map(scale.axes[axis_of[c]].up));
             inside.append(
                 element('path', {d: path, fill: 'none', style: `stroke: ${colour(c)}`, 'stroke-width': 1.8, 'stroke-linejoin': 'round'}));
         });

@@ -58,13 +58,14 @@ std::vector<ex> CellField::expressions() const {
 std::vector<FieldPart> CellField::parts() const {
     std::vector<FieldPart> result;
     for (const FaceLaw& face : faces)
-        result.push_back(
-            {!is_block() ? "heat to the next" : face.offset < columns ? "heat to the right" : "heat upwards", face.cells, face.heat});
-    for (const SideLaw& side : sides) result.push_back({"heat through " + side.border, side.cells, side.heat});
+        if (!is_block()) result.push_back({"heat_to_next", "heat to the next", face.cells, face.heat});
+        else if (face.offset < columns) result.push_back({"heat_to_right", "heat to the right", face.cells, face.heat});
+        else result.push_back({"heat_upwards", "heat upwards", face.cells, face.heat});
+    for (const SideLaw& side : sides) result.push_back({"heat_through_side", "heat through " + side.border, side.cells, side.heat});
     for (const CellLaw& law : laws) {
-        result.push_back({"source", law.cells, law.source});
-        result.push_back({"capacity", law.cells, law.capacity});
-        result.push_back({"energy", law.cells, law.energy});
+        result.push_back({"source", "source", law.cells, law.source});
+        result.push_back({"capacity", "capacity", law.cells, law.capacity});
+        result.push_back({"energy", "energy", law.cells, law.energy});
     }
     return result;
 }
@@ -120,7 +121,7 @@ const Variable* variable_outside(const CellField& field, const Symbols& symbols,
     return nullptr;
 }
 
-void refuse_states(const CellField& field, const Symbols& symbols) {
+void refuse_variables_outside(const CellField& field, const Symbols& symbols) {
     for (const ex& e : field.expressions())
         if (const Variable* variable = variable_outside(field, symbols, e))
             throw Failure(Diagnostic{Id::not_allowed_here, field.body->span,

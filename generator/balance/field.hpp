@@ -54,6 +54,7 @@ struct BlockLetters {
 
 /// An equation of a field, for the reader.
 struct FieldPart {
+    std::string key;    ///< "heat_to_next"
     std::string what;   ///< "heat to the next"
     CellRange cells;
     GiNaC::ex value;
@@ -106,8 +107,7 @@ struct CellSum {
 CellField make_field(const Field& field, const Translator& translate, Symbols& symbols, std::variant<RodLetters, BlockLetters> place);
 /// What an expression of a cell depends on besides its own temperatures, place, parameters, inputs and time; null where on nothing.
 const Variable* variable_outside(const CellField& field, const Symbols& symbols, const GiNaC::ex& e);
-/// Throws Failure (not-allowed-here) where a law depends on the motion or on a state of the scene: df/dx would have columns that the loops
-/// do not fill.
-void refuse_states(const CellField& field, const Symbols& symbols);
+/// Throws Failure (not-allowed-here) where a law depends on such: df/dx would have columns that the loops do not fill.
+void refuse_variables_outside(const CellField& field, const Symbols& symbols);
 
 }  // namespace dalembert

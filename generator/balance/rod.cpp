@@ -111,7 +111,7 @@ private:
         store(generic, *rod_.heat_capacity, mass(place), translate_, symbols_, {});
         f.laws.push_back({f.all(), source(here, place), generic.capacity, generic.stored_energy});
         f.tapped.assign(cells_.begin(), cells_.end());
-        refuse_states(f, symbols_);
+        refuse_variables_outside(f, symbols_);
         return f;
     }
 

@@ -78,7 +78,8 @@ void tables(const PlantFields& fields, Texts& texts) {
         const PlantQuantity& q = field.states;
         longest = std::max(longest, q.name.size() + std::to_string(static_cast<std::size_t>(field.first_number) + field.cells).size() + 3);
         lists += fmt::format("{}Cells{{{}, {}, {}}}", lists.empty() ? "" : ", ", field.first, field.cells, field.columns);
-        names += fmt::format("inline constexpr CellNames<{}> {}_names({}, {});\n", field.cells, q.name, cpp_string(q.name), field.first_number);
+        names += fmt::format("inline constexpr CellNames<{}> {}_names({}, {});\n", field.cells, q.name, cpp_string(q.name),
+                             field.first_number);
         quantities += fmt::format("    for (std::size_t k = 0; k < {}; ++k) table[{}] = Quantity{{{}_names.names[k].data(), {}, {}{}}};\n",
                                   field.cells, field.first == 0 ? "k" : fmt::format("{} + k", field.first), q.name, cpp_string(q.unit),
                                   cpp_string(q.doc), range_text(field));

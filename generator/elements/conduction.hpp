@@ -219,7 +219,8 @@ void describe(Visitor& v, E& block) {
     v.table("top", block.top, {.words = "side", .noun = "side", .doc = "the same at the top"});
     v("loops", block.loops, {
         .doc = "true: loops compute the cells, so that the code does not grow with their number; if left out, true above 40 "
-               "cells without a side that is a node or radiates, which loops do not compute"});
+               "cells. Loops compute no sides that are nodes or radiate, and no surroundings that depend on states or the motion; "
+               "such blocks are written out"});
     v.item({});
 }
 

@@ -218,7 +218,8 @@ std::string equations_as_text(const System& s) {
     }
     const bool has_energy = s.scene.sampling == nullptr;
     if (has_energy) text += "\nenergies and powers\n";
-    for (const auto& [name, value] : has_energy ? scalars(s) : decltype(scalars(s)){}) text += fmt::format("  {} = {}\n", name, write(value));
+    for (const auto& [name, value] : has_energy ? scalars(s) : decltype(scalars(s)){})
+        text += fmt::format("  {} = {}\n", name, write(value));
     const auto of_cells = [&](const char* name, GiNaC::ex CellLaw::* what) {
         std::string sums;
         for (const CellField& f : s.heat.fields)
@@ -312,8 +313,7 @@ nlohmann::ordered_json equations_as_json(const System& s) {
     for (const CellField& f : s.heat.fields) {
         nlohmann::ordered_json field{{"name", f.body->name}, {"cells", f.cells}};
         if (!f.is_block()) {
-            for (const FieldPart& part : f.parts())
-                field[part.what == "heat to the next" ? "heat_to_next" : part.what] = write(part.value);
+            for (const FieldPart& part : f.parts()) field[part.key] = write(part.value);
             json["rods"].push_back(std::move(field));
             continue;
         }

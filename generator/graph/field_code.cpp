@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 #include "graph/lower.hpp"
 #include "graph/raise.hpp"
@@ -153,26 +153,23 @@ bool FieldCode::depends_on_grid(std::uint32_t cached) const {
 
 /// With what the loops do themselves: heat added on both sides of a face, the source, and the division by the capacity.
 OperationCount FieldCode::per_cell(const FieldFunctions& functions) const {
-    const auto largest = [](const auto& laws) {
-        return static_cast<std::size_t>(
-            std::max_element(laws.begin(), laws.end(), [](const auto& a, const auto& b) { return a.cells.count() < b.cells.count(); }) -
-            laws.begin());
-    };
     const CellField& field = *functions.field;
-    const std::size_t most = largest(field.laws);
+    const auto operations = [](const FunctionCode& f) { return f.program.count(f.results); };
     OperationCount count;
-    int faces = 0;
-    for (const std::size_t offset : std::set<std::size_t>{1, field.columns}) {
-        std::vector<FaceLaw> along = field.faces;
-        for (FaceLaw& face : along)
-            if (face.offset != offset) face.cells.rows = 0;
-        const std::size_t face = largest(along);
-        if (along[face].cells.count() == 0) continue;
-        ++faces;
-        count += functions.faces[face].heat.program.count(functions.faces[face].heat.results);
+    std::map<std::size_t, std::size_t> largest;  // by offset, that of most cells
+    for (std::size_t i = 0; i < field.faces.size(); ++i) {
+        const auto [other, is_new] = largest.emplace(field.faces[i].offset, i);
+        if (field.faces[i].cells.count() > field.faces[other->second].cells.count()) other->second = i;
     }
-    count += functions.cells[most].rate.program.count(functions.cells[most].rate.results);
-    count += OperationCount{.additions = 2 * faces + (field.laws[most].source.is_zero() ? 0 : 1), .multiplications = 1};
+    for (const auto& [offset, face] : largest) {
+        count += operations(functions.faces[face].heat);
+        count += OperationCount{.additions = 2};
+    }
+    std::size_t law = 0;
+    for (std::size_t i = 1; i < field.laws.size(); ++i)
+        if (field.laws[i].cells.count() > field.laws[law].cells.count()) law = i;
+    count += operations(functions.cells[law].rate);
+    count += OperationCount{.additions = field.laws[law].source.is_zero() ? 0 : 1, .multiplications = 1};
     return count;
 }
 

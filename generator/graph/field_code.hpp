@@ -8,7 +8,7 @@
 
 namespace dalembert {
 
-/// Derivatives by one input, the time or a parameter; of what does not depend on it there are no results.
+/// Derivatives by one input, the time or a parameter. A function has no results where its law does not depend on it.
 struct FieldColumn {
     By by;
     std::size_t column;

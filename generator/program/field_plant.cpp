@@ -95,7 +95,7 @@ private:
             const CellField& f = field(r);
             fields_.equations.push_back(fmt::format("{} {}: {}, with", f.is_block() ? "Block" : "Rod", f.body->name, f.balance()));
             for (const FieldPart& part : f.parts())
-                if (part.what != "energy") fields_.equations.push_back(fmt::format("  {} = {}", f.title(part), write(part.value)));
+                if (part.key != "energy") fields_.equations.push_back(fmt::format("  {} = {}", f.title(part), write(part.value)));
             fields_.equations.push_back(f.is_block() ? "  column, row: numbers of the cell, from 0." :
                                                        "  left, here, right, beyond: numbers of points or faces on the grid.");
         }

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include "program/field_bodies.hpp"
+#include "program/field_values.hpp"
 
 namespace dalembert {
 
+using namespace field_values;
+
 namespace {
 
-Value sum_entry(const char* array, Value index) { return Value::element(Value::name(array), std::move(index)); }
 Value of_column(const Value& column, std::size_t output) { return Value::sum({column, Value::whole(output)}); }
 
 }  // namespace
@@ -19,7 +21,7 @@ Statements FieldBodies::sums() {
     Statements statements;
     for (std::size_t i = 0; i < code_.sums.size(); ++i)
         statements.push_back(over(system_.cell_sums[i].field, system_.cell_sums[i].cells, code_.sums[i].term, [&](Results v) {
-            return Statements{Assignment{sum_entry("sums", Value::whole(i)), v[0], Assignment::Operation::add}};
+            return Statements{Assignment{entry("sums", Value::whole(i)), v[0], Assignment::Operation::add}};
         }));
     return statements;
 }
@@ -33,7 +35,7 @@ Statements FieldBodies::added_slope(std::size_t i, const FunctionCode& f, const 
         for (std::size_t o = 0; o < outputs.outputs.size(); ++o) {
             if (outputs.by_sum.is_zero(outputs.by_sum.results[i * outputs.outputs.size() + o])) continue;
             const Value more = Value::product({of_matrix("by_sums", i, outputs.outputs[o]), Value::name("slope")});
-            added.push_back(Assignment{sum_entry(array, of_column(column, outputs.outputs[o])), more, Assignment::Operation::add});
+            added.push_back(Assignment{entry(array, of_column(column, outputs.outputs[o])), more, Assignment::Operation::add});
         }
         return added;
     })};
@@ -67,18 +69,18 @@ Statements FieldBodies::of_outputs(const FunctionCode& f, const std::function<Va
     });
     Statements named;
     for (std::size_t i = 0; i < code_.sums.size(); ++i)
-        if (mentions(statements, sum_name(i))) named.push_back(Declaration{{}, {sum_name(i)}, sum_entry("sums", Value::whole(i))});
+        if (mentions(statements, sum_name(i))) named.push_back(Declaration{{}, {sum_name(i)}, entry("sums", Value::whole(i))});
     append(named, std::move(statements));
     return named;
 }
 
 /// The entry of a matrix with a row for each output.
 Value FieldBodies::of_matrix(const char* array, std::size_t column, std::size_t output) const {
-    return sum_entry(array, Value::whole(system_.outputs.size() * column + output));
+    return entry(array, Value::whole(system_.outputs.size() * column + output));
 }
 
 Statements FieldBodies::output_values() {
-    return of_outputs(code_.outputs.values, [](std::size_t, std::size_t output) { return sum_entry("y", Value::whole(output)); });
+    return of_outputs(code_.outputs.values, [](std::size_t, std::size_t output) { return entry("y", Value::whole(output)); });
 }
 
 Statements FieldBodies::output_by_state() {

@@ -32,10 +32,11 @@ public:
         begin("Rates of states");
         for (std::size_t i = 0; i < system_.state_rates.size(); ++i)
             add(fmt::format("{} = {}", rate_of_state(system_, i), write_(system_.named.state_rates[i])));
+        for (const CellField& field : system_.heat.fields) cells(field);
         begin("Energies");
         energy("kinetic_energy", system_.kinetic_energy);
         energy("potential_energy", system_.potential_energy);
-        energy("internal_energy", system_.named.internal_energy);
+        energy("internal_energy", system_.named.internal_energy, system_.heat.fields.empty() ? "" : "without cells in loops");
         begin("Events: where this falls through zero");
         for (const EventEquation& event : system_.events)
             if (event.is_watched) add(write_(event.guard), event.name);
@@ -45,7 +46,7 @@ public:
     }
 
 private:
-    void begin(const char* title) { title_ = title; }
+    void begin(std::string title) { title_ = std::move(title); }
 
     void definitions() {
         begin("With");
@@ -54,8 +55,14 @@ private:
             add(definitions[i].name + " = " + write_(system_.symbols.definition_values()[i]));
     }
 
-    void energy(const char* name, const GiNaC::ex& value) {
-        if (!value.is_zero()) add(std::string(name) + " = " + write_(value));
+    /// What a loop adds to the rates of the cells.
+    void cells(const CellField& field) {
+        begin(fmt::format("{} cells of {} in a loop: this is added to the rates above", field.cells, field.written()));
+        for (const FieldPart& part : field.parts()) add(part.key + " = " + write_(part.value), field.title(part));
+    }
+
+    void energy(const char* name, const GiNaC::ex& value, const char* label = "") {
+        if (!value.is_zero()) add(std::string(name) + " = " + write_(value), label);
     }
 
     void add(const std::string& equation, const std::string& name = "") {

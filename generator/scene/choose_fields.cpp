@@ -10,6 +10,7 @@
 #include "elements/conduction.hpp"
 #include "elements/heat.hpp"
 #include "elements/model.hpp"
+#include "elements/sites.hpp"
 
 namespace dalembert {
 
@@ -28,6 +29,15 @@ bool mentions(const Expression& e, const std::string& name) {
 bool is_cell(const Expression& e, const std::string& index) {
     return e.kind == Expression::Kind::name && e.children.size() == 1 && e.children[0]->kind == Expression::Kind::name &&
            e.children[0]->name == index;
+}
+
+/// Loops compute no sides that are nodes or radiate, and nothing that depends on more than the cells themselves.
+bool may_loop(const Block& block, const Names& names) {
+    for (const auto* side : {&block.left, &block.right, &block.bottom, &block.top})
+        if (*side && ((*side)->node || (*side)->emissivity)) return false;
+    unsigned depends = 0;
+    visit(block, [&](const Site& site) { depends |= dependence(*site.expression, names); });
+    return (depends & ~(on_parameters | on_time | on_inputs)) == 0;
 }
 
 }  // namespace
@@ -57,13 +67,9 @@ void FieldChoice::find_all(const Names& names) {
     };
     for (const auto& member : scene_.rods) add(*member.item, true, std::numeric_limits<int>::max());
     for (const auto& member : scene_.blocks) {
-        const Block& block = *member.item;
-        bool may_loop = true;
-        for (const auto* side : {&block.left, &block.right, &block.bottom, &block.top})
-            if (*side) may_loop = may_loop && !(*side)->node && !(*side)->emissivity;
         long long columns = 0;
-        for (const BlockPiece& piece : block.columns) columns += index_value(*piece.cells, scene_, {});
-        add(block, may_loop, columns);
+        for (const BlockPiece& piece : member.item->columns) columns += index_value(*piece.cells, scene_, {});
+        add(*member.item, may_loop(*member.item, names), columns);
     }
 }
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "dalembert/linear/jacobian_pattern.hpp"
+#include "dalembert/linear/run_matrix.hpp"
 
 using dalembert::detail::BandLu;
 using dalembert::detail::bandwidth;
@@ -201,4 +201,74 @@ TEST_CASE("the band of a pattern, and the matrix that suits it") {
     static_assert(std::is_same_v<SquareMatrix<double, Full, 20>::type, DenseLu<double, 20>>);  // too long without loops
     static_assert(SquareMatrix<double, Full, 512>::fits && !SquareMatrix<double, Full, 513>::fits);
     CHECK(bandwidth<Corner>(8).height() == 10);
+}
+
+namespace {
+
+constexpr std::size_t side = 64, cells = side * side;
+
+/// Of a cell of a square: those beside it, and itself.
+template <class Take>
+constexpr void for_each_neighbour(std::size_t cell, Take take) {
+    if (cell >= side) take(cell - side);
+    if (cell % side > 0) take(cell - 1);
+    take(cell);
+    if ((cell + 1) % side > 0) take(cell + 1);
+    if (cell + side < cells) take(cell + side);
+}
+
+/// As a plant would have them.
+struct Square {
+    static constexpr std::size_t n = cells;
+    static std::size_t of_run() { return n; }
+    static constexpr bool is_sparse = true;
+    static constexpr std::size_t entries = 5 * n - 4 * side;
+    static constexpr auto column_starts = [] {
+        std::array<std::size_t, n + 1> starts{};
+        for (std::size_t c = 0; c < n; ++c) {
+            starts[c + 1] = starts[c];
+            for_each_neighbour(c, [&](std::size_t) { ++starts[c + 1]; });
+        }
+        return starts;
+    }();
+    static constexpr auto row_indices = [] {
+        std::array<std::size_t, entries> rows{};
+        std::size_t next = 0;
+        for (std::size_t c = 0; c < n; ++c) for_each_neighbour(c, [&](std::size_t row) { rows[next++] = row; });
+        return rows;
+    }();
+};
+
+}  // namespace
+
+TEST_CASE("large patterns with few entries are eliminated as such, and the same matrices are refused") {
+    using dalembert::detail::is_worth_sparse;
+    using Vector = dalembert::detail::RunArray<Square, double>;
+    CHECK(is_worth_sparse<Square>(Square::n));
+    CHECK(!is_worth_sparse<Tridiagonal>(8));
+    CHECK(dalembert::detail::MatrixOf<Vector, Square>::fits());
+    Numbers number;
+    dalembert::detail::RunMatrix<Vector, Square> matrix;
+    for (const bool has_corner : {false, true, false}) {  // an entry outside of the pattern, which comes and goes
+        Vector x, b;
+        for (double& entry : x) entry = number();
+        matrix.clear();
+        const auto add = [&](std::size_t row, std::size_t column, double value) {
+            matrix.add(row, column, value);
+            b[row] += value * x[column];
+        };
+        for (std::size_t c = 0; c < Square::n; ++c)
+            for_each_neighbour(c, [&](std::size_t row) { add(row, c, row == c ? 5 + number() : number()); });
+        if (has_corner) add(0, Square::n - 1, 2);
+        REQUIRE(matrix.factor());
+        matrix.solve(b);
+        double apart = 0;
+        for (std::size_t i = 0; i < x.size(); ++i) apart = std::max(apart, std::fabs(b[i] - x[i]));
+        CHECK(apart < 1e-13);
+    }
+    for (const double entry : {0.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        matrix.clear();
+        for (std::size_t c = 0; c < Square::n; ++c) matrix.add(c, c, c == 7 ? entry : 1);
+        CHECK(!matrix.factor());
+    }
 }

@@ -32,7 +32,8 @@ bool is_passive_network(const std::string& text) { return !machine_from(text).au
 }  // namespace
 
 TEST_CASE("a node that stores nothing has its temperature from its balance") {
-    const Machine machine = machine_from(plate_and_room + "[links]\na = { from = \"plate\", to = \"lid\", resistance = \"R\" }\nb = { from = \"lid\", to = \"air\", resistance = \"2*R\" }\n");
+    const Machine machine = machine_from(plate_and_room + "[links]\na = { from = \"plate\", to = \"lid\", resistance = \"R\" }\n"
+            "b = { from = \"lid\", to = \"air\", resistance = \"2*R\" }\n");
     const System& system = *machine.system;
     CHECK(all_proven(system));
     const ex T = system.symbols.get(SymbolKind::state, 0);
@@ -68,14 +69,17 @@ TEST_CASE("heat along links into and out of volumes is counted once") {
         "T_0 = { value = 300, unit = \"K\", range = [200, 400] }\nV = { value = 1, unit = \"l\", range = [0.01, 100] }\n"
         "C = { value = 500, unit = \"J/K\", range = [1, 1e4] }\nR = { value = 2, unit = \"K/W\", range = [0.01, 100] }\n"
         "[states]\np = { unit = \"bar\", start = 50, range = [1, 400] }\nT_w = { unit = \"K\", start = 350, range = [250, 500] }\nSTATE\n"
-        "[media.oil]\nlaw = \"liquid\"\ndensity = \"rho_0\"\nbulk_modulus = \"beta\"\nexpansion = \"1/(1000*T_0)\"\nisochoric_heat = \"c_v\"\n"
+        "[media.oil]\nlaw = \"liquid\"\ndensity = \"rho_0\"\nbulk_modulus = \"beta\"\nexpansion = \"1/(1000*T_0)\"\n"
+                "isochoric_heat = \"c_v\"\n"
         "reference_pressure = \"p_0\"\nreference_temperature = \"T_0\"\n"
         "[reservoirs.ambient]\nmedium = \"oil\"\npressure = \"p_0\"\n"
         "[volumes.vessel]\nmedium = \"oil\"\nvolume = \"V\"\npressure = \"p\"\nTEMPERATURE\n"
         "[nodes]\nwall = { temperature = \"T_w\", capacity = \"C\" }\nair = { temperature = \"T_0\" }\n"
-        "[links]\nin = { from = \"wall\", to = \"vessel\", resistance = \"R\" }\nout = { from = \"wall\", to = \"air\", resistance = \"3*R\" }\n"
+        "[links]\nin = { from = \"wall\", to = \"vessel\", resistance = \"R\" }\n"
+                "out = { from = \"wall\", to = \"air\", resistance = \"3*R\" }\n"
         "side = { from = \"vessel\", to = \"ambient\", resistance = \"5*R\" }\n";
-    for (const auto& [state, temperature] : {std::pair("T = { unit = \"K\", start = 300, range = [250, 500] }", "temperature = \"T\""), std::pair("", "isothermal = \"T_0\"")}) {
+    for (const auto& [state, temperature] : {std::pair("T = { unit = \"K\", start = 300, range = [250, 500] }",
+            "temperature = \"T\""), std::pair("", "isothermal = \"T_0\"")}) {
         std::string text = oil;
         text.replace(text.find("STATE"), 5, state);
         text.replace(text.find("TEMPERATURE"), 11, temperature);
@@ -85,7 +89,8 @@ TEST_CASE("heat along links into and out of volumes is counted once") {
 }
 
 TEST_CASE("no sign of a network can be wrong unseen") {
-    for (const auto& [name, scene] : {std::pair("heat/voltage_regulator", "cooled"), std::pair("heat/fin", "convective"), std::pair("heat/friction_heat", "")}) {
+    for (const auto& [name, scene] : {std::pair("heat/voltage_regulator", "cooled"), std::pair("heat/fin", "convective"),
+            std::pair("heat/friction_heat", "")}) {
         CAPTURE(name);
         Machine machine = machine_of(name, scene);
         System& system = *machine.system;
@@ -99,11 +104,13 @@ TEST_CASE("no sign of a network can be wrong unseen") {
 }
 
 TEST_CASE("passive networks are known by the signs of their parts") {
-    const std::string linear = plate_and_room + "[links]\na = { from = \"plate\", to = \"lid\", resistance = \"R\" }\nb = { from = \"lid\", to = \"air\", resistance = \"2*R\" }\n";
+    const std::string linear = plate_and_room + "[links]\na = { from = \"plate\", to = \"lid\", resistance = \"R\" }\n"
+            "b = { from = \"lid\", to = \"air\", resistance = \"2*R\" }\n";
     CHECK(is_passive_network(linear));
     CHECK_FALSE(machine_of("heat/fin", "convective", {{"N", 200}}).audit.eigenvalues.empty());
     // Radiation is not linear; heat that grows with the temperature is not passive.
-    CHECK_FALSE(is_passive_network(linear + "c = { from = \"plate\", to = \"air\", law = \"radiation\", emissivity = \"eps\", area = \"A\" }\n"));
+    CHECK_FALSE(is_passive_network(linear + "c = { from = \"plate\", to = \"air\", law = \"radiation\", emissivity = \"eps\", "
+            "area = \"A\" }\n"));
     std::string heated = linear;
     heated.replace(heated.find("heat = \"P\""), 10, "heat = \"P*T/T_0\"");
     CHECK_FALSE(is_passive_network(heated));
