@@ -99,6 +99,7 @@ private:
         add("bias", "b");
         add("generalised_force", "Q");
         add("guards", "g");
+        if (core_.time_switches > 0) add("time_switches", "s");
         for (const char* number : {"kinetic_energy", "potential_energy", "supplied_power", "dissipated_power", "prescribed_power"})
             add(number, "");
         return text;

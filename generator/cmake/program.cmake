@@ -154,6 +154,9 @@ foreach(part dalembert_light dalembert_core)
   target_precompile_headers(${part} PRIVATE <ginac/ginac.h> <fmt/format.h>)
 endforeach()
 target_compile_options(dalembert_light PRIVATE -O1)
+# Plants that run by themselves carry C headers, of which the program uses some.
+configure_file(runtime/dalembert/plant.h ${CMAKE_CURRENT_BINARY_DIR}/exported/dalembert_plant.h COPYONLY)
+target_include_directories(dalembert_core SYSTEM PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/exported runtime/export)
 # Up to ten files of a layer at once: a quarter of the time. With -DDALEMBERT_TOGETHER=OFF each on its own, for work on a few of them.
 option(DALEMBERT_TOGETHER "Compile many files at once" ON)
 set_target_properties(dalembert_light dalembert_core PROPERTIES UNITY_BUILD ${DALEMBERT_TOGETHER} UNITY_BUILD_MODE GROUP)

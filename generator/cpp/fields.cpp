@@ -97,13 +97,18 @@ void tables(const PlantFields& fields, Texts& texts) {
 
 }  // namespace
 
-std::string cpp_fields(const PlantFields& fields, const std::string& name_space) {
+std::string cpp_fields(const PlantFields& fields, const Plant& core, const std::string& name_space) {
     Texts texts;
     tables(fields, texts);
     functions(fields, texts);
     sums(fields, texts);
     for (const std::string& line : fields.equations) texts["FIELD_EQUATIONS"] += cpp_comment(line, 0);
     texts["CACHED"] = cached_members(fields);
+    texts["TIME_SWITCHES"] =
+        core.time_switches == 0 ? ""
+                                : "    using TimeSwitches = typename Core::TimeSwitches;\n"
+                                  "    void time_switches(const State& x, const Input& u, Scalar t, TimeSwitches& s) const noexcept { "
+                                  "core_.time_switches(core_state(x), u, t, s); }\n";
     texts["HELPERS"] = fields.helpers.empty() ? "" : helper_source(fields.helpers) + "\n" + cpp_curves(fields.curves);
     texts["NAMESPACE"] = name_space;
     return fill_template(embedded_file("fields.hpp.in"), texts);

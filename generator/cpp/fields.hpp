@@ -7,6 +7,6 @@
 namespace dalembert {
 
 /// The part of a header in its namespace; that of the core stands before it, in name_space::core.
-std::string cpp_fields(const PlantFields& fields, const std::string& name_space);
+std::string cpp_fields(const PlantFields& fields, const Plant& core, const std::string& name_space);
 
 }  // namespace dalembert

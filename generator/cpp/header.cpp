@@ -44,6 +44,7 @@ std::string functions(const Plant& plant) {
             const std::size_t size = plant.states.size() + plant.inputs.size();
             text += fmt::format("\n    using Hessian = std::array<Scalar, {}>;  ///< {} x {}\n", size * size, size, size);
         }
+        if (f.name == "time_switches") text += fmt::format("\n    using TimeSwitches = std::array<Scalar, {}>;\n", 2 * plant.time_switches);
         if (f.name == "output_jacobian_p") text += "\n    using OutputJacobianP = std::array<Scalar, output_count * parameter_count>;\n";
         if (f.name == "output_jacobian_t") text += "\n    using OutputJacobianT = std::array<Scalar, output_count>;\n";
         text += "\n" + function_text(f);

@@ -33,7 +33,7 @@ std::string file_in_cpp(const Plant& plant, const PlantFields* fields, const Sce
     std::string guard = prefix_of(scene) + "_hpp";
     for (char& c : guard) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     const std::string content =
-        fields == nullptr ? cpp_plant(plant, name_space) : cpp_plant(plant, name_space + "::core") + "\n" + cpp_fields(*fields, name_space);
+        fields == nullptr ? cpp_plant(plant, name_space) : cpp_plant(plant, name_space + "::core") + "\n" + cpp_fields(*fields, plant, name_space);
     return fill_template(embedded_file("header.hpp.in"), {{"BANNER", banner}, {"GUARD", guard}, {"CONTENT", compiler_check() + content}});
 }
 

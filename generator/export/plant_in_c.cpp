@@ -41,6 +41,7 @@ constexpr Row rows[]{
     {"exchanged_power", "exchanged_power", true, nullptr},
 };
 constexpr Row guards{"guard_values", "guards", true, "g"};
+constexpr Row time_switches{"time_switch_values", "time_switches", true, "s", true};
 constexpr Row mode_rows[]{{"guard_rates", "guard_rates", true, "rates"}, {"kink_values", "kinks", true, "k"}};
 constexpr Row constraint_rows[]{
     {"constraint_positions", "constraint_positions", false, "f"},
@@ -86,6 +87,8 @@ public:
         jacobian("pattern_u", "jacobian_u", "jacobian_u", "", plant_.by_input);
         jacobian("pattern_p", "jacobian_p", "jacobian_p", "", plant_.by_parameter);
         add(guards);
+        add(time_switches);
+        if (plant_.time_switches > 0) member("time_switches", plant_.time_switches);
         if (plant_.modes) modes(*plant_.modes);
         else guard_table();
         if (plant_.constraints) constraints(*plant_.constraints);

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
+#include "form/expression_writer.hpp"
 #include "symbolic/switches.hpp"
 
 namespace dalembert {
@@ -107,12 +109,11 @@ bool is_of_time_alone(const ex& e, const ex& time, const GiNaC::exset& letters) 
     return true;
 }
 
-/// The functions whose changes of sign are kinks.
-std::vector<ex> functions_of_time(const System& system, const std::vector<ex>& inputs, const Values& values, const GiNaC::exset& letters) {
+/// The functions whose changes of sign are kinks, where inputs and parameters have these values.
+std::vector<ex> functions_of_time(const System& system, const std::vector<ex>& inputs, const GiNaC::exmap& parameters,
+                                  const GiNaC::exset& letters) {
     const Symbols& symbols = system.symbols;
-    GiNaC::exmap parameters, given;
-    for (std::size_t i = 0; i < symbols.count(SymbolKind::parameter); ++i)
-        parameters[symbols.get(SymbolKind::parameter, i)] = values.parameter(i);
+    GiNaC::exmap given;
     for (std::size_t i = 0; i < inputs.size(); ++i) given[symbols.get(SymbolKind::input, i)] = inputs[i];
     std::vector<ex> functions;
     const auto add = [&](const ex& e) {
@@ -135,6 +136,13 @@ std::vector<ex> functions_of_time(const System& system, const std::vector<ex>& i
     for (const EventEquation& event : system.events)
         if (event.is_watched) add_switches(symbols.without_definitions(event.guard).subs(given, GiNaC::subs_options::no_pattern));
     return functions;
+}
+
+std::vector<ex> functions_of_time(const System& system, const std::vector<ex>& inputs, const Values& values, const GiNaC::exset& letters) {
+    GiNaC::exmap parameters;
+    for (std::size_t i = 0; i < system.symbols.count(SymbolKind::parameter); ++i)
+        parameters[system.symbols.get(SymbolKind::parameter, i)] = values.parameter(i);
+    return functions_of_time(system, inputs, parameters, letters);
 }
 
 }  // namespace
@@ -163,6 +171,40 @@ std::vector<double> input_kinks(const System& system, const std::vector<ex>& inp
         if (kink > 0 && (result.empty() || kink - result.back() > 4 * std::numeric_limits<double>::epsilon() * kink))
             result.push_back(kink);
     return result;
+}
+
+void find_time_switches(const std::vector<std::unique_ptr<System>>& modes) {
+    // What stands inside another has fewer switches inside. The text gives the rest an order that does not depend on the run.
+    std::map<std::pair<std::size_t, std::string>, ex> found;
+    const Symbols& first = modes.front()->symbols;
+    const ExpressionWriter write(first);
+    for (const auto& system : modes) {
+        GiNaC::exset letters;
+        GiNaC::exmap to_first;
+        std::vector<ex> inputs;
+        for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::input})
+            for (std::size_t i = 0; i < first.count(kind); ++i) {
+                const ex letter = system->symbols.get(kind, i);
+                letters.insert(letter);
+                to_first[letter] = first.get(kind, i);
+                if (kind == SymbolKind::input) inputs.push_back(letter);
+            }
+        to_first[system->symbols.time()] = first.time();
+        for (const ex& function : functions_of_time(*system, inputs, GiNaC::exmap(), letters)) {
+            const ex same = function.subs(to_first, GiNaC::subs_options::no_pattern);
+            found.emplace(std::pair(switches_in(same).size(), write(same)), same);
+        }
+    }
+    for (const auto& system : modes) {
+        GiNaC::exmap to_own;
+        for (const SymbolKind kind : {SymbolKind::parameter, SymbolKind::input})
+            for (std::size_t i = 0; i < first.count(kind); ++i) to_own[first.get(kind, i)] = system->symbols.get(kind, i);
+        to_own[first.time()] = system->symbols.time();
+        for (const auto& [key, function] : found) {
+            const ex own = function.subs(to_own, GiNaC::subs_options::no_pattern);
+            system->time_switches.push_back({own, waving_rates(own, system->symbols.time())});
+        }
+    }
 }
 
 }  // namespace dalembert

@@ -2,6 +2,8 @@
 // Times at which the right-hand side of a run is known to have kinks and jumps.
 #pragma once
 
+#include <memory>
+
 #include "form/system.hpp"
 
 namespace dalembert {
@@ -12,16 +14,14 @@ namespace dalembert {
 /// one may be missed. Throws Failure (too-large).
 std::vector<double> input_kinks(const System& system, const std::vector<GiNaC::ex>& inputs, const Values& values, double until);
 
-/// A function of time, and letters that stand for numbers, whose changes of sign are kinks or jumps.
-struct SwitchInTime {
-    GiNaC::ex function;
-    std::vector<GiNaC::ex> rates;  ///< of what its sines and cosines are of, at t = 0
-};
 /// Those of a run; what stands inside another comes first.
 std::vector<SwitchInTime> switches_in_time(const System& system, const std::vector<GiNaC::ex>& inputs, const Values& values,
                                            const GiNaC::exset& letters);
 
 /// Whether these times may change with letters that stand in `inputs` and `values` in the place of numbers.
 bool kinks_move(const System& system, const std::vector<GiNaC::ex>& inputs, const Values& values, const GiNaC::exset& letters);
+
+/// Finds those that hold for all runs of a machine, in all its modes, for any parameters and held inputs.
+void find_time_switches(const std::vector<std::unique_ptr<System>>& modes);
 
 }  // namespace dalembert

@@ -8,8 +8,9 @@
 #include <optional>
 #include <set>
 
-#include "text/diagnostic.hpp"
+#include "form/input_kinks.hpp"
 #include "text/budgets.hpp"
+#include "text/diagnostic.hpp"
 
 namespace dalembert {
 
@@ -68,9 +69,7 @@ void tell_once(const Systems& modes) {
         std::erase_if(system->warnings, [&](const Diagnostic& d) { return !told.insert({d.span.begin, d.message}).second; });
 }
 
-}  // namespace
-
-std::vector<std::unique_ptr<System>> derive_modes(const Names& names, const Scene& scene) {
+Systems modes_of(const Names& names, const Scene& scene) {
     Systems modes;
     if (scene.modes.empty()) {
         modes.push_back(derive(names, scene));
@@ -102,6 +101,14 @@ std::vector<std::unique_ptr<System>> derive_modes(const Names& names, const Scen
     }
     tell_once(modes);
     align_limits(modes);
+    return modes;
+}
+
+}  // namespace
+
+std::vector<std::unique_ptr<System>> derive_modes(const Names& names, const Scene& scene) {
+    Systems modes = modes_of(names, scene);
+    if (scene.sampling == nullptr) find_time_switches(modes);
     return modes;
 }
 

@@ -133,6 +133,12 @@ struct EventEquation {
     std::vector<Condition> next() const;
 };
 
+/// A function of time, and letters that stand for numbers, whose changes of sign are kinks or jumps.
+struct SwitchInTime {
+    GiNaC::ex function;
+    std::vector<GiNaC::ex> rates;  ///< of what its sines and cosines are of, at t = 0
+};
+
 /// Lives at one place, because its parts refer to each other.
 struct System {
     System(const Names& names, Scene chosen);
@@ -188,6 +194,8 @@ struct System {
     /// Where the model ends and where its right-hand side has edges: of fluids, and behind them of functions with kinks and jumps in the
     /// equations.
     std::vector<Guard> guards;
+    /// Of time, parameters and inputs alone; what stands inside another comes first. The same in all modes.
+    std::vector<SwitchInTime> time_switches;
 
     NamedBalances named;
     std::vector<OutputEquation> outputs;

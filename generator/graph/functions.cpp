@@ -5,6 +5,7 @@
 #include <array>
 
 #include "graph/derived_values.hpp"
+#include "symbolic/functions.hpp"
 
 namespace dalembert {
 
@@ -53,6 +54,25 @@ std::vector<ex> shown_outputs(const System& s) {
 }
 
 std::vector<ex> shown_internal_energy(const System& s) { return {s.named.internal_energy}; }
+
+/// The functions, and behind them how fast they wave.
+std::vector<ex> time_switch_values(const System& s) {
+    std::vector<ex> values;
+    for (const SwitchInTime& one : s.time_switches) values.push_back(one.function);
+    for (const SwitchInTime& one : s.time_switches) {
+        ex all = 0;
+        for (const ex& rate : one.rates) all += magnitude(rate);
+        values.push_back(all);
+    }
+    return values;
+}
+
+std::vector<std::string> time_switch_names(const System& s) {
+    std::vector<std::string> names;
+    for (const char* what : {"function", "rate"})
+        for (std::size_t i = 0; i < s.time_switches.size(); ++i) names.push_back(what + std::string(" ") + std::to_string(i + 1));
+    return names;
+}
 
 constexpr auto output_names = names_of_each<&System::outputs, &OutputEquation::name>;
 constexpr auto event_names = names_of_each<&System::events, &EventEquation::name>;
@@ -168,6 +188,14 @@ std::span<const HeaderFunction> header_functions() {
                        .type = "Guards", .array = "g", .values = values_of_each<&System::guards, &Guard::value>,
                        .names = names_of_each<&System::guards, &Guard::doc>},
 
+        HeaderFunction{.function = Function::time_switches, .name = "time_switches", .kind = Kind::values, .in = In::timed,
+                       .parts = if_cached,
+                       .doc = "Functions of time, parameters and inputs: where one changes its sign, the right-hand side or a guard may "
+                              "have a kink or jump. What stands inside another comes first.\nBehind them, for each of them: how fast "
+                              "what its sines and cosines are of rises, in rad/s; look at it several times within half a turn.",
+                       .group = "guards and events", .type = "TimeSwitches", .array = "s", .values = time_switch_values,
+                       .names = time_switch_names},
+
         // --- what members and start values follow from
         HeaderFunction{Function::update, "update", Kind::update, In::none, in_place, ""},
         HeaderFunction{.function = Function::start_state, .name = "start_state", .kind = Kind::start, .in = In::none, .parts = in_place,
@@ -220,6 +248,7 @@ const HeaderFunction& header_function(Function function) {
 bool is_made(const HeaderFunction& row, const System& system, const std::set<Function>& wished) {
     using In = HeaderFunction::In;
     if (row.in == In::none) return true;
+    if (row.in == In::timed && system.time_switches.empty()) return false;
     if (system.scene.sampling != nullptr || row.in == In::controllers)
         return system.scene.sampling != nullptr && row.in == In::controllers;
     return row.in != In::wished || wished.contains(row.function);

@@ -33,6 +33,7 @@ enum class Function {
     internal_energy,
     exchanged_power,
     guards,
+    time_switches,
     start_state,
     events,
     event_rates,
@@ -71,7 +72,7 @@ struct HeaderFunction {
         sample,           ///< outputs and next states of a controller
     };
     /// Which headers have it.
-    enum class In { none, all, switching, constrained, wished, controllers };
+    enum class In { none, all, switching, timed, constrained, wished, controllers };
     using Values = std::vector<GiNaC::ex> (*)(const System&);
     using Names = std::vector<std::string> (*)(const System&);
 

@@ -171,6 +171,7 @@ private:
                                          std::pair{"outputs", &plant_.outputs}, std::pair{"parameters", &plant_.parameters}})
             text += fmt::format("        {}: {},\n", name, quantities(*list));
         text += fmt::format("        guard_table: {},\n", guards.empty() ? "[]" : "[\n" + guards + "        ]") + modes();
+        if (plant_.time_switches > 0) text += fmt::format("        time_switch_count: {},\n", plant_.time_switches);
         text +=
             "        // Constraints that hold; null where no state needs to be brought back to anything.\n        constraints: "
             "$constraints,\n";

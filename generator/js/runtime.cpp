@@ -18,7 +18,7 @@ std::string_view plant_interface() {
 }
 
 /// In the order in which one needs the other.
-constexpr const char* parts[]{"projection", "accumulation", "modes",       "modes_logic",  "modes_calls", "run",
+constexpr const char* parts[]{"projection", "accumulation", "modes",       "modes_logic",  "modes_calls", "jumps",       "run",
                               "control",    "dop853",       "jacobian",    "rodas5p",      "choice",      "guards",
                               "bracket",    "events",       "collocation", "independence", "singular",    "steps",
                               "passing",    "run_memory",   "run_calls",   "scales"};

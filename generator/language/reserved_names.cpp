@@ -183,6 +183,8 @@ constexpr auto header_names = std::to_array<std::string_view>({
     "Events",
     "Kinks",
     "kinks",
+    "TimeSwitches",
+    "time_switches",
     "guard_rates",
     "holds",
     "reset",

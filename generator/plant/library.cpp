@@ -245,6 +245,7 @@ void PlantLibrary::load(const fs::path& file) {
               p.guard_rates != nullptr && p.is_watched != nullptr && p.reset != nullptr && p.settle != nullptr && p.transitions != nullptr),
          "functions of events");
     need(p.kinks == 0 || p.kink_values != nullptr, "kink_values");
+    need(p.time_switches == 0 || p.time_switch_values != nullptr, "time_switch_values");
     need(p.is_projected == 0 || p.move_back != nullptr, "move_back");
     need(p.constraints == 0 || (p.constraint_table != nullptr && p.constraint_positions != nullptr && p.constraint_rates != nullptr &&
                                 p.constraint_jacobian != nullptr && p.correction != nullptr && p.mass_matrix != nullptr),

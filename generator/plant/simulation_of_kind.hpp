@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include <dalembert/run_program.hpp>
 #include <dalembert/sensitivities/options.hpp>
 
+#include "plant/jumps_in_time.hpp"
 #include "plant/methods.hpp"
 #include "plant/sampled_run.hpp"
 #include "plant/sensitivities.hpp"
@@ -86,6 +88,7 @@ public:
         result_.recording = empty_recording();
         ClockOfRun clock(*this);
         controllers_.begin([&] { return clock.outputs(x, 0, 0); });
+        clock.look_ahead(x, 0);
         typename Running::Options options;
         if (!controllers_.empty()) options.clock = &clock;
         options.method = method_named(run_.method).method;
@@ -122,8 +125,11 @@ private:
     /// Controllers act on the run, whose state has the work behind that of the system.
     class ClockOfRun final : public Clock<dalembert::detail::Longer<State>> {
     public:
-        explicit ClockOfRun(Runner& runner) : runner_(runner) {}
-        double next() const override { return runner_.controllers_.next(); }
+        explicit ClockOfRun(Runner& runner) : runner_(runner) {
+            const dalembert_plant& plant = *dalembert::detail::plant_in_use;
+            if (!runner.controllers_.empty() && plant.time_switches > 0) jumps_.emplace(plant, runner.run_.parameters);
+        }
+        double next() const override { return std::min(runner_.controllers_.next(), jump_); }
         void act(const dalembert::detail::Longer<State>& x, double t, double until, std::size_t mode) override {
             State plain;
             std::copy_n(x.begin(), plain.size(), plain.begin());
@@ -132,6 +138,13 @@ private:
             if (is_first_) runner_.controllers_.begin(measured);  // now the mode is known
             is_first_ = false;
             runner_.controllers_.act(until, measured);
+            look_ahead(plain, until);
+        }
+        /// Inputs that controllers set hold up to their next sample: jumps of a pattern of pulses that follow from them are known.
+        void look_ahead(const State& x, double t) {
+            if (!jumps_) return;
+            const double limit = std::min(runner_.controllers_.next(), runner_.run_.until);
+            jump_ = limit > t ? jumps_->next(t, runner_.inputs_(x, t).data(), limit) : limit;
         }
         /// A sample that falls onto a jump of an input sees what holds behind it.
         double behind_kink(double t) const {
@@ -150,6 +163,8 @@ private:
     private:
         Runner& runner_;
         bool is_first_ = true;
+        std::optional<JumpsInTime> jumps_;
+        double jump_ = std::numeric_limits<double>::infinity();  ///< the next one before the next sample
     };
 
     double energy(const State& x) const {

@@ -99,6 +99,7 @@ std::size_t size_of(const Plant& plant, const std::string& vector) {
         {"State", states},        {"Input", inputs},           {"Output", outputs},
         {"Generalised", n},       {"MassMatrix", n * n},       {"Guards", guards},
         {"Kinks", guards},        {"Events", plant.modes ? plant.modes->events.size() : 0},
+        {"TimeSwitches", 2 * plant.time_switches},
         {"JacobianX", plant.by_state.size()},                  {"JacobianU", plant.by_input.size()},
         {"JacobianP", plant.by_parameter.size()},              {"JacobianT", states},
         {"OutputJacobianX", outputs * states},                 {"OutputJacobianU", outputs * inputs},

@@ -143,6 +143,7 @@ struct Plant {
     std::vector<PlantParameter> parameter_members;
     std::vector<PlantCached> cached;
     std::vector<PlantGuard> guards;
+    std::size_t time_switches = 0;            ///< functions of time that kinks and jumps follow from
     std::vector<double> start_values;         ///< for the default parameters
     PlantPattern by_state, by_input, by_parameter;
     std::optional<PlantSampling> sampling;    ///< of a controller, whose functions are `sample` alone

@@ -78,6 +78,7 @@ public:
             plant_.outputs.push_back(
                 {identifier(output.base, output.index, output.is_member), output.name, output.unit, output.doc, {}, {}});
         for (const Guard& guard : guards) plant_.guards.push_back({guard.name, guard.doc, guard.ends});
+        plant_.time_switches = system_.time_switches.size();
         Values defaults(scene, system_.translate);
         meet_constraints(system_, defaults);
         for (const ex& value : defaults.state()) plant_.start_values.push_back(double_value(value));

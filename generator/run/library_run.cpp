@@ -16,8 +16,9 @@
 #include <optional>
 #include <string_view>
 
-#include "plant/methods.hpp"
+#include "plant/jumps_in_time.hpp"
 #include "plant/library.hpp"
+#include "plant/methods.hpp"
 #include "text/diagnostic.hpp"
 #include "text/guardian.hpp"
 #include "text/nearest.hpp"
@@ -111,6 +112,7 @@ PlantRun asked_for(const Options& options, const dalembert_plant& plant) {
     if (needs_step(run.method) && !(run.step > 0))
         refuse(Id::bad_option, fmt::format("method '{}' has a fixed step: give it with --step", run.method));
     if (options.samples > 0) run.intervals = static_cast<std::size_t>(options.samples);
+    run.kinks = jump_times(plant, run.parameters, run.held_inputs, run.until);
     return run;
 }
 

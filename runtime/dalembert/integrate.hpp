@@ -16,6 +16,18 @@
 namespace dalembert {
 inline namespace v1 {
 
+namespace detail {
+/// A part of a run that Method::automatic remembers in `choice`, see below.
+template <class State, class Rhs, class Derivatives, class Observer, class Guards, class Ends, class Choice>
+Outcome integrate_part(Rhs&& rhs, Derivatives&& derivatives, State& x, typename State::value_type from, typename State::value_type to,
+                       const IntegrationOptions<State>& options, Observer&& observe, Guards&& guards, const Ends& ends, Choice& choice) {
+    Integration<State, std::remove_reference_t<Rhs>, std::remove_reference_t<Observer>, std::remove_reference_t<Guards>,
+                Like<Ends, typename State::value_type>>
+        run(rhs, x, from, to, options, observe, guards, ends);
+    return run_by_method(run, derivatives, options, choice);
+}
+}  // namespace detail
+
 /// Integrates dx/dt = rhs(x, t, dxdt) from `from` to `to`. `x` holds the start and afterwards the last good state.
 /// Calls observe(t, x) at the output points.
 ///
@@ -53,11 +65,8 @@ Outcome integrate(Rhs&& rhs, State& x, typename State::value_type from, typename
 template <class State, class Rhs, class Derivatives, class Observer, class Guards, class Ends>
 Outcome integrate(Rhs&& rhs, Derivatives&& derivatives, State& x, typename State::value_type from, typename State::value_type to,
                   const IntegrationOptions<State>& options, Observer&& observe, Guards&& guards, const Ends& ends) {
-    detail::Integration<State, std::remove_reference_t<Rhs>, std::remove_reference_t<Observer>, std::remove_reference_t<Guards>,
-                        detail::Like<Ends, typename State::value_type>>
-        run(rhs, x, from, to, options, observe, guards, ends);
     detail::ChoiceOf<typename State::value_type, std::remove_reference_t<Derivatives>> choice;
-    return detail::run_by_method(run, derivatives, options, choice);
+    return detail::integrate_part(rhs, derivatives, x, from, to, options, observe, guards, ends, choice);
 }
 
 /// And without guards.

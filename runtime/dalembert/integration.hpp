@@ -118,9 +118,10 @@ private:
                 if (is_cut()) break;
             }
             if (is_crossed) continue;
-            const Status status = pass_event();
+            Status status = pass_event();
+            if (status == Status::success && options_.clock != nullptr && t_ == instant.before && t_ < to_)
+                status = pass_kink(instant.behind);
             if (status != Status::success) return stop(status);
-            if (options_.clock != nullptr && t_ == instant.before && t_ < to_) pass_kink(instant.behind);
         }
         return end(Status::success);
     }
@@ -162,8 +163,9 @@ private:
                 observe_up_to_now(next);
             }
             if (t_ == kink.before && t_ < to_) {
-                pass_kink(kink.behind);
+                status = pass_kink(kink.behind);
                 observe_up_to_now(next);
+                if (status != Status::success) return stop(status);
             }
             if (!are_finite(x_, dxdt_)) return end_not_finite(Scalar(0));
             if (!is_anew_) continue;

@@ -18,7 +18,7 @@ extern "C" {
 #endif
 
 /* Version of this table. It grows with every change that matters to a program that reads it. */
-#define DALEMBERT_PLANT_VERSION 2
+#define DALEMBERT_PLANT_VERSION 3
 
 /* Name in the model, SI unit, description, and declared range. */
 typedef struct dalembert_quantity {
@@ -150,6 +150,11 @@ typedef struct dalembert_plant {
     /* Normalised Taylor coefficients of the motion with these inputs: x holds order + 1 vectors of states + 1 numbers: the state and the work; the
      * first vector is given. `rows` is room for 2*series_rows*order numbers. */
     void (*series)(const void* self, unsigned mode, double t, size_t order, double* x, double* rows);
+
+    /* Functions of time, parameters and inputs: where one changes its sign, the right-hand side or a guard may have a kink or jump. What stands inside
+     * another comes first. s holds their values, and behind them, for each of them, how fast what its sines and cosines are of rises, in rad/s. */
+    size_t time_switches;
+    void (*time_switch_values)(const void* self, unsigned mode, const double* x, const double* u, double t, double* s);
 } dalembert_plant;
 
 /* The function that a plant exports. Everything else may be hidden (-fvisibility=hidden): then two plants of one name do not share their symbols. */

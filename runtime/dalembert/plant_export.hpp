@@ -59,6 +59,10 @@ inline constexpr bool has_output_jacobian_t = false;
 template <class S>
 inline constexpr bool has_output_jacobian_t<S, std::void_t<typename S::OutputJacobianT>> = true;
 template <class S, class = void>
+inline constexpr bool has_time_switches = false;
+template <class S>
+inline constexpr bool has_time_switches<S, std::void_t<typename S::TimeSwitches>> = true;
+template <class S, class = void>
 inline constexpr bool is_separable = false;
 template <class S>
 inline constexpr bool is_separable<S, std::void_t<decltype(S::is_separable)>> = S::is_separable;
@@ -197,6 +201,10 @@ class PlantTable {
         in_mode(mode, [&](auto... m) {
             of(self).output_jacobian_t(m..., as<State>(x), as<Input>(u), t, as<typename S::OutputJacobianT>(dydt));
         });
+    }
+    template <class S = System>
+    static void time_switch_values(const void* self, unsigned mode, const double* x, const double* u, double t, double* s) {
+        in_mode(mode, [&](auto... m) { of(self).time_switches(m..., as<State>(x), as<Input>(u), t, as<typename S::TimeSwitches>(s)); });
     }
     static void mass_matrix(const void* self, unsigned mode, const double* x, double t, double* M) {
         in_mode(mode, [&](auto... m) { of(self).mass_matrix(m..., as<State>(x), t, as<typename System::MassMatrix>(M)); });
@@ -384,6 +392,10 @@ public:
         table.prescribed_power = prescribed_power;
         table.exchanged_power = exchanged_power;
         table.guard_values = guard_values;
+        if constexpr (plant_export::has_time_switches<System>) {
+            table.time_switches = std::tuple_size<typename System::TimeSwitches>::value / 2;
+            table.time_switch_values = time_switch_values<System>;
+        }
         if constexpr (switches) fill_modes(table);
         if constexpr (is_projected) fill_constraints(table);
         fill_run(table);

@@ -159,6 +159,17 @@ static inline size_t dalembert_pass_known(dalembert_run* run) {
     return changed;
 }
 
+/* Behind a kink at a known time: the guard that ends the run, or event, that has jumped below zero with it, or DALEMBERT_NONE. It needs no
+ * search either. */
+static inline size_t dalembert_jumped_guard(dalembert_run* run) {
+    dalembert_inside* const in = run->inside;
+    size_t first = DALEMBERT_NONE;
+    dalembert_raw(run, run->x, run->t, in->seen);
+    for (size_t i = in->guards; i-- > 0;)
+        if (in->ends[i] && in->watches[i].last > 0 && in->seen[i] < -in->watches[i].largest / 1000000) first = i;
+    return first;
+}
+
 /* Whether a kink that rests is still near its zero at (x, t), or leaves it to one side, no faster than twice as far in a step. Estimates
  * of errors do not see every jump. */
 static inline int dalembert_keeps_rest(dalembert_run* run, const double* x, double t) {

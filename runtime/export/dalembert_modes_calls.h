@@ -35,6 +35,7 @@ static inline void dalembert_modes_lay_work(dalembert_modes* m, dalembert_room* 
     m->u_whole = dalembert_numbers(room, p->inputs + 1);
     m->g_half = dalembert_numbers(room, values + 1);
     m->g_whole = dalembert_numbers(room, values + 1);
+    m->s = dalembert_numbers(room, 2 * p->time_switches);
     m->dxdt = dalembert_numbers(room, p->states);
     m->before = dalembert_numbers(room, p->states);
     m->after = dalembert_numbers(room, p->states);

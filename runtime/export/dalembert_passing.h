@@ -3,6 +3,7 @@
 #ifndef DALEMBERT_PASSING_H
 #define DALEMBERT_PASSING_H
 
+#include "dalembert_jumps.h"
 #include "dalembert_steps.h"
 
 /* On its zero a jump may have a value that holds on neither side: a run that starts there starts just behind it. */
@@ -78,18 +79,36 @@ static inline enum dalembert_status dalembert_pass_event(dalembert_run* run, int
                                                                                       : dalembert_good;
 }
 
-/* From just before a kink that is known to just behind it. */
-static inline void dalembert_pass_stop(dalembert_run* run, double behind) {
+/* From just before a kink that is known to just behind it. An event that jumps with it happens there. */
+static inline enum dalembert_status dalembert_pass_stop(dalembert_run* run, double behind) {
     dalembert_inside* const in = run->inside;
     for (size_t i = 0; i < run->plant->states; ++i) run->x[i] += (behind - run->t) * in->dxdt[i];
     run->t = behind;
     if (in->guards > 0) in->kept->kinks_passed += dalembert_pass_known(run);
     in->kept->last_error = 0;
     dalembert_rate(run, run->x, run->t, in->dxdt);
+    const size_t jumped = in->guards > 0 ? dalembert_jumped_guard(run) : DALEMBERT_NONE;
+    return jumped != DALEMBERT_NONE ? dalembert_end_at(run, dalembert_range_left, jumped) : dalembert_good;
 }
 
-/* The next time of `stops`, with room before and behind it; `to` where there is none. */
-static inline void dalembert_next_stop(const dalembert_run* run, double* before, double* behind) {
+/* The next jump of the plant at a time of its own; HUGE_VAL where there is none on the way. */
+static inline double dalembert_jump_ahead(dalembert_run* run) {
+    dalembert_run_memory* const k = run->inside->kept;
+    const double to = run->inside->to, room = 2 * dalembert_smallest(k->span, run->t);
+    if (run->plant->time_switches == 0) return HUGE_VAL;
+    /* Nothing is searched twice: not before what was found, nor before the end of a search in vain. */
+    const int is_known = k->has_jump && (k->jump < k->searched ? k->jump - room > run->t : to <= k->searched);
+    if (!is_known) {
+        k->searched = to;
+        k->jump = dalembert_next_jump(&run->inside->modes, run->t, run->x, to, room);
+        k->has_jump = 1;
+    }
+    return k->jump < k->searched ? k->jump : HUGE_VAL;
+}
+
+/* The next time of `stops`, or of a jump of the plant, with room before and behind it; `to` where there is none. */
+static inline void dalembert_next_stop(dalembert_run* run, double* before, double* behind) {
+    const double jump = dalembert_jump_ahead(run);
     size_t low = 0, high = run->options.stop_count; /* the first one behind t */
     while (low < high) {
         const size_t middle = (low + high) / 2;
@@ -104,7 +123,12 @@ static inline void dalembert_next_stop(const dalembert_run* run, double* before,
         if (!(stop - room > run->t) || !(stop - room < run->inside->to)) continue;
         *before = stop - room;
         *behind = stop + room;
-        return;
+        break;
+    }
+    if (jump < *before) {
+        const double room = dalembert_smallest(run->inside->kept->span, jump);
+        *before = jump - room;
+        *behind = jump + room;
     }
 }
 

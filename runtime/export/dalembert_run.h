@@ -166,6 +166,8 @@ typedef struct dalembert_run_memory {
     double measured;
     int looks;
     size_t rank;
+    double jump, searched; /* the next jump of the plant at a time of its own, or the end of the search */
+    int has_jump;
 } dalembert_run_memory;
 
 typedef struct dalembert_run_inside {

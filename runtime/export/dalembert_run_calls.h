@@ -65,6 +65,7 @@ static inline enum dalembert_status dalembert_run_to(dalembert_run* run, double 
     enum dalembert_status status = dalembert_good;
     dalembert_tell_modes(run, t_end);
     in->stops = 0;
+    k->has_jump = 0; /* held inputs may be others */
     while (status == dalembert_good && !in->stops && t_end - run->t > dalembert_tiny(&in->modes, t_end)) {
         in->event = DALEMBERT_NONE;
         status = dalembert_integrate(run, t_end);

@@ -21,6 +21,7 @@ static inline int dalembert_coast(void* context, const unsigned char* is_ignored
     dalembert_inside* const in = run->inside;
     const double begin = *t;
     int is_alone = 1;
+    in->kept->has_jump = 0;
     memcpy(in->coast_x, x, run->plant->states * sizeof(double));
     in->is_ignored = is_ignored;
     ++in->is_trial;
@@ -29,6 +30,7 @@ static inline int dalembert_coast(void* context, const unsigned char* is_ignored
         is_alone = dalembert_integrate(run, end) == dalembert_good;
         if (look == 0) --in->is_trial;
         if (look > 0 && is_alone) break;
+        in->kept->has_jump = 0;
         *t = begin;
         memcpy(x, in->coast_x, run->plant->states * sizeof(double));
     }

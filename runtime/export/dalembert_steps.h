@@ -233,7 +233,10 @@ static inline enum dalembert_status dalembert_integrate(dalembert_run* run, doub
             const enum dalembert_status status = dalembert_pass_event(run, &is_anew);
             if (status != dalembert_good) return status == dalembert_range_left ? status : dalembert_stop(run, status);
         }
-        if (!(run->t < before) && !(run->t > before) && run->t < to) dalembert_pass_stop(run, behind);
+        if (!(run->t < before) && !(run->t > before) && run->t < to) {
+            const enum dalembert_status status = dalembert_pass_stop(run, behind);
+            if (status != dalembert_good) return status;
+        }
         if (!dalembert_all_finite(n, run->x) || !dalembert_all_finite(n, in->dxdt)) return dalembert_blame(run, 0);
         if (is_anew) k->h = dalembert_first_step(run);
     }

@@ -205,6 +205,8 @@ FMI2(fmi2Status, NewDiscreteStates)(fmi2Component c, fmi2EventInfo* info) {
     const fmi_status status = fmi_handle_events(m, &news, __func__);
     info->terminateSimulation = news.is_over;
     info->valuesOfContinuousStatesChanged = news.states_changed;
+    info->nextEventTimeDefined = news.has_next;
+    info->nextEventTime = news.next;
     ANSWER(status);
 }
 

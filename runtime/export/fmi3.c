@@ -342,8 +342,9 @@ FMI3(fmi3Status, UpdateDiscreteStates)(fmi3Instance c, fmi3Boolean* needs_update
         ANSWER(fmi_say_of(m, fmi_error, __func__, "no place for the result is given"));
     fmi_news news;
     const fmi_status status = fmi_handle_events(m, &news, __func__);
-    *needs_update = *nominals_changed = *has_next_event = false;
-    *next_event = 0.0;
+    *needs_update = *nominals_changed = false;
+    *has_next_event = news.has_next != 0;
+    *next_event = news.next;
     *terminate = news.is_over != 0;
     *states_changed = news.states_changed != 0;
     ANSWER(status);

@@ -3,12 +3,27 @@
 #ifndef DALEMBERT_FMI_STEPS_H
 #define DALEMBERT_FMI_STEPS_H
 
+#include "dalembert_jumps.h"
 #include "fmi_access.h"
 
 /* What an importer must know after an event. */
 typedef struct fmi_news {
-    int states_changed, is_over;
+    int states_changed, is_over, has_next;
+    double next; /* s: where event mode must be entered again, at the latest */
 } fmi_news;
+
+/* Times of their own at which the right-hand side jumps are time events: just behind them. Where the end of the run is not known, a search
+ * ends with a time event, too, and the next one begins there. */
+static void fmi_find_next(fmi_machine* m, fmi_news* news) {
+    const double limit = m->stop > m->t ? m->stop : m->t + fmax(1.0, fabs(m->t));
+    const double room = 64 * DBL_EPSILON * fmax(fabs(m->t), DBL_EPSILON * (limit - m->t));
+    news->has_next = 0;
+    news->next = 0.0;
+    if (!m->modes || m->plant->time_switches == 0 || news->is_over) return;
+    const double jump = dalembert_next_jump(m->modes, m->t, m->x, limit, room);
+    news->has_next = jump < limit || !(m->stop > m->t);
+    if (news->has_next) news->next = jump < limit ? jump + room / 2 : limit;
+}
 
 static fmi_status fmi_set_experiment(fmi_machine* m, int has_tolerance, double tolerance, double start, int has_stop, double stop,
                                      const char* function) {
@@ -55,7 +70,7 @@ static fmi_status fmi_complete_step(fmi_machine* m, int* wants_event_mode, int* 
 }
 
 /* Event mode: events that happen at this state, one after the other, new inputs and parameters, and the way back to the constraints. */
-static fmi_status fmi_handle_events(fmi_machine* m, fmi_news* news, const char* function) {
+static fmi_status fmi_pass_events(fmi_machine* m, fmi_news* news, const char* function) {
     const dalembert_plant* plant = m->plant;
     const size_t n = plant->states;
     news->states_changed = 0;
@@ -91,6 +106,13 @@ static fmi_status fmi_handle_events(fmi_machine* m, fmi_news* news, const char* 
     return fmi_say_of(m, fmi_error, function, dalembert_status_text(status));
 }
 
+/* The same, with the next time event. */
+static fmi_status fmi_handle_events(fmi_machine* m, fmi_news* news, const char* function) {
+    const fmi_status status = fmi_pass_events(m, news, function);
+    fmi_find_next(m, news);
+    return status;
+}
+
 /* A step of co-simulation from the present time. `reached` is where it ended; it is over if the model holds no further. */
 static fmi_status fmi_step(fmi_machine* m, double from, double length, double* reached, int* is_over, const char* function) {
     *reached = m->t;
@@ -102,7 +124,7 @@ static fmi_status fmi_step(fmi_machine* m, double from, double length, double* r
     const double end = from + length;
     fmi_news news;
     if (!(end > m->t)) return fmi_ok; /* shorter than a rounding of the time */
-    if (fmi_handle_events(m, &news, function) != fmi_ok) return fmi_error;
+    if (fmi_pass_events(m, &news, function) != fmi_ok) return fmi_error;
     const enum dalembert_status status = news.is_over ? dalembert_range_left : dalembert_run_to(m->run, end);
     m->known = 0;
     memcpy(m->x, m->run->x, m->plant->states * sizeof(double));

@@ -26,6 +26,7 @@ function lay_modes(modes, plant, self) {
         g_half: numbers(values + 1),
         g_whole: numbers(values + 1),
         rates: numbers(plant.events + 1),
+        s: numbers(2 * plant.time_switches),
         dxdt: numbers(plant.states),
         before: numbers(plant.states),
         after: numbers(plant.states),

@@ -46,6 +46,8 @@ function dalembert_plant_of(made) {
         guard_values: adapted(made.guard_table.length > 0 || switches ? made.guards : undefined),
         guard_rates: adapted(made.guard_rates),
         kink_values: adapted(made.kinks),
+        time_switches: made.time_switch_count || 0,
+        time_switch_values: adapted(made.time_switches),
         holds: adapted(made.holds),
         is_watched: (mode, event) => made.transitions[event][mode].is_watched,
         happens_at_once: (event) => made.events[event].at_once,

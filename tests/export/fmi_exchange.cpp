@@ -2,6 +2,7 @@
 #include "fmi_exchange.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace fmi_test {
 
@@ -57,8 +58,9 @@ public:
         while (next <= wish_.intervals) {
             const double goal = wish_.until * double(next) / double(wish_.intervals);
             if (++result_.steps > (wish_.is_stiff ? 200000U : 100000U)) return fail("too many steps");
-            const bool is_last = t_ + h * (1 + 1e-10) >= goal;
-            const double used = is_last ? goal - t_ : h;
+            const double stop = std::min(goal, next_event_);
+            const bool is_last = t_ + h * (1 + 1e-10) >= stop;
+            const double used = is_last ? stop - t_ : h;
             Vector y;
             double error = 0;
             const bool is_made = make_step(used, y, error, true) && evaluate_indicators(t_ + used, y);
@@ -71,15 +73,16 @@ public:
             double made = used;
             const bool has_event = differs(z_, z_new_);
             if (has_event && !locate(made, y)) return fail("the event is not found");
-            t_ = has_event ? t_ + made : (is_last ? goal : t_ + used);
+            t_ = has_event ? t_ + made : (is_last ? stop : t_ + used);
+            const bool is_time_event = t_ >= next_event_;
             x_ = y;
             for (std::size_t i = 0; i < n_; ++i) largest_[i] = std::max(largest_[i], std::abs(x_[i]));
             if (!set(t_, x_)) return fail("the state is not taken");
             bool wants_events = false, is_over = false;
             if (fmu_.completed(wants_events, is_over) != ok) return fail("the step is not completed");
             if (is_over) return end();
-            if (has_event || wants_events) {
-                if (!has_event) ++projections_;
+            if (has_event || wants_events || is_time_event) {
+                if (wants_events && !has_event) ++projections_;
                 if (!pass_event(true)) return std::move(result_);
                 if (has_event && ++at_once_ > 100 && t_ - last_event_ < 1e-12 * std::max(1.0, t_)) return fail("an event storm");
                 if (t_ - last_event_ > 1e-9 * wish_.until) at_once_ = 0;
@@ -239,6 +242,8 @@ private:
         News news;
         for (int i = 0; i == 0 || (news.again && i < 100); ++i)
             if (fmu_.update(news) != ok) return stop("the event fails: " + (messages().empty() ? "" : messages().back()));
+        if (news.next <= t_) return stop("the next time event lies behind");
+        next_event_ = news.next;
         if (n_ > 0 && fmu_.states(x_) != ok) return stop("there are no states");
         if (enters) ++result_.events;
         const long after = mode ? fmu_.mode(*mode) : -1;
@@ -258,7 +263,7 @@ private:
     const Description& d_;
     const RunWish& wish_;
     std::size_t n_;
-    double t_ = 0, last_event_ = -1;
+    double t_ = 0, last_event_ = -1, next_event_ = std::numeric_limits<double>::infinity();
     std::size_t at_once_ = 0, projections_ = 0;
     Vector x_, dxdt_, largest_, z_, z_new_, J_;
     Trajectory result_;

@@ -69,6 +69,7 @@ public:
         fmi2EventInfo info{};
         const Status status = as(CALL2(NewDiscreteStates)(c_, &info));
         news = {info.newDiscreteStatesNeeded != 0, info.terminateSimulation != 0, info.valuesOfContinuousStatesChanged != 0};
+        if (info.nextEventTimeDefined != 0) news.next = info.nextEventTime;
         return status;
     }
     Status enter_continuous() override { return as(CALL2(EnterContinuousTimeMode)(c_)); }
@@ -154,7 +155,9 @@ public:
     Status update(News& news) override {
         bool nominals = false, has_next = false;
         double next = 0;
-        return as(CALL3(UpdateDiscreteStates)(c_, &news.again, &news.over, &nominals, &news.states_changed, &has_next, &next));
+        const Status status = as(CALL3(UpdateDiscreteStates)(c_, &news.again, &news.over, &nominals, &news.states_changed, &has_next, &next));
+        news.next = has_next ? next : std::numeric_limits<double>::infinity();
+        return status;
     }
     Status enter_continuous() override { return as(CALL3(EnterContinuousTimeMode)(c_)); }
     Status completed(bool& wants_events, bool& over) override { return as(CALL3(CompletedIntegratorStep)(c_, true, &wants_events, &over)); }

@@ -3,6 +3,7 @@
 // Both versions of the standard behind one interface.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -49,6 +50,7 @@ Description unpack(const std::string& path, const std::string& folder);
 
 struct News {
     bool again = false, over = false, states_changed = false;
+    double next = std::numeric_limits<double>::infinity();  ///< time event, s
 };
 
 /// One instance.

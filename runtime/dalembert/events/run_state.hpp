@@ -209,8 +209,14 @@ protected:
         options_.clock->act(x, instant, behind + room(), 0);
     }
 
-    /// From just before a kink that is known to just behind it.
-    void pass_kink(Scalar behind) {
+    Status end_on(std::size_t guard) {
+        outcome_.guard = guard;
+        if (observed_ != t_) observe(t_);
+        return Status::event;
+    }
+
+    /// From just before a kink that is known to just behind it. An event that jumps with it happens there.
+    Status pass_kink(Scalar behind) {
         const bool acts = options_.clock != nullptr && behind < to_;  // what is due at the end of a run is not done any more
         if (acts) act_before(behind);
         const Scalar half = (behind - t_) / Scalar(2);
@@ -223,6 +229,9 @@ protected:
         evaluate(x_, t_, dxdt_);
         // What acts does so from halfway on.
         for (std::size_t i = 0; acts && i < x_.size(); ++i) x_[i] += half * (dxdt_[i] - before[i]);
+        if constexpr (may_have_entries<Values>)
+            if (events_.has_jumped(x_, t_)) return end_on(events_.ending_guard());
+        return Status::success;
     }
 
     /// At the end of a step that was cut for an event: ends the run there, or starts anew behind it.
@@ -238,11 +247,7 @@ protected:
                 return Status::success;
             }
             const std::size_t ending = events_.ending_guard();
-            if (ending != guard_count()) {
-                outcome_.guard = ending;
-                if (observed_ != t_) observe(t_);
-                return Status::event;
-            }
+            if (ending != guard_count()) return end_on(ending);
             is_anew_ = true;
             move(t, x);
             act();

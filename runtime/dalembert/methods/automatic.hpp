@@ -94,6 +94,8 @@ struct Choice {
     using State = DifferentiatedState;
     enum Kind : std::size_t { dopri5, dop853, rodas5p };
     Kind kind = dopri5;
+    /// Long steps are wanted, whatever it is that keeps explicit ones short: Rodas5P is tried a decade before stability limits them.
+    bool is_eager = false;
     bool is_smooth = true;             ///< in this part: dop853 has not had most of its steps rejected
     std::size_t patience = 2;          ///< number of times in succession that stability must limit the steps
     Scalar implicit_pace = Scalar(0);  ///< s for each step of an explicit method in the same time, when Rodas5P ran last
@@ -161,7 +163,10 @@ private:
     }
 
     /// h times the spectral radius up to which an explicit method is stable on the negative real axis, a little less.
-    Scalar limit() const { return explicit_kind() == Memory::dop853 ? Scalar(5) : Scalar(28) / Scalar(10); }
+    Scalar limit() const {
+        const Scalar stable = explicit_kind() == Memory::dop853 ? Scalar(5) : Scalar(28) / Scalar(10);
+        return memory_.is_eager ? stable / Scalar(10) : stable;
+    }
 
     /// How many explicit steps cost as much as an implicit one: four, or more where linear systems are what takes the time. Entries of a
     /// Jacobian tell how long the right-hand side is: some eight operations each.
@@ -211,7 +216,7 @@ private:
             // Where an implicit step is not worth what it costs, it is not tried again so soon.
             often_ = reach > Scalar(explicit_steps_for_one()) * limit() ? 0 : often_ + 1;
             if (often_ < 2) return;
-            if (reach > limit()) memory_.patience = std::min<std::size_t>(4 * memory_.patience, 1000);
+            if (reach > limit() || memory_.is_eager) memory_.patience = std::min<std::size_t>(4 * memory_.patience, 1000);
             memory_.implicit_pace = (from.t - stint_begin_) / Scalar(static_cast<double>(stint_) * explicit_steps_for_one());
             take_up(explicit_kind());
             often_ = 0;
@@ -257,6 +262,17 @@ struct ChosenDerivatives<Derivatives, true> {
 template <class Scalar, class Derivatives>
 using ChoiceOf = Choice<Scalar, typename ChosenDerivatives<Derivatives>::type::DifferentiatedState>;
 
+/// Whether Method::automatic may take Rodas5P.
+template <class Derivatives>
+bool may_become_implicit() {
+    if constexpr (can_be_implicit<typename ChosenDerivatives<Derivatives>::type>) {
+        using Increment = typename Derivatives::DifferentiatedState;
+        return has_fixed_size<Increment> || MatrixOf<Increment, typename Derivatives::Pattern>::fits();
+    } else {
+        return false;
+    }
+}
+
 template <class Run, class Derivatives, class Memory>
 Outcome run_automatic(Run& run, Derivatives& derivatives, const IntegrationOptions<typename Run::State>& options, Memory& memory) {
     const auto before = memory.steps;
@@ -275,11 +291,8 @@ template <class Run, class Derivatives, class Choice>
 Outcome run_by_method(Run& run, Derivatives& derivatives, const IntegrationOptions<typename Run::State>& options, Choice& choice) {
     if (options.method == Method::automatic && options.is_fixed) return run_explicit(run, Method::dopri5);
     if (options.method == Method::automatic) {
-        if constexpr (can_be_implicit<typename ChosenDerivatives<Derivatives>::type>) {
-            using Increment = typename Derivatives::DifferentiatedState;
-            if (has_fixed_size<Increment> || MatrixOf<Increment, typename Derivatives::Pattern>::fits())
-                return run_automatic(run, derivatives, options, choice);
-        }
+        if constexpr (can_be_implicit<typename ChosenDerivatives<Derivatives>::type>)
+            if (may_become_implicit<Derivatives>()) return run_automatic(run, derivatives, options, choice);
         NoDerivativesOf<typename Choice::State> none;
         return run_automatic(run, none, options, choice);
     }

@@ -43,7 +43,8 @@ public:
           S_(S),
           t_(from),
           from_(from),
-          span_(to - from) {
+          span_(to - from),
+          controls_(controls) {
         copy_options(options_, options);
         options_.kinks.clear();
         options_.intervals = 1;
@@ -197,6 +198,7 @@ protected:
     Plain x_;
     Sensitivities S_;
     Scalar t_, from_, span_;
+    bool controls_;
     Mode mode_{};
     Outcome outcome_;
 };
