@@ -16,7 +16,7 @@
 //     force = -d(energy)/dq: 4 of 4 potentials
 //     balances of mass and energy: 52 of 52 balances
 //     d(T + V + E)/dt = supplied - dissipated + exchanged + prescribed: proven
-//     this code = the derivation: 88 of 88 functions
+//     this code = the derivation: 92 of 92 functions
 //
 // Each function in its most expensive mode:
 // Operations          +,-      *     /  sin,cos  other
@@ -31,6 +31,7 @@
 //   potential_energy       0      1     0        0      0
 //   dissipated_power       6     13     2        0      0
 //   internal_energy        2      7     1        0      0
+//   time_switches          2      4     1        1      1
 //   start_state            1      2     0        0      0
 //   events                 4      2     1        0      3
 //
@@ -220,6 +221,18 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) noexcept {
 template <class Scalar>
 Scalar if_else(const Scalar& x, const Scalar& a, const Scalar& b) noexcept {
     return select(x >= Scalar(0), a, select(x < Scalar(0), b, x));
+}
+
+/// The number pi, to the digits of the type.
+template <class Scalar>
+Scalar pi() noexcept {
+    using std::acos;
+    constexpr bool is_builtin = std::numeric_limits<Scalar>::is_specialized && std::numeric_limits<Scalar>::digits <= 113;
+    if constexpr (is_builtin) {
+        return static_cast<Scalar>(3.14159265358979323846264338327950288419716939937510L);
+    } else {
+        return acos(Scalar(-1));
+    }
 }
 
 }  // namespace detail
@@ -1778,6 +1791,25 @@ public:
     /// Functions where the right-hand side of a mode has a kink or jump that changes no mode, in the order of guard_table().
     /// Operations: none
     void kinks(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar /*t*/, Kinks& /*k*/) const noexcept {
+    }
+
+    using TimeSwitches = std::array<Scalar, 4>;
+
+    /// Functions of time, parameters and inputs: where one changes its sign, the right-hand side or a guard may jump or
+    /// have a kink. What stands inside another comes first. Behind them, for each: how fast what its sines and cosines are of
+    /// rises, in rad/s; look at it several times within half a turn.
+    /// Operations: 2 + or -, 4 *, 1 /, 1 sin or cos, 1 other functions
+    void time_switches(Mode /*mode*/, const State& /*x*/, const Input& u, Scalar t, TimeSwitches& s) const noexcept {
+        using std::floor;
+        using std::sin;
+        const Scalar e1 = p_.bridge_f * detail::pi<Scalar>();
+        const Scalar sin_2 = sin(t * e1);
+        const Scalar w = u[0];
+        const Scalar floor_3 = floor(p_.bridge_f * t);
+        s[0] = sin_2;
+        s[1] = t - (w + floor_3) / p_.bridge_f;
+        s[2] = e1;
+        s[3] = Scalar(0);
     }
 
 private:

@@ -161,7 +161,7 @@ private:
     template <class Rates>
     void begin_part(const All& all, Motion& motion, const Rates& rates, const Scalar& to) {
         look_at_digits(all, motion, rates);
-        if (is_begun_ || options_.method != Method::automatic || !may_become_implicit<Motion>()) return;
+        if (is_begun_ || !controls_ || options_.method != Method::automatic || !may_become_implicit<Motion>()) return;
         is_begun_ = true;
         const Scalar spacing = (to - t_) / Scalar(static_cast<double>(options_.output_times.size() + 1));
         motion.prepare(all, t_);
