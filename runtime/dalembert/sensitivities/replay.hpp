@@ -12,9 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 
-#include "dalembert/sensitivities/digits.hpp"
 #include "dalembert/sensitivities/replay_kinks.hpp"
 
 namespace dalembert {
@@ -121,17 +119,12 @@ private:
         }
         options_.output_times.clear();
         for (const Point* p = next_; p != end_ && p->t < to; ++p) options_.output_times.push_back(p->t);
-        begin_part(all, motion, plain_rates, to);
-        std::optional<Motion> beside;  // what Rodas5p has prepared in the other one stays
+        begin_part(all, motion, to);
         Scalar reached = t_;
         const auto watch = [&](Scalar t, const All& at) {
             reached = t;
             if (next_ == end_ || next_->t != t || !(t < to)) return;
             take(at, t);
-            if (++looks_ % points_for_a_look == 0) {
-                if (!beside) beside.emplace(system_, inputs_, varied_, moved_, scale_, Asked::view(mode_), Sides{this});
-                look_at_digits(at, *beside, plain_rates);
-            }
             seen(*next_++);
         };
         Outcome part;
@@ -158,21 +151,12 @@ private:
 
     /// The run is known: explicit methods that would need many steps from one of its points to the next are left early. By itself
     /// Method::automatic waits until stability limits their steps, and rates of few digits may do so before.
-    template <class Rates>
-    void begin_part(const All& all, Motion& motion, const Rates& rates, const Scalar& to) {
-        look_at_digits(all, motion, rates);
+    void begin_part(const All& all, Motion& motion, const Scalar& to) {
         if (is_begun_ || !controls_ || options_.method != Method::automatic || !may_become_implicit<Motion>()) return;
         is_begun_ = true;
         const Scalar spacing = (to - t_) / Scalar(static_cast<double>(options_.output_times.size() + 1));
         motion.prepare(all, t_);
         if (choice_.radius(motion, options_.scale) * spacing > Scalar(1000)) choice_.is_eager = true;
-    }
-
-    template <class Rates>
-    void look_at_digits(const All& all, Motion& motion, const Rates& rates) {
-        if (!controls_) return;
-        const Scalar longest = options_.max_step > Scalar(0) ? options_.max_step : span_ / Scalar(1000);
-        keep_to_digits(options_.scale, all, t_, x_.size(), rates, motion, longest, options_.tolerance);
     }
 
     ColumnsOf<Scalar> times_of_event(std::size_t event, Mode mode, bool is_accumulation) {
@@ -237,11 +221,9 @@ private:
         return of_order_four<Scalar>([&](const Scalar& times) { return here().along(c, s, shift, central, times); });
     }
 
-    static constexpr std::size_t points_for_a_look = 8;
     using Choice = ChoiceOf<Scalar, Motion>;
     Choice choice_;  ///< from part to part
     bool is_begun_ = false;
-    std::size_t looks_ = 0;
     Scalar time_of_last_ = from_;  ///< event
     bool has_last_ = false;
     ColumnsOf<Scalar> shift_ = Columns<List>::filled(varied_, Scalar(0));  ///< how its time follows what is varied
