@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSL-1.0
 // What <math.h>, <float.h> and <string.h> have for the C of this runtime, for numbers instead of bytes.
 const DBL_EPSILON = Number.EPSILON;
-const {sqrt, sin, cos, exp, log, pow, cbrt} = Math;
+const {sqrt, sin, cos, exp, log, pow, cbrt, ceil} = Math;
 const fabs = Math.abs;
 const isnan = Number.isNaN;
 const isfinite = Number.isFinite;
