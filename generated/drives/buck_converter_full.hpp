@@ -767,8 +767,8 @@ public:
     using TimeSwitches = std::array<Scalar, 4>;
 
     /// Functions of time, parameters and inputs: where one changes its sign, the right-hand side or a guard may jump or
-    /// have a kink. What stands inside another comes first. Behind them, for each: how fast what its sines and cosines are of
-    /// rises, in rad/s; look at it several times within half a turn.
+    /// have a kink. What stands inside another comes first. Behind them, for each: how fast the arguments of its sines and
+    /// cosines rise, in rad/s. Look at it several times within half a turn.
     /// Operations: 2 + or -, 5 *, 1 /, 1 sin or cos, 1 other functions
     void time_switches(Mode /*mode*/, const State& /*x*/, const Input& /*u*/, Scalar t, TimeSwitches& s) const noexcept {
         using std::floor;

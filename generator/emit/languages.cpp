@@ -33,7 +33,8 @@ std::string file_in_cpp(const Plant& plant, const PlantFields* fields, const Sce
     std::string guard = prefix_of(scene) + "_hpp";
     for (char& c : guard) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     const std::string content =
-        fields == nullptr ? cpp_plant(plant, name_space) : cpp_plant(plant, name_space + "::core") + "\n" + cpp_fields(*fields, plant, name_space);
+        fields == nullptr ? cpp_plant(plant, name_space)
+                          : cpp_plant(plant, name_space + "::core") + "\n" + cpp_fields(*fields, plant, name_space);
     return fill_template(embedded_file("header.hpp.in"), {{"BANNER", banner}, {"GUARD", guard}, {"CONTENT", compiler_check() + content}});
 }
 
@@ -45,8 +46,8 @@ std::string file_in_c(const Plant& plant, const PlantFields* fields, const Scene
 std::string file_in_javascript(const Plant& plant, const PlantFields* fields, const Scene& scene, const std::string& banner) {
     if (fields != nullptr)
         throw Failure(Diagnostic{Id::bad_option, scene.model->name_span,
-                                 fmt::format("scene '{}' has a rod whose cells are computed in loops, which JavaScript does not express yet; "
-                                             "--language c and c++ do, and so does a rod of fewer cells",
+                                 fmt::format("scene '{}' has a rod whose cells are computed in loops, which JavaScript does not express "
+                                             "yet; --language c and c++ do, and so does a rod of fewer cells",
                                              scene.name)});
     if (plant.sampling)
         throw Failure(Diagnostic{Id::bad_option, scene.model->name_span,

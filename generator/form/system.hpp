@@ -136,7 +136,7 @@ struct EventEquation {
 /// A function of time, and letters that stand for numbers, whose changes of sign are kinks or jumps.
 struct SwitchInTime {
     GiNaC::ex function;
-    std::vector<GiNaC::ex> rates;  ///< of what its sines and cosines are of, at t = 0
+    std::vector<GiNaC::ex> rates;  ///< how fast the arguments of its sines and cosines rise, at t = 0
 };
 
 /// Lives at one place, because its parts refer to each other.

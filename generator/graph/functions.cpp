@@ -191,8 +191,8 @@ std::span<const HeaderFunction> header_functions() {
         HeaderFunction{.function = Function::time_switches, .name = "time_switches", .kind = Kind::values, .in = In::timed,
                        .parts = if_cached,
                        .doc = "Functions of time, parameters and inputs: where one changes its sign, the right-hand side or a guard may "
-                              "jump or\nhave a kink. What stands inside another comes first. Behind them, for each: how fast what its "
-                              "sines and cosines are of\nrises, in rad/s; look at it several times within half a turn.",
+                              "jump or\nhave a kink. What stands inside another comes first. Behind them, for each: how fast the "
+                              "arguments of its sines and\ncosines rise, in rad/s. Look at it several times within half a turn.",
                        .group = "guards and events", .type = "TimeSwitches", .array = "s", .values = time_switch_values,
                        .names = time_switch_names},
 

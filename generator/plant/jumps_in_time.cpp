@@ -47,8 +47,8 @@ std::vector<double> jump_times(const dalembert_plant& plant, const std::vector<d
         if (times.size() > most)
             throw Failure(Diagnostic{Id::too_large,
                                      {},
-                                     fmt::format("up to {:.6g} s there are more than {} kinks or jumps at known times; the limit is that, "
-                                                 "so choose a shorter run",
+                                     fmt::format("up to {:.6g} s there are more than {} kinks or jumps at known times, which is the "
+                                                 "limit; choose a shorter run",
                                                  until, most)});
     }
     return times;

@@ -10,7 +10,7 @@ using Operation = Assignment::Operation;
 
 inline Value cell() { return Value::name("k"); }
 
-/// The index of what belongs to cell k.
+/// The index of cell k in an array where the first cell is at `first`.
 inline Value at(std::size_t first) { return first == 0 ? cell() : Value::sum({Value::whole(first), cell()}); }
 
 /// value + number

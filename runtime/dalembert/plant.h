@@ -152,7 +152,7 @@ typedef struct dalembert_plant {
     void (*series)(const void* self, unsigned mode, double t, size_t order, double* x, double* rows);
 
     /* Functions of time, parameters and inputs: where one changes its sign, the right-hand side or a guard may have a kink or jump. What stands inside
-     * another comes first. s holds their values, and behind them, for each of them, how fast what its sines and cosines are of rises, in rad/s. */
+     * another comes first. s holds their values, and behind them, for each of them, how fast the arguments of its sines and cosines rise, in rad/s. */
     size_t time_switches;
     void (*time_switch_values)(const void* self, unsigned mode, const double* x, const double* u, double t, double* s);
 } dalembert_plant;

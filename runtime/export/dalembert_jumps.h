@@ -27,16 +27,18 @@ static inline double dalembert_last_with_sign(dalembert_modes* m, size_t k, cons
     return with;
 }
 
-/* The first change of a function's sign further than `room` behind t; `limit` where there is none before that. */
+/* The first change of a function's sign further than `room` behind t; where there is none, the end of the search: `limit`, or what comes
+ * before after a million looks. */
 static inline double dalembert_next_of_function(dalembert_modes* m, size_t k, double t, const double* x, double limit, double room) {
     const double most_looks = 1e6, half_turn = 3.141592653589793;
     int sign = dalembert_time_sign(m, k, t, x);
     const double turns = m->s[m->plant->time_switches + k] * (limit - t) / half_turn;
-    /* At least four looks in each half turn. What is not a number takes the most. */
-    const double looks = turns <= 1 ? 4 : 4 * turns < most_looks ? ceil(4 * turns) : most_looks;
+    /* At least four looks in each half turn. A rate that is no number says nothing. */
+    const double wanted = turns > 1 ? ceil(4 * turns) : 4, looks = fmin(wanted, most_looks);
+    const double end = looks < wanted ? fmax(t + (limit - t) * (looks / wanted), t + 2 * room) : limit;
     double last = t;
     for (double i = 1; i <= looks; ++i) {
-        const double look = i < looks ? t + (limit - t) * (i / looks) : limit;
+        const double look = i < looks ? t + (end - t) * (i / looks) : end;
         const int now = dalembert_time_sign(m, k, look, x);
         if (now != sign && sign != 0) {
             const double change = dalembert_last_with_sign(m, k, x, sign, last, look, room);
@@ -45,11 +47,11 @@ static inline double dalembert_next_of_function(dalembert_modes* m, size_t k, do
         sign = now;
         last = look;
     }
-    return limit;
+    return end;
 }
 
 /* The next time behind t at which a function of time changes its sign, with x and the inputs as they are; `limit` where there is none
- * before that. `room`: how far two times must be apart. From just before a change one goes on `room` behind it: there others that depend on it
+ * before that. A time at which a long search ends counts as one, so that the next one begins there. `room`: how far two times must be apart. From just before a change one goes on `room` behind it: there others that depend on it
  * have their new signs. Plants without such functions: limit. */
 static inline double dalembert_next_jump(dalembert_modes* m, double t, const double* x, double limit, double room) {
     /* What stands inside another comes first: up to its next change the other is smooth. */

@@ -155,7 +155,8 @@ public:
     Status update(News& news) override {
         bool nominals = false, has_next = false;
         double next = 0;
-        const Status status = as(CALL3(UpdateDiscreteStates)(c_, &news.again, &news.over, &nominals, &news.states_changed, &has_next, &next));
+        const Status status =
+            as(CALL3(UpdateDiscreteStates)(c_, &news.again, &news.over, &nominals, &news.states_changed, &has_next, &next));
         news.next = has_next ? next : std::numeric_limits<double>::infinity();
         return status;
     }

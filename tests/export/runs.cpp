@@ -138,7 +138,8 @@ private:
         // One at the end itself is on either side by rounding.
         const auto is_at_end = [&](double t) { return t > until * (1 - 1e-14); };
         std::size_t count = made_->event_count;
-        const bool compares_modes = (count == 0 || !is_at_end(made_->events[count - 1].t)) && (events.empty() || !is_at_end(events.back().t));
+        const bool compares_modes =
+            (count == 0 || !is_at_end(made_->events[count - 1].t)) && (events.empty() || !is_at_end(events.back().t));
         while (count > 0 && is_at_end(made_->events[count - 1].t)) --count;
         while (!events.empty() && is_at_end(events.back().t)) events.pop_back();
         if (plant_.modes > 0 && compares_modes && made_->mode != result_.mode) trouble += " another mode at the end;";

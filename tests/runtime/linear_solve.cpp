@@ -58,7 +58,8 @@ void check_dense(Numbers& numbers) {
     std::array<Scalar, n> b;
     for (Scalar& entry : A) entry = Scalar(numbers());
     for (Scalar& entry : b) entry = Scalar(numbers());
-    CHECK(backward_error<Scalar, n>(A, DenseLu<Scalar, n>(), b) < 20 * static_cast<double>(n) * static_cast<double>(std::numeric_limits<Scalar>::epsilon()));
+    const double rounding = static_cast<double>(n) * static_cast<double>(std::numeric_limits<Scalar>::epsilon());
+    CHECK(backward_error<Scalar, n>(A, DenseLu<Scalar, n>(), b) < 20 * rounding);
 }
 
 /// A band of numbers; where it is not triangular, its diagonal is too small to go without exchanges.
@@ -178,7 +179,9 @@ TEST_CASE("what is singular or no number is refused") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
     const double tiny = std::numeric_limits<double>::denorm_min();
-    const auto both = [&](std::array<double, 9> columns) { return refuses(DenseLu<double, 3>(), columns) && refuses(BandLu<double, 3, 1, 1>(), columns); };
+    const auto both = [&](std::array<double, 9> columns) {
+        return refuses(DenseLu<double, 3>(), columns) && refuses(BandLu<double, 3, 1, 1>(), columns);
+    };
     CHECK_FALSE(both({1, 0, 0, 0, 1, 0, 0, 0, 1}));
     CHECK(both({0, 0, 0, 0, 0, 0, 0, 0, 0}));
     CHECK(both({1, 2, 0, 2, 4, 0, 0, 0, 1}));  // two columns in proportion

@@ -216,12 +216,12 @@ public:
     /// Behind a kink at a known time: whether a guard that ends the run, or an event, has jumped below zero with it. That one is
     /// ending_guard(): it needs no search either.
     bool has_jumped(const State& x, Scalar t) {
-        const Values g = raw(x, t);
-        const auto jumps = [&](std::size_t i) { return ends_[i] && g[i] < -watches_[i].largest / Scalar(1000000); };
-        bool any = false;
-        for (std::size_t i = 0; i < count(); ++i) any = any || (watches_[i].last > Scalar(0) && jumps(i));
-        for (std::size_t i = 0; any && i < count(); ++i) found_[i] = jumps(i) ? g[i] : Scalar(1);
-        return any;
+        found_ = raw(x, t);
+        for (std::size_t i = 0; i < count(); ++i) {
+            const Watch& watch = watches_[i];
+            if (!(ends_[i] && watch.last > Scalar(0) && found_[i] < -watch.largest / Scalar(1000000))) found_[i] = Scalar(1);
+        }
+        return has_changed();
     }
 
     /// Whether a kink that rests is still near its zero at (x, t), or leaves it to one side, no faster than twice as far in a step.
