@@ -119,18 +119,6 @@ std::string start_statements(const System& system, const Values& values) {
 
 }  // namespace
 
-bool steps_freely(const System& system, const std::vector<ex>& inputs) {
-    if (!system.guards.empty() || !system.scene.modes.empty() || !system.heat.fields.empty() || !system.motion.multipliers.empty())
-        return false;
-    const Motion& motion = system.motion;
-    std::vector<ex> acting = inputs;
-    acting.insert(acting.end(), motion.residual.begin(), motion.residual.end());
-    acting.insert(acting.end(), system.state_rates.begin(), system.state_rates.end());
-    for (const auto& [coordinate, acceleration] : motion.accelerations) acting.push_back(acceleration);
-    for (const ConstraintEquation& c : system.constraints) acting.push_back(c.whole_rate);
-    return std::none_of(acting.begin(), acting.end(), [&](const ex& e) { return e.has(system.symbols.time()); });
-}
-
 std::string controller_source(const System& controller, const Header& header) {
     const bool is_float = controller.scene.sampling->numbers == ControllerSampling::Numbers::floats;
     const char* numbers = is_float ? "float" : "double";

@@ -24,10 +24,6 @@ struct SimulationSettings {
     std::vector<std::string> formats;  ///< of result files besides CSV
 };
 
-/// Whether nothing depends on the time, no guard is watched and no singular position looked for, so that nothing comes and goes within a
-/// step that the control of its error would not see.
-bool steps_freely(const System& system, const std::vector<GiNaC::ex>& inputs);
-
 /// What makes a plant of a header: the file that exports it, with the inputs of a run. Without inputs it is the plant alone.
 std::string plant_source(Code& code, const Header& header, const SimulationSettings& settings);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A run with its derivatives in one integration, whose steps follow the error of the state alone: what a fit needs.
+// A run with its derivatives in one integration, whose steps follow the error of the state: what a fit needs.
 #pragma once
 
 #include "plant/simulation.hpp"

@@ -68,6 +68,8 @@ std::vector<Column> sensitivity_columns(const PlantRun& run) {
 
 /// Methods of fixed steps, and those that need more than rates, do not take S.
 inline bool takes_sensitivities(Method method) { return method == Method::dopri5 || method == Method::dop853 || method == Method::rodas5p; }
+/// Whether samples do not change the steps.
+inline bool steps_past_samples(Method method) { return method == Method::automatic || takes_sensitivities(method); }
 
 template <class System>
 class Runner {
@@ -92,10 +94,11 @@ public:
         typename Running::Options options;
         if (!controllers_.empty()) options.clock = &clock;
         options.method = method_named(run_.method).method;
-        dalembert::detail::set_run(options, system_, inputs_, x, run_.tolerance, run_.step, run_.intervals, run_.until, energy(x));
-        if (run_.steps_freely) options.max_step = 0;
+        dalembert::detail::set_run(options, system_, inputs_, x, run_.tolerance, run_.step, run_.intervals, run_.until, energy(x),
+                                   run_.steps_freely);
         options.kinks = run_.kinks;
         options.output_times = run_.output_times;
+        if (!run_.keeps_all && run_.steps_freely && run_.varied.empty() && steps_past_samples(options.method)) options.intervals = 1;
         if constexpr (!switches)
             if (run_.is_of_heat) result_.euler_step = largest_euler_step(system_, x, inputs_(x, 0.0), 0.0);
         if (!run_.varied.empty()) begin_sensitivities(options, x);

@@ -12,6 +12,7 @@
 #include "elements/item.hpp"
 #include "elements/model.hpp"
 #include "emit/value_statements.hpp"
+#include "form/free_steps.hpp"
 #include "form/state_places.hpp"
 #include "graph/notation.hpp"
 #include "js/module.hpp"

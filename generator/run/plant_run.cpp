@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "check/written_values.hpp"
+#include "form/free_steps.hpp"
 #include "form/state_places.hpp"
 #include "language/parser.hpp"
 #include "text/diagnostic.hpp"

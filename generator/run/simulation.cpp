@@ -11,6 +11,7 @@
 
 #include "elements/fluids.hpp"
 #include "elements/runs.hpp"
+#include "form/free_steps.hpp"
 #include "form/state_places.hpp"
 #include "program/function_bodies.hpp"
 #include "prove/constraint_validity.hpp"

@@ -60,11 +60,13 @@ class ObservableReader {
 public:
     explicit ObservableReader(const System& system) : system_(system), columns_(recorded_columns(system)) {}
 
-    Observable read(const ExpressionPtr& e) const {
+    Observable read(const ExpressionPtr& e) {
+        is_of_samples_ = false;
         const auto whole = of<PlantRunResult>(*e);
         std::string unit = whole.unit;
         if (unit.empty() && !whole.dimension.is_none()) unit = whole.dimension.in_base_units();
-        return {column_of(*e) ? "end(" + e->written() + ")" : e->written(), unit == "1" ? "" : unit, whole.value};
+        return {column_of(*e) ? "end(" + e->written() + ")" : e->written(), unit == "1" ? "" : unit, whole.value,
+                is_of_samples_};
     }
 
 private:
@@ -73,7 +75,7 @@ private:
     }
 
     template <class From>
-    Measured<From> of(const Expression& e) const {
+    Measured<From> of(const Expression& e) {
         using Kind = Expression::Kind;
         switch (e.kind) {
             case Kind::number: {
@@ -115,12 +117,12 @@ private:
     }
 
     template <class From>
-    std::pair<Measured<From>, Measured<From>> both(const Expression& e) const {
+    std::pair<Measured<From>, Measured<From>> both(const Expression& e) {
         return {of<From>(*e.children[0]), of<From>(*e.children[1])};
     }
 
     template <class From, class Operation>
-    Measured<From> sum(const Expression& e, Operation operation) const {
+    Measured<From> sum(const Expression& e, Operation operation) {
         auto [a, b] = both<From>(e);
         if (!(a.dimension == b.dimension))
             refuse(e,
@@ -132,7 +134,7 @@ private:
     }
 
     template <class From>
-    Measured<From> power(const Expression& e) const {
+    Measured<From> power(const Expression& e) {
         auto [a, b] = both<From>(e);
         Dimension dimension;
         if (!a.dimension.is_none()) {
@@ -149,7 +151,7 @@ private:
     }
 
     template <class From>
-    Measured<From> function(const Expression& e) const {
+    Measured<From> function(const Expression& e) {
         if (e.kind == Expression::Kind::name) unknown(e);
         std::vector<Measured<From>> arguments;
         const auto known = std::find_if(of_numbers.begin(), of_numbers.end(), [&](const NumberFunction& f) { return f.name == e.name; });
@@ -206,18 +208,19 @@ private:
                 of_row.dimension, of_row.unit};
     }
 
-    std::optional<Measured<PlantRunResult>> observed(const Expression& e) const {
+    std::optional<Measured<PlantRunResult>> observed(const Expression& e) {
         if (e.kind != Expression::Kind::call || e.children.size() != 1) return std::nullopt;
         const Expression& argument = *e.children[0];
         if (e.name == "time" || e.name == "count") return of_event(e, argument);
         if (e.name == "end") return at_end(of<Row>(argument));
+        if (e.name != "start" && e.name != "max" && e.name != "min") return std::nullopt;
+        is_of_samples_ = true;
         if (e.name == "start") {
             const auto of_row = of<Row>(argument);
             return Measured<PlantRunResult>{
                 [v = of_row.value](const PlantRunResult& run) { return run.recording.rows.empty() ? none : v(run.recording.rows.front()); },
                 of_row.dimension, of_row.unit};
         }
-        if (e.name != "max" && e.name != "min") return std::nullopt;
         const auto of_row = of<Row>(argument);
         const double sign = e.name == "max" ? 1 : -1;
         return Measured<PlantRunResult>{[v = of_row.value, sign](const PlantRunResult& run) {
@@ -257,6 +260,7 @@ private:
 
     const System& system_;
     std::vector<Column> columns_;
+    bool is_of_samples_ = false;  ///< what is read
 };
 
 }  // namespace
@@ -281,7 +285,7 @@ std::vector<Observable> read_observables(const std::vector<std::string>& texts, 
         for (const Variable* state : system.symbols.state_variables()) wanted.push_back(state->recorded_name());
         for (const OutputEquation& output : system.outputs) wanted.push_back(output.name);
     }
-    const ObservableReader reader(system);
+    ObservableReader reader(system);
     std::vector<Observable> result;
     for (const std::string& text : wanted) {
         const auto source = std::make_shared<const Source>("--observe", text);

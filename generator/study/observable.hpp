@@ -24,6 +24,7 @@ struct Observable {
     std::string name;  ///< as it was written
     std::string unit;  ///< of SI; empty without one
     std::function<double(const PlantRunResult&)> value;
+    bool is_of_samples = false;  ///< not of the end and events alone
 };
 
 /// The columns of the recording of a run, in their order.

@@ -75,6 +75,7 @@ Study::Study(const std::shared_ptr<const LoadedModel>& model, const Options& opt
     const System& system = *runs_.machine().system;
     varied_ = read_varied(options.vary, system, runs_.values());
     observables_ = read_observables(options.observe, system);
+    sees_samples_ = std::any_of(observables_.begin(), observables_.end(), [](const Observable& one) { return one.is_of_samples; });
     read_design(options);
     std::vector<const Variable*> variables;
     for (const VariedQuantity& one : varied_) variables.push_back(one.variable);
@@ -146,7 +147,9 @@ RowOfRun Study::row_of(std::size_t run, std::vector<double> values) const {
     enter_stage("a run of a study");  // each has a budget of its own
     RowOfRun row{run, "", none, std::move(values), std::vector<double>(observables_.size(), none)};
     try {
-        const PlantRunResult result = simulate_plant(runs_.plant(), runs_(row.varied));
+        PlantRun own = runs_(row.varied);
+        own.keeps_all = sees_samples_;
+        const PlantRunResult result = simulate_plant(runs_.plant(), own);
         const System& system = *runs_.machine().system;
         const EventEquation* ends = event_that_ended(result.outcome, system);
         row.t = result.outcome.t;

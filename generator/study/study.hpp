@@ -35,12 +35,12 @@ public:
 private:
     void read_design(const Options& options);
     void bound_values();
-    PlantRun run_of(std::span<const double> values) const;
     RowOfRun row_of(std::size_t run, std::vector<double> values) const;
 
     VariedRuns runs_;
     std::vector<VariedQuantity> varied_;
     std::vector<Observable> observables_;
+    bool sees_samples_ = false;  ///< some of them do
     Design design_;
     RunTable head_;
 };

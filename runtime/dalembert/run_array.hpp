@@ -20,6 +20,8 @@ namespace detail {
 template <class Size, class T>
 class RunArray {
     static constexpr std::size_t most_without_heap = sizeof(T) > 64 ? 1 : 128 / sizeof(T);
+    static constexpr bool has_halves = std::is_trivially_copyable_v<T> && most_without_heap > 1;
+    static constexpr std::size_t half = (most_without_heap + 1) / 2;
 
 public:
     using value_type = T;
@@ -31,27 +33,21 @@ public:
     using const_iterator = const T*;
 
     RunArray() : RunArray(Size::of_run()) {}
-    /// Short ones are copied as a whole, which is faster than so many entries.
-    RunArray(const RunArray& other) : size_(other.size_), short_(other.short_) {
-        if (other.long_ == nullptr) return;
-        long_.reset(new T[size_]);
-        std::copy(other.begin(), other.end(), begin());
+    RunArray(const RunArray& other) : size_(other.size_), long_(other.long_ != nullptr ? new T[size_] : nullptr) { copy(other); }
+    RunArray(RunArray&& other) : size_(other.size_), long_(std::move(other.long_)) {
+        if (long_ == nullptr) take_short(std::move(other));
+        other.size_ = 0;
     }
-    RunArray(RunArray&& other) : size_(other.size_), short_(std::move(other.short_)), long_(std::move(other.long_)) { other.size_ = 0; }
     RunArray& operator=(const RunArray& other) {
         if (size_ != other.size_) return *this = RunArray(other);
-        if (long_ == nullptr) {
-            short_ = other.short_;
-            return *this;
-        }
-        std::copy(other.begin(), other.end(), begin());
+        copy(other);
         return *this;
     }
     RunArray& operator=(RunArray&& other) {
         if (long_ == nullptr && size_ == other.size_) return *this = std::as_const(other);
-        size_ = std::exchange(other.size_, 0);
-        short_ = std::move(other.short_);
         long_ = std::move(other.long_);
+        if (long_ == nullptr) take_short(std::move(other));
+        size_ = std::exchange(other.size_, 0);
         return *this;
     }
     ~RunArray() = default;
@@ -72,10 +68,26 @@ public:
     friend bool operator!=(const RunArray& a, const RunArray& b) { return !(a == b); }
 
 private:
-    explicit RunArray(std::size_t size) : size_(size), long_(size > most_without_heap ? new T[size]() : nullptr) {}
+    explicit RunArray(std::size_t size) : size_(size), long_(size > most_without_heap ? new T[size]() : nullptr) {
+        std::fill_n(short_.data(), has_halves && size <= half ? half : most_without_heap, T());
+    }
+    void copy(const RunArray& other) {
+        if (long_ == nullptr)
+            take_short(other);
+        else
+            std::copy(other.begin(), other.end(), begin());
+    }
+    /// One half or both: that is faster than so many entries.
+    template <class Other>
+    void take_short(Other&& other) {
+        if (has_halves && other.size_ <= half)
+            std::copy_n(other.short_.data(), half, short_.data());
+        else
+            short_ = std::forward<Other>(other).short_;
+    }
 
     std::size_t size_;
-    std::array<T, most_without_heap> short_{};
+    std::array<T, most_without_heap> short_;
     std::unique_ptr<T[]> long_;
 };
 

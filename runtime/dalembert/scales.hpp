@@ -81,16 +81,18 @@ typename System::State rate_rounding(const System& system, const Sample& sample)
 /// Where the rough run stops, the sizes are those up to there.
 /// A size stops where the digits that `tolerance` asks for are no longer there: where what rounding leaves of a rate, over the longest
 /// step, would be an error that counts. A pendulum that swings by 3e-5 m rises at 3e-9 m/s, known to 1e-17 m/s, and not to 1e-9 of that.
+/// With `steps_freely` nothing in the run can be stepped over, so that the rough run looks at a hundred points at most.
 template <class System, class Inputs>
 typename System::State state_scales(const System& system, const Inputs& inputs, const typename System::State& start,
                                     typename System::scalar_type until, std::size_t intervals,
-                                    typename System::scalar_type tolerance = typename System::scalar_type(1)) {
+                                    typename System::scalar_type tolerance = typename System::scalar_type(1), bool steps_freely = false) {
     using Scalar = typename System::scalar_type;
     using State = typename System::State;
     using std::abs;
     using std::isfinite;
     using std::max;
     using std::min;
+    const Scalar longest = until / Scalar(static_cast<double>(intervals));
     const Scalar rest = Scalar(10000) * std::numeric_limits<Scalar>::epsilon();
     State scale;
     for (std::size_t i = 0; i < start.size(); ++i) scale[i] = abs(start[i]) > rest ? min(Scalar(1), Scalar(abs(start[i]))) : Scalar(1);
@@ -99,8 +101,8 @@ typename System::State state_scales(const System& system, const Inputs& inputs, 
     for (int again = 0; again < 5; ++again) {
         typename detail::Running<System>::Options options;
         options.tolerance = Scalar(1) / Scalar(1000);
-        options.intervals = intervals;
-        options.max_step = until / Scalar(static_cast<double>(intervals));
+        options.intervals = steps_freely ? std::min<std::size_t>(intervals, 100) : intervals;
+        if (!steps_freely) options.max_step = longest;
         options.max_steps = 100000;
         std::copy(scale.begin(), scale.end(), options.scale.begin());
         options.scale.back() = std::numeric_limits<Scalar>::max() / Scalar(1e10);  // the work
@@ -124,7 +126,6 @@ typename System::State state_scales(const System& system, const Inputs& inputs, 
     }
     // States that are this large are never measured against less.
     const Scalar most = Scalar(1) / Scalar(1000);
-    const Scalar longest = until / Scalar(static_cast<double>(intervals));
     for (std::size_t i = 0; i < scale.size(); ++i)
         scale[i] = max(scale[i], min(most, Scalar(Scalar(4) * rounding[i] * longest / tolerance)));
     return scale;

@@ -119,7 +119,7 @@ Outcome integrate_beside(const System& system, const Inputs& inputs, const std::
 /// are differences. It is not varied itself, unless inputs.of(system) gives the inputs for a system with other parameters.
 ///
 /// A number that is in no table gives Status::bad_options. The scale of an entry of S is the scale of its state, divided by the size of
-/// what is varied. With controls = false the steps follow the error of the state alone.
+/// what is varied. With controls = false errors of S count ten thousand times less, so that steps follow the error of the state.
 ///
 /// S at a time is that of the run at that time: at an event that a varied parameter moves, it jumps. Where an event only touches its zero,
 /// the run has no derivatives: Status::not_finite, with that event as the guard. The run with an infinite number of events ends as the last

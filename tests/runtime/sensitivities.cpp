@@ -174,6 +174,25 @@ TEST_CASE("sensitivities that do not control the steps follow those of the state
     for (std::size_t i = 0; i < 4; ++i) CHECK(S[0][i] == doctest::Approx(static_cast<double>(expected[i])).epsilon(1e-5));
 }
 
+TEST_CASE("sensitivities that do not control the steps stay right where the state rests") {
+    namespace model = cart_pendulum::lab;
+    using System = model::System<double>;
+    const System system;
+    const std::array varied{Varied::start(0), Varied::start(1)};
+    IntegrationOptions<System::State> options;
+    std::array<Sensitivities<System, 2>, 2> S;
+    for (const bool controls : {false, true}) {
+        System::State x{};
+        S[controls] = sensitivities_at_fixed_start<System>(varied);
+        const Outcome outcome = simulate_sensitivities(
+            system, ZeroInputs<System>(), varied, x, S[controls], 0.0, 100.0, options, [](const auto&) {}, controls);
+        CHECK(outcome.status == Status::success);
+        CHECK(x == System::State{});
+    }
+    for (std::size_t c = 0; c < 2; ++c)
+        for (std::size_t i = 0; i < 4; ++i) CHECK(std::abs(S[0][c][i] - S[1][c][i]) < 1e-3);
+}
+
 template <class Scalar>
 void see_stiffness(double tolerance, double allowed) {
     using System = voltage_regulator::cooled::System<Scalar>;

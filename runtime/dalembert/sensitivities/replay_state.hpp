@@ -29,7 +29,7 @@ public:
     using Sensitivities = ColumnsOf<Plain>;
     using KinksOfInputs = KnownKinks<Scalar, ColumnsOf<Scalar>>;
 
-    /// Refers to all of them but S. `options` are those of the run; with controls = false the steps follow the error of the state alone.
+    /// Refers to all of them but S. `options` are those of the run; with controls = false the steps follow the error of the state.
     ReplayState(const System& system, const Inputs& inputs, const List& varied, const Plain& x, const Sensitivities& S, Scalar from,
                 Scalar to, const IntegrationOptions<Plain>& options, bool controls = true)
         : own_{system},

@@ -154,13 +154,14 @@ public:
         shown_.rhs_and_jacobian(x, u, t, dxdt, by_state_);
         put(derivative, 0, dxdt);
         shown_.jacobian_p(x, u, t, by_parameters_);
-        for (std::size_t c = 0; c < varied_.size(); ++c) {
-            Plain s = part(all, c + 1), rate = own_rate(c);
-            for (std::size_t column = 0; column < n; ++column)
-                for_each_in_column<typename System::PatternX>(
-                    by_state_, n, column, [&](std::size_t row, const Scalar& value) { rate[row] += value * s[column]; });
-            put(derivative, c + 1, rate);
-        }
+        const std::size_t end = (varied_.size() + 1) * n;
+        const Scalar* const S = all.data();
+        Scalar* const rates_of_S = derivative.data();
+        put_own_rates(derivative);
+        for (std::size_t column = 0; column < n; ++column)
+            for_each_in_column<typename System::PatternX>(by_state_, n, column, [&](std::size_t row, const Scalar& value) {
+                for (std::size_t c = n; c < end; c += n) rates_of_S[c + row] += value * S[c + column];
+            });
         if constexpr (may_have_entries<typename System::Input>) {
             if (are_of_time_alone(inputs_, 0)) return;
             if (on_the_way_.have_feedback(x, u, t)) add_feedback(all, x, t, derivative);
@@ -261,14 +262,15 @@ private:
     }
 
     /// df/d(varied) at fixed x and u.
-    Plain own_rate(std::size_t c) const {
-        Plain result;
-        result.fill(Scalar(0));
-        // The delay of an input has no column of its own.
-        if (varied_[c].of == Varied::Of::parameter && varied_[c].number < System::parameter_table().size())
-            for_each_in_column<typename System::PatternP>(by_parameters_, size_of<Plain>(), varied_[c].number,
-                                                          [&](std::size_t row, const Scalar& value) { result[row] = value; });
-        return result;
+    void put_own_rates(State& derivative) const {
+        const std::size_t n = size_of<Plain>();
+        std::fill(derivative.begin() + static_cast<std::ptrdiff_t>(n), derivative.end(), Scalar(0));
+        for (std::size_t c = 0; c < varied_.size(); ++c)
+            // The delay of an input has no column of its own.
+            if (varied_[c].of == Varied::Of::parameter && varied_[c].number < System::parameter_table().size())
+                for_each_in_column<typename System::PatternP>(
+                    by_parameters_, n, varied_[c].number,
+                    [&](std::size_t row, const Scalar& value) { derivative[(c + 1) * n + row] = value; });
     }
 
     const System& shown_system_;
