@@ -114,7 +114,7 @@ double Rewriter::unit_of(const ExactNumber& number, const std::vector<double>& v
     return unit;
 }
 
-const std::vector<std::optional<Rewriter::Expected>>& Rewriter::expected(const Polynomial& exact_form) {
+std::vector<std::optional<Rewriter::Expected>>& Rewriter::expected(const Polynomial& exact_form) {
     if (points_.empty()) draw(guards_);
     auto& [of, list] = expected_;
     if (!list.empty() && of == exact_form) return list;
@@ -123,12 +123,23 @@ const std::vector<std::optional<Rewriter::Expected>>& Rewriter::expected(const P
     const Arithmetic& arithmetic = double_arithmetic();
     for (auto& [at, values] : points_) {
         list.emplace_back();
-        const MaybeExact number = at.exact(exact_form);
+        const MaybeExact number = at.value(exact_form);
         const double value = number ? cln::double_approx(number->value) : 0;
         if (!number || !(std::fabs(value) <= arithmetic.largest)) continue;
-        list.back() = Expected{number->value, unit_of(*number, values)};
+        list.back() = Expected{number->value, arithmetic.ulp(value)};
     }
     return list;
+}
+
+/// Of the sum that is expected.
+double Rewriter::unit_at(std::size_t point) {
+    auto& [of, list] = expected_;
+    std::optional<double>& unit = list[point]->unit;
+    if (unit) return *unit;
+    auto& [at, values] = points_[point];
+    const MaybeExact number = at.exact(of);
+    unit = number ? unit_of(*number, values) : std::numeric_limits<double>::quiet_NaN();
+    return *unit;
 }
 
 /// Whether a form loses no more than `good_enough`. Slopes are taken only where it loses more than the last digits of the value itself.
@@ -159,11 +170,13 @@ Rewriter::Loss Rewriter::loss(const Polynomial& exact_form, const Polynomial& co
         if (!list[k]) continue;
         const double computed = points_[k].first.rounded(computed_form);
         if (!std::isfinite(computed)) {
-            ++result.without_value;
+            result.without_value += std::isfinite(unit_at(k)) ? 1 : 0;
             continue;
         }
         if (std::fabs(computed) < vanishing && cln::abs(list[k]->value) < exact(vanishing)) continue;
-        result.error = std::max(result.error, cln::double_approx(cln::abs(exact(computed) - list[k]->value)) / list[k]->unit);
+        const double error = cln::double_approx(cln::abs(exact(computed) - list[k]->value));
+        if (error / list[k]->ulp <= result.error) continue;  // the unit is at least an ulp
+        if (const double unit = unit_at(k); std::isfinite(unit)) result.error = std::max(result.error, error / unit);
     }
     return result;
 }

@@ -42,12 +42,15 @@ private:
     bool seems_zero(const Polynomial& p);
     std::size_t points_with_value(const Polynomial& exact);
     void note(const Rewriting& one);
-    /// What a sum is at a point, and how large an error is that its inputs and its own rounding allow.
+    /// What a sum is at a point, and how large an error is that its own rounding allows, and its inputs, too: that takes slopes, and is
+    /// found out where it matters. Not a number where there are none.
     struct Expected {
         cln::cl_R value;
-        double unit;
+        double ulp;
+        std::optional<double> unit = {};
     };
-    const std::vector<std::optional<Expected>>& expected(const Polynomial& exact);
+    std::vector<std::optional<Expected>>& expected(const Polynomial& exact);
+    double unit_at(std::size_t point);
 
     const System& system_;
     Atoms& atoms_;

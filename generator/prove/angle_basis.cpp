@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 namespace dalembert {
@@ -20,9 +21,20 @@ std::string name_of(const ex& symbol) { return GiNaC::ex_to<GiNaC::symbol>(symbo
 
 using SymbolsByName = std::map<std::string, ex>;
 
-void note_angles(const ex& e, Arguments& found, Arguments& seen, SymbolsByName& symbols) {
-    if (GiNaC::is_a<GiNaC::symbol>(e)) symbols.emplace(name_of(e), e);
-    if (GiNaC::is_a<GiNaC::symbol>(e) || GiNaC::is_a<GiNaC::numeric>(e) || !seen.insert(e).second) return;
+struct HashOf {
+    std::size_t operator()(const ex& e) const { return e.gethash(); }
+};
+struct AreEqual {
+    bool operator()(const ex& a, const ex& b) const { return a.is_equal(b); }
+};
+using Seen = std::unordered_set<ex, HashOf, AreEqual>;
+
+void note_angles(const ex& e, Arguments& found, Seen& seen, SymbolsByName& symbols) {
+    if (e.info(GiNaC::info_flags::numeric) || !seen.insert(e).second) return;
+    if (e.info(GiNaC::info_flags::symbol)) {
+        symbols.emplace(name_of(e), e);
+        return;
+    }
     if (GiNaC::is_the_function<GiNaC::sin_SERIAL>(e) || GiNaC::is_the_function<GiNaC::cos_SERIAL>(e)) found.insert(e.op(0));
     for (std::size_t i = 0; i < e.nops(); ++i) note_angles(e.op(i), found, seen, symbols);
 }
@@ -82,7 +94,8 @@ void change_rates(const GiNaC::exmap& change, const GiNaC::exmap& back, const Sy
 
 ShortAngles with_short_angles(const ex& given) {
     constexpr std::size_t short_enough = 2;
-    Arguments seen, arguments;
+    Seen seen;
+    Arguments arguments;
     SymbolsByName symbols;
     note_angles(given, arguments, seen, symbols);
     if (longest(arguments) <= short_enough) return {given, {}};

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "prove/branches.hpp"
 #include "prove/normal_form.hpp"
 #include "symbolic/curve_functions.hpp"
@@ -44,6 +46,23 @@ bool has_nested_roots(const ex& e) {
 class AsLetters : public GiNaC::map_function {
 public:
     ex operator()(const ex& e) override {
+        if (GiNaC::is_exactly_a<GiNaC::function>(e)) return of_function(e);
+        if (GiNaC::is_exactly_a<GiNaC::power>(e)) {
+            if (is_exponential(e.op(0))) return GiNaC::exp((argument(e.op(0).op(0)) * argument(e.op(1))).expand());
+            if (!e.op(1).info(GiNaC::info_flags::integer)) return letter(GiNaC::pow(argument(e.op(0)), argument(e.op(1))));
+        }
+        return e.map(*this);
+    }
+    bool has_any() const { return !letters_.empty(); }
+    /// With all that letters stand for, which may have letters itself.
+    ex written_out(ex e) const {
+        for (auto last = meaning_.rbegin(); last != meaning_.rend(); ++last)
+            e = e.subs(last->first == last->second, GiNaC::subs_options::no_pattern);
+        return e;
+    }
+
+private:
+    ex of_function(const ex& e) {
         if (is_ex_the_function(e, whole) || is_ex_the_function(e, unlocated)) return (*this)(e.op(0));
         if (is_ex_the_function(e, maximum)) return (*this)(e.op(1)) + above_zero(argument(e.op(0) - e.op(1)));
         if (is_ex_the_function(e, minimum)) return (*this)(e.op(0)) - above_zero(argument(e.op(0) - e.op(1)));
@@ -60,21 +79,9 @@ public:
             const ex x = argument(e.op(0));
             return is_first(x) ? letter(sign_of(x)) : -letter(sign_of((-x).expand()));
         }
-        const bool is_power = GiNaC::is_a<GiNaC::power>(e);
-        if (is_power && is_exponential(e.op(0))) return GiNaC::exp((argument(e.op(0).op(0)) * argument(e.op(1))).expand());
-        if (is_power && !e.op(1).info(GiNaC::info_flags::integer)) return letter(GiNaC::pow(argument(e.op(0)), argument(e.op(1))));
         if (switch_of(e) || curve_call(e) || map_call(e)) return letter(e.map(*this));
         return e.map(*this);
     }
-    bool has_any() const { return !letters_.empty(); }
-    /// With all that letters stand for, which may have letters itself.
-    ex written_out(ex e) const {
-        for (auto last = meaning_.rbegin(); last != meaning_.rend(); ++last)
-            e = e.subs(last->first == last->second, GiNaC::subs_options::no_pattern);
-        return e;
-    }
-
-private:
     ex argument(const ex& e) { return (*this)(e).expand(GiNaC::expand_options::expand_function_args); }
     static bool is_first(const ex& x) { return x.compare((-x).expand()) <= 0; }
     static bool is_exponential(const ex& e) {
@@ -97,7 +104,17 @@ private:
     std::vector<std::pair<ex, ex>> meaning_;  ///< in the order in which they were met
 };
 
+/// Whether something may become a letter. To look costs less than to write it anew, and mostly nothing does.
+bool may_have_letters(const ex& e) {
+    if (e.info(GiNaC::info_flags::numeric) || e.info(GiNaC::info_flags::symbol)) return false;
+    if (GiNaC::is_exactly_a<GiNaC::function>(e) && !GiNaC::is_the_function<GiNaC::sin_SERIAL>(e) && !GiNaC::is_the_function<GiNaC::cos_SERIAL>(e))
+        return true;
+    if (GiNaC::is_exactly_a<GiNaC::power>(e) && !e.op(1).info(GiNaC::info_flags::integer)) return true;
+    return std::any_of(e.begin(), e.end(), may_have_letters);
+}
+
 bool is_equal_in_letters(const ex& difference, ZeroAtPoints& seems_zero) {
+    if (!may_have_letters(difference)) return false;
     AsLetters as_letters;
     const ex written = as_letters(difference);
     if (!as_letters.has_any()) return false;

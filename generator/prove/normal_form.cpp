@@ -99,18 +99,14 @@ std::string NormalForm::symbol_named(const Monomial& monomial) const {
 
 Polynomial NormalForm::convert(const ex& e) {
     if (GiNaC::is_exactly_a<numeric>(e)) return Polynomial(rational(ex_to<numeric>(e)));
-    if (GiNaC::is_a<GiNaC::symbol>(e)) return Polynomial::letter(symbol(e));
-    if (GiNaC::is_a<GiNaC::add>(e)) {
+    if (e.info(GiNaC::info_flags::symbol)) return Polynomial::letter(symbol(e));
+    if (GiNaC::is_exactly_a<GiNaC::add>(e)) {
         Polynomial sum;
         for (const ex& term : e) sum += convert(term);
         if (sum.size() > budget::polynomial_terms) throw TooManyTerms();
         return sum;
     }
-    if (GiNaC::is_a<GiNaC::mul>(e)) {
-        Polynomial product(1);
-        for (const ex& factor : e) product = multiply(product, convert(factor));
-        return product;
-    }
+    if (GiNaC::is_exactly_a<GiNaC::mul>(e)) return product_of(e);
     if (const auto known = known_functions_.find(e); known != known_functions_.end()) return known->second;
     Polynomial result;
     if (GiNaC::is_a<GiNaC::power>(e)) {
@@ -121,6 +117,29 @@ Polynomial NormalForm::convert(const ex& e) {
     else result = atom("constant", e);
     known_functions_.emplace(e, result);
     return result;
+}
+
+/// Of factors with one term each only the product is reduced.
+Polynomial NormalForm::product_of(const ex& factors) {
+    Monomial monomial;
+    Rational coefficient = 1;
+    std::vector<Polynomial> sums;
+    for (const ex& factor : factors) {
+        if (GiNaC::is_exactly_a<numeric>(factor)) {
+            coefficient = coefficient * rational(ex_to<numeric>(factor));
+        } else if (factor.info(GiNaC::info_flags::symbol)) {
+            monomial = monomial * Monomial{{symbol(factor), 1}};
+        } else if (Polynomial one = convert(factor); one.is_monomial()) {
+            monomial = monomial * one.terms().begin()->first;
+            coefficient = coefficient * one.terms().begin()->second;
+        } else {
+            sums.push_back(std::move(one));
+        }
+    }
+    Polynomial product;
+    add_reduced(product, std::move(monomial), coefficient);
+    for (const Polynomial& sum : sums) product = multiply(product, sum);
+    return product;
 }
 
 void NormalForm::note_argument(const ex& e) {

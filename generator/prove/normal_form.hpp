@@ -64,6 +64,7 @@ private:
 
     static Rational rational(const GiNaC::numeric& value);
     Polynomial convert(const GiNaC::ex& e);
+    Polynomial product_of(const GiNaC::ex& factors);
     Polynomial function(const GiNaC::ex& e);
     Polynomial other_function(const std::string& name, const GiNaC::ex& e);
     Polynomial hyperbolic(Op op, const Polynomial& x);
