@@ -107,8 +107,8 @@ private:
 /// Whether something may become a letter. To look costs less than to write it anew, and mostly nothing does.
 bool may_have_letters(const ex& e) {
     if (e.info(GiNaC::info_flags::numeric) || e.info(GiNaC::info_flags::symbol)) return false;
-    if (GiNaC::is_exactly_a<GiNaC::function>(e) && !GiNaC::is_the_function<GiNaC::sin_SERIAL>(e) && !GiNaC::is_the_function<GiNaC::cos_SERIAL>(e))
-        return true;
+    const bool is_wave = GiNaC::is_the_function<GiNaC::sin_SERIAL>(e) || GiNaC::is_the_function<GiNaC::cos_SERIAL>(e);
+    if (GiNaC::is_exactly_a<GiNaC::function>(e) && !is_wave) return true;
     if (GiNaC::is_exactly_a<GiNaC::power>(e) && !e.op(1).info(GiNaC::info_flags::integer)) return true;
     return std::any_of(e.begin(), e.end(), may_have_letters);
 }
