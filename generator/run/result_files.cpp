@@ -7,7 +7,7 @@ namespace dalembert {
 
 namespace {
 
-constexpr std::array table{
+constexpr std::array formats{
     ResultFormat{"mat", "MATLAB 5", ".mat", [](const ResultTable& t) { return mat_file(t, false); }},
     ResultFormat{"mat73", "MATLAB 7.3, which is HDF5", "_v73.mat", [](const ResultTable& t) { return mat_file(t, true); }},
     ResultFormat{"npz", "numpy", ".npz", npz_file},
@@ -15,6 +15,6 @@ constexpr std::array table{
 
 }  // namespace
 
-std::span<const ResultFormat> result_formats() { return table; }
+std::span<const ResultFormat> result_formats() { return formats; }
 
 }  // namespace dalembert
