@@ -126,7 +126,7 @@ void FitRun::add_experiment(PlantRun& run, std::size_t experiment) const {
     run.intervals = std::max<std::size_t>(1, own.t.size() - 1);
     run.sampled = own.inputs;
     run.parameters.resize(parameters + (own.inputs.empty() ? 0 : machine_.system->symbols.count(SymbolKind::input)), 0.0);
-    run.steps_freely = run.steps_freely && own.inputs.empty();
+    if (!own.inputs.empty()) run.seen_step = 0;
     run.is_for_fit = true;
     run.is_of_heat = false;  // nobody asks for the step of Euler's method
 }

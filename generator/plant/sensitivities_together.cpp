@@ -29,7 +29,7 @@ public:
         auto S = plant_run::sensitivities_at_start_of(run_, system_, varied_);
         SimulationOptions<System> options;
         options.method = method_named(run_.method).method;
-        detail::set_run(options, system_, inputs_, x, run_.tolerance, run_.step, run_.intervals, run_.until, 1.0, run_.steps_freely);
+        detail::set_run(options, system_, inputs_, x, run_.tolerance, run_.step, run_.intervals, run_.until, 1.0, run_.seen_step);
         options.kinks = run_.kinks;
         options.output_times = run_.output_times;
         if (!plant_run::takes_sensitivities(options.method)) options.method = Method::automatic;

@@ -66,7 +66,7 @@ struct PlantRun {
     std::vector<double> output_times = {};  ///< s, rising, within the run; where there are any, `intervals` is for the longest step alone
     std::vector<SampledInput> sampled = {};
     std::vector<double> kinks = {};  ///< s, at known times
-    bool steps_freely = false;       ///< nothing acts in between that steps could miss
+    double seen_step = 0;            ///< s, within which nothing comes and goes; may be infinite
     bool keeps_all = true;           ///< else only the last row
     std::vector<VariedOfRun> varied = {};  ///< derivatives are recorded of plants that have those by parameters
     bool inputs_of_time_alone = false;  ///< they follow neither the state nor what is varied

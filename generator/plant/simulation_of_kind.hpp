@@ -95,10 +95,10 @@ public:
         if (!controllers_.empty()) options.clock = &clock;
         options.method = method_named(run_.method).method;
         dalembert::detail::set_run(options, system_, inputs_, x, run_.tolerance, run_.step, run_.intervals, run_.until, energy(x),
-                                   run_.steps_freely);
+                                   run_.seen_step);
         options.kinks = run_.kinks;
         options.output_times = run_.output_times;
-        if (!run_.keeps_all && run_.steps_freely && run_.varied.empty() && steps_past_samples(options.method)) options.intervals = 1;
+        if (!run_.keeps_all && run_.seen_step > 0 && run_.varied.empty() && steps_past_samples(options.method)) options.intervals = 1;
         if constexpr (!switches)
             if (run_.is_of_heat) result_.euler_step = largest_euler_step(system_, x, inputs_(x, 0.0), 0.0);
         if (!run_.varied.empty()) begin_sensitivities(options, x);

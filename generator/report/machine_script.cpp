@@ -12,7 +12,7 @@
 #include "elements/item.hpp"
 #include "elements/model.hpp"
 #include "emit/value_statements.hpp"
-#include "form/free_steps.hpp"
+#include "form/seen_step.hpp"
 #include "form/state_places.hpp"
 #include "graph/notation.hpp"
 #include "js/module.hpp"
@@ -195,7 +195,7 @@ private:
         json["tolerance"] = s.tolerance;
         json["intervals"] = s.intervals;
         // Nothing: steps are as long as their errors allow.
-        json["longest_step"] = steps_freely(system_, s.inputs) ? Json() : Json(s.until / s.intervals);
+        json["longest_step"] = std::isinf(seen_step(system_, s.inputs)) ? Json() : Json(s.until / s.intervals);
         json["stops"] = s.kinks;
         json["known_times"] = formulas_.known_times;
         const std::vector<double> values = numbers_of(run_.values.state());

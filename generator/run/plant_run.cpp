@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "check/written_values.hpp"
-#include "form/free_steps.hpp"
+#include "form/seen_step.hpp"
 #include "form/state_places.hpp"
 #include "language/parser.hpp"
 #include "text/diagnostic.hpp"
@@ -67,7 +67,7 @@ PlantRun run_of_plant(const System& system, const Values& values, const Simulati
     run.until = settings.until;
     run.intervals = static_cast<std::size_t>(settings.intervals);
     run.kinks = settings.kinks;
-    run.steps_freely = system.scene.modes.empty() && steps_freely(system, settings.inputs);
+    run.seen_step = seen_step(system, settings.inputs);
     // Of heat the bound of explicit methods is what one asks for first (4.99).
     run.is_of_heat = system.scene.modes.empty() && !system.heat.empty();
     return run;

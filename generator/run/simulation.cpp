@@ -11,7 +11,6 @@
 
 #include "elements/fluids.hpp"
 #include "elements/runs.hpp"
-#include "form/free_steps.hpp"
 #include "form/state_places.hpp"
 #include "program/function_bodies.hpp"
 #include "prove/constraint_validity.hpp"
@@ -72,7 +71,7 @@ std::string energy_warning(const PreparedSimulation& prepared, const SimulationR
     else if (settings.tolerance > 1e-7)
         cause = fmt::format("the tolerance of {:g} is probably too coarse: try --tolerance {:g}", settings.tolerance,
                             settings.tolerance / 1000);
-    else if (!steps_freely(*prepared.machine.system, settings.inputs) && report.steps <= 2 * static_cast<std::size_t>(settings.intervals) &&
+    else if (prepared.run.seen_step == 0 && report.steps <= 2 * static_cast<std::size_t>(settings.intervals) &&
              report.rejected * 10 < report.steps)
         cause = fmt::format("the steps of about {:.2g} s probably skipped a shorter pulse or jump: try more --samples",
                             report.t / static_cast<double>(std::max<std::size_t>(1, report.steps)));

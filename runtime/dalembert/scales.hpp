@@ -81,11 +81,12 @@ typename System::State rate_rounding(const System& system, const Sample& sample)
 /// Where the rough run stops, the sizes are those up to there.
 /// A size stops where the digits that `tolerance` asks for are no longer there: where what rounding leaves of a rate, over the longest
 /// step, would be an error that counts. A pendulum that swings by 3e-5 m rises at 3e-9 m/s, known to 1e-17 m/s, and not to 1e-9 of that.
-/// With `steps_freely` nothing in the run can be stepped over, so that the rough run looks at a hundred points at most.
+/// Steps of the rough run are as long as an interval at most, or as `seen_step`, in s, within which nothing comes and goes; with this it
+/// looks at a hundred points at most.
 template <class System, class Inputs>
 typename System::State state_scales(const System& system, const Inputs& inputs, const typename System::State& start,
-                                    typename System::scalar_type until, std::size_t intervals,
-                                    typename System::scalar_type tolerance = typename System::scalar_type(1), bool steps_freely = false) {
+                                    typename System::scalar_type until, std::size_t intervals, typename System::scalar_type tolerance = 1,
+                                    typename System::scalar_type seen_step = 0) {
     using Scalar = typename System::scalar_type;
     using State = typename System::State;
     using std::abs;
@@ -101,8 +102,8 @@ typename System::State state_scales(const System& system, const Inputs& inputs, 
     for (int again = 0; again < 5; ++again) {
         typename detail::Running<System>::Options options;
         options.tolerance = Scalar(1) / Scalar(1000);
-        options.intervals = steps_freely ? std::min<std::size_t>(intervals, 100) : intervals;
-        if (!steps_freely) options.max_step = longest;
+        options.intervals = seen_step > Scalar(0) ? std::min<std::size_t>(intervals, 100) : intervals;
+        options.max_step = min(until, max(seen_step, longest));
         options.max_steps = 100000;
         std::copy(scale.begin(), scale.end(), options.scale.begin());
         options.scale.back() = std::numeric_limits<Scalar>::max() / Scalar(1e10);  // the work

@@ -73,7 +73,8 @@ public:
         wish.start = start.data();
         wish.until = prepared_.run.until;
         wish.tolerance = tolerance;
-        wish.longest_step = prepared_.run.steps_freely ? wish.until : wish.until / static_cast<double>(prepared_.run.intervals);
+        const double part = wish.until / static_cast<double>(prepared_.run.intervals);
+        wish.longest_step = std::min(wish.until, std::max(prepared_.run.seen_step, part));
         // A plant that has functions of time finds their changes of sign itself.
         wish.stops = prepared_.run.kinks.data();
         wish.stop_count = plant_.time_switches > 0 ? 0 : prepared_.run.kinks.size();

@@ -157,8 +157,8 @@ TEST_CASE("sensitivities of runs are those of differences") {
                 const Outcome& outcome = result.of_sensitivities;
                 if (prints && outcome.status != Status::success)
                     std::cout << fmt::format("{}: {} at {} s, guard {}\n", name, to_string(outcome.status), outcome.t, outcome.guard);
-                // A flow like a root has no derivative at equal pressures, where it may begin or stay, or which it may pass again and again.
-                // What moves a singular position away has none behind it.
+                // A flow like a root has no derivative at equal pressures, where it may begin or stay, or which it may pass often. What
+                // moves a singular position away has none behind it.
                 const bool is_known = (outcome.status == Status::not_finite && outcome.t == 0) ||
                                       outcome.status == Status::singular_position || outcome.status == Status::too_many_steps ||
                                       outcome.status == Status::event_storm;

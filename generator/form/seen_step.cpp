@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "form/free_steps.hpp"
+#include "form/seen_step.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "elements/model.hpp"
 
@@ -11,16 +12,18 @@ using GiNaC::ex;
 
 namespace {
 
-/// How the time stands in expressions. Of many harmonics pulses can be made between which nothing happens; of a few they cannot.
+/// How the time stands in expressions.
 class InTime {
 public:
     explicit InTime(const ex& time) : time_(time) {}
 
-    /// Whether it stands there as said: see steps_freely.
-    bool is_seen(const ex& e) {
+    /// Whether in few factors of the kinds that seen_step names.
+    bool takes(const ex& e) {
         const auto factors = factors_of(e);
-        return factors && *factors <= most && rates_.size() <= most;
+        return factors && *factors <= most;
     }
+    /// A product of so many such factors is no narrower than this.
+    double width() const { return 1 / (static_cast<double>(most) * fastest_); }
 
 private:
     static constexpr std::size_t most = 4;
@@ -50,21 +53,21 @@ private:
     std::optional<std::size_t> factors_of_function(const GiNaC::function& f) {
         const std::string name = f.get_name();
         if (name != "sin" && name != "cos" && name != "exp") return std::nullopt;
-        const ex rate = f.op(0).diff(GiNaC::ex_to<GiNaC::symbol>(time_));
-        if (rate.has(time_)) return std::nullopt;
-        rates_.insert(rate);
+        const auto rate = value_at(f.op(0).diff(GiNaC::ex_to<GiNaC::symbol>(time_)), {}, 20);
+        if (!rate) return std::nullopt;  // it follows a state or a parameter
+        fastest_ = std::max(fastest_, std::fabs(cln::double_approx(*rate)));
         return 1;
     }
 
     const ex time_;
-    GiNaC::exset rates_;  ///< of what stands in sines, cosines and exponentials
+    double fastest_ = 0;  ///< rate
 };
 
 }  // namespace
 
-bool steps_freely(const System& system, const std::vector<ex>& inputs) {
+double seen_step(const System& system, const std::vector<ex>& inputs) {
     if (!system.guards.empty() || !system.scene.modes.empty() || !system.heat.fields.empty() || !system.motion.multipliers.empty())
-        return false;
+        return 0;
     const Symbols& symbols = system.symbols;
     const Motion& motion = system.motion;
     std::vector<ex> acting = inputs;
@@ -75,7 +78,7 @@ bool steps_freely(const System& system, const std::vector<ex>& inputs) {
     for (std::size_t i = 0, written = acting.size(); i < written; ++i)
         for (const std::size_t step : symbols.steps_in(acting[i])) acting.push_back(symbols.definition_values()[step]);
     InTime time(symbols.time());
-    return std::all_of(acting.begin(), acting.end(), [&](const ex& e) { return time.is_seen(e); });
+    return std::all_of(acting.begin(), acting.end(), [&](const ex& e) { return time.takes(e); }) ? time.width() : 0;
 }
 
 }  // namespace dalembert
