@@ -17,21 +17,21 @@
 //     this code = the derivation: 22 of 22 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 7     52    17        0      3
-//   rhs                   76    111     8        0     41
-//   rhs_and_jacobian     144    298    14        0     54
+//   update                 7     50    17        0      3
+//   rhs                   76    111    14        0     47
+//   rhs_and_jacobian     145    294    26        0     54
 //   jacobian_u             6      5     0        0      3
-//   jacobian_p           241    622    28        0     56
+//   jacobian_p           241    614    40        0     56
 //   bias                   6      7     0        0      0
 //   generalised_force      1      1     0        0      0
-//   output                27     42     7        0     24
-//   output_jacobian_x     41     74     7        0     32
+//   output                27     42    11        0     28
+//   output_jacobian_x     41     74    15        0     32
 //   output_jacobian_u      5      3     0        0      3
 //   kinetic_energy         4      9     0        0      0
 //   supplied_power         1      3     0        0      0
 //   dissipated_power       2      6     0        0      0
 //   internal_energy       30     53     5        0     11
-//   exchanged_power       98    158     6        0     47
+//   exchanged_power       98    158    12        0     53
 //   guards                26     10     1        0      2
 //   start_state            1      4     2        0      1
 //
@@ -510,7 +510,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes the constants that depend on them.
-    /// Operations: 7 + or -, 52 *, 17 /, 3 other functions
+    /// Operations: 7 + or -, 50 *, 17 /, 3 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -544,11 +544,11 @@ public:
         const Scalar e12 = p_.valve_alpha * c_.valve_A_n;
         const Scalar e13 = e11 * e12;
         c_.k14 = p_.beta * e13;
+        c_.k15 = p_.accumulator_p_w * p_.accumulator_p_w;
         const Scalar e14 = p_.accumulator_A_n * p_.accumulator_alpha;
-        c_.k15 = e14;
-        c_.k16 = p_.accumulator_p_w * p_.accumulator_p_w;
-        c_.k17 = p_.relief_p_w * p_.relief_p_w;
-        c_.k18 = p_.rho_0 * exp_10;
+        c_.k16 = e14;
+        c_.k17 = p_.rho_0 * exp_10;
+        c_.k18 = p_.relief_p_w * p_.relief_p_w;
         const Scalar e15 = p_.relief_A * p_.relief_alpha;
         c_.k19 = e15;
         const Scalar inverse_16 = Scalar(1) / p_.relief_T_v;
@@ -558,54 +558,50 @@ public:
         c_.k22 = inverse_17;
         const Scalar inverse_18 = Scalar(1) / p_.tank_A;
         const Scalar e19 = inverse_18 / exp_10;
-        const Scalar e20 = e19 * e13;
-        c_.k23 = e20;
+        c_.k23 = e19 * e13;
         c_.k24 = e19;
         c_.k25 = inverse_18;
-        const Scalar e21 = e11 * e19;
-        c_.k26 = e21;
-        const Scalar inverse_22 = Scalar(1) / p_.valve_T_v;
-        c_.k27 = inverse_22;
+        c_.k26 = e11 * e19;
+        const Scalar inverse_20 = Scalar(1) / p_.valve_T_v;
+        c_.k27 = inverse_20;
         c_.k28 = p_.cylinder_A_2 * p_.cylinder_l + p_.cylinder_V_d;
-        const Scalar inverse_23 = Scalar(1) / p_.control_T_t;
-        c_.k29 = inverse_23;
-        const Scalar inverse_24 = Scalar(1) / p_.control_T_i;
-        c_.k30 = inverse_24;
+        const Scalar inverse_21 = Scalar(1) / p_.control_T_t;
+        c_.k29 = inverse_21;
+        const Scalar inverse_22 = Scalar(1) / p_.control_T_i;
+        c_.k30 = inverse_22;
         c_.k31 = e5;
         c_.k32 = e6;
         c_.k33 = exp_10;
-        const Scalar e25 = p_.control_K * inverse_24;
-        c_.k34 = e25;
+        const Scalar e23 = p_.control_K * inverse_22;
+        c_.k34 = e23;
         c_.k35 = e11;
         c_.k36 = e13;
         c_.k37 = (Scalar(1) / Scalar(2)) * inverse_8;
-        const Scalar e26 = sqrt_1 * e12;
-        c_.k38 = e26;
-        c_.k39 = sqrt_1;
+        c_.k38 = sqrt_1;
+        const Scalar e24 = sqrt_1 * e12;
+        c_.k39 = e24;
         c_.k40 = inverse_17 * inverse_16;
         c_.k41 = (Scalar(1) / Scalar(2)) * inverse_9;
-        c_.k42 = (Scalar(1) / Scalar(2)) * e21;
-        c_.k43 = (Scalar(1) / Scalar(2)) * inverse_9 * e19;
-        c_.k44 = (Scalar(1) / Scalar(2)) * e20;
-        c_.k45 = p_.control_K * inverse_22;
-        const Scalar e27 = p_.control_K * inverse_23;
-        c_.k46 = e25 - e27;
-        c_.k47 = e27;
-        c_.k48 = e3;
-        c_.k49 = e4;
-        c_.k50 = p_.pump_V_t * p_.tank_p_a;
-        const Scalar e28 = sqrt_1 * e14;
-        c_.k51 = e28;
-        const Scalar e29 = sqrt_1 * e15;
-        c_.k52 = e29;
-        c_.k53 = Scalar(2) * p_.motor_R;
-        const Scalar e30 = inverse_9 * (p_.rho_0 * sqrt_1);
-        c_.k54 = (Scalar(1) / Scalar(2)) * e14 * e30;
-        c_.k55 = (Scalar(1) / Scalar(2)) * e28;
-        c_.k56 = (Scalar(1) / Scalar(2)) * e15 * e30;
-        c_.k57 = (Scalar(1) / Scalar(2)) * e29;
-        c_.k58 = (Scalar(1) / Scalar(2)) * e12 * e30;
-        c_.k59 = (Scalar(1) / Scalar(2)) * e26;
+        c_.k42 = (Scalar(1) / Scalar(2)) * inverse_9 * e19;
+        c_.k43 = p_.control_K * inverse_20;
+        const Scalar e25 = p_.control_K * inverse_21;
+        c_.k44 = e23 - e25;
+        c_.k45 = e25;
+        c_.k46 = e3;
+        c_.k47 = e4;
+        c_.k48 = p_.pump_V_t * p_.tank_p_a;
+        const Scalar e26 = sqrt_1 * e14;
+        c_.k49 = e26;
+        const Scalar e27 = sqrt_1 * e15;
+        c_.k50 = e27;
+        c_.k51 = Scalar(2) * p_.motor_R;
+        const Scalar e28 = inverse_9 * (p_.rho_0 * sqrt_1);
+        c_.k52 = (Scalar(1) / Scalar(2)) * e14 * e28;
+        c_.k53 = (Scalar(1) / Scalar(2)) * e26;
+        c_.k54 = (Scalar(1) / Scalar(2)) * e15 * e28;
+        c_.k55 = (Scalar(1) / Scalar(2)) * e27;
+        c_.k56 = (Scalar(1) / Scalar(2)) * e12 * e28;
+        c_.k57 = (Scalar(1) / Scalar(2)) * e24;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -628,7 +624,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 76 + or -, 111 *, 8 /, 41 other functions
+    /// Operations: 76 + or -, 111 *, 14 /, 47 other functions
     ///     density[rail_rail] = rho_0/exp((p_0 - rail_p)/beta)
     ///     specific_energy[rail_rail] = beta*compression(-(p_0 - rail_p)/beta)/rho_0 - p_0*expm1((p_0 - rail_p)/beta)/rho_0
     ///     specific_enthalpy[rail_rail] = rail_p*exp((p_0 - rail_p)/beta)/rho_0 + beta*compression(-(p_0 - rail_p)/beta)/rho_0 -
@@ -712,7 +708,6 @@ public:
     ///     -control_u_max))/control_T_t
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar motor_i = x[6];
         const Scalar pump_phi_dot = x[3];
@@ -738,80 +733,86 @@ public:
         const Scalar step_8 = detail::step<Scalar>(e7);
         const Scalar e9 = step_6 * e5 + step_8 * e7;
         const Scalar e10 = rail_p - cylinder_p_2;
-        const Scalar power_11 = pow(c_.k13 + e10 * e10, -Scalar(1) / Scalar(4));
-        const Scalar step_12 = detail::step<Scalar>(-e10);
-        const Scalar exp_13 = exp((p_.p_0 - cylinder_p_2) * c_.k12);
-        const Scalar inverse_14 = Scalar(1) / exp_13;
-        const Scalar e15 = p_.rho_0 * inverse_14;
-        const Scalar step_16 = detail::step<Scalar>(e10);
-        const Scalar inverse_17 = Scalar(1) / exp_4;
-        const Scalar e18 = p_.rho_0 * inverse_17;
-        const Scalar sqrt_19 = sqrt(step_12 * e15 + step_16 * e18);
+        const Scalar step_11 = detail::step<Scalar>(-e10);
+        const Scalar exp_12 = exp((p_.p_0 - cylinder_p_2) * c_.k12);
+        const Scalar inverse_13 = Scalar(1) / exp_12;
+        const Scalar e14 = p_.rho_0 * inverse_13;
+        const Scalar step_15 = detail::step<Scalar>(e10);
+        const Scalar inverse_16 = Scalar(1) / exp_4;
+        const Scalar e17 = p_.rho_0 * inverse_16;
+        const Scalar sqrt_18 = sqrt(step_11 * e14 + step_15 * e17);
+        const Scalar sqrt_19 = sqrt(c_.k13 + e10 * e10);
+        const Scalar sqrt_20 = sqrt(sqrt_19);
         const Scalar valve_y = x[12];
         const Scalar valve_opening_value = detail::curve_value<Scalar, 8>(-valve_y, detail::valve_opening_curve<Scalar>);
-        const Scalar e20 = valve_opening_value * c_.k14;
-        const Scalar e21 = e10 * power_11 * (sqrt_19 * e20);
-        const Scalar e22 = rail_p - cylinder_p_1;
-        const Scalar power_23 = pow(c_.k13 + e22 * e22, -Scalar(1) / Scalar(4));
-        const Scalar step_24 = detail::step<Scalar>(-e22);
+        const Scalar e21 = valve_opening_value * c_.k14;
+        const Scalar e22 = e10 * sqrt_18 * (e21 / sqrt_20);
+        const Scalar e23 = rail_p - cylinder_p_1;
+        const Scalar step_24 = detail::step<Scalar>(-e23);
         const Scalar exp_25 = exp((p_.p_0 - cylinder_p_1) * c_.k12);
         const Scalar inverse_26 = Scalar(1) / exp_25;
         const Scalar e27 = p_.rho_0 * inverse_26;
-        const Scalar step_28 = detail::step<Scalar>(e22);
-        const Scalar sqrt_29 = sqrt(step_24 * e27 + step_28 * e18);
+        const Scalar step_28 = detail::step<Scalar>(e23);
+        const Scalar sqrt_29 = sqrt(step_24 * e27 + step_28 * e17);
+        const Scalar sqrt_30 = sqrt(c_.k13 + e23 * e23);
+        const Scalar sqrt_31 = sqrt(sqrt_30);
         const Scalar valve_opening_value_2 = detail::curve_value<Scalar, 8>(valve_y, detail::valve_opening_curve<Scalar>);
-        const Scalar e30 = valve_opening_value_2 * c_.k14;
-        const Scalar e31 = e22 * power_23 * (sqrt_29 * e30);
-        const Scalar e32 = rail_p - accumulator_p_1;
-        const Scalar step_33 = detail::step<Scalar>(-e32);
-        const Scalar exp_34 = exp((p_.p_0 - accumulator_p_1) * c_.k12);
-        const Scalar step_35 = detail::step<Scalar>(e32);
-        const Scalar sqrt_36 = sqrt(p_.rho_0 * step_33 / exp_34 + step_35 * e18);
-        const Scalar power_37 = pow(c_.k16 + e32 * e32, -Scalar(1) / Scalar(4));
-        const Scalar e38 = sqrt_36 * c_.k10 * (e32 * power_37 * c_.k15);
-        const Scalar power_39 = pow(c_.k17 + e1 * e1, -Scalar(1) / Scalar(4));
-        const Scalar step_40 = detail::step<Scalar>(-e1);
-        const Scalar step_41 = detail::step<Scalar>(e1);
-        const Scalar sqrt_42 = sqrt(step_40 * e18 + step_41 * c_.k18);
+        const Scalar e32 = valve_opening_value_2 * c_.k14;
+        const Scalar e33 = e23 * sqrt_29 * (e32 / sqrt_31);
+        const Scalar e34 = rail_p - accumulator_p_1;
+        const Scalar sqrt_35 = sqrt(c_.k15 + e34 * e34);
+        const Scalar sqrt_36 = sqrt(sqrt_35);
+        const Scalar step_37 = detail::step<Scalar>(-e34);
+        const Scalar exp_38 = exp((p_.p_0 - accumulator_p_1) * c_.k12);
+        const Scalar step_39 = detail::step<Scalar>(e34);
+        const Scalar sqrt_40 = sqrt(p_.rho_0 * step_37 / exp_38 + step_39 * e17);
+        const Scalar e41 = c_.k10 / sqrt_36 * (e34 * sqrt_40 * c_.k16);
+        const Scalar step_42 = detail::step<Scalar>(-e1);
+        const Scalar step_43 = detail::step<Scalar>(e1);
+        const Scalar sqrt_44 = sqrt(step_42 * e17 + step_43 * c_.k17);
+        const Scalar sqrt_45 = sqrt(c_.k18 + e1 * e1);
+        const Scalar sqrt_46 = sqrt(sqrt_45);
         const Scalar relief_y = x[10];
-        const Scalar max_43 = detail::max<Scalar>(Scalar(0), relief_y);
-        const Scalar e44 = power_39 * sqrt_42 * (max_43 * e1 * c_.k19);
-        const Scalar step_45 = detail::step<Scalar>(-e5);
-        const Scalar step_46 = detail::step<Scalar>(-e7);
-        const Scalar e47 = step_45 * e5 + step_46 * e7;
+        const Scalar max_47 = detail::max<Scalar>(Scalar(0), relief_y);
+        const Scalar e48 = sqrt_44 / sqrt_46 * (max_47 * e1 * c_.k19);
+        const Scalar step_49 = detail::step<Scalar>(-e5);
+        const Scalar step_50 = detail::step<Scalar>(-e7);
+        const Scalar e51 = step_49 * e5 + step_50 * e7;
         const Scalar accumulator_z = x[1];
-        const Scalar e48 = p_.accumulator_A * accumulator_z;
-        const Scalar e49 = p_.accumulator_A * accumulator_z_dot;
-        const Scalar max_50 = detail::max<Scalar>(Scalar(0), -c_.k21 - e1 * c_.k22);
-        const Scalar min_51 = detail::min<Scalar>(Scalar(1), max_50);
-        const Scalar e52 = p_.tank_p_a - cylinder_p_1;
-        const Scalar step_53 = detail::step<Scalar>(-e52);
-        const Scalar step_54 = detail::step<Scalar>(e52);
-        const Scalar sqrt_55 = sqrt(step_53 * e27 + step_54 * c_.k18);
-        const Scalar power_56 = pow(c_.k13 + e52 * e52, -Scalar(1) / Scalar(4));
-        const Scalar e57 = sqrt_55 * (e52 * power_56);
-        const Scalar e58 = p_.tank_p_a - cylinder_p_2;
-        const Scalar step_59 = detail::step<Scalar>(-e58);
-        const Scalar step_60 = detail::step<Scalar>(e58);
-        const Scalar sqrt_61 = sqrt(step_59 * e15 + step_60 * c_.k18);
-        const Scalar power_62 = pow(c_.k13 + e58 * e58, -Scalar(1) / Scalar(4));
-        const Scalar e63 = sqrt_61 * (e58 * power_62);
+        const Scalar e52 = p_.accumulator_A * accumulator_z;
+        const Scalar e53 = p_.accumulator_A * accumulator_z_dot;
+        const Scalar max_54 = detail::max<Scalar>(Scalar(0), -c_.k21 - e1 * c_.k22);
+        const Scalar min_55 = detail::min<Scalar>(Scalar(1), max_54);
+        const Scalar e56 = p_.tank_p_a - cylinder_p_1;
+        const Scalar sqrt_57 = sqrt(c_.k13 + e56 * e56);
+        const Scalar sqrt_58 = sqrt(sqrt_57);
+        const Scalar step_59 = detail::step<Scalar>(-e56);
+        const Scalar step_60 = detail::step<Scalar>(e56);
+        const Scalar sqrt_61 = sqrt(step_59 * e27 + step_60 * c_.k17);
+        const Scalar e62 = e56 * sqrt_61 / sqrt_58;
+        const Scalar e63 = p_.tank_p_a - cylinder_p_2;
+        const Scalar sqrt_64 = sqrt(c_.k13 + e63 * e63);
+        const Scalar sqrt_65 = sqrt(sqrt_64);
+        const Scalar step_66 = detail::step<Scalar>(-e63);
+        const Scalar step_67 = detail::step<Scalar>(e63);
+        const Scalar sqrt_68 = sqrt(step_66 * e14 + step_67 * c_.k17);
+        const Scalar e69 = e63 * sqrt_68 / sqrt_65;
         const Scalar control_z = x[15];
         const Scalar w = u[0];
         const Scalar cylinder_s = x[2];
-        const Scalar e64 = p_.control_K * (w - cylinder_s);
-        const Scalar e65 = control_z + e64;
-        const Scalar max_66 = detail::max<Scalar>(e65, -p_.control_u_max);
-        const Scalar min_control_u_max = detail::min<Scalar>(p_.control_u_max, max_66);
-        const Scalar inverse_67 = Scalar(1) / (p_.cylinder_V_d + p_.cylinder_A_1 * cylinder_s);
-        const Scalar e68 = p_.cylinder_k_l * (cylinder_p_1 - cylinder_p_2);
-        const Scalar step_69 = detail::step<Scalar>(-e68);
-        const Scalar e70 = p_.beta * e68;
-        const Scalar e71 = step_69 * e70;
-        const Scalar e72 = p_.beta * cylinder_s_dot;
-        const Scalar step_73 = detail::step<Scalar>(e68);
-        const Scalar e74 = step_73 * e70;
-        const Scalar inverse_75 = Scalar(1) / (c_.k28 - p_.cylinder_A_2 * cylinder_s);
+        const Scalar e70 = p_.control_K * (w - cylinder_s);
+        const Scalar e71 = control_z + e70;
+        const Scalar max_72 = detail::max<Scalar>(e71, -p_.control_u_max);
+        const Scalar min_control_u_max = detail::min<Scalar>(p_.control_u_max, max_72);
+        const Scalar inverse_73 = Scalar(1) / (p_.cylinder_V_d + p_.cylinder_A_1 * cylinder_s);
+        const Scalar e74 = p_.cylinder_k_l * (cylinder_p_1 - cylinder_p_2);
+        const Scalar step_75 = detail::step<Scalar>(-e74);
+        const Scalar e76 = p_.beta * e74;
+        const Scalar e77 = step_75 * e76;
+        const Scalar e78 = p_.beta * cylinder_s_dot;
+        const Scalar step_79 = detail::step<Scalar>(e74);
+        const Scalar e80 = step_79 * e76;
+        const Scalar inverse_81 = Scalar(1) / (c_.k28 - p_.cylinder_A_2 * cylinder_s);
         dxdt[0] = x[3];
         dxdt[1] = x[4];
         dxdt[2] = x[5];
@@ -819,24 +820,23 @@ public:
         dxdt[4] = accumulator_z_ddot;
         dxdt[5] = cylinder_s_ddot;
         dxdt[6] = u_m * c_.k5 - pump_phi_dot * c_.k6 - motor_i * c_.k7;
-        dxdt[7] = exp_4 * c_.k11 * (e9 * c_.k9 - e21 - e31 - e38 + e44 * c_.k10) + e47 * c_.k8;
-        dxdt[8] = (exp_34 * e38 - p_.beta * e49) / (p_.accumulator_V_d + e48);
-        dxdt[9] = p_.accumulator_n * accumulator_p_2 * e49 / (p_.accumulator_V_0 - e48);
-        dxdt[10] = -c_.k20 * (relief_y - min_51);
-        dxdt[11] = -c_.k23 * (valve_opening_value * e57 + valve_opening_value_2 * e63) - inverse_17 * e47 * c_.k24 - e9
-            * c_.k25 - e44 * c_.k26;
+        dxdt[7] = exp_4 * c_.k11 * (e9 * c_.k9 - e22 - e33 - e41 + e48 * c_.k10) + e51 * c_.k8;
+        dxdt[8] = (exp_38 * e41 - p_.beta * e53) / (p_.accumulator_V_d + e52);
+        dxdt[9] = p_.accumulator_n * accumulator_p_2 * e53 / (p_.accumulator_V_0 - e52);
+        dxdt[10] = -c_.k20 * (relief_y - min_55);
+        dxdt[11] = -c_.k23 * (valve_opening_value * e62 + valve_opening_value_2 * e69) - inverse_16 * e51 * c_.k24 - e9
+            * c_.k25 - e48 * c_.k26;
         dxdt[12] = -c_.k27 * (valve_y - min_control_u_max);
-        dxdt[13] = -exp_25 * inverse_67 * (inverse_14 * e71 - e20 * e57 - e31) - inverse_67 * (p_.cylinder_A_1 * e72 + e74);
-        dxdt[14] = exp_13 * inverse_75 * (inverse_26 * e74 + e30 * e63 + e21) + inverse_75 * (p_.cylinder_A_2 * e72 + e71);
-        dxdt[15] = c_.k29 * (min_control_u_max - e65) + e64 * c_.k30;
+        dxdt[13] = -exp_25 * inverse_73 * (inverse_13 * e77 - e21 * e62 - e33) - inverse_73 * (p_.cylinder_A_1 * e78 + e80);
+        dxdt[14] = exp_12 * inverse_81 * (inverse_26 * e80 + e32 * e69 + e22) + inverse_81 * (p_.cylinder_A_2 * e78 + e77);
+        dxdt[15] = c_.k29 * (min_control_u_max - e71) + e70 * c_.k30;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 16 x 16, entry (i, j) at J[16*j + i].
-    /// Operations: 144 + or -, 298 *, 14 /, 54 other functions
+    /// Operations: 145 + or -, 294 *, 26 /, 54 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar motor_i = x[6];
         const Scalar pump_phi_dot = x[3];
@@ -869,125 +869,136 @@ public:
         const Scalar e15 = e14 * c_.k33;
         const Scalar e16 = p_.beta * e15;
         const Scalar e17 = rail_p - accumulator_p_1;
+        const Scalar step_18 = detail::step<Scalar>(e17);
+        const Scalar inverse_19 = Scalar(1) / exp_13;
+        const Scalar e20 = p_.rho_0 * inverse_19;
+        const Scalar step_21 = detail::step<Scalar>(-e17);
+        const Scalar exp_22 = exp((p_.p_0 - accumulator_p_1) * c_.k12);
+        const Scalar e23 = step_21 / exp_22;
+        const Scalar sqrt_24 = sqrt(step_18 * e20 + p_.rho_0 * e23);
         const Scalar e17_squared = e17 * e17;
-        const Scalar e18 = c_.k16 + e17_squared;
-        const Scalar power_19 = pow(e18, -Scalar(1) / Scalar(4));
-        const Scalar e20 = e17 * power_19;
-        const Scalar step_21 = detail::step<Scalar>(e17);
-        const Scalar inverse_22 = Scalar(1) / exp_13;
-        const Scalar e23 = p_.rho_0 * inverse_22;
-        const Scalar step_24 = detail::step<Scalar>(-e17);
-        const Scalar exp_25 = exp((p_.p_0 - accumulator_p_1) * c_.k12);
-        const Scalar e26 = step_24 / exp_25;
-        const Scalar sqrt_27 = sqrt(step_21 * e23 + p_.rho_0 * e26);
-        const Scalar e28 = sqrt_27 * c_.k15;
-        const Scalar e29 = e20 * e28;
-        const Scalar relief_y = x[10];
-        const Scalar max_30 = detail::max<Scalar>(Scalar(0), relief_y);
-        const Scalar e31 = max_30 * c_.k19;
-        const Scalar step_32 = detail::step<Scalar>(-e1);
-        const Scalar step_33 = detail::step<Scalar>(e1);
-        const Scalar sqrt_34 = sqrt(step_32 * e23 + step_33 * c_.k18);
+        const Scalar e25 = c_.k15 + e17_squared;
+        const Scalar sqrt_26 = sqrt(e25);
+        const Scalar sqrt_27 = sqrt(sqrt_26);
+        const Scalar e28 = c_.k16 / sqrt_27;
+        const Scalar e29 = e17 * e28;
+        const Scalar e30 = sqrt_24 * e29;
         const Scalar e1_squared = e1 * e1;
-        const Scalar e35 = c_.k17 + e1_squared;
-        const Scalar power_36 = pow(e35, -Scalar(1) / Scalar(4));
-        const Scalar e37 = e1 * power_36;
-        const Scalar e38 = sqrt_34 * e37;
-        const Scalar e39 = e31 * e38;
-        const Scalar e40 = e29 - e39;
-        const Scalar e41 = e14 * c_.k10;
-        const Scalar e42 = rail_p - cylinder_p_1;
-        const Scalar e42_squared = e42 * e42;
-        const Scalar e43 = c_.k13 + e42_squared;
-        const Scalar power_44 = pow(e43, -Scalar(1) / Scalar(4));
-        const Scalar e45 = e42 * power_44;
+        const Scalar e31 = c_.k18 + e1_squared;
+        const Scalar sqrt_32 = sqrt(e31);
+        const Scalar sqrt_33 = sqrt(sqrt_32);
+        const Scalar e34 = c_.k19 / sqrt_33;
+        const Scalar e35 = e1 * e34;
+        const Scalar relief_y = x[10];
+        const Scalar max_36 = detail::max<Scalar>(Scalar(0), relief_y);
+        const Scalar step_37 = detail::step<Scalar>(-e1);
+        const Scalar step_38 = detail::step<Scalar>(e1);
+        const Scalar sqrt_39 = sqrt(step_37 * e20 + step_38 * c_.k17);
+        const Scalar e40 = max_36 * sqrt_39;
+        const Scalar e41 = e35 * e40;
+        const Scalar e42 = e30 - e41;
+        const Scalar e43 = e14 * c_.k10;
+        const Scalar e44 = rail_p - cylinder_p_1;
+        const Scalar step_45 = detail::step<Scalar>(-e44);
+        const Scalar exp_46 = exp((p_.p_0 - cylinder_p_1) * c_.k12);
+        const Scalar inverse_47 = Scalar(1) / exp_46;
+        const Scalar e48 = p_.rho_0 * inverse_47;
+        const Scalar step_49 = detail::step<Scalar>(e44);
+        const Scalar sqrt_50 = sqrt(step_45 * e48 + step_49 * e20);
         const Scalar valve_y = x[12];
         const Scalar valve_opening_value = detail::curve_value<Scalar, 8>(valve_y, detail::valve_opening_curve<Scalar>);
-        const Scalar step_46 = detail::step<Scalar>(-e42);
-        const Scalar exp_47 = exp((p_.p_0 - cylinder_p_1) * c_.k12);
-        const Scalar inverse_48 = Scalar(1) / exp_47;
-        const Scalar e49 = p_.rho_0 * inverse_48;
-        const Scalar step_50 = detail::step<Scalar>(e42);
-        const Scalar sqrt_51 = sqrt(step_46 * e49 + step_50 * e23);
-        const Scalar e52 = valve_opening_value * sqrt_51;
-        const Scalar e53 = e45 * e52;
-        const Scalar e54 = rail_p - cylinder_p_2;
-        const Scalar e54_squared = e54 * e54;
-        const Scalar e55 = c_.k13 + e54_squared;
-        const Scalar power_56 = pow(e55, -Scalar(1) / Scalar(4));
-        const Scalar e57 = e54 * power_56;
-        const Scalar e58 = -valve_y;
-        const Scalar valve_opening_value_2 = detail::curve_value<Scalar, 8>(e58, detail::valve_opening_curve<Scalar>);
-        const Scalar step_59 = detail::step<Scalar>(-e54);
+        const Scalar e44_squared = e44 * e44;
+        const Scalar e51 = c_.k13 + e44_squared;
+        const Scalar sqrt_52 = sqrt(e51);
+        const Scalar sqrt_53 = sqrt(sqrt_52);
+        const Scalar inverse_54 = Scalar(1) / sqrt_53;
+        const Scalar e55 = valve_opening_value * inverse_54;
+        const Scalar e56 = sqrt_50 * e55;
+        const Scalar e57 = e44 * e56;
+        const Scalar e58 = rail_p - cylinder_p_2;
+        const Scalar step_59 = detail::step<Scalar>(-e58);
         const Scalar exp_60 = exp((p_.p_0 - cylinder_p_2) * c_.k12);
         const Scalar inverse_61 = Scalar(1) / exp_60;
         const Scalar e62 = p_.rho_0 * inverse_61;
-        const Scalar step_63 = detail::step<Scalar>(e54);
-        const Scalar sqrt_64 = sqrt(step_59 * e62 + step_63 * e23);
-        const Scalar e65 = valve_opening_value_2 * sqrt_64;
-        const Scalar e66 = e57 * e65;
-        const Scalar e67 = e53 + e66;
-        const Scalar e68 = e14 * c_.k14;
+        const Scalar step_63 = detail::step<Scalar>(e58);
+        const Scalar sqrt_64 = sqrt(step_59 * e62 + step_63 * e20);
+        const Scalar e65 = -valve_y;
+        const Scalar valve_opening_value_2 = detail::curve_value<Scalar, 8>(e65, detail::valve_opening_curve<Scalar>);
+        const Scalar e58_squared = e58 * e58;
+        const Scalar e66 = c_.k13 + e58_squared;
+        const Scalar sqrt_67 = sqrt(e66);
+        const Scalar sqrt_68 = sqrt(sqrt_67);
+        const Scalar inverse_69 = Scalar(1) / sqrt_68;
+        const Scalar e70 = valve_opening_value_2 * inverse_69;
+        const Scalar e71 = sqrt_64 * e70;
+        const Scalar e72 = e58 * e71;
+        const Scalar e73 = e57 + e72;
+        const Scalar e74 = e14 * c_.k14;
         const Scalar accumulator_z = x[1];
-        const Scalar e69 = p_.accumulator_A * accumulator_z;
-        const Scalar inverse_70 = Scalar(1) / (p_.accumulator_V_d + e69);
-        const Scalar e71 = p_.accumulator_A * accumulator_z_dot;
-        const Scalar e72 = inverse_70 * (p_.beta * e71 - exp_25 * e29 * c_.k10);
-        const Scalar inverse_73 = Scalar(1) / (p_.accumulator_V_0 - e69);
-        const Scalar e74 = p_.accumulator_n * inverse_73;
-        const Scalar e75 = e71 * e74;
-        const Scalar e76 = -c_.k21 - e1 * c_.k22;
-        const Scalar max_77 = detail::max<Scalar>(Scalar(0), e76);
-        const Scalar min_78 = detail::min<Scalar>(Scalar(1), max_77);
-        const Scalar e79 = p_.tank_p_a - cylinder_p_1;
-        const Scalar step_80 = detail::step<Scalar>(-e79);
-        const Scalar step_81 = detail::step<Scalar>(e79);
-        const Scalar sqrt_82 = sqrt(step_80 * e49 + step_81 * c_.k18);
-        const Scalar e83 = valve_opening_value_2 * sqrt_82;
-        const Scalar e79_squared = e79 * e79;
-        const Scalar e84 = c_.k13 + e79_squared;
-        const Scalar power_85 = pow(e84, -Scalar(1) / Scalar(4));
-        const Scalar e86 = e79 * power_85;
-        const Scalar e87 = e86 * c_.k23;
-        const Scalar e88 = p_.tank_p_a - cylinder_p_2;
-        const Scalar step_89 = detail::step<Scalar>(-e88);
-        const Scalar step_90 = detail::step<Scalar>(e88);
-        const Scalar sqrt_91 = sqrt(step_89 * e62 + step_90 * c_.k18);
-        const Scalar e92 = valve_opening_value * sqrt_91;
-        const Scalar e88_squared = e88 * e88;
-        const Scalar e93 = c_.k13 + e88_squared;
-        const Scalar power_94 = pow(e93, -Scalar(1) / Scalar(4));
-        const Scalar e95 = e88 * power_94;
+        const Scalar e75 = p_.accumulator_A * accumulator_z;
+        const Scalar inverse_76 = Scalar(1) / (p_.accumulator_V_d + e75);
+        const Scalar e77 = p_.accumulator_A * accumulator_z_dot;
+        const Scalar e78 = sqrt_24 * c_.k10;
+        const Scalar e79 = inverse_76 * (p_.beta * e77 - exp_22 * e29 * e78);
+        const Scalar inverse_80 = Scalar(1) / (p_.accumulator_V_0 - e75);
+        const Scalar e81 = p_.accumulator_n * inverse_80;
+        const Scalar e82 = e77 * e81;
+        const Scalar e83 = -c_.k21 - e1 * c_.k22;
+        const Scalar max_84 = detail::max<Scalar>(Scalar(0), e83);
+        const Scalar min_85 = detail::min<Scalar>(Scalar(1), max_84);
+        const Scalar e86 = p_.tank_p_a - cylinder_p_1;
+        const Scalar step_87 = detail::step<Scalar>(-e86);
+        const Scalar step_88 = detail::step<Scalar>(e86);
+        const Scalar sqrt_89 = sqrt(step_87 * e48 + step_88 * c_.k17);
+        const Scalar e90 = e86 * sqrt_89;
+        const Scalar e86_squared = e86 * e86;
+        const Scalar e91 = c_.k13 + e86_squared;
+        const Scalar sqrt_92 = sqrt(e91);
+        const Scalar sqrt_93 = sqrt(sqrt_92);
+        const Scalar inverse_94 = Scalar(1) / sqrt_93;
+        const Scalar e95 = valve_opening_value_2 * inverse_94;
         const Scalar e96 = e95 * c_.k23;
-        const Scalar e97 = inverse_22 * c_.k24;
-        const Scalar e98 = e9 * e97;
+        const Scalar e97 = p_.tank_p_a - cylinder_p_2;
+        const Scalar step_98 = detail::step<Scalar>(-e97);
+        const Scalar step_99 = detail::step<Scalar>(e97);
+        const Scalar sqrt_100 = sqrt(step_98 * e62 + step_99 * c_.k17);
+        const Scalar e101 = e97 * sqrt_100;
+        const Scalar e97_squared = e97 * e97;
+        const Scalar e102 = c_.k13 + e97_squared;
+        const Scalar sqrt_103 = sqrt(e102);
+        const Scalar sqrt_104 = sqrt(sqrt_103);
+        const Scalar inverse_105 = Scalar(1) / sqrt_104;
+        const Scalar e106 = valve_opening_value * inverse_105;
+        const Scalar e107 = e106 * c_.k23;
+        const Scalar e108 = inverse_19 * c_.k24;
+        const Scalar e109 = e9 * e108;
         const Scalar control_z = x[15];
         const Scalar w = u[0];
         const Scalar cylinder_s = x[2];
-        const Scalar e99 = w - cylinder_s;
-        const Scalar e100 = control_z + p_.control_K * e99;
-        const Scalar max_101 = detail::max<Scalar>(e100, -p_.control_u_max);
-        const Scalar min_control_u_max = detail::min<Scalar>(p_.control_u_max, max_101);
-        const Scalar e102 = cylinder_p_1 - cylinder_p_2;
-        const Scalar e103 = p_.cylinder_k_l * e102;
-        const Scalar step_104 = detail::step<Scalar>(-e103);
-        const Scalar e105 = step_104 * inverse_61;
-        const Scalar step_106 = detail::step<Scalar>(e103);
-        const Scalar e107 = exp_47 * e105 + step_106;
-        const Scalar inverse_108 = Scalar(1) / (p_.cylinder_V_d + p_.cylinder_A_1 * cylinder_s);
-        const Scalar e109 = p_.beta * inverse_108;
-        const Scalar e110 = e86 * e83 + e53;
-        const Scalar e111 = exp_47 * inverse_108;
-        const Scalar e112 = e111 * c_.k14;
-        const Scalar e113 = (p_.cylinder_A_1 * cylinder_s_dot + e107 * e103) * e109 - e110 * e112;
-        const Scalar e114 = e95 * e92 + e66;
-        const Scalar inverse_115 = Scalar(1) / (c_.k28 - p_.cylinder_A_2 * cylinder_s);
-        const Scalar e116 = exp_60 * inverse_115;
-        const Scalar e117 = e116 * c_.k14;
-        const Scalar e118 = step_106 * inverse_48;
-        const Scalar e119 = exp_60 * e118 + step_104;
-        const Scalar e120 = p_.beta * inverse_115;
-        const Scalar e121 = e114 * e117 + (p_.cylinder_A_2 * cylinder_s_dot + e119 * e103) * e120;
+        const Scalar e110 = w - cylinder_s;
+        const Scalar e111 = control_z + p_.control_K * e110;
+        const Scalar max_112 = detail::max<Scalar>(e111, -p_.control_u_max);
+        const Scalar min_control_u_max = detail::min<Scalar>(p_.control_u_max, max_112);
+        const Scalar e113 = cylinder_p_1 - cylinder_p_2;
+        const Scalar e114 = p_.cylinder_k_l * e113;
+        const Scalar step_115 = detail::step<Scalar>(-e114);
+        const Scalar e116 = step_115 * inverse_61;
+        const Scalar step_117 = detail::step<Scalar>(e114);
+        const Scalar e118 = exp_46 * e116 + step_117;
+        const Scalar inverse_119 = Scalar(1) / (p_.cylinder_V_d + p_.cylinder_A_1 * cylinder_s);
+        const Scalar e120 = p_.beta * inverse_119;
+        const Scalar e121 = e95 * e90 + e57;
+        const Scalar e122 = exp_46 * inverse_119;
+        const Scalar e123 = e122 * c_.k14;
+        const Scalar e124 = (p_.cylinder_A_1 * cylinder_s_dot + e118 * e114) * e120 - e121 * e123;
+        const Scalar e125 = e106 * e101 + e72;
+        const Scalar inverse_126 = Scalar(1) / (c_.k28 - p_.cylinder_A_2 * cylinder_s);
+        const Scalar e127 = exp_60 * inverse_126;
+        const Scalar e128 = e127 * c_.k14;
+        const Scalar e129 = step_117 * inverse_47;
+        const Scalar e130 = exp_60 * e129 + step_115;
+        const Scalar e131 = p_.beta * inverse_126;
+        const Scalar e132 = e125 * e128 + (p_.cylinder_A_2 * cylinder_s_dot + e130 * e114) * e131;
         dxdt[0] = x[3];
         dxdt[1] = x[4];
         dxdt[2] = x[5];
@@ -995,69 +1006,61 @@ public:
         dxdt[4] = accumulator_z_ddot;
         dxdt[5] = cylinder_s_ddot;
         dxdt[6] = u_m * c_.k5 - pump_phi_dot * c_.k6 - motor_i * c_.k7;
-        dxdt[7] = e9 * c_.k8 + e12 * e16 - e40 * e41 - e67 * e68;
-        dxdt[8] = -e72;
-        dxdt[9] = accumulator_p_2 * e75;
-        dxdt[10] = -c_.k20 * (relief_y - min_78);
-        dxdt[11] = -e12 * c_.k25 - e83 * e87 - e92 * e96 - e98 - e39 * c_.k26;
+        dxdt[7] = e9 * c_.k8 + e12 * e16 - e42 * e43 - e73 * e74;
+        dxdt[8] = -e79;
+        dxdt[9] = accumulator_p_2 * e82;
+        dxdt[10] = -c_.k20 * (relief_y - min_85);
+        dxdt[11] = -e12 * c_.k25 - e90 * e96 - e101 * e107 - e109 - e41 * c_.k26;
         dxdt[12] = -c_.k27 * (valve_y - min_control_u_max);
-        dxdt[13] = -e113;
-        dxdt[14] = e121;
-        dxdt[15] = c_.k29 * (min_control_u_max - e100) + e99 * c_.k34;
-        const Scalar e122 = p_.accumulator_A * inverse_70;
-        const Scalar step_123 = detail::step<Scalar>(p_.control_u_max + e100);
-        const Scalar step_124 = detail::step<Scalar>(p_.control_u_max - max_101);
-        const Scalar e125 = step_123 * step_124;
-        const Scalar e126 = e125 * c_.k27;
-        const Scalar e127 = (Scalar(1) - e125) * c_.k29;
-        const Scalar e128 = p_.pump_V_t * step_10;
-        const Scalar e129 = p_.pump_V_t * step_6;
-        const Scalar e130 = valve_opening_value * c_.k38;
-        const Scalar e131 = e130 * (e45 / sqrt_51);
-        const Scalar e132 = step_50 * e131;
-        const Scalar e133 = valve_opening_value_2 * c_.k38;
-        const Scalar e134 = e133 * (e57 / sqrt_64);
-        const Scalar e135 = step_63 * e134;
-        const Scalar e136 = c_.k39 / sqrt_27 * (e20 * c_.k15);
-        const Scalar e137 = step_21 * e136;
-        const Scalar e138 = e37 / sqrt_34 * (e31 * (step_32 * c_.k39));
-        const Scalar power_139 = pow(e35, -Scalar(5) / Scalar(4));
-        const Scalar e140 = e31 * (sqrt_34 * (power_139 * e1_squared - Scalar(2) * power_36));
-        const Scalar e141 = p_.pump_k_l * step_11;
-        const Scalar e142 = p_.pump_k_l * step_8;
-        const Scalar power_143 = pow(e18, -Scalar(5) / Scalar(4));
-        const Scalar e144 = (power_143 * e17_squared - Scalar(2) * power_19) * e28;
-        const Scalar e145 = e41 * e144;
-        const Scalar power_146 = pow(e43, -Scalar(5) / Scalar(4));
-        const Scalar e147 = (power_146 * e42_squared - Scalar(2) * power_44) * e52;
-        const Scalar e148 = e68 * e147;
-        const Scalar power_149 = pow(e55, -Scalar(5) / Scalar(4));
-        const Scalar e150 = (power_149 * e54_squared - Scalar(2) * power_56) * e65;
-        const Scalar e151 = e68 * e150;
-        const Scalar e152 = exp_25 * inverse_70;
-        const Scalar e153 = e144 * (e152 * c_.k10);
-        const Scalar step_154 = detail::step<Scalar>(e76);
-        const Scalar step_155 = detail::step<Scalar>(Scalar(1) - max_77);
-        const Scalar e156 = e112 * e147;
-        const Scalar e157 = e117 * e150;
+        dxdt[13] = -e124;
+        dxdt[14] = e132;
+        dxdt[15] = c_.k29 * (min_control_u_max - e111) + e110 * c_.k34;
+        const Scalar e133 = p_.accumulator_A * inverse_76;
+        const Scalar step_134 = detail::step<Scalar>(p_.control_u_max + e111);
+        const Scalar step_135 = detail::step<Scalar>(p_.control_u_max - max_112);
+        const Scalar e136 = step_134 * step_135;
+        const Scalar e137 = e136 * c_.k27;
+        const Scalar e138 = (Scalar(1) - e136) * c_.k29;
+        const Scalar e139 = p_.pump_V_t * step_10;
+        const Scalar e140 = p_.pump_V_t * step_6;
+        const Scalar e141 = e29 * (c_.k38 / sqrt_24);
+        const Scalar e142 = step_18 * e141;
+        const Scalar e143 = e44 / sqrt_50 * (e55 * c_.k39);
+        const Scalar e144 = step_49 * e143;
+        const Scalar e145 = e58 / sqrt_64 * (e70 * c_.k39);
+        const Scalar e146 = step_63 * e145;
+        const Scalar e147 = step_37 / sqrt_39 * (e35 * (max_36 * c_.k38));
+        const Scalar e148 = e40 * ((Scalar(1) - (Scalar(1) / Scalar(2)) * e1_squared / e31) * e34);
+        const Scalar e149 = p_.pump_k_l * step_11;
+        const Scalar e150 = p_.pump_k_l * step_8;
+        const Scalar e151 = (Scalar(1) - (Scalar(1) / Scalar(2)) * e44_squared / e51) * e56;
+        const Scalar e152 = e74 * e151;
+        const Scalar e153 = (Scalar(1) - (Scalar(1) / Scalar(2)) * e58_squared / e66) * e71;
+        const Scalar e154 = e74 * e153;
+        const Scalar e155 = e78 * ((Scalar(1) - (Scalar(1) / Scalar(2)) * e17_squared / e25) * e28);
+        const Scalar e156 = e14 * e155;
+        const Scalar e157 = exp_22 * inverse_76;
+        const Scalar e158 = e157 * e155;
+        const Scalar step_159 = detail::step<Scalar>(e83);
+        const Scalar step_160 = detail::step<Scalar>(Scalar(1) - max_84);
+        const Scalar e161 = e123 * e151;
+        const Scalar e162 = e128 * e153;
         const Scalar step_relief_y = detail::step<Scalar>(relief_y);
-        const Scalar e158 = e38 * (step_relief_y * c_.k19);
+        const Scalar e163 = e35 * (step_relief_y * sqrt_39);
         const Scalar valve_opening_slope = detail::curve_slope<Scalar, 8>(valve_y, detail::valve_opening_curve<Scalar>);
-        const Scalar e159 = e45 * (valve_opening_slope * sqrt_51);
-        const Scalar valve_opening_slope_2 = detail::curve_slope<Scalar, 8>(e58, detail::valve_opening_curve<Scalar>);
-        const Scalar e160 = e57 * (valve_opening_slope_2 * sqrt_64);
-        const Scalar e161 = valve_opening_slope_2 * sqrt_82;
-        const Scalar e162 = valve_opening_slope * sqrt_91;
-        const Scalar e163 = step_46 * e131;
-        const Scalar e164 = step_80 / sqrt_82 * (e86 * e133);
-        const Scalar power_165 = pow(e84, -Scalar(5) / Scalar(4));
-        const Scalar e166 = (power_165 * e79_squared - Scalar(2) * power_85) * e83;
-        const Scalar e167 = p_.cylinder_k_l * (e107 * e109 - e102 * e111 * e105);
-        const Scalar e168 = p_.cylinder_k_l * (e102 * e116 * e118 + e119 * e120);
-        const Scalar e169 = step_59 * e134;
-        const Scalar e170 = step_89 / sqrt_91 * (e95 * e130);
-        const Scalar power_171 = pow(e93, -Scalar(5) / Scalar(4));
-        const Scalar e172 = (power_171 * e88_squared - Scalar(2) * power_94) * e92;
+        const Scalar e164 = e44 * sqrt_50 * (valve_opening_slope * inverse_54);
+        const Scalar valve_opening_slope_2 = detail::curve_slope<Scalar, 8>(e65, detail::valve_opening_curve<Scalar>);
+        const Scalar e165 = e58 * sqrt_64 * (valve_opening_slope_2 * inverse_69);
+        const Scalar e166 = e90 * (valve_opening_slope_2 * inverse_94);
+        const Scalar e167 = e101 * (valve_opening_slope * inverse_105);
+        const Scalar e168 = step_45 * e143;
+        const Scalar e169 = sqrt_89 * (Scalar(1) - (Scalar(1) / Scalar(2)) * e86_squared / e91);
+        const Scalar e170 = c_.k39 / sqrt_89 * (e95 * (e86 * step_87));
+        const Scalar e171 = p_.cylinder_k_l * (e118 * e120 - e113 * e122 * e116);
+        const Scalar e172 = p_.cylinder_k_l * (e113 * e127 * e129 + e130 * e131);
+        const Scalar e173 = step_59 * e145;
+        const Scalar e174 = sqrt_100 * (Scalar(1) - (Scalar(1) / Scalar(2)) * e97_squared / e102);
+        const Scalar e175 = c_.k39 / sqrt_100 * (e106 * (e97 * step_98));
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
@@ -1082,8 +1085,8 @@ public:
         J[21] = Scalar(0);
         J[22] = Scalar(0);
         J[23] = Scalar(0);
-        J[24] = e122 * e72;
-        J[25] = inverse_73 * e2 * e75;
+        J[24] = e133 * e79;
+        J[25] = inverse_80 * e2 * e82;
         J[26] = Scalar(0);
         J[27] = Scalar(0);
         J[28] = Scalar(0);
@@ -1102,10 +1105,10 @@ public:
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        J[44] = -p_.control_K * e126;
-        J[45] = p_.cylinder_A_1 * inverse_108 * e113;
-        J[46] = p_.cylinder_A_2 * inverse_115 * e121;
-        J[47] = p_.control_K * e127 - c_.k34;
+        J[44] = -p_.control_K * e137;
+        J[45] = p_.cylinder_A_1 * inverse_119 * e124;
+        J[46] = p_.cylinder_A_2 * inverse_126 * e132;
+        J[47] = p_.control_K * e138 - c_.k34;
         J[48] = Scalar(1);
         J[49] = Scalar(0);
         J[50] = Scalar(0);
@@ -1113,11 +1116,11 @@ public:
         J[52] = Scalar(0);
         J[53] = Scalar(0);
         J[54] = (-Scalar(1)) * c_.k6;
-        J[55] = e16 * e128 + e129 * c_.k8;
+        J[55] = e16 * e139 + e140 * c_.k8;
         J[56] = Scalar(0);
         J[57] = Scalar(0);
         J[58] = Scalar(0);
-        J[59] = -e97 * e129 - e128 * c_.k25;
+        J[59] = -e108 * e140 - e139 * c_.k25;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
         J[62] = Scalar(0);
@@ -1130,8 +1133,8 @@ public:
         J[69] = Scalar(0);
         J[70] = Scalar(0);
         J[71] = Scalar(0);
-        J[72] = -p_.beta * e122;
-        J[73] = e74 * e2;
+        J[72] = -p_.beta * e133;
+        J[73] = e81 * e2;
         J[74] = Scalar(0);
         J[75] = Scalar(0);
         J[76] = Scalar(0);
@@ -1151,8 +1154,8 @@ public:
         J[90] = Scalar(0);
         J[91] = Scalar(0);
         J[92] = Scalar(0);
-        J[93] = -p_.cylinder_A_1 * e109;
-        J[94] = p_.cylinder_A_2 * e120;
+        J[93] = -p_.cylinder_A_1 * e120;
+        J[94] = p_.cylinder_A_2 * e131;
         J[95] = Scalar(0);
         J[96] = Scalar(0);
         J[97] = Scalar(0);
@@ -1177,16 +1180,15 @@ public:
         J[116] = Scalar(0);
         J[117] = Scalar(0);
         J[118] = Scalar(0);
-        J[119] = e14 * (e40 * c_.k35 + e67 * c_.k36) - c_.k37 * (e132 + e135 + e137 - e138) - e12 * e15
-            + (Scalar(1) / Scalar(2)) * e41 * e140 - e16 * e141 - e142 * c_.k8 + (Scalar(1) / Scalar(2)) * e145
-            + (Scalar(1) / Scalar(2)) * e148 + (Scalar(1) / Scalar(2)) * e151;
-        J[120] = (Scalar(1) / Scalar(2)) * (inverse_22 * e152 * e137 - e153);
+        J[119] = e14 * (e42 * c_.k35 + e73 * c_.k36) - c_.k37 * (e142 + e144 + e146 - e147) - e12 * e15 - e43 * e148 - e16
+            * e149 - e150 * c_.k8 - e152 - e154 - e156;
+        J[120] = (Scalar(1) / Scalar(2)) * inverse_19 * e157 * e142 + e158;
         J[121] = Scalar(0);
-        J[122] = step_154 * step_155 * c_.k40;
-        J[123] = e97 * (e142 - e138 * c_.k41) + e141 * c_.k25 - e98 * c_.k12 - e140 * c_.k42;
+        J[122] = step_159 * step_160 * c_.k40;
+        J[123] = e108 * (e150 - e147 * c_.k41) + e149 * c_.k25 - e109 * c_.k12 + e148 * c_.k26;
         J[124] = Scalar(0);
-        J[125] = (Scalar(1) / Scalar(2)) * (inverse_22 * e111 * e132 - e156);
-        J[126] = (Scalar(1) / Scalar(2)) * (inverse_22 * e116 * e135 - e157);
+        J[125] = (Scalar(1) / Scalar(2)) * inverse_19 * e122 * e144 + e161;
+        J[126] = (Scalar(1) / Scalar(2)) * inverse_19 * e127 * e146 + e162;
         J[127] = Scalar(0);
         J[128] = Scalar(0);
         J[129] = Scalar(0);
@@ -1195,8 +1197,8 @@ public:
         J[132] = c_.k1 * p_.accumulator_A;
         J[133] = Scalar(0);
         J[134] = Scalar(0);
-        J[135] = (Scalar(1) / Scalar(2)) * (-e14 * e136 * e26 - e145);
-        J[136] = (Scalar(1) / Scalar(2)) * step_24 * inverse_70 * e136 - e152 * e29 * c_.k35 + (Scalar(1) / Scalar(2)) * e153;
+        J[135] = e156 - (Scalar(1) / Scalar(2)) * e14 * e141 * e23;
+        J[136] = (Scalar(1) / Scalar(2)) * step_21 * inverse_76 * e141 - e157 * e30 * c_.k35 - e158;
         J[137] = Scalar(0);
         J[138] = Scalar(0);
         J[139] = Scalar(0);
@@ -1213,7 +1215,7 @@ public:
         J[150] = Scalar(0);
         J[151] = Scalar(0);
         J[152] = Scalar(0);
-        J[153] = e75;
+        J[153] = e82;
         J[154] = Scalar(0);
         J[155] = Scalar(0);
         J[156] = Scalar(0);
@@ -1227,11 +1229,11 @@ public:
         J[164] = Scalar(0);
         J[165] = Scalar(0);
         J[166] = Scalar(0);
-        J[167] = e41 * e158;
+        J[167] = e43 * e163;
         J[168] = Scalar(0);
         J[169] = Scalar(0);
         J[170] = (-Scalar(1)) * c_.k20;
-        J[171] = -e158 * c_.k26;
+        J[171] = -e163 * c_.k26;
         J[172] = Scalar(0);
         J[173] = Scalar(0);
         J[174] = Scalar(0);
@@ -1259,14 +1261,14 @@ public:
         J[196] = Scalar(0);
         J[197] = Scalar(0);
         J[198] = Scalar(0);
-        J[199] = -e68 * (e159 - e160);
+        J[199] = -e74 * (e164 - e165);
         J[200] = Scalar(0);
         J[201] = Scalar(0);
         J[202] = Scalar(0);
-        J[203] = e161 * e87 - e162 * e96;
+        J[203] = c_.k23 * (e166 - e167);
         J[204] = (-Scalar(1)) * c_.k27;
-        J[205] = -e112 * (e86 * e161 - e159);
-        J[206] = e117 * (e95 * e162 - e160);
+        J[205] = -e123 * (e166 - e164);
+        J[206] = -e128 * (e165 - e167);
         J[207] = Scalar(0);
         J[208] = Scalar(0);
         J[209] = Scalar(0);
@@ -1275,15 +1277,15 @@ public:
         J[212] = Scalar(0);
         J[213] = c_.k2 * p_.cylinder_A_1;
         J[214] = Scalar(0);
-        J[215] = (Scalar(1) / Scalar(2)) * (-inverse_48 * e14 * e163 - e148);
+        J[215] = e152 - (Scalar(1) / Scalar(2)) * inverse_47 * e14 * e168;
         J[216] = Scalar(0);
         J[217] = Scalar(0);
         J[218] = Scalar(0);
-        J[219] = -inverse_48 * e164 * c_.k43 - e166 * c_.k44;
+        J[219] = e169 * e96 - inverse_47 * e170 * c_.k42;
         J[220] = Scalar(0);
-        J[221] = inverse_108 * ((Scalar(1) / Scalar(2)) * (e163 + e164)) - e110 * e111 * c_.k36 + (Scalar(1) / Scalar(2))
-            * e112 * e166 - e167 + (Scalar(1) / Scalar(2)) * e156;
-        J[222] = e168;
+        J[221] = inverse_119 * ((Scalar(1) / Scalar(2)) * (e168 + e170)) - e121 * e122 * c_.k36 - e95 * e123 * e169 - e171
+            - e161;
+        J[222] = e172;
         J[223] = Scalar(0);
         J[224] = Scalar(0);
         J[225] = Scalar(0);
@@ -1292,15 +1294,15 @@ public:
         J[228] = Scalar(0);
         J[229] = c_.k2 * (-p_.cylinder_A_2);
         J[230] = Scalar(0);
-        J[231] = (Scalar(1) / Scalar(2)) * (-inverse_61 * e14 * e169 - e151);
+        J[231] = e154 - (Scalar(1) / Scalar(2)) * inverse_61 * e14 * e173;
         J[232] = Scalar(0);
         J[233] = Scalar(0);
         J[234] = Scalar(0);
-        J[235] = -inverse_61 * e170 * c_.k43 - e172 * c_.k44;
+        J[235] = e174 * e107 - inverse_61 * e175 * c_.k42;
         J[236] = Scalar(0);
-        J[237] = e167;
-        J[238] = inverse_115 * ((Scalar(1) / Scalar(2)) * (e169 + e170)) - e114 * e116 * c_.k36 + (Scalar(1) / Scalar(2))
-            * e117 * e172 - e168 + (Scalar(1) / Scalar(2)) * e157;
+        J[237] = e171;
+        J[238] = inverse_126 * ((Scalar(1) / Scalar(2)) * (e173 + e175)) - e125 * e127 * c_.k36 - e106 * e128 * e174 - e172
+            - e162;
         J[239] = Scalar(0);
         J[240] = Scalar(0);
         J[241] = Scalar(0);
@@ -1314,10 +1316,10 @@ public:
         J[249] = Scalar(0);
         J[250] = Scalar(0);
         J[251] = Scalar(0);
-        J[252] = e126;
+        J[252] = e137;
         J[253] = Scalar(0);
         J[254] = Scalar(0);
-        J[255] = -e127;
+        J[255] = -e138;
     }
 
     /// J = df/dx. 16 x 16, entry (i, j) at J[16*j + i].
@@ -1349,10 +1351,10 @@ public:
         J[9] = Scalar(0);
         J[10] = Scalar(0);
         J[11] = Scalar(0);
-        J[12] = c_.k45 * e5;
+        J[12] = c_.k43 * e5;
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = c_.k46 + c_.k47 * e5;
+        J[15] = c_.k44 + c_.k45 * e5;
         J[16] = Scalar(0);
         J[17] = Scalar(0);
         J[18] = Scalar(0);
@@ -1388,10 +1390,9 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 16 x 52, entry (i, j) at J[16*j + i].
-    /// Operations: 241 + or -, 622 *, 28 /, 56 other functions
+    /// Operations: 241 + or -, 614 *, 40 /, 56 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         State dxdt;
         rhs(x, u, t, dxdt);
@@ -1453,11 +1454,11 @@ public:
         const Scalar e45 = step_41 * inverse_44;
         const Scalar sqrt_46 = sqrt(step_39 * e40 + p_.rho_0 * e45);
         const Scalar e47 = c_.k13 + e38 * e38;
-        const Scalar power_48 = pow(e47, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_48 = sqrt(e47);
+        const Scalar sqrt_49 = sqrt(sqrt_48);
         const Scalar valve_y = x[12];
         const Scalar valve_opening_value = detail::curve_value<Scalar, 8>(-valve_y, detail::valve_opening_curve<Scalar>);
-        const Scalar e49 = valve_opening_value * e38;
-        const Scalar e50 = power_48 * e49;
+        const Scalar e50 = valve_opening_value * e38 / sqrt_49;
         const Scalar e51 = sqrt_46 * e50;
         const Scalar e52 = rail_p - cylinder_p_1;
         const Scalar step_53 = detail::step<Scalar>(e52);
@@ -1468,251 +1469,250 @@ public:
         const Scalar e58 = step_54 * inverse_57;
         const Scalar sqrt_59 = sqrt(step_53 * e40 + p_.rho_0 * e58);
         const Scalar e60 = c_.k13 + e52 * e52;
-        const Scalar power_61 = pow(e60, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_61 = sqrt(e60);
+        const Scalar sqrt_62 = sqrt(sqrt_61);
         const Scalar valve_opening_value_2 = detail::curve_value<Scalar, 8>(valve_y, detail::valve_opening_curve<Scalar>);
-        const Scalar e62 = valve_opening_value_2 * e52;
-        const Scalar e63 = power_61 * e62;
+        const Scalar e63 = valve_opening_value_2 * e52 / sqrt_62;
         const Scalar e64 = sqrt_59 * e63;
         const Scalar e65 = exp_18 * (e51 + e64);
-        const Scalar e66 = p_.beta * inverse_14;
-        const Scalar e67 = p_.pump_V_t * inverse_14;
-        const Scalar e68 = p_.pump_k_l * inverse_14;
-        const Scalar e69 = p_.accumulator_A_n * p_.accumulator_alpha;
-        const Scalar e70 = e36 * e69;
-        const Scalar e71 = rail_p - accumulator_p_1;
-        const Scalar step_72 = detail::step<Scalar>(e71);
-        const Scalar step_73 = detail::step<Scalar>(-e71);
-        const Scalar e74 = p_.p_0 - accumulator_p_1;
-        const Scalar exp_75 = exp(c_.k12 * e74);
-        const Scalar e76 = step_73 / exp_75;
-        const Scalar sqrt_77 = sqrt(step_72 * e40 + p_.rho_0 * e76);
-        const Scalar e78 = c_.k16 + e71 * e71;
-        const Scalar power_79 = pow(e78, -Scalar(1) / Scalar(4));
-        const Scalar e80 = e71 * power_79;
-        const Scalar e81 = sqrt_77 * e80;
-        const Scalar e82 = exp_18 * e81;
-        const Scalar e83 = p_.relief_A * p_.relief_alpha;
-        const Scalar e84 = e83 * e36;
-        const Scalar step_85 = detail::step<Scalar>(e3);
-        const Scalar step_86 = detail::step<Scalar>(-e3);
-        const Scalar sqrt_87 = sqrt(c_.k18 * step_85 + step_86 * e40);
-        const Scalar e88 = c_.k17 + e3 * e3;
-        const Scalar power_89 = pow(e88, -Scalar(1) / Scalar(4));
+        const Scalar e66 = p_.relief_A * p_.relief_alpha;
+        const Scalar e67 = e66 * e36;
+        const Scalar step_68 = detail::step<Scalar>(e3);
+        const Scalar step_69 = detail::step<Scalar>(-e3);
+        const Scalar sqrt_70 = sqrt(c_.k17 * step_68 + step_69 * e40);
         const Scalar relief_y = x[10];
-        const Scalar max_90 = detail::max<Scalar>(Scalar(0), relief_y);
-        const Scalar e91 = max_90 * e3;
-        const Scalar e92 = power_89 * e91;
-        const Scalar e93 = sqrt_87 * e92;
-        const Scalar e94 = exp_18 * e93;
-        const Scalar e95 = p_.pump_V_t * e15;
-        const Scalar e96 = p_.pump_k_l * e15;
+        const Scalar max_71 = detail::max<Scalar>(Scalar(0), relief_y);
+        const Scalar e72 = c_.k18 + e3 * e3;
+        const Scalar sqrt_73 = sqrt(e72);
+        const Scalar sqrt_74 = sqrt(sqrt_73);
+        const Scalar e75 = max_71 / sqrt_74;
+        const Scalar e76 = e3 * e75;
+        const Scalar e77 = sqrt_70 * e76;
+        const Scalar e78 = exp_18 * e77;
+        const Scalar e79 = p_.beta * inverse_14;
+        const Scalar e80 = p_.pump_V_t * inverse_14;
+        const Scalar e81 = p_.pump_k_l * inverse_14;
+        const Scalar e82 = p_.accumulator_A_n * p_.accumulator_alpha;
+        const Scalar e83 = e36 * e82;
+        const Scalar e84 = rail_p - accumulator_p_1;
+        const Scalar step_85 = detail::step<Scalar>(e84);
+        const Scalar step_86 = detail::step<Scalar>(-e84);
+        const Scalar e87 = p_.p_0 - accumulator_p_1;
+        const Scalar exp_88 = exp(c_.k12 * e87);
+        const Scalar e89 = step_86 / exp_88;
+        const Scalar sqrt_90 = sqrt(step_85 * e40 + p_.rho_0 * e89);
+        const Scalar e91 = c_.k15 + e84 * e84;
+        const Scalar sqrt_92 = sqrt(e91);
+        const Scalar sqrt_93 = sqrt(sqrt_92);
+        const Scalar e94 = e84 / sqrt_93;
+        const Scalar e95 = sqrt_90 * e94;
+        const Scalar e96 = exp_18 * e95;
+        const Scalar e97 = p_.pump_V_t * e15;
+        const Scalar e98 = p_.pump_k_l * e15;
         const Scalar accumulator_z = x[1];
-        const Scalar e97 = p_.accumulator_A * accumulator_z;
-        const Scalar inverse_98 = Scalar(1) / (p_.accumulator_V_0 - e97);
-        const Scalar e99 = accumulator_p_2 * (accumulator_z_dot * inverse_98);
-        const Scalar e100 = e99 * (inverse_98 * (p_.accumulator_A * p_.accumulator_n));
-        const Scalar e101 = e35 * e69;
-        const Scalar inverse_102 = Scalar(1) / (p_.accumulator_V_d + e97);
-        const Scalar e103 = (accumulator_z_dot * (p_.accumulator_A * p_.beta) - exp_75 * e101 * e81)
-            * (inverse_102 * inverse_102);
-        const Scalar e104 = accumulator_z_dot * inverse_102;
-        const Scalar e105 = exp_75 * inverse_102;
-        const Scalar e106 = e81 * e105;
-        const Scalar power_107 = pow(e78, -Scalar(5) / Scalar(4));
-        const Scalar e108 = power_107 * (e71 * sqrt_77);
-        const Scalar inverse_109 = Scalar(1) / p_.relief_p_o;
-        const Scalar e110 = inverse_109 * (p_.relief_p_c + p_.tank_p_a);
-        const Scalar e111 = c_.k22 * rail_p - e110;
-        const Scalar step_112 = detail::step<Scalar>(e111);
-        const Scalar max_113 = detail::max<Scalar>(Scalar(0), e111);
-        const Scalar step_114 = detail::step<Scalar>(Scalar(1) - max_113);
-        const Scalar e115 = step_112 * step_114;
-        const Scalar e116 = -c_.k40 * e115;
-        const Scalar inverse_117 = Scalar(1) / p_.relief_T_v;
-        const Scalar e118 = inverse_109 * inverse_117;
-        const Scalar inverse_119 = Scalar(1) / p_.tank_A;
-        const Scalar e120 = inverse_119 / exp_13;
-        const Scalar e121 = e34 * e120;
-        const Scalar min_122 = detail::min<Scalar>(Scalar(1), max_113);
-        const Scalar power_123 = pow(e88, -Scalar(5) / Scalar(4));
-        const Scalar e124 = e91 * (power_123 * sqrt_87);
-        const Scalar e125 = exp_18 * e124;
-        const Scalar e126 = e83 * e121;
-        const Scalar e127 = e31 * e121;
-        const Scalar e128 = p_.tank_p_a - cylinder_p_1;
-        const Scalar step_129 = detail::step<Scalar>(e128);
-        const Scalar step_130 = detail::step<Scalar>(-e128);
-        const Scalar e131 = step_130 * inverse_57;
-        const Scalar sqrt_132 = sqrt(c_.k18 * step_129 + p_.rho_0 * e131);
-        const Scalar e133 = c_.k13 + e128 * e128;
-        const Scalar power_134 = pow(e133, -Scalar(1) / Scalar(4));
-        const Scalar e135 = valve_opening_value * e128;
-        const Scalar e136 = power_134 * e135;
-        const Scalar e137 = sqrt_132 * e136;
+        const Scalar e99 = p_.accumulator_A * accumulator_z;
+        const Scalar inverse_100 = Scalar(1) / (p_.accumulator_V_0 - e99);
+        const Scalar e101 = accumulator_p_2 * (accumulator_z_dot * inverse_100);
+        const Scalar e102 = e101 * (inverse_100 * (p_.accumulator_A * p_.accumulator_n));
+        const Scalar e103 = e35 * e82;
+        const Scalar inverse_104 = Scalar(1) / (p_.accumulator_V_d + e99);
+        const Scalar e105 = (accumulator_z_dot * (p_.accumulator_A * p_.beta) - exp_88 * e103 * e95)
+            * (inverse_104 * inverse_104);
+        const Scalar e106 = accumulator_z_dot * inverse_104;
+        const Scalar e107 = exp_88 * inverse_104;
+        const Scalar e108 = e95 * e107;
+        const Scalar inverse_109 = Scalar(1) / e91;
+        const Scalar inverse_110 = Scalar(1) / p_.relief_p_o;
+        const Scalar e111 = inverse_110 * (p_.relief_p_c + p_.tank_p_a);
+        const Scalar e112 = c_.k22 * rail_p - e111;
+        const Scalar step_113 = detail::step<Scalar>(e112);
+        const Scalar max_114 = detail::max<Scalar>(Scalar(0), e112);
+        const Scalar step_115 = detail::step<Scalar>(Scalar(1) - max_114);
+        const Scalar e116 = step_113 * step_115;
+        const Scalar e117 = -c_.k40 * e116;
+        const Scalar inverse_118 = Scalar(1) / p_.relief_T_v;
+        const Scalar e119 = inverse_110 * inverse_118;
+        const Scalar inverse_120 = Scalar(1) / p_.tank_A;
+        const Scalar e121 = inverse_120 / exp_13;
+        const Scalar e122 = e34 * e121;
+        const Scalar min_123 = detail::min<Scalar>(Scalar(1), max_114);
+        const Scalar inverse_124 = Scalar(1) / e72;
+        const Scalar e125 = e66 * e122;
+        const Scalar e126 = e31 * e122;
+        const Scalar e127 = p_.tank_p_a - cylinder_p_1;
+        const Scalar step_128 = detail::step<Scalar>(e127);
+        const Scalar step_129 = detail::step<Scalar>(-e127);
+        const Scalar e130 = step_129 * inverse_57;
+        const Scalar sqrt_131 = sqrt(c_.k17 * step_128 + p_.rho_0 * e130);
+        const Scalar e132 = c_.k13 + e127 * e127;
+        const Scalar sqrt_133 = sqrt(e132);
+        const Scalar sqrt_134 = sqrt(sqrt_133);
+        const Scalar e135 = valve_opening_value / sqrt_134;
+        const Scalar e136 = e127 * e135;
+        const Scalar e137 = sqrt_131 * e136;
         const Scalar e138 = p_.tank_p_a - cylinder_p_2;
         const Scalar step_139 = detail::step<Scalar>(e138);
         const Scalar step_140 = detail::step<Scalar>(-e138);
         const Scalar e141 = step_140 * inverse_44;
-        const Scalar sqrt_142 = sqrt(c_.k18 * step_139 + p_.rho_0 * e141);
+        const Scalar sqrt_142 = sqrt(c_.k17 * step_139 + p_.rho_0 * e141);
         const Scalar e143 = c_.k13 + e138 * e138;
-        const Scalar power_144 = pow(e143, -Scalar(1) / Scalar(4));
-        const Scalar e145 = valve_opening_value_2 * e138;
-        const Scalar e146 = power_144 * e145;
-        const Scalar e147 = sqrt_142 * e146;
-        const Scalar e148 = e137 + e147;
-        const Scalar e149 = p_.pump_V_t * inverse_119;
-        const Scalar e150 = p_.pump_k_l * inverse_119;
-        const Scalar e151 = sqrt_87 * (max_90 * power_89);
-        const Scalar e152 = e92 / sqrt_87;
-        const Scalar e153 = step_85 * e152;
-        const Scalar e154 = exp_18 * e153;
-        const Scalar e155 = (Scalar(1) / Scalar(2)) * sqrt_32 * e83 * e15 * e154;
-        const Scalar e156 = (Scalar(1) / Scalar(2)) * e84;
-        const Scalar power_157 = pow(e133, -Scalar(5) / Scalar(4));
-        const Scalar e158 = e135 * (power_157 * sqrt_132);
-        const Scalar e159 = e128 * e158;
-        const Scalar power_160 = pow(e143, -Scalar(5) / Scalar(4));
-        const Scalar e161 = e145 * (power_160 * sqrt_142);
-        const Scalar e162 = e138 * e161;
-        const Scalar e163 = sqrt_132 * (valve_opening_value * power_134);
-        const Scalar e164 = sqrt_142 * (valve_opening_value_2 * power_144);
-        const Scalar e165 = inverse_11 * e120;
-        const Scalar e166 = p_.pump_V_t * e165;
-        const Scalar e167 = p_.pump_k_l * e165;
-        const Scalar e168 = (Scalar(1) / Scalar(2)) * e126;
+        const Scalar sqrt_144 = sqrt(e143);
+        const Scalar sqrt_145 = sqrt(sqrt_144);
+        const Scalar e146 = valve_opening_value_2 / sqrt_145;
+        const Scalar e147 = e138 * e146;
+        const Scalar e148 = sqrt_142 * e147;
+        const Scalar e149 = e137 + e148;
+        const Scalar e150 = p_.pump_V_t * inverse_120;
+        const Scalar e151 = p_.pump_k_l * inverse_120;
+        const Scalar e152 = sqrt_70 * e75;
+        const Scalar e153 = (Scalar(1) / Scalar(2)) * e67;
+        const Scalar e154 = e3 * inverse_124;
+        const Scalar e155 = e76 / sqrt_70;
+        const Scalar e156 = step_68 * e155;
+        const Scalar e157 = exp_18 * e156;
+        const Scalar e158 = (Scalar(1) / Scalar(2)) * sqrt_32 * e66 * e15 * e157;
+        const Scalar e159 = (Scalar(1) / Scalar(2)) * e126;
+        const Scalar e160 = e137 / e132;
+        const Scalar e161 = e127 * e160;
+        const Scalar e162 = e148 / e143;
+        const Scalar e163 = e138 * e162;
+        const Scalar e164 = sqrt_131 * e135;
+        const Scalar e165 = sqrt_142 * e146;
+        const Scalar e166 = inverse_11 * e121;
+        const Scalar e167 = p_.pump_V_t * e166;
+        const Scalar e168 = p_.pump_k_l * e166;
         const Scalar e169 = sqrt_32 * inverse_11;
         const Scalar e170 = e31 * e169;
-        const Scalar e171 = e136 / sqrt_132;
-        const Scalar e172 = step_129 * e171;
-        const Scalar e173 = e146 / sqrt_142;
+        const Scalar e171 = e136 / sqrt_131;
+        const Scalar e172 = step_128 * e171;
+        const Scalar e173 = e147 / sqrt_142;
         const Scalar e174 = step_139 * e173;
         const Scalar e175 = e172 + e174;
-        const Scalar e176 = e83 * e169;
-        const Scalar e177 = (Scalar(1) / Scalar(2)) * inverse_119 * e170 * e175 - inverse_11 * e127 * e148;
-        const Scalar e178 = (Scalar(1) / Scalar(2)) * inverse_119 * e176 * e153 - inverse_11 * e126 * e93;
+        const Scalar e176 = e66 * e169;
+        const Scalar e177 = (Scalar(1) / Scalar(2)) * inverse_120 * e170 * e175 - inverse_11 * e126 * e149;
+        const Scalar e178 = (Scalar(1) / Scalar(2)) * inverse_120 * e176 * e156 - inverse_11 * e125 * e77;
         const Scalar e179 = e177 + e178;
-        const Scalar e180 = sqrt_32 * e31;
-        const Scalar e181 = (Scalar(1) / Scalar(2)) * exp_13 * e180;
+        const Scalar e180 = (Scalar(1) / Scalar(2)) * e125;
         const Scalar cylinder_s = x[2];
-        const Scalar inverse_182 = Scalar(1) / (p_.cylinder_V_d + p_.cylinder_A_1 * cylinder_s);
-        const Scalar e183 = exp_56 * inverse_182;
-        const Scalar e184 = e183 * e172;
-        const Scalar e185 = e181 * e184;
-        const Scalar e186 = e35 * e31;
-        const Scalar e187 = (Scalar(1) / Scalar(2)) * e186;
-        const Scalar inverse_188 = Scalar(1) / (c_.k28 - p_.cylinder_A_2 * cylinder_s);
-        const Scalar e189 = exp_43 * inverse_188;
-        const Scalar e190 = e189 * e174;
-        const Scalar e191 = e181 * e190;
-        const Scalar inverse_192 = Scalar(1) / p_.valve_rho_0;
-        const Scalar sqrt_193 = sqrt(p_.valve_dp_n * inverse_192);
-        const Scalar inverse_194 = Scalar(1) / sqrt_193;
-        const Scalar e195 = sqrt_32 * inverse_194;
-        const Scalar e196 = (Scalar(1) / Scalar(2)) * e35 * e195;
-        const Scalar e197 = (e137 + e64) * e183;
-        const Scalar e198 = (e147 + e51) * e189;
-        const Scalar e199 = p_.valve_Q_n * e195;
-        const Scalar e200 = inverse_192 * inverse_194;
-        const Scalar e201 = e199 * e200;
-        const Scalar e202 = inverse_194 * e201;
-        const Scalar e203 = (Scalar(1) / Scalar(4)) * e35 * e202;
-        const Scalar e204 = e199 / p_.valve_alpha - Scalar(2) * c_.valve_A_n;
-        const Scalar e205 = (Scalar(1) / Scalar(2)) * e35 * e204;
-        const Scalar inverse_206 = Scalar(1) / p_.valve_T_v;
+        const Scalar inverse_181 = Scalar(1) / (p_.cylinder_V_d + p_.cylinder_A_1 * cylinder_s);
+        const Scalar e182 = exp_56 * inverse_181;
+        const Scalar e183 = e35 * e31;
+        const Scalar e184 = (Scalar(1) / Scalar(2)) * e183;
+        const Scalar e185 = sqrt_32 * e31;
+        const Scalar e186 = (Scalar(1) / Scalar(2)) * exp_13 * e185;
+        const Scalar e187 = e182 * e172;
+        const Scalar e188 = e186 * e187;
+        const Scalar inverse_189 = Scalar(1) / (c_.k28 - p_.cylinder_A_2 * cylinder_s);
+        const Scalar e190 = exp_43 * inverse_189;
+        const Scalar e191 = e190 * e174;
+        const Scalar e192 = e186 * e191;
+        const Scalar inverse_193 = Scalar(1) / p_.valve_rho_0;
+        const Scalar sqrt_194 = sqrt(p_.valve_dp_n * inverse_193);
+        const Scalar inverse_195 = Scalar(1) / sqrt_194;
+        const Scalar e196 = sqrt_32 * inverse_195;
+        const Scalar e197 = (Scalar(1) / Scalar(2)) * e35 * e196;
+        const Scalar e198 = (e137 + e64) * e182;
+        const Scalar e199 = (e148 + e51) * e190;
+        const Scalar e200 = p_.valve_Q_n * e196;
+        const Scalar e201 = inverse_193 * inverse_195;
+        const Scalar e202 = e200 * e201;
+        const Scalar e203 = inverse_195 * e202;
+        const Scalar e204 = (Scalar(1) / Scalar(4)) * e35 * e203;
+        const Scalar e205 = e200 / p_.valve_alpha - Scalar(2) * c_.valve_A_n;
+        const Scalar e206 = (Scalar(1) / Scalar(2)) * e35 * e205;
+        const Scalar inverse_207 = Scalar(1) / p_.valve_T_v;
         const Scalar w = u[0];
-        const Scalar e207 = w - cylinder_s;
+        const Scalar e208 = w - cylinder_s;
         const Scalar control_z = x[15];
-        const Scalar e208 = p_.control_K * e207 + control_z;
-        const Scalar max_209 = detail::max<Scalar>(e208, -p_.control_u_max);
-        const Scalar min_control_u_max = detail::min<Scalar>(p_.control_u_max, max_209);
-        const Scalar power_210 = pow(e60, -Scalar(5) / Scalar(4));
-        const Scalar e211 = e62 * (power_210 * sqrt_59);
-        const Scalar power_212 = pow(e47, -Scalar(5) / Scalar(4));
-        const Scalar e213 = e49 * (power_212 * sqrt_46);
-        const Scalar e214 = (Scalar(1) / Scalar(2)) * p_.valve_p_w * e186;
-        const Scalar e215 = e201 * (p_.valve_dp_n * e200);
-        const Scalar e216 = (Scalar(1) / Scalar(4)) * e35 * e215;
-        const Scalar e217 = p_.cylinder_k_l * p_.beta;
-        const Scalar e218 = cylinder_p_1 - cylinder_p_2;
-        const Scalar e219 = p_.cylinder_k_l * e218;
-        const Scalar step_220 = detail::step<Scalar>(e219);
-        const Scalar step_221 = detail::step<Scalar>(-e219);
-        const Scalar e222 = e183 * (step_221 * inverse_44);
-        const Scalar e223 = step_220 * inverse_182 + e222;
-        const Scalar e224 = e218 * e223;
-        const Scalar e225 = inverse_182 * (c_.k14 * e197 - e217 * e224);
-        const Scalar e226 = p_.cylinder_V_d * p_.beta;
-        const Scalar e227 = cylinder_s_dot * inverse_182;
-        const Scalar e228 = inverse_182 * e227;
-        const Scalar inverse_188_squared = inverse_188 * inverse_188;
-        const Scalar e229 = cylinder_s_dot * inverse_188_squared;
-        const Scalar e230 = inverse_188 * e198;
-        const Scalar e231 = step_220 * inverse_57;
-        const Scalar e232 = e218 * (step_221 + exp_43 * e231);
-        const Scalar e233 = inverse_188 * e232;
-        const Scalar e234 = inverse_188 * (c_.k14 * e198 + e217 * e233);
-        const Scalar e235 = inverse_188_squared * e232;
-        const Scalar e236 = p_.cylinder_A_2 * p_.beta;
-        const Scalar e237 = p_.control_u_max + e208;
-        const Scalar step_238 = detail::step<Scalar>(e237);
-        const Scalar e239 = p_.control_u_max - max_209;
-        const Scalar step_240 = detail::step<Scalar>(e239);
-        const Scalar e241 = e207 * (step_238 * step_240);
-        const Scalar inverse_242 = Scalar(1) / p_.control_T_i;
-        const Scalar inverse_243 = Scalar(1) / p_.control_T_t;
-        const Scalar inverse_243_squared = inverse_243 * inverse_243;
-        const Scalar step_244 = detail::step<Scalar>(-e237);
-        const Scalar step_245 = detail::step<Scalar>(-e239);
-        const Scalar e246 = step_244 * step_240 - step_245;
-        const Scalar e247 = step_86 * e152;
-        const Scalar e248 = e50 / sqrt_46;
-        const Scalar e249 = e248 * e45;
-        const Scalar e250 = e63 / sqrt_59;
-        const Scalar e251 = e250 * e58;
-        const Scalar e252 = step_39 * e248;
-        const Scalar e253 = step_53 * e250;
-        const Scalar e254 = e252 + e253;
-        const Scalar e255 = exp_18 * (e249 + e251) + e254;
-        const Scalar e256 = exp_18 * e76;
-        const Scalar e257 = e80 / sqrt_77;
-        const Scalar e258 = (step_72 + e256) * e257;
-        const Scalar e259 = inverse_102 * e257;
-        const Scalar e260 = (exp_75 * step_72 * inverse_22 + step_73) * e259;
-        const Scalar e261 = inverse_119 * e34;
-        const Scalar e262 = e171 * e131;
-        const Scalar e263 = e173 * e141;
-        const Scalar e264 = e262 + e263;
-        const Scalar e265 = inverse_22 * e247;
-        const Scalar e266 = inverse_182 * (step_130 * e171 + step_54 * e250);
-        const Scalar e267 = e183 * e253;
-        const Scalar e268 = e266 + inverse_22 * e267;
-        const Scalar e269 = inverse_33 * e186;
-        const Scalar e270 = (Scalar(1) / Scalar(2)) * exp_13 * e186;
-        const Scalar e271 = inverse_188 * (step_140 * e173 + step_41 * e248);
-        const Scalar e272 = e189 * e252;
-        const Scalar e273 = e271 + inverse_22 * e272;
-        const Scalar e274 = (Scalar(1) / Scalar(2)) * inverse_14 * e170;
-        const Scalar e275 = inverse_14 * e34;
-        const Scalar e276 = inverse_11 * e275;
-        const Scalar e277 = e69 * e169;
-        const Scalar e278 = (Scalar(1) / Scalar(2)) * inverse_14 * e277 * e257;
-        const Scalar e279 = Scalar(1) - e12;
-        const Scalar e280 = e83 * e275 * e94 - (e31 * e275 * e65 + e69 * e275 * e82);
-        const Scalar e281 = (Scalar(1) / Scalar(2)) * e277;
-        const Scalar e282 = e17 * inverse_22;
-        const Scalar e283 = inverse_11 * e34;
-        const Scalar e284 = e34 * e69 * e106;
-        const Scalar e285 = inverse_119 * e12;
-        const Scalar e286 = inverse_11 * e12;
-        const Scalar e287 = c_.k36 * e197;
-        const Scalar e288 = e31 * e283;
-        const Scalar e289 = (Scalar(1) / Scalar(2)) * e170;
-        const Scalar e290 = (Scalar(1) / Scalar(2)) * e10 * exp_13 * e170;
-        const Scalar e291 = e289 * e282;
-        const Scalar e292 = (e55 - e42) * (e218 * (p_.cylinder_k_l * inverse_11));
-        const Scalar e293 = c_.k36 * e198;
-        const Scalar e294 = sqrt_32 * inverse_14;
-        const Scalar e295 = (Scalar(1) / Scalar(2)) * e180;
+        const Scalar e209 = p_.control_K * e208 + control_z;
+        const Scalar max_210 = detail::max<Scalar>(e209, -p_.control_u_max);
+        const Scalar min_control_u_max = detail::min<Scalar>(p_.control_u_max, max_210);
+        const Scalar e211 = e51 / e47;
+        const Scalar e212 = e64 / e60;
+        const Scalar e213 = (Scalar(1) / Scalar(2)) * p_.valve_p_w * e183;
+        const Scalar e214 = e202 * (p_.valve_dp_n * e201);
+        const Scalar e215 = (Scalar(1) / Scalar(4)) * e35 * e214;
+        const Scalar e216 = p_.cylinder_k_l * p_.beta;
+        const Scalar e217 = cylinder_p_1 - cylinder_p_2;
+        const Scalar e218 = p_.cylinder_k_l * e217;
+        const Scalar step_219 = detail::step<Scalar>(e218);
+        const Scalar step_220 = detail::step<Scalar>(-e218);
+        const Scalar e221 = e182 * (step_220 * inverse_44);
+        const Scalar e222 = step_219 * inverse_181 + e221;
+        const Scalar e223 = e217 * e222;
+        const Scalar e224 = inverse_181 * (c_.k14 * e198 - e216 * e223);
+        const Scalar e225 = p_.cylinder_V_d * p_.beta;
+        const Scalar e226 = cylinder_s_dot * inverse_181;
+        const Scalar e227 = inverse_181 * e226;
+        const Scalar inverse_189_squared = inverse_189 * inverse_189;
+        const Scalar e228 = cylinder_s_dot * inverse_189_squared;
+        const Scalar e229 = inverse_189 * e199;
+        const Scalar e230 = step_219 * inverse_57;
+        const Scalar e231 = e217 * (step_220 + exp_43 * e230);
+        const Scalar e232 = inverse_189 * e231;
+        const Scalar e233 = inverse_189 * (c_.k14 * e199 + e216 * e232);
+        const Scalar e234 = inverse_189_squared * e231;
+        const Scalar e235 = p_.cylinder_A_2 * p_.beta;
+        const Scalar e236 = p_.control_u_max + e209;
+        const Scalar step_237 = detail::step<Scalar>(e236);
+        const Scalar e238 = p_.control_u_max - max_210;
+        const Scalar step_239 = detail::step<Scalar>(e238);
+        const Scalar e240 = e208 * (step_237 * step_239);
+        const Scalar inverse_241 = Scalar(1) / p_.control_T_i;
+        const Scalar inverse_242 = Scalar(1) / p_.control_T_t;
+        const Scalar inverse_242_squared = inverse_242 * inverse_242;
+        const Scalar step_243 = detail::step<Scalar>(-e236);
+        const Scalar step_244 = detail::step<Scalar>(-e238);
+        const Scalar e245 = step_243 * step_239 - step_244;
+        const Scalar e246 = step_69 * e155;
+        const Scalar e247 = e50 / sqrt_46;
+        const Scalar e248 = e247 * e45;
+        const Scalar e249 = e63 / sqrt_59;
+        const Scalar e250 = e249 * e58;
+        const Scalar e251 = step_39 * e247;
+        const Scalar e252 = step_53 * e249;
+        const Scalar e253 = e251 + e252;
+        const Scalar e254 = exp_18 * (e248 + e250) + e253;
+        const Scalar e255 = exp_18 * e89;
+        const Scalar e256 = e94 / sqrt_90;
+        const Scalar e257 = (step_85 + e255) * e256;
+        const Scalar e258 = inverse_104 * e256;
+        const Scalar e259 = (exp_88 * step_85 * inverse_22 + step_86) * e258;
+        const Scalar e260 = inverse_120 * e34;
+        const Scalar e261 = e171 * e130;
+        const Scalar e262 = e173 * e141;
+        const Scalar e263 = e261 + e262;
+        const Scalar e264 = inverse_22 * e246;
+        const Scalar e265 = inverse_181 * (step_129 * e171 + step_54 * e249);
+        const Scalar e266 = e182 * e252;
+        const Scalar e267 = e265 + inverse_22 * e266;
+        const Scalar e268 = inverse_33 * e183;
+        const Scalar e269 = (Scalar(1) / Scalar(2)) * exp_13 * e183;
+        const Scalar e270 = inverse_189 * (step_140 * e173 + step_41 * e247);
+        const Scalar e271 = e190 * e251;
+        const Scalar e272 = e270 + inverse_22 * e271;
+        const Scalar e273 = (Scalar(1) / Scalar(2)) * inverse_14 * e170;
+        const Scalar e274 = inverse_14 * e34;
+        const Scalar e275 = inverse_11 * e274;
+        const Scalar e276 = e82 * e169;
+        const Scalar e277 = (Scalar(1) / Scalar(2)) * inverse_14 * e276 * e256;
+        const Scalar e278 = Scalar(1) - e12;
+        const Scalar e279 = e82 * e274 * e96 + (e31 * e274 * e65 - e66 * e274 * e78);
+        const Scalar e280 = (Scalar(1) / Scalar(2)) * e276;
+        const Scalar e281 = e17 * inverse_22;
+        const Scalar e282 = inverse_11 * e34;
+        const Scalar e283 = e34 * e82 * e108;
+        const Scalar e284 = inverse_120 * e12;
+        const Scalar e285 = inverse_11 * e12;
+        const Scalar e286 = c_.k36 * e198;
+        const Scalar e287 = e31 * e282;
+        const Scalar e288 = (Scalar(1) / Scalar(2)) * e170;
+        const Scalar e289 = (Scalar(1) / Scalar(2)) * e10 * exp_13 * e170;
+        const Scalar e290 = e288 * e281;
+        const Scalar e291 = (e55 - e42) * (e217 * (p_.cylinder_k_l * inverse_11));
+        const Scalar e292 = c_.k36 * e199;
+        const Scalar e293 = sqrt_32 * inverse_14;
+        const Scalar e294 = (Scalar(1) / Scalar(2)) * e185;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
@@ -1865,8 +1865,8 @@ public:
         J[148] = Scalar(0);
         J[149] = Scalar(0);
         J[150] = Scalar(0);
-        J[151] = inverse_14 * e37 * e65 - e66 * e67 * e9 - e66 * e68 * e26 + inverse_14 * e70 * e82 - inverse_14 * e84 * e94
-            - e66 * e95 * e21 - e96 * e66 * e29;
+        J[151] = inverse_14 * e37 * e65 - inverse_14 * e67 * e78 - e79 * e80 * e9 - e79 * e81 * e26 + inverse_14 * e83 * e96
+            - e79 * e97 * e21 - e98 * e79 * e29;
         J[152] = Scalar(0);
         J[153] = Scalar(0);
         J[154] = Scalar(0);
@@ -1884,7 +1884,7 @@ public:
         J[166] = Scalar(0);
         J[167] = Scalar(0);
         J[168] = Scalar(0);
-        J[169] = -e100;
+        J[169] = -e102;
         J[170] = Scalar(0);
         J[171] = Scalar(0);
         J[172] = Scalar(0);
@@ -1899,8 +1899,8 @@ public:
         J[181] = Scalar(0);
         J[182] = Scalar(0);
         J[183] = Scalar(0);
-        J[184] = accumulator_z * e103 - p_.beta * e104;
-        J[185] = p_.accumulator_n * e99 + accumulator_z * e100;
+        J[184] = accumulator_z * e105 - p_.beta * e106;
+        J[185] = p_.accumulator_n * e101 + accumulator_z * e102;
         J[186] = Scalar(0);
         J[187] = Scalar(0);
         J[188] = Scalar(0);
@@ -1947,7 +1947,7 @@ public:
         J[229] = Scalar(0);
         J[230] = Scalar(0);
         J[231] = Scalar(0);
-        J[232] = e103;
+        J[232] = e105;
         J[233] = Scalar(0);
         J[234] = Scalar(0);
         J[235] = Scalar(0);
@@ -1996,7 +1996,7 @@ public:
         J[278] = Scalar(0);
         J[279] = Scalar(0);
         J[280] = Scalar(0);
-        J[281] = p_.accumulator_A * e99;
+        J[281] = p_.accumulator_A * e101;
         J[282] = Scalar(0);
         J[283] = Scalar(0);
         J[284] = Scalar(0);
@@ -2026,8 +2026,8 @@ public:
         J[308] = Scalar(0);
         J[309] = Scalar(0);
         J[310] = Scalar(0);
-        J[311] = -p_.accumulator_alpha * e36 * e82;
-        J[312] = p_.accumulator_alpha * e35 * e106;
+        J[311] = -p_.accumulator_alpha * e36 * e96;
+        J[312] = p_.accumulator_alpha * e35 * e108;
         J[313] = Scalar(0);
         J[314] = Scalar(0);
         J[315] = Scalar(0);
@@ -2042,8 +2042,8 @@ public:
         J[324] = Scalar(0);
         J[325] = Scalar(0);
         J[326] = Scalar(0);
-        J[327] = -p_.accumulator_A_n * e36 * e82;
-        J[328] = p_.accumulator_A_n * e35 * e106;
+        J[327] = -p_.accumulator_A_n * e36 * e96;
+        J[328] = p_.accumulator_A_n * e35 * e108;
         J[329] = Scalar(0);
         J[330] = Scalar(0);
         J[331] = Scalar(0);
@@ -2058,8 +2058,9 @@ public:
         J[340] = Scalar(0);
         J[341] = Scalar(0);
         J[342] = Scalar(0);
-        J[343] = exp_18 * ((Scalar(1) / Scalar(2)) * p_.accumulator_p_w * e70) * e108;
-        J[344] = -(Scalar(1) / Scalar(2)) * p_.accumulator_p_w * e101 * e105 * e108;
+        J[343] = inverse_109 * ((Scalar(1) / Scalar(2)) * p_.accumulator_p_w * e83) * e96;
+        const Scalar e295 = inverse_109 * ((Scalar(1) / Scalar(2)) * p_.accumulator_p_w * e103) * e108;
+        J[344] = -e295;
         J[345] = Scalar(0);
         J[346] = Scalar(0);
         J[347] = Scalar(0);
@@ -2077,7 +2078,7 @@ public:
         J[359] = Scalar(0);
         J[360] = Scalar(0);
         J[361] = Scalar(0);
-        J[362] = e116;
+        J[362] = e117;
         J[363] = Scalar(0);
         J[364] = Scalar(0);
         J[365] = Scalar(0);
@@ -2093,7 +2094,7 @@ public:
         J[375] = Scalar(0);
         J[376] = Scalar(0);
         J[377] = Scalar(0);
-        J[378] = -e115 * (rail_p * (inverse_109 * e118) - e118 * e110);
+        J[378] = -e116 * (rail_p * (inverse_110 * e119) - e119 * e111);
         J[379] = Scalar(0);
         J[380] = Scalar(0);
         J[381] = Scalar(0);
@@ -2106,11 +2107,11 @@ public:
         J[388] = Scalar(0);
         J[389] = Scalar(0);
         J[390] = Scalar(0);
-        J[391] = p_.relief_alpha * e36 * e94;
+        J[391] = p_.relief_alpha * e36 * e78;
         J[392] = Scalar(0);
         J[393] = Scalar(0);
         J[394] = Scalar(0);
-        J[395] = -p_.relief_alpha * e121 * e93;
+        J[395] = -p_.relief_alpha * e122 * e77;
         J[396] = Scalar(0);
         J[397] = Scalar(0);
         J[398] = Scalar(0);
@@ -2122,11 +2123,11 @@ public:
         J[404] = Scalar(0);
         J[405] = Scalar(0);
         J[406] = Scalar(0);
-        J[407] = p_.relief_A * e36 * e94;
+        J[407] = p_.relief_A * e36 * e78;
         J[408] = Scalar(0);
         J[409] = Scalar(0);
         J[410] = Scalar(0);
-        J[411] = -p_.relief_A * e121 * e93;
+        J[411] = -p_.relief_A * e122 * e77;
         J[412] = Scalar(0);
         J[413] = Scalar(0);
         J[414] = Scalar(0);
@@ -2141,7 +2142,7 @@ public:
         J[423] = Scalar(0);
         J[424] = Scalar(0);
         J[425] = Scalar(0);
-        J[426] = inverse_117 * inverse_117 * (relief_y - min_122);
+        J[426] = inverse_118 * inverse_118 * (relief_y - min_123);
         J[427] = Scalar(0);
         J[428] = Scalar(0);
         J[429] = Scalar(0);
@@ -2154,11 +2155,11 @@ public:
         J[436] = Scalar(0);
         J[437] = Scalar(0);
         J[438] = Scalar(0);
-        J[439] = -(Scalar(1) / Scalar(2)) * p_.relief_p_w * e84 * e125;
+        J[439] = -inverse_124 * ((Scalar(1) / Scalar(2)) * p_.relief_p_w * e67) * e78;
         J[440] = Scalar(0);
         J[441] = Scalar(0);
         J[442] = Scalar(0);
-        J[443] = (Scalar(1) / Scalar(2)) * p_.relief_p_w * e126 * e124;
+        J[443] = inverse_124 * ((Scalar(1) / Scalar(2)) * p_.relief_p_w * e125) * e77;
         J[444] = Scalar(0);
         J[445] = Scalar(0);
         J[446] = Scalar(0);
@@ -2174,8 +2175,8 @@ public:
         J[456] = Scalar(0);
         J[457] = Scalar(0);
         J[458] = Scalar(0);
-        J[459] = inverse_119 * e127 * e148 + inverse_119 * e126 * e93 + inverse_119 * e149 * e20 + inverse_119 * e150 * e28
-            + e120 * e149 * e23 + e120 * e150 * e30;
+        J[459] = inverse_120 * e126 * e149 + inverse_120 * e125 * e77 + inverse_120 * e150 * e20 + inverse_120 * e151 * e28
+            + e121 * e150 * e23 + e121 * e151 * e30;
         J[460] = Scalar(0);
         J[461] = Scalar(0);
         J[462] = Scalar(0);
@@ -2187,16 +2188,16 @@ public:
         J[468] = Scalar(0);
         J[469] = Scalar(0);
         J[470] = Scalar(0);
-        J[471] = exp_18 * (step_27 * (p_.beta * e96) + e84 * e151) + step_25 * (p_.pump_k_l * e66) + e95 * e21 + e96 * e29
-            + e155 - e3 * e156 * e125;
+        J[471] = exp_18 * (step_27 * (p_.beta * e98) + e67 * e152) + step_25 * (p_.pump_k_l * e79) + e97 * e21 + e98 * e29
+            - e153 * e78 * e154 + e158;
         J[472] = Scalar(0);
         J[473] = Scalar(0);
-        J[474] = e116;
-        J[475] = c_.k44 * (e159 + e162) - c_.k23 * (e163 + e164) - step_25 * inverse_22 * (p_.pump_k_l * e120) - step_27 * e150
-            + e166 * e23 + e167 * e30 + e3 * e168 * e124 - e179 - e126 * e151;
+        J[474] = e117;
+        J[475] = e159 * (e161 + e163) - c_.k23 * (e164 + e165) - step_25 * inverse_22 * (p_.pump_k_l * e121) - step_27 * e151
+            + e167 * e23 + e168 * e30 - e179 + e180 * e77 * e154 - e125 * e152;
         J[476] = Scalar(0);
-        J[477] = e185 - e183 * (e187 * e159 - c_.k14 * e163);
-        J[478] = e191 - e189 * (e187 * e162 - c_.k14 * e164);
+        J[477] = e182 * (c_.k14 * e164 - e184 * e161) + e188;
+        J[478] = e190 * (c_.k14 * e165 - e184 * e163) + e192;
         J[479] = Scalar(0);
         J[480] = Scalar(0);
         J[481] = Scalar(0);
@@ -2205,14 +2206,14 @@ public:
         J[484] = Scalar(0);
         J[485] = Scalar(0);
         J[486] = Scalar(0);
-        J[487] = -(Scalar(1) / Scalar(2)) * e36 * e195 * e65;
+        J[487] = -(Scalar(1) / Scalar(2)) * e36 * e196 * e65;
         J[488] = Scalar(0);
         J[489] = Scalar(0);
         J[490] = Scalar(0);
-        J[491] = -(Scalar(1) / Scalar(2)) * e121 * e195 * e148;
+        J[491] = -(Scalar(1) / Scalar(2)) * e122 * e196 * e149;
         J[492] = Scalar(0);
-        J[493] = e196 * e197;
-        J[494] = e196 * e198;
+        J[493] = e197 * e198;
+        J[494] = e197 * e199;
         J[495] = Scalar(0);
         J[496] = Scalar(0);
         J[497] = Scalar(0);
@@ -2221,14 +2222,14 @@ public:
         J[500] = Scalar(0);
         J[501] = Scalar(0);
         J[502] = Scalar(0);
-        J[503] = (Scalar(1) / Scalar(4)) * e36 * e202 * e65;
+        J[503] = (Scalar(1) / Scalar(4)) * e36 * e203 * e65;
         J[504] = Scalar(0);
         J[505] = Scalar(0);
         J[506] = Scalar(0);
-        J[507] = (Scalar(1) / Scalar(4)) * e121 * e202 * e148;
+        J[507] = (Scalar(1) / Scalar(4)) * e122 * e203 * e149;
         J[508] = Scalar(0);
-        J[509] = -e203 * e197;
-        J[510] = -e203 * e198;
+        J[509] = -e204 * e198;
+        J[510] = -e204 * e199;
         J[511] = Scalar(0);
         J[512] = Scalar(0);
         J[513] = Scalar(0);
@@ -2237,14 +2238,14 @@ public:
         J[516] = Scalar(0);
         J[517] = Scalar(0);
         J[518] = Scalar(0);
-        J[519] = (Scalar(1) / Scalar(2)) * e36 * e204 * e65;
+        J[519] = (Scalar(1) / Scalar(2)) * e36 * e205 * e65;
         J[520] = Scalar(0);
         J[521] = Scalar(0);
         J[522] = Scalar(0);
-        J[523] = (Scalar(1) / Scalar(2)) * e121 * e204 * e148;
+        J[523] = (Scalar(1) / Scalar(2)) * e122 * e205 * e149;
         J[524] = Scalar(0);
-        J[525] = -e205 * e197;
-        J[526] = -e205 * e198;
+        J[525] = -e206 * e198;
+        J[526] = -e206 * e199;
         J[527] = Scalar(0);
         J[528] = Scalar(0);
         J[529] = Scalar(0);
@@ -2258,7 +2259,7 @@ public:
         J[537] = Scalar(0);
         J[538] = Scalar(0);
         J[539] = Scalar(0);
-        J[540] = inverse_206 * inverse_206 * (valve_y - min_control_u_max);
+        J[540] = inverse_207 * inverse_207 * (valve_y - min_control_u_max);
         J[541] = Scalar(0);
         J[542] = Scalar(0);
         J[543] = Scalar(0);
@@ -2269,14 +2270,14 @@ public:
         J[548] = Scalar(0);
         J[549] = Scalar(0);
         J[550] = Scalar(0);
-        J[551] = exp_18 * ((Scalar(1) / Scalar(2)) * p_.valve_p_w * e37) * (e211 + e213);
+        J[551] = exp_18 * ((Scalar(1) / Scalar(2)) * p_.valve_p_w * e37) * (e211 + e212);
         J[552] = Scalar(0);
         J[553] = Scalar(0);
         J[554] = Scalar(0);
-        J[555] = (Scalar(1) / Scalar(2)) * p_.valve_p_w * e127 * (e158 + e161);
+        J[555] = (Scalar(1) / Scalar(2)) * p_.valve_p_w * e126 * (e160 + e162);
         J[556] = Scalar(0);
-        J[557] = -e214 * e183 * (e158 + e211);
-        J[558] = -e214 * e189 * (e161 + e213);
+        J[557] = -e213 * e182 * (e160 + e212);
+        J[558] = -e213 * e190 * (e162 + e211);
         J[559] = Scalar(0);
         J[560] = Scalar(0);
         J[561] = Scalar(0);
@@ -2285,14 +2286,14 @@ public:
         J[564] = Scalar(0);
         J[565] = Scalar(0);
         J[566] = Scalar(0);
-        J[567] = -(Scalar(1) / Scalar(4)) * e36 * e215 * e65;
+        J[567] = -(Scalar(1) / Scalar(4)) * e36 * e214 * e65;
         J[568] = Scalar(0);
         J[569] = Scalar(0);
         J[570] = Scalar(0);
-        J[571] = -(Scalar(1) / Scalar(4)) * e121 * e215 * e148;
+        J[571] = -(Scalar(1) / Scalar(4)) * e122 * e214 * e149;
         J[572] = Scalar(0);
-        J[573] = e216 * e197;
-        J[574] = e216 * e198;
+        J[573] = e215 * e198;
+        J[574] = e215 * e199;
         J[575] = Scalar(0);
         J[576] = Scalar(0);
         J[577] = Scalar(0);
@@ -2307,7 +2308,7 @@ public:
         J[586] = Scalar(0);
         J[587] = Scalar(0);
         J[588] = Scalar(0);
-        J[589] = -cylinder_s * e225 - e226 * e228;
+        J[589] = -cylinder_s * e224 - e225 * e227;
         J[590] = Scalar(0);
         J[591] = Scalar(0);
         J[592] = Scalar(0);
@@ -2324,7 +2325,7 @@ public:
         J[603] = Scalar(0);
         J[604] = Scalar(0);
         J[605] = Scalar(0);
-        J[606] = e226 * e229 - p_.cylinder_l * e186 * e230 + cylinder_s * e234 - p_.cylinder_l * e217 * e235;
+        J[606] = e225 * e228 - p_.cylinder_l * e183 * e229 + cylinder_s * e233 - p_.cylinder_l * e216 * e234;
         J[607] = Scalar(0);
         J[608] = Scalar(0);
         J[609] = Scalar(0);
@@ -2340,7 +2341,7 @@ public:
         J[619] = Scalar(0);
         J[620] = Scalar(0);
         J[621] = Scalar(0);
-        J[622] = -p_.cylinder_A_2 * e236 * e229 - p_.cylinder_A_2 * e186 * e230 - p_.cylinder_A_2 * e217 * e235;
+        J[622] = -p_.cylinder_A_2 * e235 * e228 - p_.cylinder_A_2 * e183 * e229 - p_.cylinder_A_2 * e216 * e234;
         J[623] = Scalar(0);
         J[624] = Scalar(0);
         J[625] = Scalar(0);
@@ -2355,8 +2356,8 @@ public:
         J[634] = Scalar(0);
         J[635] = Scalar(0);
         J[636] = Scalar(0);
-        J[637] = p_.cylinder_A_1 * p_.beta * e228 - e225;
-        J[638] = -e236 * e229 - e234;
+        J[637] = p_.cylinder_A_1 * p_.beta * e227 - e224;
+        J[638] = -e235 * e228 - e233;
         J[639] = Scalar(0);
         J[640] = Scalar(0);
         J[641] = Scalar(0);
@@ -2403,8 +2404,8 @@ public:
         J[682] = Scalar(0);
         J[683] = Scalar(0);
         J[684] = Scalar(0);
-        J[685] = -p_.beta * e224;
-        J[686] = p_.beta * e233;
+        J[685] = -p_.beta * e223;
+        J[686] = p_.beta * e232;
         J[687] = Scalar(0);
         J[688] = Scalar(0);
         J[689] = Scalar(0);
@@ -2450,10 +2451,10 @@ public:
         J[729] = Scalar(0);
         J[730] = Scalar(0);
         J[731] = Scalar(0);
-        J[732] = c_.k27 * e241;
+        J[732] = c_.k27 * e240;
         J[733] = Scalar(0);
         J[734] = Scalar(0);
-        J[735] = (inverse_242 - inverse_243) * e207 + c_.k29 * e241;
+        J[735] = (inverse_241 - inverse_242) * e208 + c_.k29 * e240;
         J[736] = Scalar(0);
         J[737] = Scalar(0);
         J[738] = Scalar(0);
@@ -2469,7 +2470,7 @@ public:
         J[748] = Scalar(0);
         J[749] = Scalar(0);
         J[750] = Scalar(0);
-        J[751] = -p_.control_K * inverse_242 * inverse_242 * e207;
+        J[751] = -p_.control_K * inverse_241 * inverse_241 * e208;
         J[752] = Scalar(0);
         J[753] = Scalar(0);
         J[754] = Scalar(0);
@@ -2485,7 +2486,7 @@ public:
         J[764] = Scalar(0);
         J[765] = Scalar(0);
         J[766] = Scalar(0);
-        J[767] = inverse_243_squared * (control_z - min_control_u_max) + p_.control_K * inverse_243_squared * e207;
+        J[767] = inverse_242_squared * (control_z - min_control_u_max) + p_.control_K * inverse_242_squared * e208;
         J[768] = Scalar(0);
         J[769] = Scalar(0);
         J[770] = Scalar(0);
@@ -2498,10 +2499,10 @@ public:
         J[777] = Scalar(0);
         J[778] = Scalar(0);
         J[779] = Scalar(0);
-        J[780] = -c_.k27 * e246;
+        J[780] = -c_.k27 * e245;
         J[781] = Scalar(0);
         J[782] = Scalar(0);
-        J[783] = -c_.k29 * e246;
+        J[783] = -c_.k29 * e245;
         J[784] = Scalar(0);
         J[785] = Scalar(0);
         J[786] = Scalar(0);
@@ -2509,17 +2510,17 @@ public:
         J[788] = Scalar(0);
         J[789] = Scalar(0);
         J[790] = Scalar(0);
-        J[791] = inverse_33 * e37 * e65 + inverse_33 * e70 * e82 - inverse_33 * e84 * e94 + e156 * e247
-            - (Scalar(1) / Scalar(2)) * e37 * e255 + (Scalar(1) / Scalar(2)) * exp_13 * e84 * e154 - (Scalar(1) / Scalar(2))
-            * e70 * e258;
-        J[792] = (Scalar(1) / Scalar(2)) * e101 * e260 - inverse_33 * e101 * e106;
+        J[791] = inverse_33 * e37 * e65 - inverse_33 * e67 * e78 + inverse_33 * e83 * e96 + e153 * e246
+            - (Scalar(1) / Scalar(2)) * e37 * e254 + (Scalar(1) / Scalar(2)) * exp_13 * e67 * e157 - (Scalar(1) / Scalar(2))
+            * e83 * e257;
+        J[792] = (Scalar(1) / Scalar(2)) * e103 * e259 - inverse_33 * e103 * e108;
         J[793] = Scalar(0);
         J[794] = Scalar(0);
-        J[795] = inverse_33 * e127 * e148 - (Scalar(1) / Scalar(2)) * e31 * e261 * e175 + inverse_33 * e126 * e93 - c_.k44
-            * e264 - (Scalar(1) / Scalar(2)) * e83 * e261 * e153 - e168 * e265;
+        J[795] = inverse_33 * e126 * e149 - (Scalar(1) / Scalar(2)) * e31 * e260 * e175 + inverse_33 * e125 * e77 - e159 * e263
+            - (Scalar(1) / Scalar(2)) * e66 * e260 * e156 - e180 * e264;
         J[796] = Scalar(0);
-        J[797] = e187 * e268 - e269 * e197 + e270 * e184;
-        J[798] = e187 * e273 - e269 * e198 + e270 * e190;
+        J[797] = e184 * e267 - e268 * e198 + e269 * e187;
+        J[798] = e184 * e272 - e268 * e199 + e269 * e191;
         J[799] = Scalar(0);
         J[800] = Scalar(0);
         J[801] = Scalar(0);
@@ -2528,23 +2529,23 @@ public:
         J[804] = Scalar(0);
         J[805] = Scalar(0);
         J[806] = Scalar(0);
-        const Scalar e296 = e274 * e254 - e31 * e276 * e65 - e69 * e276 * e82 + e83 * e276 * e94 - (Scalar(1) / Scalar(2))
-            * inverse_14 * e176 * e247 + inverse_11 * e95 * e21 + inverse_11 * e96 * e29 + step_72 * e278;
-        J[807] = e67 * e9 - e17 * e296 - exp_18 * e274 * (e42 * e249 + e55 * e251) + e68 * e26 - (-e95 * e279) * e21
-            - (-e96 * e279) * e29 - (Scalar(1) / Scalar(2)) * e10 * e15 * e176 * e154 + e280 - e74 * e278 * e256;
-        J[808] = step_72 * e281 * e105 * e257 * e282 - e74 * (e69 * e283 * e106 - step_73 * e281 * e259) - p_.accumulator_A
-            * e104 + e284;
+        const Scalar e296 = e273 * e253 - e31 * e275 * e65 + e66 * e275 * e78 - e82 * e275 * e96 - (Scalar(1) / Scalar(2))
+            * inverse_14 * e176 * e246 + inverse_11 * e97 * e21 + inverse_11 * e98 * e29 + step_85 * e277;
+        J[807] = e80 * e9 - e17 * e296 - exp_18 * e273 * (e42 * e248 + e55 * e250) + e81 * e26 - (-e97 * e278) * e21
+            - (-e98 * e278) * e29 - (Scalar(1) / Scalar(2)) * e10 * e15 * e176 * e157 - e279 - e87 * e277 * e255;
+        J[808] = step_85 * e280 * e107 * e256 * e281 - e87 * (e82 * e282 * e108 - step_86 * e280 * e258) - p_.accumulator_A
+            * e106 + e283;
         J[809] = Scalar(0);
         J[810] = Scalar(0);
-        const Scalar e297 = inverse_11 * e166 * e9 + inverse_11 * e167 * e26 + (Scalar(1) / Scalar(2)) * e165 * e176 * e247;
-        J[811] = (Scalar(1) / Scalar(2)) * e170 * e285 * e175 - e282 * e297 - (Scalar(1) / Scalar(2)) * e165 * e170
-            * (e55 * e262 + e42 * e263) - e127 * e286 * e148 - e126 * e286 * e93 + (Scalar(1) / Scalar(2)) * e176 * e285 * e153
-            - e12 * e166 * e23 - e12 * e167 * e30;
+        const Scalar e297 = inverse_11 * e167 * e9 + inverse_11 * e168 * e26 + (Scalar(1) / Scalar(2)) * e166 * e176 * e246;
+        J[811] = (Scalar(1) / Scalar(2)) * e170 * e284 * e175 - e281 * e297 - (Scalar(1) / Scalar(2)) * e166 * e170
+            * (e55 * e261 + e42 * e262) - e126 * e285 * e149 - e125 * e285 * e77 + (Scalar(1) / Scalar(2)) * e176 * e284 * e156
+            - e12 * e167 * e23 - e12 * e168 * e30;
         J[812] = Scalar(0);
-        J[813] = e287 - e55 * (e288 * e197 - e289 * e266) - e290 * e184 - p_.cylinder_A_1 * e227 - e223 * e219 + e291 * e267
-            + e222 * e292;
-        J[814] = p_.cylinder_A_2 * cylinder_s_dot * inverse_188 - e42 * (e288 * e198 - e289 * e271) - e290 * e190
-            + p_.cylinder_k_l * e233 + e293 + e291 * e272 + e189 * e231 * e292;
+        J[813] = e286 - e55 * (e287 * e198 - e288 * e265) - e289 * e187 - p_.cylinder_A_1 * e226 - e222 * e218 + e290 * e266
+            + e221 * e291;
+        J[814] = p_.cylinder_A_2 * cylinder_s_dot * inverse_189 - e42 * (e287 * e199 - e288 * e270) - e289 * e191
+            + p_.cylinder_k_l * e232 + e292 + e290 * e271 + e190 * e230 * e291;
         J[815] = Scalar(0);
         J[816] = Scalar(0);
         J[817] = Scalar(0);
@@ -2553,15 +2554,15 @@ public:
         J[820] = Scalar(0);
         J[821] = Scalar(0);
         J[822] = Scalar(0);
-        J[823] = (Scalar(1) / Scalar(2)) * e31 * e294 * e255 - (Scalar(1) / Scalar(2)) * e83 * e294 * e247 + e280
-            + (Scalar(1) / Scalar(2)) * e69 * e294 * e258 - e155;
-        J[824] = e284 - (Scalar(1) / Scalar(2)) * sqrt_32 * e69 * e260;
+        J[823] = (Scalar(1) / Scalar(2)) * e31 * e293 * e254 - (Scalar(1) / Scalar(2)) * e66 * e293 * e246 - e279
+            + (Scalar(1) / Scalar(2)) * e82 * e293 * e257 - e158;
+        J[824] = e283 - (Scalar(1) / Scalar(2)) * sqrt_32 * e82 * e259;
         J[825] = Scalar(0);
         J[826] = Scalar(0);
-        J[827] = (Scalar(1) / Scalar(2)) * e120 * e170 * e264 + e179 + (Scalar(1) / Scalar(2)) * e120 * e176 * e265;
+        J[827] = (Scalar(1) / Scalar(2)) * e121 * e170 * e263 + e179 + (Scalar(1) / Scalar(2)) * e121 * e176 * e264;
         J[828] = Scalar(0);
-        J[829] = e287 - e295 * e268 - e185;
-        J[830] = e293 - e295 * e273 - e191;
+        J[829] = e286 - e294 * e267 - e188;
+        J[830] = e292 - e294 * e272 - e192;
         J[831] = Scalar(0);
     }
 
@@ -2595,7 +2596,7 @@ public:
     ///     M[accumulator_z, cylinder_s] = 0
     ///     M[cylinder_s, cylinder_s] = cylinder_m + slide_m
     void mass_matrix(const State& /*x*/, Scalar /*t*/, MassMatrix& M) const noexcept {
-        M[0] = c_.k48;
+        M[0] = c_.k46;
         M[1] = Scalar(0);
         M[2] = Scalar(0);
         M[3] = M[1];
@@ -2603,7 +2604,7 @@ public:
         M[5] = Scalar(0);
         M[6] = M[2];
         M[7] = M[5];
-        M[8] = c_.k49;
+        M[8] = c_.k47;
     }
 
     /// bias in M qdd + bias = Q: Coriolis, gravity, springs, dampers and pressures.
@@ -2620,7 +2621,7 @@ public:
         const Scalar cylinder_s_dot = x[5];
         const Scalar cylinder_p_1 = x[13];
         const Scalar cylinder_p_2 = x[14];
-        b[0] = c_.k3 * pump_phi_dot - c_.k50 + p_.pump_V_t * rail_p;
+        b[0] = c_.k3 * pump_phi_dot - c_.k48 + p_.pump_V_t * rail_p;
         b[1] = p_.accumulator_d * accumulator_z_dot - p_.accumulator_A * (accumulator_p_1 - accumulator_p_2);
         b[2] = c_.k4 * cylinder_s_dot - p_.cylinder_A_1 * cylinder_p_1 + p_.cylinder_A_2 * cylinder_p_2;
     }
@@ -2639,7 +2640,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 27 + or -, 42 *, 7 /, 24 other functions
+    /// Operations: 27 + or -, 42 *, 11 /, 28 other functions
     ///     motor_n = dot(pump_phi)
     ///     motor_p_el = u_m*motor_i
     ///     motor_loss = motor_R*motor_i^2
@@ -2667,7 +2668,6 @@ public:
     ///     error = w - cylinder_s
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar pump_phi_dot = x[3];
         const Scalar u_m = u[1];
@@ -2677,69 +2677,72 @@ public:
         const Scalar accumulator_z = x[1];
         const Scalar accumulator_p_1 = x[8];
         const Scalar e2 = rail_p - accumulator_p_1;
-        const Scalar power_3 = pow(c_.k16 + e2 * e2, -Scalar(1) / Scalar(4));
-        const Scalar step_4 = detail::step<Scalar>(-e2);
-        const Scalar exp_5 = exp(c_.k12 * (p_.p_0 - accumulator_p_1));
-        const Scalar step_6 = detail::step<Scalar>(e2);
-        const Scalar exp_7 = exp(c_.k12 * (p_.p_0 - rail_p));
-        const Scalar e8 = p_.rho_0 / exp_7;
-        const Scalar sqrt_9 = sqrt(p_.rho_0 * step_4 / exp_5 + step_6 * e8);
+        const Scalar step_3 = detail::step<Scalar>(-e2);
+        const Scalar exp_4 = exp(c_.k12 * (p_.p_0 - accumulator_p_1));
+        const Scalar step_5 = detail::step<Scalar>(e2);
+        const Scalar exp_6 = exp(c_.k12 * (p_.p_0 - rail_p));
+        const Scalar e7 = p_.rho_0 / exp_6;
+        const Scalar sqrt_8 = sqrt(p_.rho_0 * step_3 / exp_4 + step_5 * e7);
+        const Scalar sqrt_9 = sqrt(c_.k15 + e2 * e2);
+        const Scalar sqrt_10 = sqrt(sqrt_9);
         const Scalar relief_y = x[10];
-        const Scalar max_10 = detail::max<Scalar>(Scalar(0), relief_y);
-        const Scalar power_11 = pow(c_.k17 + e1 * e1, -Scalar(1) / Scalar(4));
+        const Scalar max_11 = detail::max<Scalar>(Scalar(0), relief_y);
         const Scalar step_12 = detail::step<Scalar>(e1);
         const Scalar step_13 = detail::step<Scalar>(-e1);
-        const Scalar sqrt_14 = sqrt(c_.k18 * step_12 + step_13 * e8);
+        const Scalar sqrt_14 = sqrt(c_.k17 * step_12 + step_13 * e7);
+        const Scalar sqrt_15 = sqrt(c_.k18 + e1 * e1);
+        const Scalar sqrt_16 = sqrt(sqrt_15);
         const Scalar tank_h = x[11];
         const Scalar valve_y = x[12];
         const Scalar valve_opening_value = detail::curve_value<Scalar, 8>(-valve_y, detail::valve_opening_curve<Scalar>);
         const Scalar cylinder_p_1 = x[13];
-        const Scalar e15 = p_.tank_p_a - cylinder_p_1;
-        const Scalar power_16 = pow(c_.k13 + e15 * e15, -Scalar(1) / Scalar(4));
-        const Scalar step_17 = detail::step<Scalar>(e15);
-        const Scalar step_18 = detail::step<Scalar>(-e15);
-        const Scalar exp_19 = exp(c_.k12 * (p_.p_0 - cylinder_p_1));
-        const Scalar e20 = p_.rho_0 / exp_19;
-        const Scalar sqrt_21 = sqrt(c_.k18 * step_17 + step_18 * e20);
+        const Scalar e17 = p_.tank_p_a - cylinder_p_1;
+        const Scalar step_18 = detail::step<Scalar>(e17);
+        const Scalar step_19 = detail::step<Scalar>(-e17);
+        const Scalar exp_20 = exp(c_.k12 * (p_.p_0 - cylinder_p_1));
+        const Scalar e21 = p_.rho_0 / exp_20;
+        const Scalar sqrt_22 = sqrt(c_.k17 * step_18 + step_19 * e21);
+        const Scalar sqrt_23 = sqrt(c_.k13 + e17 * e17);
+        const Scalar sqrt_24 = sqrt(sqrt_23);
         const Scalar valve_opening_value_2 = detail::curve_value<Scalar, 8>(valve_y, detail::valve_opening_curve<Scalar>);
-        const Scalar e22 = rail_p - cylinder_p_1;
-        const Scalar power_23 = pow(c_.k13 + e22 * e22, -Scalar(1) / Scalar(4));
-        const Scalar step_24 = detail::step<Scalar>(e22);
-        const Scalar step_25 = detail::step<Scalar>(-e22);
-        const Scalar sqrt_26 = sqrt(step_24 * e8 + step_25 * e20);
+        const Scalar e25 = rail_p - cylinder_p_1;
+        const Scalar step_26 = detail::step<Scalar>(e25);
+        const Scalar step_27 = detail::step<Scalar>(-e25);
+        const Scalar sqrt_28 = sqrt(step_26 * e7 + step_27 * e21);
+        const Scalar sqrt_29 = sqrt(c_.k13 + e25 * e25);
+        const Scalar sqrt_30 = sqrt(sqrt_29);
         const Scalar cylinder_s_dot = x[5];
         const Scalar cylinder_p_2 = x[14];
         const Scalar control_z = x[15];
         const Scalar w = u[0];
         const Scalar cylinder_s = x[2];
-        const Scalar e27 = w - cylinder_s;
-        const Scalar max_28 = detail::max<Scalar>(control_z + p_.control_K * e27, -p_.control_u_max);
-        const Scalar min_control_u_max = detail::min<Scalar>(p_.control_u_max, max_28);
+        const Scalar e31 = w - cylinder_s;
+        const Scalar max_32 = detail::max<Scalar>(control_z + p_.control_K * e31, -p_.control_u_max);
+        const Scalar min_control_u_max = detail::min<Scalar>(p_.control_u_max, max_32);
         y[0] = pump_phi_dot;
         y[1] = u_m * motor_i;
         y[2] = p_.motor_R * motor_i * motor_i;
         y[3] = pump_phi_dot;
         y[4] = p_.pump_V_t * pump_phi_dot + p_.pump_k_l * e1;
         y[5] = p_.accumulator_A * accumulator_z;
-        y[6] = c_.k51 * e2 * power_3 / sqrt_9;
-        y[7] = -c_.k52 * max_10 * e1 * power_11 / sqrt_14;
+        y[6] = c_.k49 * e2 / sqrt_8 / sqrt_10;
+        y[7] = -c_.k50 * max_11 * e1 / sqrt_14 / sqrt_16;
         y[8] = p_.tank_A * tank_h;
-        const Scalar e29 = valve_opening_value * e15 * power_16 / sqrt_21 + valve_opening_value_2 * e22 * power_23 / sqrt_26;
-        y[9] = c_.k38 * e29;
+        const Scalar e33 = valve_opening_value * e17 / sqrt_22 / sqrt_24 + valve_opening_value_2 * e25 / sqrt_28 / sqrt_30;
+        y[9] = c_.k39 * e33;
         y[10] = cylinder_s_dot;
         y[11] = p_.cylinder_A_1 * cylinder_p_1 - p_.cylinder_A_2 * cylinder_p_2;
         y[12] = cylinder_s_dot;
         y[13] = min_control_u_max;
-        y[14] = e27;
+        y[14] = e31;
         y[15] = rail_p;
-        y[16] = e27;
+        y[16] = e31;
     }
 
     /// C = dh/dx.
-    /// Operations: 41 + or -, 74 *, 7 /, 32 other functions
+    /// Operations: 41 + or -, 74 *, 15 /, 32 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar w = u[0];
         const Scalar cylinder_s = x[2];
@@ -2754,53 +2757,53 @@ public:
         const Scalar rail_p = x[7];
         const Scalar accumulator_p_1 = x[8];
         const Scalar e6 = rail_p - accumulator_p_1;
-        const Scalar step_7 = detail::step<Scalar>(e6);
-        const Scalar exp_8 = exp(c_.k12 * (p_.p_0 - rail_p));
-        const Scalar inverse_9 = Scalar(1) / exp_8;
-        const Scalar e10 = p_.rho_0 * inverse_9;
-        const Scalar step_11 = detail::step<Scalar>(-e6);
-        const Scalar exp_12 = exp(c_.k12 * (p_.p_0 - accumulator_p_1));
-        const Scalar e13 = step_11 / exp_12;
-        const Scalar sqrt_14 = sqrt(step_7 * e10 + p_.rho_0 * e13);
-        const Scalar inverse_15 = Scalar(1) / sqrt_14;
         const Scalar e6_squared = e6 * e6;
-        const Scalar e16 = c_.k16 + e6_squared;
-        const Scalar power_17 = pow(e16, -Scalar(1) / Scalar(4));
-        const Scalar power_18 = pow(e16, -Scalar(5) / Scalar(4));
-        const Scalar e19 = inverse_15 * (c_.k51 * power_17 - c_.k55 * power_18 * e6_squared);
-        const Scalar e20 = power_17 * inverse_15 * (c_.k54 * inverse_15 * (e6 * inverse_15));
+        const Scalar e7 = c_.k15 + e6_squared;
+        const Scalar step_8 = detail::step<Scalar>(e6);
+        const Scalar exp_9 = exp(c_.k12 * (p_.p_0 - rail_p));
+        const Scalar inverse_10 = Scalar(1) / exp_9;
+        const Scalar e11 = p_.rho_0 * inverse_10;
+        const Scalar step_12 = detail::step<Scalar>(-e6);
+        const Scalar exp_13 = exp(c_.k12 * (p_.p_0 - accumulator_p_1));
+        const Scalar e14 = step_12 / exp_13;
+        const Scalar sqrt_15 = sqrt(step_8 * e11 + p_.rho_0 * e14);
+        const Scalar inverse_16 = Scalar(1) / sqrt_15;
+        const Scalar sqrt_17 = sqrt(e7);
+        const Scalar sqrt_18 = sqrt(sqrt_17);
+        const Scalar e19 = inverse_16 / sqrt_18;
+        const Scalar e20 = (c_.k49 - c_.k53 * e6_squared / e7) * e19;
+        const Scalar e21 = e6 * inverse_16 * (e19 * (c_.k52 * inverse_16));
         const Scalar relief_y = x[10];
-        const Scalar max_21 = detail::max<Scalar>(Scalar(0), relief_y);
-        const Scalar e22 = p_.tank_p_a - rail_p;
-        const Scalar step_23 = detail::step<Scalar>(e22);
-        const Scalar step_24 = detail::step<Scalar>(-e22);
-        const Scalar sqrt_25 = sqrt(c_.k18 * step_23 + step_24 * e10);
-        const Scalar inverse_26 = Scalar(1) / sqrt_25;
-        const Scalar e22_squared = e22 * e22;
-        const Scalar e27 = c_.k17 + e22_squared;
-        const Scalar power_28 = pow(e27, -Scalar(1) / Scalar(4));
-        const Scalar e29 = e22 * inverse_26;
-        const Scalar e30 = c_.k52 * power_28;
-        const Scalar power_31 = pow(e27, -Scalar(5) / Scalar(4));
+        const Scalar max_22 = detail::max<Scalar>(Scalar(0), relief_y);
+        const Scalar e23 = p_.tank_p_a - rail_p;
+        const Scalar step_24 = detail::step<Scalar>(e23);
+        const Scalar step_25 = detail::step<Scalar>(-e23);
+        const Scalar sqrt_26 = sqrt(c_.k17 * step_24 + step_25 * e11);
+        const Scalar inverse_27 = Scalar(1) / sqrt_26;
+        const Scalar e23_squared = e23 * e23;
+        const Scalar e28 = c_.k18 + e23_squared;
+        const Scalar sqrt_29 = sqrt(e28);
+        const Scalar sqrt_30 = sqrt(sqrt_29);
+        const Scalar e31 = inverse_27 / sqrt_30;
         const Scalar cylinder_p_1 = x[13];
         const Scalar e32 = rail_p - cylinder_p_1;
         const Scalar e32_squared = e32 * e32;
         const Scalar e33 = c_.k13 + e32_squared;
-        const Scalar power_34 = pow(e33, -Scalar(1) / Scalar(4));
-        const Scalar power_35 = pow(e33, -Scalar(5) / Scalar(4));
         const Scalar valve_y = x[12];
         const Scalar valve_opening_value = detail::curve_value<Scalar, 8>(valve_y, detail::valve_opening_curve<Scalar>);
-        const Scalar step_36 = detail::step<Scalar>(e32);
-        const Scalar step_37 = detail::step<Scalar>(-e32);
-        const Scalar exp_38 = exp(c_.k12 * (p_.p_0 - cylinder_p_1));
-        const Scalar inverse_39 = Scalar(1) / exp_38;
-        const Scalar e40 = step_37 * inverse_39;
-        const Scalar sqrt_41 = sqrt(step_36 * e10 + p_.rho_0 * e40);
-        const Scalar inverse_42 = Scalar(1) / sqrt_41;
-        const Scalar e43 = valve_opening_value * inverse_42;
-        const Scalar e44 = (c_.k38 * power_34 - c_.k59 * power_35 * e32_squared) * e43;
-        const Scalar e45 = power_34 * (e32 * inverse_42);
-        const Scalar e46 = c_.k58 * inverse_42 * (e43 * e45);
+        const Scalar step_34 = detail::step<Scalar>(e32);
+        const Scalar step_35 = detail::step<Scalar>(-e32);
+        const Scalar exp_36 = exp(c_.k12 * (p_.p_0 - cylinder_p_1));
+        const Scalar inverse_37 = Scalar(1) / exp_36;
+        const Scalar e38 = step_35 * inverse_37;
+        const Scalar sqrt_39 = sqrt(step_34 * e11 + p_.rho_0 * e38);
+        const Scalar inverse_40 = Scalar(1) / sqrt_39;
+        const Scalar sqrt_41 = sqrt(e33);
+        const Scalar sqrt_42 = sqrt(sqrt_41);
+        const Scalar e43 = inverse_40 / sqrt_42;
+        const Scalar e44 = valve_opening_value * e43;
+        const Scalar e45 = (c_.k39 - c_.k57 * e32_squared / e33) * e44;
+        const Scalar e46 = e32 * inverse_40 * (e44 * (c_.k56 * inverse_40));
         const Scalar step_relief_y = detail::step<Scalar>(relief_y);
         const Scalar valve_opening_slope = detail::curve_slope<Scalar, 8>(valve_y, detail::valve_opening_curve<Scalar>);
         const Scalar e47 = -valve_y;
@@ -2808,15 +2811,15 @@ public:
         const Scalar e48 = p_.tank_p_a - cylinder_p_1;
         const Scalar step_49 = detail::step<Scalar>(e48);
         const Scalar step_50 = detail::step<Scalar>(-e48);
-        const Scalar e51 = step_50 * inverse_39;
-        const Scalar sqrt_52 = sqrt(c_.k18 * step_49 + p_.rho_0 * e51);
+        const Scalar e51 = step_50 * inverse_37;
+        const Scalar sqrt_52 = sqrt(c_.k17 * step_49 + p_.rho_0 * e51);
         const Scalar inverse_53 = Scalar(1) / sqrt_52;
-        const Scalar e48_squared = e48 * e48;
-        const Scalar e54 = c_.k13 + e48_squared;
-        const Scalar power_55 = pow(e54, -Scalar(1) / Scalar(4));
-        const Scalar e56 = inverse_53 * (e48 * power_55);
+        const Scalar e54 = c_.k13 + e48 * e48;
+        const Scalar sqrt_55 = sqrt(e54);
+        const Scalar sqrt_56 = sqrt(sqrt_55);
+        const Scalar e57 = inverse_53 / sqrt_56;
+        const Scalar e58 = e48 * e57;
         const Scalar valve_opening_value_2 = detail::curve_value<Scalar, 8>(e47, detail::valve_opening_curve<Scalar>);
-        const Scalar power_57 = pow(e54, -Scalar(5) / Scalar(4));
         C[0] = Scalar(0);
         C[1] = Scalar(0);
         C[2] = Scalar(0);
@@ -2921,7 +2924,7 @@ public:
         C[101] = Scalar(0);
         C[102] = Scalar(0);
         C[103] = u_m;
-        C[104] = c_.k53 * motor_i;
+        C[104] = c_.k51 * motor_i;
         C[105] = Scalar(0);
         C[106] = Scalar(0);
         C[107] = Scalar(0);
@@ -2942,11 +2945,11 @@ public:
         C[122] = Scalar(0);
         C[123] = -p_.pump_k_l;
         C[124] = Scalar(0);
-        C[125] = e19 - step_7 * inverse_9 * e20;
-        const Scalar e58 = c_.k56 * power_28 * step_24 * inverse_9 * inverse_26 * e29 + e30 - c_.k57 * power_31 * e22_squared;
-        C[126] = max_21 * inverse_26 * e58;
+        C[125] = e20 - step_8 * inverse_10 * e21;
+        const Scalar e59 = c_.k54 * e23 * step_25 * inverse_10 * inverse_27 * inverse_27 + c_.k50 - c_.k55 * e23_squared / e28;
+        C[126] = max_22 * e31 * e59;
         C[127] = Scalar(0);
-        C[128] = e44 - step_36 * inverse_9 * e46;
+        C[128] = e45 - step_34 * inverse_10 * e46;
         C[129] = Scalar(0);
         C[130] = Scalar(0);
         C[131] = Scalar(0);
@@ -2960,7 +2963,7 @@ public:
         C[139] = Scalar(0);
         C[140] = Scalar(0);
         C[141] = Scalar(0);
-        C[142] = -e19 - e13 * e20;
+        C[142] = -e20 - e14 * e21;
         C[143] = Scalar(0);
         C[144] = Scalar(0);
         C[145] = Scalar(0);
@@ -2995,7 +2998,7 @@ public:
         C[174] = Scalar(0);
         C[175] = Scalar(0);
         C[176] = Scalar(0);
-        C[177] = -step_relief_y * e29 * e30;
+        C[177] = -c_.k50 * step_relief_y * e23 * e31;
         C[178] = Scalar(0);
         C[179] = Scalar(0);
         C[180] = Scalar(0);
@@ -3031,7 +3034,7 @@ public:
         C[210] = Scalar(0);
         C[211] = Scalar(0);
         C[212] = Scalar(0);
-        C[213] = c_.k38 * (valve_opening_slope * e45 - valve_opening_slope_2 * e56);
+        C[213] = c_.k39 * (valve_opening_slope * e32 * e43 - valve_opening_slope_2 * e58);
         C[214] = Scalar(0);
         C[215] = Scalar(0);
         C[216] = Scalar(0);
@@ -3048,8 +3051,8 @@ public:
         C[227] = Scalar(0);
         C[228] = Scalar(0);
         C[229] = Scalar(0);
-        const Scalar e59 = c_.k38 * power_55 - c_.k59 * power_57 * e48_squared + c_.k58 * inverse_53 * e51 * e56;
-        C[230] = -valve_opening_value_2 * inverse_53 * e59 - e44 - e40 * e46;
+        const Scalar e60 = valve_opening_value_2 * e58 * (c_.k57 * e48 / e54 - c_.k56 * inverse_53 * inverse_53 * e51);
+        C[230] = e60 - c_.k39 * valve_opening_value_2 * e57 - e45 - e38 * e46;
         C[231] = Scalar(0);
         C[232] = p_.cylinder_A_1;
         C[233] = Scalar(0);
@@ -3262,11 +3265,10 @@ public:
     }
 
     /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
-    /// Operations: 98 + or -, 158 *, 6 /, 47 other functions
+    /// Operations: 98 + or -, 158 *, 12 /, 53 other functions
     Scalar exchanged_power(const State& x, const Input& /*u*/, Scalar /*t*/) const noexcept {
         using std::exp;
         using std::expm1;
-        using std::pow;
         using std::sqrt;
         const Scalar rail_p = x[7];
         const Scalar e1 = c_.k12 * (p_.p_0 - rail_p);
@@ -3280,118 +3282,125 @@ public:
         const Scalar valve_opening_value = detail::curve_value<Scalar, 8>(valve_y, detail::valve_opening_curve<Scalar>);
         const Scalar cylinder_p_1 = x[13];
         const Scalar e8 = rail_p - cylinder_p_1;
-        const Scalar power_9 = pow(c_.k13 + e8 * e8, -Scalar(1) / Scalar(4));
-        const Scalar step_10 = detail::step<Scalar>(e8);
-        const Scalar inverse_11 = Scalar(1) / exp_2;
-        const Scalar e12 = p_.rho_0 * inverse_11;
-        const Scalar step_13 = detail::step<Scalar>(-e8);
-        const Scalar e14 = c_.k12 * (p_.p_0 - cylinder_p_1);
-        const Scalar exp_15 = exp(e14);
-        const Scalar inverse_16 = Scalar(1) / exp_15;
-        const Scalar e17 = p_.rho_0 * inverse_16;
-        const Scalar sqrt_18 = sqrt(step_10 * e12 + step_13 * e17);
-        const Scalar e19 = valve_opening_value * e8 * (power_9 * sqrt_18);
+        const Scalar step_9 = detail::step<Scalar>(e8);
+        const Scalar inverse_10 = Scalar(1) / exp_2;
+        const Scalar e11 = p_.rho_0 * inverse_10;
+        const Scalar step_12 = detail::step<Scalar>(-e8);
+        const Scalar e13 = c_.k12 * (p_.p_0 - cylinder_p_1);
+        const Scalar exp_14 = exp(e13);
+        const Scalar inverse_15 = Scalar(1) / exp_14;
+        const Scalar e16 = p_.rho_0 * inverse_15;
+        const Scalar sqrt_17 = sqrt(step_9 * e11 + step_12 * e16);
+        const Scalar sqrt_18 = sqrt(c_.k13 + e8 * e8);
+        const Scalar sqrt_19 = sqrt(sqrt_18);
+        const Scalar e20 = valve_opening_value * e8 * (sqrt_17 / sqrt_19);
         const Scalar valve_opening_value_2 = detail::curve_value<Scalar, 8>(-valve_y, detail::valve_opening_curve<Scalar>);
         const Scalar cylinder_p_2 = x[14];
-        const Scalar e20 = rail_p - cylinder_p_2;
-        const Scalar power_21 = pow(c_.k13 + e20 * e20, -Scalar(1) / Scalar(4));
-        const Scalar step_22 = detail::step<Scalar>(e20);
-        const Scalar step_23 = detail::step<Scalar>(-e20);
+        const Scalar e21 = rail_p - cylinder_p_2;
+        const Scalar step_22 = detail::step<Scalar>(e21);
+        const Scalar step_23 = detail::step<Scalar>(-e21);
         const Scalar e24 = c_.k12 * (p_.p_0 - cylinder_p_2);
         const Scalar exp_25 = exp(e24);
         const Scalar inverse_26 = Scalar(1) / exp_25;
         const Scalar e27 = p_.rho_0 * inverse_26;
-        const Scalar sqrt_28 = sqrt(step_22 * e12 + step_23 * e27);
-        const Scalar e29 = valve_opening_value_2 * e20 * (power_21 * sqrt_28);
-        const Scalar e30 = e19 + e29;
-        const Scalar e31 = (p_.tank_p_a - p_.p_0) / p_.beta;
-        const Scalar exp_32 = exp(e31);
-        const Scalar e33 = p_.pump_V_t * exp_32;
+        const Scalar sqrt_28 = sqrt(step_22 * e11 + step_23 * e27);
+        const Scalar sqrt_29 = sqrt(c_.k13 + e21 * e21);
+        const Scalar sqrt_30 = sqrt(sqrt_29);
+        const Scalar e31 = valve_opening_value_2 * e21 * (sqrt_28 / sqrt_30);
+        const Scalar e32 = e20 + e31;
+        const Scalar e33 = (p_.tank_p_a - p_.p_0) / p_.beta;
+        const Scalar exp_34 = exp(e33);
+        const Scalar e35 = p_.pump_V_t * exp_34;
         const Scalar pump_phi_dot = x[3];
-        const Scalar e34 = p_.pump_V_t * pump_phi_dot;
-        const Scalar step_35 = detail::step<Scalar>(e34);
-        const Scalar e36 = pump_phi_dot * step_35;
-        const Scalar e37 = p_.pump_k_l * exp_32;
-        const Scalar e38 = p_.tank_p_a - rail_p;
-        const Scalar e39 = p_.pump_k_l * e38;
-        const Scalar step_40 = detail::step<Scalar>(e39);
-        const Scalar e41 = e38 * step_40;
-        const Scalar e42 = e5 * (p_.relief_A * p_.relief_alpha);
+        const Scalar e36 = p_.pump_V_t * pump_phi_dot;
+        const Scalar step_37 = detail::step<Scalar>(e36);
+        const Scalar e38 = pump_phi_dot * step_37;
+        const Scalar e39 = p_.pump_k_l * exp_34;
+        const Scalar e40 = p_.tank_p_a - rail_p;
+        const Scalar e41 = p_.pump_k_l * e40;
+        const Scalar step_42 = detail::step<Scalar>(e41);
+        const Scalar e43 = e40 * step_42;
+        const Scalar e44 = e5 * (p_.relief_A * p_.relief_alpha);
         const Scalar relief_y = x[10];
-        const Scalar max_43 = detail::max<Scalar>(Scalar(0), relief_y);
-        const Scalar power_44 = pow(c_.k17 + e38 * e38, -Scalar(1) / Scalar(4));
-        const Scalar step_45 = detail::step<Scalar>(e38);
-        const Scalar step_46 = detail::step<Scalar>(-e38);
-        const Scalar sqrt_47 = sqrt(c_.k18 * step_45 + step_46 * e12);
-        const Scalar e48 = max_43 * e38 * (power_44 * sqrt_47);
-        const Scalar step_49 = detail::step<Scalar>(-e34);
-        const Scalar e50 = pump_phi_dot * step_49;
-        const Scalar e51 = inverse_11 * e50;
-        const Scalar step_52 = detail::step<Scalar>(-e39);
-        const Scalar e53 = e38 * step_52;
-        const Scalar e54 = inverse_11 * e53;
-        const Scalar e55 = e5 * (p_.accumulator_A_n * p_.accumulator_alpha);
+        const Scalar max_45 = detail::max<Scalar>(Scalar(0), relief_y);
+        const Scalar step_46 = detail::step<Scalar>(e40);
+        const Scalar step_47 = detail::step<Scalar>(-e40);
+        const Scalar sqrt_48 = sqrt(c_.k17 * step_46 + step_47 * e11);
+        const Scalar sqrt_49 = sqrt(c_.k18 + e40 * e40);
+        const Scalar sqrt_50 = sqrt(sqrt_49);
+        const Scalar e51 = max_45 * e40 * (sqrt_48 / sqrt_50);
+        const Scalar step_52 = detail::step<Scalar>(-e36);
+        const Scalar e53 = pump_phi_dot * step_52;
+        const Scalar e54 = inverse_10 * e53;
+        const Scalar step_55 = detail::step<Scalar>(-e41);
+        const Scalar e56 = e40 * step_55;
+        const Scalar e57 = inverse_10 * e56;
+        const Scalar e58 = e5 * (p_.accumulator_A_n * p_.accumulator_alpha);
         const Scalar accumulator_p_1 = x[8];
-        const Scalar e56 = rail_p - accumulator_p_1;
-        const Scalar step_57 = detail::step<Scalar>(-e56);
-        const Scalar e58 = c_.k12 * (p_.p_0 - accumulator_p_1);
-        const Scalar exp_59 = exp(e58);
-        const Scalar step_60 = detail::step<Scalar>(e56);
-        const Scalar sqrt_61 = sqrt(p_.rho_0 * step_57 / exp_59 + step_60 * e12);
-        const Scalar power_62 = pow(c_.k16 + e56 * e56, -Scalar(1) / Scalar(4));
-        const Scalar e63 = sqrt_61 * (e56 * power_62);
-        const Scalar e64 = p_.p_0 * e55 * e63;
-        const Scalar e65 = p_.beta * e55 * e63;
-        const Scalar e66 = e55 * e63;
-        const Scalar e67 = cylinder_p_1 - cylinder_p_2;
-        const Scalar e68 = p_.cylinder_k_l * e67;
-        const Scalar step_69 = detail::step<Scalar>(e68);
-        const Scalar step_70 = detail::step<Scalar>(-e68);
-        const Scalar e71 = cylinder_p_2 * exp_25;
-        const Scalar e72 = step_69 * inverse_16;
-        const Scalar e73 = cylinder_p_1 * exp_15;
-        const Scalar e74 = step_70 * inverse_26;
-        const Scalar e75 = p_.tank_p_a - cylinder_p_2;
-        const Scalar power_76 = pow(c_.k13 + e75 * e75, -Scalar(1) / Scalar(4));
-        const Scalar step_77 = detail::step<Scalar>(e75);
-        const Scalar step_78 = detail::step<Scalar>(-e75);
-        const Scalar sqrt_79 = sqrt(c_.k18 * step_77 + step_78 * e27);
-        const Scalar e80 = valve_opening_value * e75 * (power_76 * sqrt_79);
-        const Scalar compression_81 = detail::compression<Scalar>(-e24, exp_25);
-        const Scalar e82 = e24 * exp_25 - compression_81;
-        const Scalar e83 = p_.tank_p_a - cylinder_p_1;
-        const Scalar power_84 = pow(c_.k13 + e83 * e83, -Scalar(1) / Scalar(4));
-        const Scalar step_85 = detail::step<Scalar>(e83);
-        const Scalar step_86 = detail::step<Scalar>(-e83);
-        const Scalar sqrt_87 = sqrt(c_.k18 * step_85 + step_86 * e17);
-        const Scalar e88 = valve_opening_value_2 * e83 * (power_84 * sqrt_87);
-        const Scalar compression_89 = detail::compression<Scalar>(-e14, exp_15);
-        const Scalar e90 = e14 * exp_15 - compression_89;
-        const Scalar compression_91 = detail::compression<Scalar>(e31);
-        const Scalar expm1_92 = expm1(-e31);
-        const Scalar e93 = p_.beta * compression_91 - p_.p_0 * expm1_92;
-        const Scalar e94 = p_.pump_V_t * rail_p;
-        const Scalar e95 = step_49 * inverse_11 * (p_.pump_V_t * p_.rho_0) + step_35 * (p_.rho_0 * e33);
-        const Scalar e96 = pump_phi_dot * e95;
-        const Scalar step_97 = detail::step<Scalar>(-e96);
-        const Scalar step_98 = detail::step<Scalar>(e96);
-        const Scalar e99 = e67 * (e72 + e74);
+        const Scalar e59 = rail_p - accumulator_p_1;
+        const Scalar sqrt_60 = sqrt(c_.k15 + e59 * e59);
+        const Scalar sqrt_61 = sqrt(sqrt_60);
+        const Scalar step_62 = detail::step<Scalar>(-e59);
+        const Scalar e63 = c_.k12 * (p_.p_0 - accumulator_p_1);
+        const Scalar exp_64 = exp(e63);
+        const Scalar step_65 = detail::step<Scalar>(e59);
+        const Scalar sqrt_66 = sqrt(p_.rho_0 * step_62 / exp_64 + step_65 * e11);
+        const Scalar e67 = e59 * sqrt_66 / sqrt_61;
+        const Scalar e68 = p_.p_0 * e58 * e67;
+        const Scalar e69 = p_.beta * e58 * e67;
+        const Scalar e70 = e58 * e67;
+        const Scalar e71 = cylinder_p_1 - cylinder_p_2;
+        const Scalar e72 = p_.cylinder_k_l * e71;
+        const Scalar step_73 = detail::step<Scalar>(e72);
+        const Scalar step_74 = detail::step<Scalar>(-e72);
+        const Scalar e75 = cylinder_p_2 * exp_25;
+        const Scalar e76 = step_73 * inverse_15;
+        const Scalar e77 = cylinder_p_1 * exp_14;
+        const Scalar e78 = step_74 * inverse_26;
+        const Scalar e79 = p_.tank_p_a - cylinder_p_2;
+        const Scalar step_80 = detail::step<Scalar>(e79);
+        const Scalar step_81 = detail::step<Scalar>(-e79);
+        const Scalar sqrt_82 = sqrt(c_.k17 * step_80 + step_81 * e27);
+        const Scalar sqrt_83 = sqrt(c_.k13 + e79 * e79);
+        const Scalar sqrt_84 = sqrt(sqrt_83);
+        const Scalar e85 = valve_opening_value * e79 * (sqrt_82 / sqrt_84);
+        const Scalar compression_86 = detail::compression<Scalar>(-e24, exp_25);
+        const Scalar e87 = e24 * exp_25 - compression_86;
+        const Scalar e88 = p_.tank_p_a - cylinder_p_1;
+        const Scalar step_89 = detail::step<Scalar>(e88);
+        const Scalar step_90 = detail::step<Scalar>(-e88);
+        const Scalar sqrt_91 = sqrt(c_.k17 * step_89 + step_90 * e16);
+        const Scalar sqrt_92 = sqrt(c_.k13 + e88 * e88);
+        const Scalar sqrt_93 = sqrt(sqrt_92);
+        const Scalar e94 = valve_opening_value_2 * e88 * (sqrt_91 / sqrt_93);
+        const Scalar compression_95 = detail::compression<Scalar>(-e13, exp_14);
+        const Scalar e96 = e13 * exp_14 - compression_95;
+        const Scalar compression_97 = detail::compression<Scalar>(e33);
+        const Scalar expm1_98 = expm1(-e33);
+        const Scalar e99 = p_.beta * compression_97 - p_.p_0 * expm1_98;
+        const Scalar e100 = p_.pump_V_t * rail_p;
+        const Scalar e101 = step_52 * inverse_10 * (p_.pump_V_t * p_.rho_0) + step_37 * (p_.rho_0 * e35);
+        const Scalar e102 = pump_phi_dot * e101;
+        const Scalar step_103 = detail::step<Scalar>(-e102);
+        const Scalar step_104 = detail::step<Scalar>(e102);
+        const Scalar e105 = e71 * (e76 + e78);
         const Scalar accumulator_z_dot = x[4];
         const Scalar accumulator_p_2 = x[9];
-        const Scalar compression_100 = detail::compression<Scalar>(-e58, exp_59);
-        const Scalar e101 = e7 * e30 - p_.p_0 * e33 * e36 - p_.p_0 * e37 * e41 - p_.p_0 * e42 * e48 - p_.pump_V_t * p_.p_0
-            * e51 - p_.pump_k_l * p_.p_0 * e54 + e64;
-        const Scalar e102 = c_.k14 * e30 - p_.beta * e33 * e36 - p_.beta * e37 * e41 - p_.beta * e42 * e48 - p_.pump_V_t
-            * p_.beta * e51 - p_.pump_k_l * p_.beta * e54 + e65;
-        const Scalar e103 = rail_p * exp_2 * (c_.k36 * e30 - e33 * e36 - e37 * e41 - e42 * e48 + e66);
-        const Scalar e104 = cylinder_p_1 * step_69 - cylinder_p_2 * step_70 - e71 * e72 + e73 * e74;
-        return (e1 * exp_2 - compression_3) * e101 - compression_3 * e102 - e103 - e68 * e104 + (e29 + e80)
-            * (c_.k14 * compression_81 - e82 * e7 + c_.k36 * e71) + (e19 + e88)
-            * (c_.k14 * compression_89 - e90 * e7 + c_.k36 * e73) - e93 * e6 * (e88 + e80) + pump_phi_dot * (c_.k50 - e94)
-            * (step_97 + step_98) - p_.cylinder_k_l * p_.beta * e99 * (compression_89 - compression_81) + p_.cylinder_k_l
-            * p_.p_0 * e99 * (e90 - e82) - p_.accumulator_A * accumulator_z_dot * accumulator_p_2 - e93 * e33 * e36
-            + p_.pump_k_l * rail_p * e53 - e93 * e37 * e41 - e93 * e42 * e48 - p_.pump_V_t * e93 * e51 - p_.pump_k_l * e93
-            * e54 + e50 * e94 + accumulator_p_1 * exp_59 * e66 + compression_100 * e65 - (e58 * exp_59 - compression_100) * e64;
+        const Scalar compression_106 = detail::compression<Scalar>(-e63, exp_64);
+        const Scalar e107 = e7 * e32 - p_.p_0 * e35 * e38 - p_.p_0 * e39 * e43 - p_.p_0 * e44 * e51 - p_.pump_V_t * p_.p_0
+            * e54 - p_.pump_k_l * p_.p_0 * e57 + e68;
+        const Scalar e108 = c_.k14 * e32 - p_.beta * e35 * e38 - p_.beta * e39 * e43 - p_.beta * e44 * e51 - p_.pump_V_t
+            * p_.beta * e54 - p_.pump_k_l * p_.beta * e57 + e69;
+        const Scalar e109 = rail_p * exp_2 * (c_.k36 * e32 - e35 * e38 - e39 * e43 - e44 * e51 + e70);
+        const Scalar e110 = cylinder_p_1 * step_73 - cylinder_p_2 * step_74 - e75 * e76 + e77 * e78;
+        return (e1 * exp_2 - compression_3) * e107 - compression_3 * e108 - e109 - e72 * e110 + (e31 + e85)
+            * (c_.k14 * compression_86 - e87 * e7 + c_.k36 * e75) + (e20 + e94)
+            * (c_.k14 * compression_95 - e96 * e7 + c_.k36 * e77) - e99 * e6 * (e94 + e85) + pump_phi_dot * (c_.k48 - e100)
+            * (step_103 + step_104) - p_.cylinder_k_l * p_.beta * e105 * (compression_95 - compression_86) + p_.cylinder_k_l
+            * p_.p_0 * e105 * (e96 - e87) - p_.accumulator_A * accumulator_z_dot * accumulator_p_2 - e99 * e35 * e38
+            + p_.pump_k_l * rail_p * e56 - e99 * e39 * e43 - e99 * e44 * e51 - p_.pump_V_t * e99 * e54 - p_.pump_k_l * e99
+            * e57 + e53 * e100 + accumulator_p_1 * exp_64 * e70 + compression_106 * e69 - (e63 * exp_64 - compression_106)
+            * e68;
     }
 
     /// Functions whose sign an integrator must watch, in the order of guard_table().
@@ -3468,10 +3477,10 @@ private:
         Scalar k12;  ///< 1/beta
         Scalar k13;  ///< valve_p_w^2
         Scalar k14;  ///< valve_alpha*beta*valve_A_n*sqrt(2)/rho_0
-        Scalar k15;  ///< accumulator_A_n*accumulator_alpha
-        Scalar k16;  ///< accumulator_p_w^2
-        Scalar k17;  ///< relief_p_w^2
-        Scalar k18;  ///< rho_0*exp(tank_p_a/beta - p_0/beta)
+        Scalar k15;  ///< accumulator_p_w^2
+        Scalar k16;  ///< accumulator_A_n*accumulator_alpha
+        Scalar k17;  ///< rho_0*exp(tank_p_a/beta - p_0/beta)
+        Scalar k18;  ///< relief_p_w^2
         Scalar k19;  ///< relief_A*relief_alpha
         Scalar k20;  ///< 1/relief_T_v
         Scalar k21;  ///< relief_p_c/relief_p_o
@@ -3491,28 +3500,26 @@ private:
         Scalar k35;  ///< sqrt(2)/rho_0
         Scalar k36;  ///< valve_alpha*valve_A_n*sqrt(2)/rho_0
         Scalar k37;  ///< 1/(2*rail_V)
-        Scalar k38;  ///< valve_alpha*valve_A_n*sqrt(2)
-        Scalar k39;  ///< sqrt(2)
+        Scalar k38;  ///< sqrt(2)
+        Scalar k39;  ///< valve_alpha*valve_A_n*sqrt(2)
         Scalar k40;  ///< 1/(relief_p_o*relief_T_v)
         Scalar k41;  ///< 1/(2*beta)
-        Scalar k42;  ///< sqrt(2)/(2*tank_A*rho_0*exp(tank_p_a/beta - p_0/beta))
-        Scalar k43;  ///< 1/(2*tank_A*beta*exp(tank_p_a/beta - p_0/beta))
-        Scalar k44;  ///< valve_alpha*valve_A_n*sqrt(2)/(2*tank_A*rho_0*exp(tank_p_a/beta - p_0/beta))
-        Scalar k45;  ///< control_K/valve_T_v
-        Scalar k46;  ///< control_K*(1/control_T_i - 1/control_T_t)
-        Scalar k47;  ///< control_K/control_T_t
-        Scalar k48;  ///< motor_J + pump_J
-        Scalar k49;  ///< cylinder_m + slide_m
-        Scalar k50;  ///< pump_V_t*tank_p_a
-        Scalar k51;  ///< accumulator_A_n*accumulator_alpha*sqrt(2)
-        Scalar k52;  ///< relief_A*relief_alpha*sqrt(2)
-        Scalar k53;  ///< 2*motor_R
-        Scalar k54;  ///< accumulator_A_n*accumulator_alpha*rho_0*sqrt(2)/(2*beta)
-        Scalar k55;  ///< accumulator_A_n*accumulator_alpha*sqrt(2)/2
-        Scalar k56;  ///< relief_A*relief_alpha*rho_0*sqrt(2)/(2*beta)
-        Scalar k57;  ///< relief_A*relief_alpha*sqrt(2)/2
-        Scalar k58;  ///< valve_alpha*rho_0*valve_A_n*sqrt(2)/(2*beta)
-        Scalar k59;  ///< valve_alpha*valve_A_n*sqrt(2)/2
+        Scalar k42;  ///< 1/(2*tank_A*beta*exp(tank_p_a/beta - p_0/beta))
+        Scalar k43;  ///< control_K/valve_T_v
+        Scalar k44;  ///< control_K*(1/control_T_i - 1/control_T_t)
+        Scalar k45;  ///< control_K/control_T_t
+        Scalar k46;  ///< motor_J + pump_J
+        Scalar k47;  ///< cylinder_m + slide_m
+        Scalar k48;  ///< pump_V_t*tank_p_a
+        Scalar k49;  ///< accumulator_A_n*accumulator_alpha*sqrt(2)
+        Scalar k50;  ///< relief_A*relief_alpha*sqrt(2)
+        Scalar k51;  ///< 2*motor_R
+        Scalar k52;  ///< accumulator_A_n*accumulator_alpha*rho_0*sqrt(2)/(2*beta)
+        Scalar k53;  ///< accumulator_A_n*accumulator_alpha*sqrt(2)/2
+        Scalar k54;  ///< relief_A*relief_alpha*rho_0*sqrt(2)/(2*beta)
+        Scalar k55;  ///< relief_A*relief_alpha*sqrt(2)/2
+        Scalar k56;  ///< valve_alpha*rho_0*valve_A_n*sqrt(2)/(2*beta)
+        Scalar k57;  ///< valve_alpha*valve_A_n*sqrt(2)/2
     };
     Cached c_{};
 };

@@ -17,14 +17,14 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2     34     7        0      7
+//   update                 2     33     7        0      7
 //   rhs                    2      4     0        0      1
 //   rhs_and_jacobian       3      4     0        0      1
 //   jacobian_u             1      3     1        0      1
-//   jacobian_p            12     57     8        0      7
+//   jacobian_p            12     59     9        0      6
 //   output                 2     19     3        0      6
 //   output_jacobian_x      0      5     2        0      2
-//   output_jacobian_u     11     41     6        0      7
+//   output_jacobian_u     10     39     6        0      6
 //   internal_energy        0      1     0        0      0
 //   exchanged_power        2      6     0        0      1
 //
@@ -200,7 +200,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes the constants that depend on them.
-    /// Operations: 2 + or -, 34 *, 7 /, 7 other functions
+    /// Operations: 2 + or -, 33 *, 7 /, 7 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -237,13 +237,12 @@ public:
         c_.k10 = e9;
         c_.k11 = (Scalar(5) / Scalar(2)) * p_.nu;
         c_.k12 = (Scalar(5) / Scalar(2)) * p_.nu * power_Pr;
-        c_.k13 = (Scalar(37) / Scalar(500)) * inverse_8;
-        c_.k14 = (Scalar(1) / Scalar(2)) * e9;
-        c_.k15 = (Scalar(74) / Scalar(3125)) * inverse_8 * e10;
+        c_.k13 = (Scalar(1) / Scalar(2)) * e9;
+        c_.k14 = (Scalar(74) / Scalar(3125)) * inverse_8 * e10;
         const Scalar e11 = c_.phi_Pr * inverse_8;
-        c_.k16 = (Scalar(1) / Scalar(2)) * e11;
-        c_.k17 = (Scalar(1) / Scalar(2)) * p_.T_inf * e11;
-        c_.k18 = p_.T_inf * c_.phi_Pr;
+        c_.k15 = (Scalar(1) / Scalar(2)) * e11;
+        c_.k16 = (Scalar(1) / Scalar(2)) * p_.T_inf * e11;
+        c_.k17 = p_.T_inf * c_.phi_Pr;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -303,7 +302,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 9, entry (i, j) at J[1*j + i].
-    /// Operations: 12 + or -, 57 *, 8 /, 7 other functions
+    /// Operations: 12 + or -, 59 *, 9 /, 6 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::exp;
         using std::log;
@@ -327,27 +326,27 @@ public:
         const Scalar sqrt_13 = sqrt(e12);
         const Scalar log_14 = log(e12);
         const Scalar exp_15 = exp((Scalar(34) / Scalar(125)) * log_14);
-        const Scalar e16 = Scalar(1) + (Scalar(1973) / Scalar(1000)) * exp_15 + (Scalar(2129) / Scalar(100)) * e12;
-        const Scalar power_17 = pow(e16, -Scalar(7) / Scalar(6));
-        const Scalar e18 = sqrt_13 * power_17;
-        const Scalar power_19 = pow(e16, -Scalar(1) / Scalar(6));
+        const Scalar e16 = (Scalar(1000) / Scalar(1973)) * (Scalar(1) + (Scalar(2129) / Scalar(100)) * e12);
+        const Scalar e17 = exp_15 + e16;
+        const Scalar e18 = sqrt_13 / (Scalar(1973) * e17);
+        const Scalar power_19 = pow((Scalar(1973) / Scalar(1000)) * e17, -Scalar(1) / Scalar(6));
         const Scalar sqrt_20 = sqrt(detail::pi<Scalar>());
-        const Scalar e21 = e3 / sqrt_20;
-        const Scalar e22 = (e18 - (Scalar(300) / Scalar(2129)) * power_19 / sqrt_13) * e21;
+        const Scalar e21 = e3 * (power_19 / sqrt_20);
+        const Scalar e22 = (e18 - (Scalar(3) / Scalar(21290)) / sqrt_13) * e21;
         const Scalar e23 = e18 * (exp_15 * e21);
         const Scalar e24 = p_.lambda * e23;
         const Scalar e25 = p_.nu * e22;
         J[0] = e6 * e9;
         J[1] = Scalar(2) * inverse_2 * e4 * e10;
         J[2] = -P * (inverse_2 * inverse_2) - Scalar(2) * inverse_2 * e5 * e10;
-        const Scalar e26 = (Scalar(2129) / Scalar(300)) * e11 * e22 + (Scalar(33541) / Scalar(187500)) * inverse_1 * e24;
+        const Scalar e26 = (Scalar(21290) / Scalar(3)) * e11 * e22 + (Scalar(67082) / Scalar(375)) * inverse_1 * e24;
         J[3] = -e26 * e10 - p_.L * inverse_1 * e6 * e9;
-        const Scalar e27 = -Scalar(2) * c_.phi_Pr * e3 - (Scalar(33541) / Scalar(187500)) * e23 - (Scalar(2129) / Scalar(300))
+        const Scalar e27 = -Scalar(2) * c_.phi_Pr * e3 - (Scalar(67082) / Scalar(375)) * e23 - (Scalar(21290) / Scalar(3))
             * e22 * e12;
         J[4] = -e27 * e10;
-        const Scalar e28 = -(Scalar(33541) / Scalar(187500)) * e24 / p_.rho - (Scalar(2129) / Scalar(300)) * p_.c_p * e25;
+        const Scalar e28 = -(Scalar(67082) / Scalar(375)) * e24 / p_.rho - (Scalar(21290) / Scalar(3)) * p_.c_p * e25;
         J[5] = e28 * e10;
-        const Scalar e29 = -(Scalar(33541) / Scalar(187500)) * e24 / p_.c_p - (Scalar(2129) / Scalar(300)) * p_.rho * e25;
+        const Scalar e29 = -(Scalar(67082) / Scalar(375)) * e24 / p_.c_p - (Scalar(21290) / Scalar(3)) * p_.rho * e25;
         J[6] = e29 * e10;
         J[7] = Scalar(0);
         J[8] = c_.k1 * sqrt_7;
@@ -438,7 +437,7 @@ public:
     }
 
     /// D = dh/du.
-    /// Operations: 11 + or -, 41 *, 6 /, 7 other functions
+    /// Operations: 10 + or -, 39 *, 6 /, 6 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         using std::exp;
         using std::pow;
@@ -453,34 +452,32 @@ public:
         const Scalar e6 = c_.k11 * e5;
         const Scalar e7 = c_.k12 * e5;
         const Scalar e8 = c_.k9 * u_value * x_value;
-        const Scalar power_9 = pow(e8, -Scalar(6) / Scalar(5));
-        const Scalar e10 = power_9 * (c_.k13 * x_value);
-        const Scalar sqrt_11 = sqrt(e8);
-        const Scalar inverse_12 = Scalar(1) / sqrt_11;
-        const Scalar e13 = c_.k14 * inverse_12;
-        const Scalar power_14 = pow(e8, -Scalar(1) / Scalar(5));
-        const Scalar e15 = c_.k15 * power_14;
+        const Scalar power_9 = pow(e8, -Scalar(1) / Scalar(5));
+        const Scalar sqrt_10 = sqrt(e8);
+        const Scalar inverse_11 = Scalar(1) / sqrt_10;
+        const Scalar e12 = c_.k13 * inverse_11;
+        const Scalar e13 = c_.k14 * power_9;
         const Scalar y_value = u[3];
-        const Scalar inverse_16 = Scalar(1) / x_value;
-        const Scalar e17 = sqrt_11 * inverse_16;
-        const Scalar exp_18 = exp(c_.phi_Pr * y_value * e17);
-        const Scalar inverse_19 = Scalar(1) / exp_18;
-        const Scalar e20 = y_value * inverse_19;
+        const Scalar inverse_14 = Scalar(1) / x_value;
+        const Scalar e15 = sqrt_10 * inverse_14;
+        const Scalar exp_16 = exp(c_.phi_Pr * y_value * e15);
+        const Scalar inverse_17 = Scalar(1) / exp_16;
+        const Scalar e18 = y_value * inverse_17;
         const Scalar T_P = x[0];
-        const Scalar e21 = e20 * (inverse_12 * (c_.k16 * T_P - c_.k17));
-        const Scalar e22 = u_value * inverse_16;
-        const Scalar e23 = inverse_16 * e17;
-        const Scalar power_24 = pow(e8, Scalar(4) / Scalar(5));
-        const Scalar e25 = c_.k18 - c_.phi_Pr * T_P;
+        const Scalar e19 = e18 * (inverse_11 * (c_.k15 * T_P - c_.k16));
+        const Scalar e20 = u_value * inverse_14;
+        const Scalar e21 = inverse_14 * e15;
+        const Scalar power_22 = pow(e8, Scalar(4) / Scalar(5));
+        const Scalar e23 = c_.k17 - c_.phi_Pr * T_P;
         D[0] = c_.k10 / sqrt_1;
         D[1] = c_.k2;
         D[2] = -c_.k5 * inverse_2 * inverse_2;
         D[3] = -e3 * e6;
         D[4] = -e3 * e7;
-        D[5] = -x_value * e10;
-        D[6] = e13;
-        D[7] = e15;
-        D[8] = -e21;
+        D[5] = -(Scalar(37) / Scalar(500)) * power_9 * e3;
+        D[6] = e12;
+        D[7] = e13;
+        D[8] = -e19;
         D[9] = Scalar(0);
         D[10] = Scalar(0);
         D[11] = Scalar(0);
@@ -495,10 +492,10 @@ public:
         D[20] = Scalar(0);
         D[21] = e6;
         D[22] = e7;
-        D[23] = (Scalar(37) / Scalar(100)) * power_14 - u_value * e10;
-        D[24] = e22 * e13 - c_.k7 * e23;
-        D[25] = e22 * e15 - c_.k8 * power_24 * inverse_16 * inverse_16;
-        D[26] = -e25 * e20 * e23 - e22 * e21;
+        D[23] = (Scalar(37) / Scalar(125)) * power_9;
+        D[24] = e20 * e12 - c_.k7 * e21;
+        D[25] = e20 * e13 - c_.k8 * power_22 * inverse_14 * inverse_14;
+        D[26] = -e23 * e18 * e21 - e20 * e19;
         D[27] = Scalar(0);
         D[28] = Scalar(0);
         D[29] = Scalar(0);
@@ -507,7 +504,7 @@ public:
         D[32] = Scalar(0);
         D[33] = Scalar(0);
         D[34] = Scalar(0);
-        D[35] = inverse_19 * e25 * e17;
+        D[35] = inverse_17 * e23 * e15;
     }
 
     /// Kinetic energy T in joules.
@@ -588,12 +585,11 @@ private:
         Scalar k10;  ///< lambda*phi_Pr/nu
         Scalar k11;  ///< 5*nu/2
         Scalar k12;  ///< 5*nu*(Pr)^(-1/3)/2
-        Scalar k13;  ///< 37/(500*nu)
-        Scalar k14;  ///< lambda*phi_Pr/(2*nu)
-        Scalar k15;  ///< 74*lambda*(Pr)^(1/3)/(3125*nu)
-        Scalar k16;  ///< phi_Pr/(2*nu)
-        Scalar k17;  ///< T_inf*phi_Pr/(2*nu)
-        Scalar k18;  ///< T_inf*phi_Pr
+        Scalar k13;  ///< lambda*phi_Pr/(2*nu)
+        Scalar k14;  ///< 74*lambda*(Pr)^(1/3)/(3125*nu)
+        Scalar k15;  ///< phi_Pr/(2*nu)
+        Scalar k16;  ///< T_inf*phi_Pr/(2*nu)
+        Scalar k17;  ///< T_inf*phi_Pr
     };
     Cached c_{};
 };

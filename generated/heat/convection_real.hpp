@@ -15,14 +15,14 @@
 //     this code = the derivation: 18 of 18 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2     61     7        0      8
+//   update                 2     60     7        0      8
 //   rhs                    6      9     0        0      5
 //   rhs_and_jacobian       8     14     0        0      8
 //   jacobian_u             4      6     1        0      6
-//   jacobian_p            31    129     8        0     21
+//   jacobian_p            31    131     9        0     20
 //   output                 8     30     3        0     14
 //   output_jacobian_x      1     13     2        0      8
-//   output_jacobian_u     17     48     7        0     13
+//   output_jacobian_u     16     46     7        0     12
 //   internal_energy        0      1     0        0      0
 //   exchanged_power        6      8     0        0      5
 //   guards                 1      1     0        0      0
@@ -242,7 +242,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes the constants that depend on them.
-    /// Operations: 2 + or -, 61 *, 7 /, 8 other functions
+    /// Operations: 2 + or -, 60 *, 7 /, 8 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -305,12 +305,11 @@ public:
         c_.k25 = (Scalar(37) / Scalar(1250)) * e10 * e13;
         c_.k26 = (Scalar(5) / Scalar(2)) * p_.nu;
         c_.k27 = (Scalar(5) / Scalar(2)) * p_.nu * power_Pr_2;
-        c_.k28 = (Scalar(37) / Scalar(500)) * inverse_12;
-        c_.k29 = (Scalar(1) / Scalar(2)) * e19;
-        c_.k30 = (Scalar(74) / Scalar(3125)) * e20;
-        c_.k31 = (Scalar(1) / Scalar(2)) * e14;
-        c_.k32 = (Scalar(1) / Scalar(2)) * p_.T_inf * e14;
-        c_.k33 = p_.T_inf * c_.phi_Pr;
+        c_.k28 = (Scalar(1) / Scalar(2)) * e19;
+        c_.k29 = (Scalar(74) / Scalar(3125)) * e20;
+        c_.k30 = (Scalar(1) / Scalar(2)) * e14;
+        c_.k31 = (Scalar(1) / Scalar(2)) * p_.T_inf * e14;
+        c_.k32 = p_.T_inf * c_.phi_Pr;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -399,7 +398,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 31 + or -, 129 *, 8 /, 21 other functions
+    /// Operations: 31 + or -, 131 *, 9 /, 20 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::exp;
         using std::expm1;
@@ -447,14 +446,14 @@ public:
         const Scalar sqrt_34 = sqrt(e33);
         const Scalar log_35 = log(e33);
         const Scalar exp_36 = exp((Scalar(34) / Scalar(125)) * log_35);
-        const Scalar e37 = Scalar(1) + (Scalar(1973) / Scalar(1000)) * exp_36 + (Scalar(2129) / Scalar(100)) * e33;
-        const Scalar power_38 = pow(e37, -Scalar(7) / Scalar(6));
-        const Scalar e39 = sqrt_34 * power_38;
-        const Scalar sqrt_40 = sqrt(detail::pi<Scalar>());
-        const Scalar inverse_41 = Scalar(1) / sqrt_40;
-        const Scalar e42 = e39 * (exp_36 * inverse_41);
-        const Scalar power_43 = pow(e37, -Scalar(1) / Scalar(6));
-        const Scalar e44 = inverse_41 * (e39 - (Scalar(300) / Scalar(2129)) * power_43 / sqrt_34);
+        const Scalar e37 = (Scalar(1000) / Scalar(1973)) * (Scalar(1) + (Scalar(2129) / Scalar(100)) * e33);
+        const Scalar e38 = exp_36 + e37;
+        const Scalar e39 = sqrt_34 / (Scalar(1973) * e38);
+        const Scalar power_40 = pow((Scalar(1973) / Scalar(1000)) * e38, -Scalar(1) / Scalar(6));
+        const Scalar sqrt_41 = sqrt(detail::pi<Scalar>());
+        const Scalar e42 = power_40 / sqrt_41;
+        const Scalar e43 = e39 * (exp_36 * e42);
+        const Scalar e44 = (e39 - (Scalar(3) / Scalar(21290)) / sqrt_34) * e42;
         const Scalar e45 = e2 * e31;
         const Scalar power_Pr_2 = pow(c_.Pr, -Scalar(2) / Scalar(3));
         const Scalar power_46 = pow(max_19, Scalar(4) / Scalar(5));
@@ -466,7 +465,7 @@ public:
         const Scalar e51 = p_.nu * e2;
         const Scalar e52 = power_Pr_2 * e51;
         const Scalar e53 = e51 * e44;
-        const Scalar e54 = e6 * e42;
+        const Scalar e54 = e6 * e43;
         const Scalar e55 = power_Re_c * e52;
         const Scalar power_Re_c_2 = pow(p_.Re_c, -Scalar(1) / Scalar(5));
         const Scalar e56 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
@@ -479,16 +478,16 @@ public:
             * e2 * e28;
         J[2] = -P * (inverse_1 * inverse_1) - Scalar(2) * inverse_1 * e29 * e23 - (Scalar(37) / Scalar(1000)) * power_Re_c
             * inverse_1 * e30 * e26 - e58 * e4;
-        const Scalar e59 = (Scalar(33541) / Scalar(187500)) * e7 * e42 + (Scalar(2129) / Scalar(300)) * e44 * e45;
+        const Scalar e59 = (Scalar(67082) / Scalar(375)) * e7 * e43 + (Scalar(21290) / Scalar(3)) * e44 * e45;
         J[3] = -e59 * e23 - (Scalar(37) / Scalar(3000)) * power_Pr_2 * e45 * e49 - e50 * e8 * e16 - (Scalar(37) / Scalar(1250))
             * e50 * e17 * e21;
         const Scalar e60 = (Scalar(37) / Scalar(3000)) * e32 * e52 - (Scalar(37) / Scalar(1000)) * power_Pr * e2;
-        const Scalar e61 = -e2 * (Scalar(2) * c_.phi_Pr + (Scalar(33541) / Scalar(187500)) * e42)
-            - (Scalar(2129) / Scalar(300)) * e32 * e53;
+        const Scalar e61 = -e2 * (Scalar(2) * c_.phi_Pr + (Scalar(67082) / Scalar(375)) * e43) - (Scalar(21290) / Scalar(3))
+            * e32 * e53;
         J[4] = e60 * e49 - e61 * e23;
-        const Scalar e62 = -(Scalar(2129) / Scalar(300)) * p_.c_p * e53 - (Scalar(33541) / Scalar(187500)) * e54 / p_.rho;
+        const Scalar e62 = -(Scalar(21290) / Scalar(3)) * p_.c_p * e53 - (Scalar(67082) / Scalar(375)) * e54 / p_.rho;
         J[5] = e62 * e23 + (Scalar(37) / Scalar(3000)) * p_.c_p * e55 * e26;
-        const Scalar e63 = -(Scalar(2129) / Scalar(300)) * p_.rho * e53 - (Scalar(33541) / Scalar(187500)) * e54 / p_.c_p;
+        const Scalar e63 = -(Scalar(21290) / Scalar(3)) * p_.rho * e53 - (Scalar(67082) / Scalar(375)) * e54 / p_.c_p;
         J[6] = e63 * e23 + (Scalar(37) / Scalar(3000)) * p_.rho * e55 * e26;
         const Scalar e64 = step_12 * power_20 * ((Scalar(37) / Scalar(1250)) * e30) + step_18 * inverse_15 * e29
             - (Scalar(37) / Scalar(1250)) * power_Re_c_2 * e30;
@@ -616,7 +615,7 @@ public:
     }
 
     /// D = dh/du.
-    /// Operations: 17 + or -, 48 *, 7 /, 13 other functions
+    /// Operations: 16 + or -, 46 *, 7 /, 12 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         using std::exp;
         using std::pow;
@@ -642,24 +641,22 @@ public:
         const Scalar e16 = c_.k26 * e15;
         const Scalar e17 = c_.k27 * e15;
         const Scalar e18 = c_.k19 * u_value * x_value;
-        const Scalar power_19 = pow(e18, -Scalar(6) / Scalar(5));
-        const Scalar e20 = power_19 * (c_.k28 * x_value);
-        const Scalar sqrt_21 = sqrt(e18);
-        const Scalar inverse_22 = Scalar(1) / sqrt_21;
-        const Scalar e23 = c_.k29 * inverse_22;
-        const Scalar power_24 = pow(e18, -Scalar(1) / Scalar(5));
-        const Scalar e25 = c_.k30 * power_24;
+        const Scalar power_19 = pow(e18, -Scalar(1) / Scalar(5));
+        const Scalar sqrt_20 = sqrt(e18);
+        const Scalar inverse_21 = Scalar(1) / sqrt_20;
+        const Scalar e22 = c_.k28 * inverse_21;
+        const Scalar e23 = c_.k29 * power_19;
         const Scalar y_value = u[3];
-        const Scalar inverse_26 = Scalar(1) / x_value;
-        const Scalar e27 = sqrt_21 * inverse_26;
-        const Scalar exp_28 = exp(c_.phi_Pr * y_value * e27);
-        const Scalar inverse_29 = Scalar(1) / exp_28;
-        const Scalar e30 = y_value * inverse_29;
-        const Scalar e31 = e30 * (inverse_22 * (c_.k31 * T_P - c_.k32));
-        const Scalar e32 = u_value * inverse_26;
-        const Scalar e33 = inverse_26 * e27;
-        const Scalar power_34 = pow(e18, Scalar(4) / Scalar(5));
-        const Scalar e35 = c_.k33 - c_.phi_Pr * T_P;
+        const Scalar inverse_24 = Scalar(1) / x_value;
+        const Scalar e25 = sqrt_20 * inverse_24;
+        const Scalar exp_26 = exp(c_.phi_Pr * y_value * e25);
+        const Scalar inverse_27 = Scalar(1) / exp_26;
+        const Scalar e28 = y_value * inverse_27;
+        const Scalar e29 = e28 * (inverse_21 * (c_.k30 * T_P - c_.k31));
+        const Scalar e30 = u_value * inverse_24;
+        const Scalar e31 = inverse_24 * e25;
+        const Scalar power_32 = pow(e18, Scalar(4) / Scalar(5));
+        const Scalar e33 = c_.k32 - c_.phi_Pr * T_P;
         D[0] = c_.k22 * e6 + c_.k23 * e10;
         D[1] = c_.k22 / sqrt_11;
         D[2] = -(p_.T_inf - T_P) * (c_.k24 * e6 + c_.k25 * e10);
@@ -668,10 +665,10 @@ public:
         D[5] = -c_.k15 * inverse_12 * inverse_12;
         D[6] = -e13 * e16;
         D[7] = -e13 * e17;
-        D[8] = -x_value * e20;
-        D[9] = e23;
-        D[10] = e25;
-        D[11] = -e31;
+        D[8] = -(Scalar(37) / Scalar(500)) * power_19 * e13;
+        D[9] = e22;
+        D[10] = e23;
+        D[11] = -e29;
         D[12] = Scalar(0);
         D[13] = Scalar(0);
         D[14] = Scalar(0);
@@ -692,10 +689,10 @@ public:
         D[29] = Scalar(0);
         D[30] = e16;
         D[31] = e17;
-        D[32] = (Scalar(37) / Scalar(100)) * power_24 - u_value * e20;
-        D[33] = e32 * e23 - c_.k17 * e33;
-        D[34] = e32 * e25 - c_.k18 * power_34 * inverse_26 * inverse_26;
-        D[35] = -e35 * e30 * e33 - e32 * e31;
+        D[32] = (Scalar(37) / Scalar(125)) * power_19;
+        D[33] = e30 * e22 - c_.k17 * e31;
+        D[34] = e30 * e23 - c_.k18 * power_32 * inverse_24 * inverse_24;
+        D[35] = -e33 * e28 * e31 - e30 * e29;
         D[36] = Scalar(0);
         D[37] = Scalar(0);
         D[38] = Scalar(0);
@@ -707,7 +704,7 @@ public:
         D[44] = Scalar(0);
         D[45] = Scalar(0);
         D[46] = Scalar(0);
-        D[47] = inverse_29 * e35 * e27;
+        D[47] = inverse_27 * e33 * e25;
     }
 
     /// Kinetic energy T in joules.
@@ -812,12 +809,11 @@ private:
         Scalar k25;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*nu)
         Scalar k26;  ///< 5*nu/2
         Scalar k27;  ///< 5*nu*(Pr)^(-1/3)/2
-        Scalar k28;  ///< 37/(500*nu)
-        Scalar k29;  ///< lambda*phi_Pr/(2*nu)
-        Scalar k30;  ///< 74*lambda*(Pr)^(1/3)/(3125*nu)
-        Scalar k31;  ///< phi_Pr/(2*nu)
-        Scalar k32;  ///< T_inf*phi_Pr/(2*nu)
-        Scalar k33;  ///< T_inf*phi_Pr
+        Scalar k28;  ///< lambda*phi_Pr/(2*nu)
+        Scalar k29;  ///< 74*lambda*(Pr)^(1/3)/(3125*nu)
+        Scalar k30;  ///< phi_Pr/(2*nu)
+        Scalar k31;  ///< T_inf*phi_Pr/(2*nu)
+        Scalar k32;  ///< T_inf*phi_Pr
     };
     Cached c_{};
 };

@@ -16,14 +16,14 @@
 //     this code = the derivation: 18 of 18 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 2     49     7        0      7
+//   update                 2     48     7        0      7
 //   rhs                    3      7     0        0      6
 //   rhs_and_jacobian       3      7     0        0      6
 //   jacobian_u             4      6     1        0      6
-//   jacobian_p            26    107     8        0     19
+//   jacobian_p            26    110     9        0     18
 //   output                 5     25     3        0     12
 //   output_jacobian_x      1     10     2        0      8
-//   output_jacobian_u     17     48     7        0     13
+//   output_jacobian_u     16     46     7        0     12
 //   internal_energy        0      1     0        0      0
 //   exchanged_power        3      6     0        0      6
 //   guards                 1      1     0        0      0
@@ -240,7 +240,7 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes the constants that depend on them.
-    /// Operations: 2 + or -, 49 *, 7 /, 7 other functions
+    /// Operations: 2 + or -, 48 *, 7 /, 7 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
@@ -293,12 +293,11 @@ public:
         c_.k18 = (Scalar(37) / Scalar(1250)) * e10 * e16;
         c_.k19 = (Scalar(5) / Scalar(2)) * p_.nu;
         c_.k20 = (Scalar(5) / Scalar(2)) * p_.nu * power_Pr_2;
-        c_.k21 = (Scalar(37) / Scalar(500)) * inverse_9;
-        c_.k22 = (Scalar(1) / Scalar(2)) * e17;
-        c_.k23 = (Scalar(74) / Scalar(3125)) * e18;
-        c_.k24 = (Scalar(1) / Scalar(2)) * e11;
-        c_.k25 = (Scalar(1) / Scalar(2)) * p_.T_inf * e11;
-        c_.k26 = p_.T_inf * c_.phi_Pr;
+        c_.k21 = (Scalar(1) / Scalar(2)) * e17;
+        c_.k22 = (Scalar(74) / Scalar(3125)) * e18;
+        c_.k23 = (Scalar(1) / Scalar(2)) * e11;
+        c_.k24 = (Scalar(1) / Scalar(2)) * p_.T_inf * e11;
+        c_.k25 = p_.T_inf * c_.phi_Pr;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -382,7 +381,7 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 9, entry (i, j) at J[1*j + i].
-    /// Operations: 26 + or -, 107 *, 8 /, 19 other functions
+    /// Operations: 26 + or -, 110 *, 9 /, 18 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::exp;
         using std::expm1;
@@ -423,43 +422,43 @@ public:
         const Scalar P = u[1];
         const Scalar e28 = c_.phi_Pr * e4;
         const Scalar e29 = p_.rho * p_.c_p;
-        const Scalar e30 = e29 / p_.lambda;
-        const Scalar e31 = p_.nu * e30;
-        const Scalar sqrt_32 = sqrt(e31);
-        const Scalar log_33 = log(e31);
-        const Scalar exp_34 = exp((Scalar(34) / Scalar(125)) * log_33);
-        const Scalar e35 = Scalar(1) + (Scalar(1973) / Scalar(1000)) * exp_34 + (Scalar(2129) / Scalar(100)) * e31;
-        const Scalar power_36 = pow(e35, -Scalar(7) / Scalar(6));
-        const Scalar e37 = sqrt_32 * power_36;
+        const Scalar e30 = e29 * (p_.nu / p_.lambda);
+        const Scalar sqrt_31 = sqrt(e30);
+        const Scalar log_32 = log(e30);
+        const Scalar exp_33 = exp((Scalar(34) / Scalar(125)) * log_32);
+        const Scalar e34 = (Scalar(100) / Scalar(2129)) * (Scalar(1) + (Scalar(1973) / Scalar(1000)) * exp_33);
+        const Scalar e35 = e30 + e34;
+        const Scalar e36 = sqrt_31 / (Scalar(21290) * e35);
+        const Scalar power_37 = pow((Scalar(2129) / Scalar(100)) * e35, -Scalar(1) / Scalar(6));
         const Scalar sqrt_38 = sqrt(detail::pi<Scalar>());
-        const Scalar inverse_39 = Scalar(1) / sqrt_38;
-        const Scalar e40 = e37 * (exp_34 * inverse_39);
-        const Scalar power_41 = pow(e35, -Scalar(1) / Scalar(6));
-        const Scalar e42 = inverse_39 * (e37 - (Scalar(300) / Scalar(2129)) * power_41 / sqrt_32);
-        const Scalar e43 = e3 * e29;
+        const Scalar e39 = power_37 / sqrt_38;
+        const Scalar e40 = e3 * e39;
+        const Scalar e41 = (e36 - (Scalar(3) / Scalar(21290)) / sqrt_31) * e40;
+        const Scalar e42 = exp_33 * e36;
+        const Scalar e43 = e39 * e42;
         const Scalar power_Pr_2 = pow(c_.Pr, -Scalar(2) / Scalar(3));
-        const Scalar e44 = p_.L * inverse_1;
+        const Scalar e44 = power_Pr_2 * e3;
+        const Scalar e45 = p_.L * inverse_1;
         const Scalar power_Re_c = pow(p_.Re_c, Scalar(4) / Scalar(5));
-        const Scalar e45 = e3 * (power_Pr_2 * e31 - Scalar(3) * power_Pr);
-        const Scalar e46 = p_.nu * e3;
-        const Scalar e47 = e46 * e42;
-        const Scalar e48 = e4 * e40;
-        const Scalar e49 = power_Pr_2 * e46;
+        const Scalar e46 = e3 * (power_Pr_2 * e30 - Scalar(3) * power_Pr);
+        const Scalar e47 = p_.nu * p_.c_p;
+        const Scalar e48 = e4 * e43;
+        const Scalar e49 = p_.nu * p_.rho;
         const Scalar power_Re_c_2 = pow(p_.Re_c, -Scalar(1) / Scalar(5));
         J[0] = e6 * e15 + (Scalar(37) / Scalar(1250)) * e16 * e20;
         J[1] = Scalar(2) * c_.phi_Pr * e21 * e22 - (Scalar(37) / Scalar(1000)) * power_Pr * e21 * e26;
         J[2] = (Scalar(37) / Scalar(1000)) * inverse_2 * e27 * e26 - P * (inverse_2 * inverse_2) - Scalar(2) * inverse_2 * e28
             * e22;
-        const Scalar e50 = (Scalar(33541) / Scalar(187500)) * e5 * e40 + (Scalar(2129) / Scalar(300)) * e42 * e43;
-        J[3] = -e50 * e22 - (Scalar(37) / Scalar(3000)) * power_Pr_2 * e43 * e26 - e44 * e6 * e15 - (Scalar(37) / Scalar(1250))
-            * e44 * e16 * e20;
-        const Scalar e51 = -e3 * (Scalar(2) * c_.phi_Pr + (Scalar(33541) / Scalar(187500)) * e40)
-            - (Scalar(2129) / Scalar(300)) * e30 * e47;
-        J[4] = e7 * ((Scalar(37) / Scalar(3000)) * power_Re_c * e45) - (Scalar(37) / Scalar(3000)) * e45 * e25 - e51 * e22;
-        const Scalar e52 = -(Scalar(2129) / Scalar(300)) * p_.c_p * e47 - (Scalar(33541) / Scalar(187500)) * e48 / p_.rho;
-        J[5] = e52 * e22 - (Scalar(37) / Scalar(3000)) * p_.c_p * e49 * e26;
-        const Scalar e53 = -(Scalar(2129) / Scalar(300)) * p_.rho * e47 - (Scalar(33541) / Scalar(187500)) * e48 / p_.c_p;
-        J[6] = e53 * e22 - (Scalar(37) / Scalar(3000)) * p_.rho * e49 * e26;
+        const Scalar e50 = (Scalar(21290) / Scalar(3)) * e29 * e41 + (Scalar(67082) / Scalar(375)) * e5 * e43;
+        J[3] = -e50 * e22 - (Scalar(37) / Scalar(3000)) * e29 * e44 * e26 - e45 * e6 * e15 - (Scalar(37) / Scalar(1250)) * e45
+            * e16 * e20;
+        const Scalar e51 = -Scalar(2) * c_.phi_Pr * e3 - (Scalar(67082) / Scalar(375)) * e40 * e42
+            - (Scalar(21290) / Scalar(3)) * e30 * e41;
+        J[4] = e7 * ((Scalar(37) / Scalar(3000)) * power_Re_c * e46) - (Scalar(37) / Scalar(3000)) * e46 * e25 - e51 * e22;
+        const Scalar e52 = -(Scalar(21290) / Scalar(3)) * e41 * e47 - (Scalar(67082) / Scalar(375)) * e48 / p_.rho;
+        J[5] = e52 * e22 - (Scalar(37) / Scalar(3000)) * e44 * e47 * e26;
+        const Scalar e53 = -(Scalar(21290) / Scalar(3)) * e41 * e49 - (Scalar(67082) / Scalar(375)) * e48 / p_.c_p;
+        J[6] = e53 * e22 - (Scalar(37) / Scalar(3000)) * e44 * e49 * e26;
         const Scalar e54 = step_11 * power_19 * ((Scalar(37) / Scalar(1250)) * e27) + step_17 * inverse_14 * e28
             - (Scalar(37) / Scalar(1250)) * power_Re_c_2 * e27;
         J[7] = e7 * e54;
@@ -576,7 +575,7 @@ public:
     }
 
     /// D = dh/du.
-    /// Operations: 17 + or -, 48 *, 7 /, 13 other functions
+    /// Operations: 16 + or -, 46 *, 7 /, 12 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         using std::exp;
         using std::pow;
@@ -602,24 +601,22 @@ public:
         const Scalar e16 = c_.k19 * e15;
         const Scalar e17 = c_.k20 * e15;
         const Scalar e18 = c_.k14 * u_value * x_value;
-        const Scalar power_19 = pow(e18, -Scalar(6) / Scalar(5));
-        const Scalar e20 = power_19 * (c_.k21 * x_value);
-        const Scalar sqrt_21 = sqrt(e18);
-        const Scalar inverse_22 = Scalar(1) / sqrt_21;
-        const Scalar e23 = c_.k22 * inverse_22;
-        const Scalar power_24 = pow(e18, -Scalar(1) / Scalar(5));
-        const Scalar e25 = c_.k23 * power_24;
+        const Scalar power_19 = pow(e18, -Scalar(1) / Scalar(5));
+        const Scalar sqrt_20 = sqrt(e18);
+        const Scalar inverse_21 = Scalar(1) / sqrt_20;
+        const Scalar e22 = c_.k21 * inverse_21;
+        const Scalar e23 = c_.k22 * power_19;
         const Scalar y_value = u[3];
-        const Scalar inverse_26 = Scalar(1) / x_value;
-        const Scalar e27 = sqrt_21 * inverse_26;
-        const Scalar exp_28 = exp(c_.phi_Pr * y_value * e27);
-        const Scalar inverse_29 = Scalar(1) / exp_28;
-        const Scalar e30 = y_value * inverse_29;
-        const Scalar e31 = e30 * (inverse_22 * (c_.k24 * T_P - c_.k25));
-        const Scalar e32 = u_value * inverse_26;
-        const Scalar e33 = inverse_26 * e27;
-        const Scalar power_34 = pow(e18, Scalar(4) / Scalar(5));
-        const Scalar e35 = c_.k26 - c_.phi_Pr * T_P;
+        const Scalar inverse_24 = Scalar(1) / x_value;
+        const Scalar e25 = sqrt_20 * inverse_24;
+        const Scalar exp_26 = exp(c_.phi_Pr * y_value * e25);
+        const Scalar inverse_27 = Scalar(1) / exp_26;
+        const Scalar e28 = y_value * inverse_27;
+        const Scalar e29 = e28 * (inverse_21 * (c_.k23 * T_P - c_.k24));
+        const Scalar e30 = u_value * inverse_24;
+        const Scalar e31 = inverse_24 * e25;
+        const Scalar power_32 = pow(e18, Scalar(4) / Scalar(5));
+        const Scalar e33 = c_.k25 - c_.phi_Pr * T_P;
         D[0] = c_.k15 * e6 + c_.k16 * e10;
         D[1] = c_.k15 / sqrt_11;
         D[2] = -(p_.T_inf - T_P) * (c_.k17 * e6 + c_.k18 * e10);
@@ -627,10 +624,10 @@ public:
         D[4] = -c_.k10 * inverse_12 * inverse_12;
         D[5] = -e13 * e16;
         D[6] = -e13 * e17;
-        D[7] = -x_value * e20;
-        D[8] = e23;
-        D[9] = e25;
-        D[10] = -e31;
+        D[7] = -(Scalar(37) / Scalar(500)) * power_19 * e13;
+        D[8] = e22;
+        D[9] = e23;
+        D[10] = -e29;
         D[11] = Scalar(0);
         D[12] = Scalar(0);
         D[13] = Scalar(0);
@@ -649,10 +646,10 @@ public:
         D[26] = Scalar(0);
         D[27] = e16;
         D[28] = e17;
-        D[29] = (Scalar(37) / Scalar(100)) * power_24 - u_value * e20;
-        D[30] = e32 * e23 - c_.k12 * e33;
-        D[31] = e32 * e25 - c_.k13 * power_34 * inverse_26 * inverse_26;
-        D[32] = -e35 * e30 * e33 - e32 * e31;
+        D[29] = (Scalar(37) / Scalar(125)) * power_19;
+        D[30] = e30 * e22 - c_.k12 * e31;
+        D[31] = e30 * e23 - c_.k13 * power_32 * inverse_24 * inverse_24;
+        D[32] = -e33 * e28 * e31 - e30 * e29;
         D[33] = Scalar(0);
         D[34] = Scalar(0);
         D[35] = Scalar(0);
@@ -663,7 +660,7 @@ public:
         D[40] = Scalar(0);
         D[41] = Scalar(0);
         D[42] = Scalar(0);
-        D[43] = inverse_29 * e35 * e27;
+        D[43] = inverse_27 * e33 * e25;
     }
 
     /// Kinetic energy T in joules.
@@ -762,12 +759,11 @@ private:
         Scalar k18;  ///< 37*L*b*lambda*(Pr)^(1/3)/(1250*nu)
         Scalar k19;  ///< 5*nu/2
         Scalar k20;  ///< 5*nu*(Pr)^(-1/3)/2
-        Scalar k21;  ///< 37/(500*nu)
-        Scalar k22;  ///< lambda*phi_Pr/(2*nu)
-        Scalar k23;  ///< 74*lambda*(Pr)^(1/3)/(3125*nu)
-        Scalar k24;  ///< phi_Pr/(2*nu)
-        Scalar k25;  ///< T_inf*phi_Pr/(2*nu)
-        Scalar k26;  ///< T_inf*phi_Pr
+        Scalar k21;  ///< lambda*phi_Pr/(2*nu)
+        Scalar k22;  ///< 74*lambda*(Pr)^(1/3)/(3125*nu)
+        Scalar k23;  ///< phi_Pr/(2*nu)
+        Scalar k24;  ///< T_inf*phi_Pr/(2*nu)
+        Scalar k25;  ///< T_inf*phi_Pr
     };
     Cached c_{};
 };

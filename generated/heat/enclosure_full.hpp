@@ -19,8 +19,8 @@
 //   rhs                    6      7     0        0      0
 //   rhs_and_jacobian       7      9     0        0      0
 //   jacobian_p           148    287     9        0      2
-//   output                 6      7     0        0      1
-//   output_jacobian_x      1      7     0        0      1
+//   output                 6      7     0        0      2
+//   output_jacobian_x      1      9     1        0      2
 //   internal_energy        0      1     0        0      0
 //   exchanged_power        6      6     0        0      0
 //
@@ -546,7 +546,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 6 + or -, 7 *, 1 other functions
+    /// Operations: 6 + or -, 7 *, 2 other functions
     ///     T_W = (T_M^4*exchange_factor[furnace, 1, 3]/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3]) +
     ///     exchange_factor[furnace, 2, 3]*T_R^4/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3]))^(1/4)
     ///     Q_C = -stefan_boltzmann*T_M^4*exchange_factor[furnace, 1, 3]*exchange_factor[furnace, 2, 3]/(exchange_factor[furnace, 1,
@@ -554,25 +554,28 @@ public:
     ///     3]*T_R^4/(exchange_factor[furnace, 1, 3] + exchange_factor[furnace, 2, 3]) - stefan_boltzmann*exchange_factor[furnace,
     ///     1, 2]*(T_M - T_R)*(T_M + T_R)*(T_M^2 + T_R^2)
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
-        using std::pow;
+        using std::sqrt;
         const Scalar T_R = x[0];
         const Scalar T_R_squared = T_R * T_R;
         const Scalar T_R_squared_squared = T_R_squared * T_R_squared;
-        const Scalar power_1 = pow(c_.k9 + c_.k10 * T_R_squared_squared, Scalar(1) / Scalar(4));
-        y[0] = power_1;
+        const Scalar sqrt_1 = sqrt(c_.k9 + c_.k10 * T_R_squared_squared);
+        const Scalar sqrt_2 = sqrt(sqrt_1);
+        y[0] = sqrt_2;
         y[1] = c_.k7 * T_R_squared_squared - c_.k6 - c_.k8 * (p_.T_M - T_R) * (p_.T_M + T_R) * (c_.k4 + T_R_squared);
     }
 
     /// C = dh/dx.
-    /// Operations: 1 + or -, 7 *, 1 other functions
+    /// Operations: 1 + or -, 9 *, 1 /, 2 other functions
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        using std::pow;
+        using std::sqrt;
         const Scalar T_R = x[0];
         const Scalar T_R_squared = T_R * T_R;
-        const Scalar power_1 = pow(c_.k9 + c_.k10 * T_R_squared * T_R_squared, -Scalar(3) / Scalar(4));
-        const Scalar e2 = T_R * T_R_squared;
-        C[0] = c_.k10 * power_1 * e2;
-        C[1] = c_.k11 * e2;
+        const Scalar sqrt_1 = sqrt(c_.k9 + c_.k10 * T_R_squared * T_R_squared);
+        const Scalar sqrt_2 = sqrt(sqrt_1);
+        const Scalar inverse_3 = Scalar(1) / sqrt_2;
+        const Scalar e4 = T_R * T_R_squared;
+        C[0] = c_.k10 * inverse_3 * inverse_3 * inverse_3 * e4;
+        C[1] = c_.k11 * e4;
     }
 
     /// D = dh/du.

@@ -19,8 +19,8 @@
 //   rhs                    2      8     0        0      0
 //   rhs_and_jacobian       4     12     0        0      0
 //   jacobian_p            26     98     6        0      0
-//   output                 2      7     0        0      1
-//   output_jacobian_x      2     14     0        0      1
+//   output                 2      7     0        0      2
+//   output_jacobian_x      2     16     1        0      2
 //   internal_energy        1      4     0        0      0
 //
 // The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
@@ -384,39 +384,42 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 2 + or -, 7 *, 1 other functions
+    /// Operations: 2 + or -, 7 *, 2 other functions
     ///     q_1 = -m_1*c_1*dot(T_1)/A
     ///     T_s = (exchange_factor[first_gap, 1, 2]*T_1^4/(exchange_factor[first_gap, 1, 2] + exchange_factor[second_gap, 1, 2]) +
     ///     exchange_factor[second_gap, 1, 2]*T_2^4/(exchange_factor[first_gap, 1, 2] + exchange_factor[second_gap, 1, 2]))^(1/4)
     void output(const State& x, const Input& /*u*/, Scalar /*t*/, Output& y) const noexcept {
-        using std::pow;
+        using std::sqrt;
         const Scalar T_1 = x[0];
         const Scalar T_1_squared = T_1 * T_1;
         const Scalar T_1_squared_squared = T_1_squared * T_1_squared;
         const Scalar T_2 = x[1];
         const Scalar T_2_squared = T_2 * T_2;
         const Scalar T_2_squared_squared = T_2_squared * T_2_squared;
-        const Scalar power_1 = pow(c_.k5 * T_1_squared_squared + c_.k6 * T_2_squared_squared, Scalar(1) / Scalar(4));
+        const Scalar sqrt_1 = sqrt(c_.k5 * T_1_squared_squared + c_.k6 * T_2_squared_squared);
+        const Scalar sqrt_2 = sqrt(sqrt_1);
         y[0] = c_.k4 * (T_1_squared_squared - T_2_squared_squared);
-        y[1] = power_1;
+        y[1] = sqrt_2;
     }
 
     /// C = dh/dx.
-    /// Operations: 2 + or -, 14 *, 1 other functions
+    /// Operations: 2 + or -, 16 *, 1 /, 2 other functions
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        using std::pow;
+        using std::sqrt;
         const Scalar T_1 = x[0];
         const Scalar T_1_squared = T_1 * T_1;
         const Scalar e1 = T_1 * T_1_squared;
         const Scalar T_2 = x[1];
         const Scalar T_2_squared = T_2 * T_2;
-        const Scalar power_2 = pow(c_.k5 * T_1_squared * T_1_squared + c_.k6 * T_2_squared * T_2_squared, -Scalar(3)
-            / Scalar(4));
-        const Scalar e3 = T_2 * T_2_squared;
+        const Scalar sqrt_2 = sqrt(c_.k5 * T_1_squared * T_1_squared + c_.k6 * T_2_squared * T_2_squared);
+        const Scalar sqrt_3 = sqrt(sqrt_2);
+        const Scalar inverse_4 = Scalar(1) / sqrt_3;
+        const Scalar e5 = inverse_4 * (inverse_4 * inverse_4);
+        const Scalar e6 = T_2 * T_2_squared;
         C[0] = c_.k7 * e1;
-        C[1] = c_.k5 * power_2 * e1;
-        C[2] = -c_.k7 * e3;
-        C[3] = c_.k6 * power_2 * e3;
+        C[1] = c_.k5 * e1 * e5;
+        C[2] = -c_.k7 * e6;
+        C[3] = c_.k6 * e6 * e5;
     }
 
     /// D = dh/du.

@@ -15,7 +15,7 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                12     40     7        0      1
+//   update                12     40     7        0      2
 //   rhs                    9     10     0        0      0
 //   rhs_and_jacobian      11     16     0        0      0
 //   jacobian_p            30    100     6        0      0
@@ -192,10 +192,10 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes the constants that depend on them.
-    /// Operations: 12 + or -, 40 *, 7 /, 1 other functions
+    /// Operations: 12 + or -, 40 *, 7 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
-        using std::pow;
+        using std::sqrt;
         const Scalar inverse_1 = Scalar(1) / p_.eps_2;
         const Scalar inverse_2 = Scalar(1) / p_.eps_1;
         c_.F = -Scalar(1) / (p_.d / p_.D * (Scalar(1) - inverse_1) - inverse_2);
@@ -214,32 +214,33 @@ public:
         const Scalar e10 = ((Scalar(100000000) * Scalar(1000000000)) / (Scalar(5) * Scalar(1000000000) + Scalar(670374419)))
             * inverse_1 * e5;
         const Scalar e11 = Scalar(2) * e4_squared - e7 * (p_.D * inverse_2 / p_.d - Scalar(1)) - e10 - e3_squared;
-        const Scalar power_12 = pow(e11, Scalar(1) / Scalar(4));
-        c_.T_1s = power_12;
-        const Scalar inverse_13 = Scalar(1) / p_.C_1;
-        c_.k0 = c_.q_max * inverse_13;
-        const Scalar e14 = detail::pi<Scalar>() * (p_.d * c_.F);
-        const Scalar e15 = inverse_13 * e14;
-        c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e15;
-        const Scalar inverse_16 = Scalar(1) / p_.C_2;
-        const Scalar e17 = p_.alpha * e8;
-        c_.k2 = inverse_16 * e17;
-        const Scalar e18 = p_.eps_2 * e8;
-        const Scalar e19 = inverse_16 * e18;
-        c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e19;
-        const Scalar e20 = inverse_16 * e14;
-        c_.k4 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e20;
+        const Scalar sqrt_12 = sqrt(e11);
+        const Scalar sqrt_13 = sqrt(sqrt_12);
+        c_.T_1s = sqrt_13;
+        const Scalar inverse_14 = Scalar(1) / p_.C_1;
+        c_.k0 = c_.q_max * inverse_14;
+        const Scalar e15 = detail::pi<Scalar>() * (p_.d * c_.F);
+        const Scalar e16 = inverse_14 * e15;
+        c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e16;
+        const Scalar inverse_17 = Scalar(1) / p_.C_2;
+        const Scalar e18 = p_.alpha * e8;
+        c_.k2 = inverse_17 * e18;
+        const Scalar e19 = p_.eps_2 * e8;
+        const Scalar e20 = inverse_17 * e19;
+        c_.k3 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e20;
+        const Scalar e21 = inverse_17 * e15;
+        c_.k4 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e21;
         c_.k5 = e3;
-        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e15;
-        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e20;
-        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * (e20 + e19);
-        const Scalar e21 = p_.H * e14;
-        c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e21;
-        c_.k10 = p_.H * e17;
-        const Scalar e22 = p_.H * e18;
-        c_.k11 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e22;
-        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e21;
-        c_.k13 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e22;
+        c_.k6 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e16;
+        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e21;
+        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * (e21 + e20);
+        const Scalar e22 = p_.H * e15;
+        c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e22;
+        c_.k10 = p_.H * e18;
+        const Scalar e23 = p_.H * e19;
+        c_.k11 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e23;
+        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e22;
+        c_.k13 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e23;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }

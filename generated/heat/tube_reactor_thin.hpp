@@ -16,7 +16,7 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                13     56     7        0      1
+//   update                13     56     7        0      2
 //   rhs                    3      8     0        0      1
 //   rhs_and_jacobian       6     13     1        0      1
 //   jacobian_p            29    102     7        0      1
@@ -211,10 +211,10 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes the constants that depend on them.
-    /// Operations: 13 + or -, 56 *, 7 /, 1 other functions
+    /// Operations: 13 + or -, 56 *, 7 /, 2 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
-        using std::pow;
+        using std::sqrt;
         const Scalar inverse_1 = Scalar(1) / p_.D;
         const Scalar inverse_2 = Scalar(1) / p_.eps_2;
         const Scalar inverse_3 = Scalar(1) / p_.eps_1;
@@ -238,45 +238,46 @@ public:
             * (p_.alpha * p_.T_inf - e8);
         const Scalar e14 = ((Scalar(100000000) * Scalar(1000000000)) / (Scalar(5) * Scalar(1000000000) + Scalar(670374419)))
             * e10;
-        const Scalar power_15 = pow(e12 - inverse_2 * e13 - e14 - e5_squared + Scalar(2) * e4_squared, Scalar(1) / Scalar(4));
-        c_.T_1s = power_15;
-        const Scalar inverse_16 = Scalar(1) / p_.C_1;
-        c_.k0 = c_.q_max * inverse_16;
-        const Scalar e17 = p_.d * c_.F;
-        const Scalar e18 = e17 * (detail::pi<Scalar>() * inverse_16);
-        c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e18;
-        const Scalar inverse_19 = Scalar(1) / p_.alpha;
-        const Scalar e20 = inverse_19 * e17;
-        const Scalar e21 = inverse_1 * e20;
-        const Scalar e22 = p_.eps_2 * inverse_19;
-        const Scalar e23 = e21 + e22;
-        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e23;
-        const Scalar e24 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
-            * e22 * e5_squared;
-        c_.k3 = p_.T_inf + e24;
-        c_.k4 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e21;
-        c_.k5 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e18;
+        const Scalar sqrt_15 = sqrt(e12 - inverse_2 * e13 - e14 - e5_squared + Scalar(2) * e4_squared);
+        const Scalar sqrt_16 = sqrt(sqrt_15);
+        c_.T_1s = sqrt_16;
+        const Scalar inverse_17 = Scalar(1) / p_.C_1;
+        c_.k0 = c_.q_max * inverse_17;
+        const Scalar e18 = p_.d * c_.F;
+        const Scalar e19 = e18 * (detail::pi<Scalar>() * inverse_17);
+        c_.k1 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e19;
+        const Scalar inverse_20 = Scalar(1) / p_.alpha;
+        const Scalar e21 = inverse_20 * e18;
+        const Scalar e22 = inverse_1 * e21;
+        const Scalar e23 = p_.eps_2 * inverse_20;
+        const Scalar e24 = e22 + e23;
+        c_.k2 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e24;
+        const Scalar e25 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000)))
+            * e23 * e5_squared;
+        c_.k3 = p_.T_inf + e25;
+        c_.k4 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e22;
+        c_.k5 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e19;
         c_.k6 = ((Scalar(1286) + (Scalar(125842065)
             + (Scalar(983502440) + (Scalar(0) + Scalar(0) / Scalar(1000000000)) / Scalar(1000000000)) / Scalar(1000000000))
-            / Scalar(1000000000))) * e21 * e18;
-        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * e23;
-        const Scalar e25 = p_.H * detail::pi<Scalar>();
-        const Scalar e26 = e17 * e25;
-        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e26;
-        const Scalar e27 = p_.D * e25;
-        c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e27 * e7;
-        c_.k10 = p_.alpha * e27;
+            / Scalar(1000000000))) * e22 * e19;
+        c_.k7 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * e24;
+        const Scalar e26 = p_.H * detail::pi<Scalar>();
+        const Scalar e27 = e18 * e26;
+        c_.k8 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e27;
+        const Scalar e28 = p_.D * e26;
+        c_.k9 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * e28 * e7;
+        c_.k10 = p_.alpha * e28;
         c_.k11 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(100000000) * Scalar(1000000000))) * p_.eps_2
-            * e27;
-        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * e21;
-        c_.k13 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e26;
+            * e28;
+        c_.k12 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * e22;
+        c_.k13 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419)) / (Scalar(25000000) * Scalar(1000000000))) * e27;
         c_.k14 = ((Scalar(1286) + (Scalar(125842065)
             + (Scalar(983502440) + (Scalar(0) + Scalar(0) / Scalar(1000000000)) / Scalar(1000000000)) / Scalar(1000000000))
-            / Scalar(1000000000))) * e21 * e26;
+            / Scalar(1000000000))) * e22 * e27;
         c_.k15 = ((Scalar(1286) + (Scalar(125842065)
             + (Scalar(983502440) + (Scalar(0) + Scalar(0) / Scalar(1000000000)) / Scalar(1000000000)) / Scalar(1000000000))
-            / Scalar(1000000000))) * p_.eps_2 * e25 * e20;
-        c_.k16 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * e26;
+            / Scalar(1000000000))) * p_.eps_2 * e26 * e21;
+        c_.k16 = ((Scalar(5) * Scalar(1000000000) + Scalar(670374419))) * e27;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }

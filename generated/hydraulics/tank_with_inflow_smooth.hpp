@@ -16,14 +16,14 @@
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 0     18     3        0      2
-//   rhs                    2      5     0        0      1
-//   rhs_and_jacobian       3      7     0        0      2
-//   jacobian_p             5     34     2        0      4
-//   output                 1      6     0        0      1
-//   output_jacobian_x      2      5     0        0      2
+//   rhs                    2      5     1        0      2
+//   rhs_and_jacobian       3      9     2        0      2
+//   jacobian_p             5     34     4        0      4
+//   output                 1      6     1        0      2
+//   output_jacobian_x      2      5     2        0      2
 //   output_jacobian_u      0      1     0        0      0
 //   internal_energy        0      5     0        0      0
-//   exchanged_power        2     13     0        0      3
+//   exchanged_power        2     13     1        0      4
 //   guards                 0      1     0        0      0
 //
 // The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
@@ -208,7 +208,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 2 + or -, 5 *, 1 other functions
+    /// Operations: 2 + or -, 5 *, 1 /, 2 other functions
     ///     specific_enthalpy[source] = p_0/rho
     ///     specific_enthalpy[ambient] = p_0/rho
     ///     specific_enthalpy[tank] = p_0/rho + g*h
@@ -216,29 +216,30 @@ public:
     ///     mass_flow[opening_smooth] = A_2*g*sqrt(2)*sqrt(rho)^3*h*(g^2*rho^2*h^2 + p_w^2)^(-1/4)
     ///     dot(h) = mass_flow[inflow]/(A_1*rho) - mass_flow[opening_smooth]/(A_1*rho)
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
-        using std::pow;
+        using std::sqrt;
         const Scalar q_z = u[0];
         const Scalar h = x[0];
-        const Scalar power_1 = pow(c_.k2 + c_.k3 * h * h, -Scalar(1) / Scalar(4));
-        dxdt[0] = c_.k0 * q_z - c_.k1 * h * power_1;
+        const Scalar sqrt_1 = sqrt(c_.k2 + c_.k3 * h * h);
+        const Scalar sqrt_2 = sqrt(sqrt_1);
+        dxdt[0] = c_.k0 * q_z - c_.k1 * h / sqrt_2;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: 3 + or -, 7 *, 2 other functions
+    /// Operations: 3 + or -, 9 *, 2 /, 2 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
-        using std::pow;
+        using std::sqrt;
         const Scalar q_z = u[0];
         const Scalar h = x[0];
-        const Scalar h_squared = h * h;
-        const Scalar e1 = c_.k2 + c_.k3 * h_squared;
-        const Scalar power_2 = pow(e1, -Scalar(1) / Scalar(4));
-        const Scalar e3 = c_.k1 * power_2;
-        const Scalar e4 = c_.k0 * q_z - h * e3;
-        const Scalar power_5 = pow(e1, -Scalar(5) / Scalar(4));
-        const Scalar e6 = c_.k4 * power_5 * h_squared - e3;
-        dxdt[0] = e4;
-        J[0] = e6;
+        const Scalar e1 = c_.k2 + c_.k3 * h * h;
+        const Scalar sqrt_2 = sqrt(e1);
+        const Scalar sqrt_3 = sqrt(sqrt_2);
+        const Scalar inverse_4 = Scalar(1) / sqrt_3;
+        const Scalar e5 = h * inverse_4;
+        const Scalar e6 = c_.k0 * q_z - c_.k1 * e5;
+        const Scalar e7 = c_.k4 * h * e5 / e1 - c_.k1 * inverse_4;
+        dxdt[0] = e6;
+        J[0] = e7;
     }
 
     /// J = df/dx. 1 x 1, entry (i, j) at J[1*j + i].
@@ -254,9 +255,8 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 7, entry (i, j) at J[1*j + i].
-    /// Operations: 5 + or -, 34 *, 2 /, 4 other functions
+    /// Operations: 5 + or -, 34 *, 4 /, 4 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
-        using std::pow;
         using std::sqrt;
         const Scalar inverse_1 = Scalar(1) / p_.A_1;
         const Scalar sqrt_2 = sqrt(Scalar(2));
@@ -268,19 +268,19 @@ public:
         const Scalar h = x[0];
         const Scalar h_squared = h * h;
         const Scalar e7 = c_.k2 + c_.k3 * h_squared;
-        const Scalar power_8 = pow(e7, -Scalar(1) / Scalar(4));
-        const Scalar e9 = h * power_8;
+        const Scalar sqrt_8 = sqrt(e7);
+        const Scalar sqrt_9 = sqrt(sqrt_8);
+        const Scalar e10 = h / sqrt_9;
         const Scalar q_z = u[0];
-        const Scalar e10 = p_.g * sqrt_rho;
-        const Scalar e11 = e6 * e10;
-        const Scalar power_12 = pow(e7, -Scalar(5) / Scalar(4));
-        const Scalar e13 = h * power_12;
+        const Scalar e11 = p_.g * sqrt_rho;
+        const Scalar e12 = e6 * e11;
+        const Scalar e13 = e10 / e7;
         const Scalar e14 = h_squared * e13;
-        J[0] = inverse_1 * e6 * e9 - q_z * (inverse_1 * inverse_1);
-        J[1] = -sqrt_rho * e4 * e9;
+        J[0] = inverse_1 * e6 * e10 - q_z * (inverse_1 * inverse_1);
+        J[1] = -sqrt_rho * e4 * e10;
         J[2] = Scalar(0);
-        J[3] = (Scalar(1) / Scalar(2)) * sqrt_rho * sqrt_rho * sqrt_rho * e11 * e14 - e3 * e5 * e9;
-        J[4] = (Scalar(1) / Scalar(2)) * e10 * e11 * e14 - (Scalar(1) / Scalar(2)) * p_.A_2 * e4 / sqrt_rho * e9;
+        J[3] = (Scalar(1) / Scalar(2)) * sqrt_rho * sqrt_rho * sqrt_rho * e12 * e14 - e3 * e5 * e10;
+        J[4] = (Scalar(1) / Scalar(2)) * e11 * e12 * e14 - (Scalar(1) / Scalar(2)) * p_.A_2 * e4 / sqrt_rho * e10;
         J[5] = Scalar(0);
         J[6] = (Scalar(1) / Scalar(2)) * p_.p_w * e6 * e13;
     }
@@ -307,29 +307,30 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 1 + or -, 6 *, 1 other functions
+    /// Operations: 1 + or -, 6 *, 1 /, 2 other functions
     ///     h_e = q_z^2/(2*A_2^2*g)
     ///     q_a = A_2*g*sqrt(2)*sqrt(rho)*h*(g^2*rho^2*h^2 + p_w^2)^(-1/4)
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
-        using std::pow;
+        using std::sqrt;
         const Scalar q_z = u[0];
         const Scalar h = x[0];
-        const Scalar power_1 = pow(c_.k2 + c_.k3 * h * h, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_1 = sqrt(c_.k2 + c_.k3 * h * h);
+        const Scalar sqrt_2 = sqrt(sqrt_1);
         y[0] = c_.k5 * q_z * q_z;
-        y[1] = c_.k6 * h * power_1;
+        y[1] = c_.k6 * h / sqrt_2;
     }
 
     /// C = dh/dx.
-    /// Operations: 2 + or -, 5 *, 2 other functions
+    /// Operations: 2 + or -, 5 *, 2 /, 2 other functions
     void output_jacobian_x(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianX& C) const noexcept {
-        using std::pow;
+        using std::sqrt;
         const Scalar h = x[0];
         const Scalar h_squared = h * h;
         const Scalar e1 = c_.k2 + c_.k3 * h_squared;
-        const Scalar power_2 = pow(e1, -Scalar(1) / Scalar(4));
-        const Scalar power_3 = pow(e1, -Scalar(5) / Scalar(4));
+        const Scalar sqrt_2 = sqrt(e1);
+        const Scalar sqrt_3 = sqrt(sqrt_2);
         C[0] = Scalar(0);
-        C[1] = c_.k6 * power_2 - c_.k7 * power_3 * h_squared;
+        C[1] = (c_.k6 - c_.k7 * h_squared / e1) / sqrt_3;
     }
 
     /// D = dh/du.
@@ -383,18 +384,18 @@ public:
     }
 
     /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
-    /// Operations: 2 + or -, 13 *, 3 other functions
+    /// Operations: 2 + or -, 13 *, 1 /, 4 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
-        using std::pow;
         using std::sqrt;
         const Scalar q_z = u[0];
         const Scalar h = x[0];
         const Scalar h_squared = h * h;
-        const Scalar power_1 = pow(c_.k2 + c_.k3 * h_squared, -Scalar(1) / Scalar(4));
-        const Scalar sqrt_2 = sqrt(Scalar(2));
+        const Scalar sqrt_1 = sqrt(c_.k2 + c_.k3 * h_squared);
+        const Scalar sqrt_2 = sqrt(sqrt_1);
+        const Scalar sqrt_3 = sqrt(Scalar(2));
         const Scalar sqrt_rho = sqrt(p_.rho);
-        const Scalar e3 = power_1 * (p_.A_2 * p_.g * p_.g * sqrt_2 * sqrt_rho * sqrt_rho * sqrt_rho) * h_squared;
-        return q_z * h * (p_.g * p_.rho) - e3;
+        const Scalar e4 = p_.A_2 * p_.g * p_.g * sqrt_3 * sqrt_rho * sqrt_rho * sqrt_rho * h_squared / sqrt_2;
+        return q_z * h * (p_.g * p_.rho) - e4;
     }
 
     /// Functions whose sign an integrator must watch, in the order of guard_table().

@@ -19,20 +19,20 @@
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 3     34     7        0      3
-//   rhs                   33     51     4        0     22
-//   rhs_and_jacobian      53    107     8        0     26
-//   jacobian_u            24     35     4        0     20
-//   jacobian_p            78    212    14        0     29
+//   rhs                   33     51     8        0     26
+//   rhs_and_jacobian      53    103    16        0     26
+//   jacobian_u            24     35     8        0     24
+//   jacobian_p            78    210    22        0     29
 //   bias                   2      3     0        0      0
 //   generalised_force      1      0     0        0      0
-//   output                28     40     2        0     22
-//   output_jacobian_x     41     75     6        0     26
-//   output_jacobian_u     23     33     2        0     20
+//   output                28     40     6        0     26
+//   output_jacobian_x     41     67    14        0     26
+//   output_jacobian_u     23     33     6        0     24
 //   kinetic_energy         0      3     0        0      0
 //   supplied_power         1      1     0        0      0
 //   dissipated_power       0      2     0        0      0
 //   internal_energy       12     21     2        0      4
-//   exchanged_power       41     60     3        0     25
+//   exchanged_power       41     60     7        0     29
 //   guards                 2      3     0        0      0
 //
 // The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
@@ -283,9 +283,9 @@ public:
         c_.k1 = inverse_1;
         const Scalar inverse_2 = Scalar(1) / p_.A_1;
         c_.k2 = inverse_2;
-        c_.k3 = p_.p_w * p_.p_w;
         const Scalar exp_3 = exp((p_.p_0 - p_.p_s) * inverse_1);
-        c_.k4 = p_.rho_0 / exp_3;
+        c_.k3 = p_.rho_0 / exp_3;
+        c_.k4 = p_.p_w * p_.p_w;
         const Scalar sqrt_4 = sqrt(Scalar(2));
         const Scalar e5 = sqrt_4 * (p_.w * p_.alpha_d);
         const Scalar e6 = e5 / p_.rho_0;
@@ -336,7 +336,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 33 + or -, 51 *, 4 /, 22 other functions
+    /// Operations: 33 + or -, 51 *, 8 /, 26 other functions
     ///     density[supply] = rho_0/exp((p_0 - p_s)/beta)
     ///     specific_enthalpy[supply] = (beta*compression(-(p_0 - p_s)/beta) - p_0*expm1((p_0 - p_s)/beta) + p_s*exp((p_0 -
     ///     p_s)/beta))/rho_0
@@ -369,7 +369,6 @@ public:
     ///     - s_k))
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar p_1 = x[2];
         const Scalar f_l = u[1];
@@ -381,56 +380,59 @@ public:
         const Scalar e2 = p_.beta / s_k;
         const Scalar e3 = e2 * c_.k2;
         const Scalar e4 = p_.p_s - p_1;
-        const Scalar power_5 = pow(c_.k3 + e4 * e4, -Scalar(1) / Scalar(4));
-        const Scalar step_6 = detail::step<Scalar>(-e4);
-        const Scalar inverse_7 = Scalar(1) / exp_1;
-        const Scalar e8 = p_.rho_0 * inverse_7;
-        const Scalar step_9 = detail::step<Scalar>(e4);
-        const Scalar sqrt_10 = sqrt(step_6 * e8 + step_9 * c_.k4);
+        const Scalar step_5 = detail::step<Scalar>(-e4);
+        const Scalar inverse_6 = Scalar(1) / exp_1;
+        const Scalar e7 = p_.rho_0 * inverse_6;
+        const Scalar step_8 = detail::step<Scalar>(e4);
+        const Scalar sqrt_9 = sqrt(step_5 * e7 + step_8 * c_.k3);
+        const Scalar sqrt_10 = sqrt(c_.k4 + e4 * e4);
+        const Scalar sqrt_11 = sqrt(sqrt_10);
         const Scalar x_v = u[0];
-        const Scalar max_11 = detail::max<Scalar>(Scalar(0), x_v);
-        const Scalar e12 = max_11 * c_.k5;
-        const Scalar e13 = p_.p_t - p_1;
-        const Scalar power_14 = pow(c_.k3 + e13 * e13, -Scalar(1) / Scalar(4));
-        const Scalar step_15 = detail::step<Scalar>(-e13);
-        const Scalar step_16 = detail::step<Scalar>(e13);
-        const Scalar sqrt_17 = sqrt(step_15 * e8 + step_16 * c_.k6);
-        const Scalar max_18 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar e19 = max_18 * c_.k5;
-        const Scalar exp_20 = exp((p_.p_0 - p_2) * c_.k1);
-        const Scalar inverse_21 = Scalar(1) / exp_20;
-        const Scalar e22 = p_.k_l * (p_1 - p_2);
-        const Scalar step_23 = detail::step<Scalar>(-e22);
-        const Scalar e24 = step_23 * e22;
-        const Scalar step_25 = detail::step<Scalar>(e22);
-        const Scalar e26 = step_25 * e22;
-        const Scalar e27 = p_.beta / (c_.k8 - s_k);
-        const Scalar e28 = e27 * c_.k7;
-        const Scalar e29 = p_.p_s - p_2;
-        const Scalar power_30 = pow(c_.k3 + e29 * e29, -Scalar(1) / Scalar(4));
-        const Scalar step_31 = detail::step<Scalar>(-e29);
-        const Scalar e32 = p_.rho_0 * inverse_21;
-        const Scalar step_33 = detail::step<Scalar>(e29);
-        const Scalar sqrt_34 = sqrt(step_31 * e32 + step_33 * c_.k4);
-        const Scalar e35 = p_.p_t - p_2;
-        const Scalar power_36 = pow(c_.k3 + e35 * e35, -Scalar(1) / Scalar(4));
-        const Scalar step_37 = detail::step<Scalar>(-e35);
-        const Scalar step_38 = detail::step<Scalar>(e35);
-        const Scalar sqrt_39 = sqrt(step_37 * e32 + step_38 * c_.k6);
+        const Scalar max_12 = detail::max<Scalar>(Scalar(0), x_v);
+        const Scalar e13 = max_12 * c_.k5;
+        const Scalar e14 = p_.p_t - p_1;
+        const Scalar step_15 = detail::step<Scalar>(-e14);
+        const Scalar step_16 = detail::step<Scalar>(e14);
+        const Scalar sqrt_17 = sqrt(step_15 * e7 + step_16 * c_.k6);
+        const Scalar sqrt_18 = sqrt(c_.k4 + e14 * e14);
+        const Scalar sqrt_19 = sqrt(sqrt_18);
+        const Scalar max_20 = detail::max<Scalar>(Scalar(0), -x_v);
+        const Scalar e21 = max_20 * c_.k5;
+        const Scalar exp_22 = exp((p_.p_0 - p_2) * c_.k1);
+        const Scalar inverse_23 = Scalar(1) / exp_22;
+        const Scalar e24 = p_.k_l * (p_1 - p_2);
+        const Scalar step_25 = detail::step<Scalar>(-e24);
+        const Scalar e26 = step_25 * e24;
+        const Scalar step_27 = detail::step<Scalar>(e24);
+        const Scalar e28 = step_27 * e24;
+        const Scalar e29 = p_.beta / (c_.k8 - s_k);
+        const Scalar e30 = e29 * c_.k7;
+        const Scalar e31 = p_.p_s - p_2;
+        const Scalar step_32 = detail::step<Scalar>(-e31);
+        const Scalar e33 = p_.rho_0 * inverse_23;
+        const Scalar step_34 = detail::step<Scalar>(e31);
+        const Scalar sqrt_35 = sqrt(step_32 * e33 + step_34 * c_.k3);
+        const Scalar sqrt_36 = sqrt(c_.k4 + e31 * e31);
+        const Scalar sqrt_37 = sqrt(sqrt_36);
+        const Scalar e38 = p_.p_t - p_2;
+        const Scalar step_39 = detail::step<Scalar>(-e38);
+        const Scalar step_40 = detail::step<Scalar>(e38);
+        const Scalar sqrt_41 = sqrt(step_39 * e33 + step_40 * c_.k6);
+        const Scalar sqrt_42 = sqrt(c_.k4 + e38 * e38);
+        const Scalar sqrt_43 = sqrt(sqrt_42);
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        const Scalar e40 = e4 * power_5 * sqrt_10 * e12 + e13 * power_14 * sqrt_17 * e19 - inverse_21 * e24;
-        dxdt[2] = exp_1 * e3 * e40 - s_k_dot * e2 - e3 * e26;
-        const Scalar e41 = e29 * power_30 * sqrt_34 * e19 + e35 * power_36 * sqrt_39 * e12 + inverse_7 * e26;
-        dxdt[3] = exp_20 * e28 * e41 + s_k_dot * e27 + e28 * e24;
+        const Scalar e44 = e4 * sqrt_9 * e13 / sqrt_11 + e14 * sqrt_17 * e21 / sqrt_19 - inverse_23 * e26;
+        dxdt[2] = exp_1 * e3 * e44 - s_k_dot * e2 - e3 * e28;
+        const Scalar e45 = e31 * sqrt_35 * e21 / sqrt_37 + e38 * sqrt_41 * e13 / sqrt_43 + inverse_6 * e28;
+        dxdt[3] = exp_22 * e30 * e45 + s_k_dot * e29 + e30 * e26;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 53 + or -, 107 *, 8 /, 26 other functions
+    /// Operations: 53 + or -, 103 *, 16 /, 26 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar p_1 = x[2];
         const Scalar f_l = u[1];
@@ -441,105 +443,104 @@ public:
         const Scalar inverse_1 = Scalar(1) / s_k;
         const Scalar e2 = p_.beta * s_k_dot;
         const Scalar exp_3 = exp(c_.k1 * (p_.p_0 - p_1));
+        const Scalar e4 = p_.p_t - p_1;
+        const Scalar step_5 = detail::step<Scalar>(e4);
+        const Scalar step_6 = detail::step<Scalar>(-e4);
+        const Scalar inverse_7 = Scalar(1) / exp_3;
+        const Scalar e8 = p_.rho_0 * inverse_7;
+        const Scalar sqrt_9 = sqrt(c_.k6 * step_5 + step_6 * e8);
         const Scalar x_v = u[0];
-        const Scalar max_4 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar e5 = p_.p_t - p_1;
-        const Scalar e6 = max_4 * e5;
-        const Scalar e7 = c_.k3 + e5 * e5;
-        const Scalar power_8 = pow(e7, -Scalar(1) / Scalar(4));
-        const Scalar step_9 = detail::step<Scalar>(e5);
-        const Scalar step_10 = detail::step<Scalar>(-e5);
-        const Scalar inverse_11 = Scalar(1) / exp_3;
-        const Scalar e12 = p_.rho_0 * inverse_11;
-        const Scalar sqrt_13 = sqrt(c_.k6 * step_9 + step_10 * e12);
-        const Scalar e14 = power_8 * sqrt_13;
-        const Scalar max_15 = detail::max<Scalar>(Scalar(0), x_v);
+        const Scalar max_10 = detail::max<Scalar>(Scalar(0), -x_v);
+        const Scalar e11 = c_.k4 + e4 * e4;
+        const Scalar sqrt_12 = sqrt(e11);
+        const Scalar sqrt_13 = sqrt(sqrt_12);
+        const Scalar e14 = max_10 / sqrt_13;
+        const Scalar e15 = e4 * e14;
         const Scalar e16 = p_.p_s - p_1;
-        const Scalar e17 = max_15 * e16;
-        const Scalar e18 = c_.k3 + e16 * e16;
-        const Scalar power_19 = pow(e18, -Scalar(1) / Scalar(4));
-        const Scalar step_20 = detail::step<Scalar>(e16);
-        const Scalar step_21 = detail::step<Scalar>(-e16);
-        const Scalar sqrt_22 = sqrt(c_.k4 * step_20 + step_21 * e12);
-        const Scalar e23 = power_19 * sqrt_22;
-        const Scalar e24 = e6 * e14 + e17 * e23;
-        const Scalar e25 = p_1 - p_2;
-        const Scalar e26 = p_.k_l * e25;
-        const Scalar step_27 = detail::step<Scalar>(e26);
-        const Scalar exp_28 = exp(c_.k1 * (p_.p_0 - p_2));
-        const Scalar inverse_29 = Scalar(1) / exp_28;
-        const Scalar step_30 = detail::step<Scalar>(-e26);
-        const Scalar e31 = inverse_29 * (exp_3 * step_30);
-        const Scalar e32 = c_.k10 * (step_27 + e31);
-        const Scalar e33 = inverse_1 * (e2 - (c_.k9 * exp_3 * e24 - e25 * e32));
-        const Scalar inverse_34 = Scalar(1) / (c_.k8 - s_k);
-        const Scalar e35 = p_.p_s - p_2;
-        const Scalar e36 = max_4 * e35;
-        const Scalar e37 = c_.k3 + e35 * e35;
-        const Scalar power_38 = pow(e37, -Scalar(1) / Scalar(4));
-        const Scalar step_39 = detail::step<Scalar>(e35);
-        const Scalar step_40 = detail::step<Scalar>(-e35);
-        const Scalar e41 = p_.rho_0 * inverse_29;
-        const Scalar sqrt_42 = sqrt(c_.k4 * step_39 + step_40 * e41);
-        const Scalar e43 = power_38 * sqrt_42;
-        const Scalar e44 = p_.p_t - p_2;
-        const Scalar e45 = max_15 * e44;
-        const Scalar e46 = c_.k3 + e44 * e44;
-        const Scalar power_47 = pow(e46, -Scalar(1) / Scalar(4));
-        const Scalar step_48 = detail::step<Scalar>(e44);
-        const Scalar step_49 = detail::step<Scalar>(-e44);
-        const Scalar sqrt_50 = sqrt(c_.k6 * step_48 + step_49 * e41);
-        const Scalar e51 = power_47 * sqrt_50;
-        const Scalar e52 = e36 * e43 + e45 * e51;
-        const Scalar e53 = inverse_11 * (exp_28 * step_27);
-        const Scalar e54 = c_.k12 * (step_30 + e53);
-        const Scalar e55 = inverse_34 * (c_.k11 * exp_28 * e52 + e25 * e54 + e2);
-        const Scalar e56 = -e33;
-        const Scalar e57 = inverse_1 * e33;
-        const Scalar e58 = inverse_34 * e55;
-        const Scalar e59 = (-p_.d_k) * c_.k0;
-        const Scalar e60 = -p_.beta * inverse_1;
-        const Scalar e61 = p_.beta * inverse_34;
-        const Scalar e62 = p_.A_1 * c_.k0;
-        const Scalar e63 = c_.k14 * inverse_1;
-        const Scalar power_64 = pow(e7, -Scalar(5) / Scalar(4));
-        const Scalar e65 = exp_3 * inverse_1;
-        const Scalar e66 = c_.k15 * e65;
-        const Scalar power_67 = pow(e18, -Scalar(5) / Scalar(4));
-        const Scalar e68 = inverse_1 * (e32 - c_.k16 * e25 * e31);
-        const Scalar e69 = e6 * (power_8 * step_10 * e63 / sqrt_13 + e5 * power_64 * sqrt_13 * e66);
-        const Scalar e70 = e17 * (power_19 * step_21 * e63 / sqrt_22 + e16 * power_67 * sqrt_22 * e66);
-        const Scalar e71 = e69 + e70 - c_.k9 * e65 * (max_4 * e14 + max_15 * e23) - c_.k13 * e24 * e65 - e68;
-        const Scalar e72 = inverse_34 * (e54 + c_.k17 * e25 * e53);
+        const Scalar step_17 = detail::step<Scalar>(e16);
+        const Scalar step_18 = detail::step<Scalar>(-e16);
+        const Scalar sqrt_19 = sqrt(c_.k3 * step_17 + step_18 * e8);
+        const Scalar max_20 = detail::max<Scalar>(Scalar(0), x_v);
+        const Scalar e21 = c_.k4 + e16 * e16;
+        const Scalar sqrt_22 = sqrt(e21);
+        const Scalar sqrt_23 = sqrt(sqrt_22);
+        const Scalar e24 = max_20 / sqrt_23;
+        const Scalar e25 = e16 * e24;
+        const Scalar e26 = sqrt_9 * e15 + sqrt_19 * e25;
+        const Scalar e27 = p_1 - p_2;
+        const Scalar e28 = p_.k_l * e27;
+        const Scalar step_29 = detail::step<Scalar>(e28);
+        const Scalar exp_30 = exp(c_.k1 * (p_.p_0 - p_2));
+        const Scalar inverse_31 = Scalar(1) / exp_30;
+        const Scalar step_32 = detail::step<Scalar>(-e28);
+        const Scalar e33 = inverse_31 * (exp_3 * step_32);
+        const Scalar e34 = c_.k10 * (step_29 + e33);
+        const Scalar e35 = inverse_1 * (e2 - (c_.k9 * exp_3 * e26 - e27 * e34));
+        const Scalar inverse_36 = Scalar(1) / (c_.k8 - s_k);
+        const Scalar e37 = p_.p_s - p_2;
+        const Scalar step_38 = detail::step<Scalar>(e37);
+        const Scalar step_39 = detail::step<Scalar>(-e37);
+        const Scalar e40 = p_.rho_0 * inverse_31;
+        const Scalar sqrt_41 = sqrt(c_.k3 * step_38 + step_39 * e40);
+        const Scalar e42 = c_.k4 + e37 * e37;
+        const Scalar sqrt_43 = sqrt(e42);
+        const Scalar sqrt_44 = sqrt(sqrt_43);
+        const Scalar e45 = max_10 / sqrt_44;
+        const Scalar e46 = e37 * e45;
+        const Scalar e47 = p_.p_t - p_2;
+        const Scalar step_48 = detail::step<Scalar>(e47);
+        const Scalar step_49 = detail::step<Scalar>(-e47);
+        const Scalar sqrt_50 = sqrt(c_.k6 * step_48 + step_49 * e40);
+        const Scalar e51 = c_.k4 + e47 * e47;
+        const Scalar sqrt_52 = sqrt(e51);
+        const Scalar sqrt_53 = sqrt(sqrt_52);
+        const Scalar e54 = max_20 / sqrt_53;
+        const Scalar e55 = e47 * e54;
+        const Scalar e56 = sqrt_41 * e46 + sqrt_50 * e55;
+        const Scalar e57 = inverse_7 * (exp_30 * step_29);
+        const Scalar e58 = c_.k12 * (step_32 + e57);
+        const Scalar e59 = inverse_36 * (c_.k11 * exp_30 * e56 + e27 * e58 + e2);
+        const Scalar e60 = -e35;
+        const Scalar e61 = inverse_1 * e35;
+        const Scalar e62 = inverse_36 * e59;
+        const Scalar e63 = (-p_.d_k) * c_.k0;
+        const Scalar e64 = -p_.beta * inverse_1;
+        const Scalar e65 = p_.beta * inverse_36;
+        const Scalar e66 = p_.A_1 * c_.k0;
+        const Scalar e67 = exp_3 * inverse_1;
+        const Scalar e68 = sqrt_9 * e67;
+        const Scalar e69 = sqrt_19 * e67;
+        const Scalar e70 = inverse_1 * (e34 - c_.k16 * e27 * e33);
+        const Scalar e71 = c_.k15 * (e4 * e15 * e68 / e11 + e16 * e25 * e69 / e21) - c_.k9 * (e14 * e68 + e24 * e69) + c_.k14
+            * inverse_1 * (step_6 * e15 / sqrt_9 + step_18 * e25 / sqrt_19) - c_.k13 * e26 * e67 - e70;
+        const Scalar e72 = inverse_36 * (e58 + c_.k17 * e27 * e57);
         const Scalar e73 = (-p_.A_2) * c_.k0;
-        const Scalar e74 = c_.k19 * inverse_34;
-        const Scalar power_75 = pow(e37, -Scalar(5) / Scalar(4));
-        const Scalar e76 = exp_28 * inverse_34;
-        const Scalar e77 = c_.k20 * e76;
-        const Scalar power_78 = pow(e46, -Scalar(5) / Scalar(4));
-        const Scalar e79 = e36 * (power_38 * step_40 * e74 / sqrt_42 + e35 * power_75 * sqrt_42 * e77);
-        const Scalar e80 = e45 * (power_47 * step_49 * e74 / sqrt_50 + e44 * power_78 * sqrt_50 * e77);
-        const Scalar e81 = e79 + e80 - c_.k11 * e76 * (max_4 * e43 + max_15 * e51) - c_.k18 * e52 * e76 - e72;
+        const Scalar e74 = exp_30 * inverse_36;
+        const Scalar e75 = sqrt_41 * e74;
+        const Scalar e76 = sqrt_50 * e74;
+        const Scalar e77 = c_.k19 * inverse_36 * (step_39 * e46 / sqrt_41 + step_49 * e55 / sqrt_50);
+        const Scalar e78 = c_.k20 * (e37 * e46 * e75 / e42 + e47 * e55 * e76 / e51) - c_.k11 * (e45 * e75 + e54 * e76) + e77
+            - c_.k18 * e56 * e74 - e72;
         dxdt[0] = x[1];
         dxdt[1] = s_k_ddot;
-        dxdt[2] = e56;
-        dxdt[3] = e55;
+        dxdt[2] = e60;
+        dxdt[3] = e59;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e57;
-        J[3] = e58;
+        J[2] = e61;
+        J[3] = e62;
         J[4] = Scalar(1);
-        J[5] = e59;
-        J[6] = e60;
-        J[7] = e61;
+        J[5] = e63;
+        J[6] = e64;
+        J[7] = e65;
         J[8] = Scalar(0);
-        J[9] = e62;
+        J[9] = e66;
         J[10] = e71;
         J[11] = e72;
         J[12] = Scalar(0);
         J[13] = e73;
-        J[14] = e68;
-        J[15] = e81;
+        J[14] = e70;
+        J[15] = e78;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -549,10 +550,9 @@ public:
     }
 
     /// J = df/du. 4 x 2, entry (i, j) at J[4*j + i].
-    /// Operations: 24 + or -, 35 *, 4 /, 20 other functions
+    /// Operations: 24 + or -, 35 *, 8 /, 24 other functions
     void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar s_k = x[0];
         const Scalar p_1 = x[2];
@@ -560,36 +560,41 @@ public:
         const Scalar x_v = u[0];
         const Scalar step_2 = detail::step<Scalar>(-x_v);
         const Scalar e3 = p_.p_t - p_1;
-        const Scalar power_4 = pow(c_.k3 + e3 * e3, -Scalar(1) / Scalar(4));
-        const Scalar step_5 = detail::step<Scalar>(e3);
-        const Scalar step_6 = detail::step<Scalar>(-e3);
-        const Scalar e7 = p_.rho_0 / exp_1;
-        const Scalar sqrt_8 = sqrt(c_.k6 * step_5 + step_6 * e7);
+        const Scalar step_4 = detail::step<Scalar>(e3);
+        const Scalar step_5 = detail::step<Scalar>(-e3);
+        const Scalar e6 = p_.rho_0 / exp_1;
+        const Scalar sqrt_7 = sqrt(c_.k6 * step_4 + step_5 * e6);
+        const Scalar sqrt_8 = sqrt(c_.k4 + e3 * e3);
+        const Scalar sqrt_9 = sqrt(sqrt_8);
         const Scalar step_x_v = detail::step<Scalar>(x_v);
-        const Scalar e9 = p_.p_s - p_1;
-        const Scalar power_10 = pow(c_.k3 + e9 * e9, -Scalar(1) / Scalar(4));
-        const Scalar step_11 = detail::step<Scalar>(e9);
-        const Scalar step_12 = detail::step<Scalar>(-e9);
-        const Scalar sqrt_13 = sqrt(c_.k4 * step_11 + step_12 * e7);
+        const Scalar e10 = p_.p_s - p_1;
+        const Scalar step_11 = detail::step<Scalar>(e10);
+        const Scalar step_12 = detail::step<Scalar>(-e10);
+        const Scalar sqrt_13 = sqrt(c_.k3 * step_11 + step_12 * e6);
+        const Scalar sqrt_14 = sqrt(c_.k4 + e10 * e10);
+        const Scalar sqrt_15 = sqrt(sqrt_14);
         const Scalar p_2 = x[3];
-        const Scalar exp_14 = exp(c_.k1 * (p_.p_0 - p_2));
-        const Scalar e15 = p_.p_s - p_2;
-        const Scalar power_16 = pow(c_.k3 + e15 * e15, -Scalar(1) / Scalar(4));
-        const Scalar step_17 = detail::step<Scalar>(e15);
-        const Scalar step_18 = detail::step<Scalar>(-e15);
-        const Scalar e19 = p_.rho_0 / exp_14;
-        const Scalar sqrt_20 = sqrt(c_.k4 * step_17 + step_18 * e19);
-        const Scalar e21 = p_.p_t - p_2;
-        const Scalar power_22 = pow(c_.k3 + e21 * e21, -Scalar(1) / Scalar(4));
-        const Scalar step_23 = detail::step<Scalar>(e21);
-        const Scalar step_24 = detail::step<Scalar>(-e21);
-        const Scalar sqrt_25 = sqrt(c_.k6 * step_23 + step_24 * e19);
+        const Scalar exp_16 = exp(c_.k1 * (p_.p_0 - p_2));
+        const Scalar e17 = p_.p_s - p_2;
+        const Scalar step_18 = detail::step<Scalar>(e17);
+        const Scalar step_19 = detail::step<Scalar>(-e17);
+        const Scalar e20 = p_.rho_0 / exp_16;
+        const Scalar sqrt_21 = sqrt(c_.k3 * step_18 + step_19 * e20);
+        const Scalar sqrt_22 = sqrt(c_.k4 + e17 * e17);
+        const Scalar sqrt_23 = sqrt(sqrt_22);
+        const Scalar e24 = p_.p_t - p_2;
+        const Scalar step_25 = detail::step<Scalar>(e24);
+        const Scalar step_26 = detail::step<Scalar>(-e24);
+        const Scalar sqrt_27 = sqrt(c_.k6 * step_25 + step_26 * e20);
+        const Scalar sqrt_28 = sqrt(c_.k4 + e24 * e24);
+        const Scalar sqrt_29 = sqrt(sqrt_28);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        const Scalar e26 = c_.k9 * exp_1 / s_k * (step_2 * e3 * power_4 * sqrt_8 - step_x_v * e9 * power_10 * sqrt_13);
-        J[2] = -e26;
-        const Scalar e27 = step_2 * e15 * power_16 * sqrt_20 - step_x_v * e21 * power_22 * sqrt_25;
-        J[3] = -c_.k11 * exp_14 / (c_.k8 - s_k) * e27;
+        const Scalar e30 = c_.k9 * exp_1 / s_k * (step_2 * e3 * sqrt_7 / sqrt_9 - step_x_v * e10 * sqrt_13 / sqrt_15);
+        J[2] = -e30;
+        const Scalar e31 = c_.k11 * exp_16 / (c_.k8 - s_k)
+            * (step_2 * e17 * sqrt_21 / sqrt_23 - step_x_v * e24 * sqrt_27 / sqrt_29);
+        J[3] = -e31;
         J[4] = Scalar(0);
         J[5] = (-Scalar(1)) * c_.k0;
         J[6] = Scalar(0);
@@ -597,10 +602,9 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 15, entry (i, j) at J[4*j + i].
-    /// Operations: 78 + or -, 212 *, 14 /, 29 other functions
+    /// Operations: 78 + or -, 210 *, 22 /, 29 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         State dxdt;
         rhs(x, u, t, dxdt);
@@ -637,156 +641,158 @@ public:
         const Scalar inverse_27 = Scalar(1) / exp_9;
         const Scalar e28 = p_.rho_0 * inverse_27;
         const Scalar sqrt_29 = sqrt(c_.k6 * step_25 + step_26 * e28);
-        const Scalar e30 = c_.k3 + e24 * e24;
-        const Scalar power_31 = pow(e30, -Scalar(1) / Scalar(4));
         const Scalar x_v = u[0];
-        const Scalar max_32 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar e33 = max_32 * e24;
-        const Scalar e34 = power_31 * e33;
-        const Scalar e35 = p_.p_s - p_1;
-        const Scalar step_36 = detail::step<Scalar>(e35);
-        const Scalar step_37 = detail::step<Scalar>(-e35);
-        const Scalar sqrt_38 = sqrt(c_.k4 * step_36 + step_37 * e28);
-        const Scalar e39 = c_.k3 + e35 * e35;
-        const Scalar power_40 = pow(e39, -Scalar(1) / Scalar(4));
-        const Scalar max_41 = detail::max<Scalar>(Scalar(0), x_v);
-        const Scalar e42 = max_41 * e35;
-        const Scalar e43 = power_40 * e42;
-        const Scalar e44 = (sqrt_29 * e34 + sqrt_38 * e43) * e10;
-        const Scalar inverse_45 = Scalar(1) / p_.A_2;
-        const Scalar e46 = inverse_45 * e21;
-        const Scalar e47 = e18 * e46;
-        const Scalar e48 = p_.p_s - p_2;
-        const Scalar step_49 = detail::step<Scalar>(e48);
-        const Scalar step_50 = detail::step<Scalar>(-e48);
-        const Scalar e51 = p_.rho_0 * inverse_14;
-        const Scalar sqrt_52 = sqrt(c_.k4 * step_49 + step_50 * e51);
-        const Scalar e53 = c_.k3 + e48 * e48;
-        const Scalar power_54 = pow(e53, -Scalar(1) / Scalar(4));
-        const Scalar e55 = max_32 * e48;
-        const Scalar e56 = power_54 * e55;
-        const Scalar e57 = p_.p_t - p_2;
-        const Scalar step_58 = detail::step<Scalar>(e57);
-        const Scalar step_59 = detail::step<Scalar>(-e57);
-        const Scalar sqrt_60 = sqrt(c_.k6 * step_58 + step_59 * e51);
-        const Scalar e61 = c_.k3 + e57 * e57;
-        const Scalar power_62 = pow(e61, -Scalar(1) / Scalar(4));
-        const Scalar e63 = max_41 * e57;
-        const Scalar e64 = power_62 * e63;
-        const Scalar inverse_65 = Scalar(1) / (c_.k8 - s_k);
-        const Scalar e66 = exp_13 * inverse_65;
-        const Scalar e67 = (sqrt_52 * e56 + sqrt_60 * e64) * e66;
-        const Scalar e68 = p_.beta * inverse_45;
-        const Scalar e69 = p_.k_l * inverse_45;
-        const Scalar e70 = step_6 * inverse_27;
-        const Scalar e71 = e4 * (step_11 + exp_13 * e70);
-        const Scalar e72 = inverse_65 * e71;
-        const Scalar e73 = inverse_65 * (c_.k11 * e67 + inverse_65 * (p_.beta * s_k_dot + c_.k12 * e71));
-        const Scalar e74 = p_.p_0 - p_.p_t;
-        const Scalar inverse_75 = Scalar(1) / p_.beta;
-        const Scalar exp_76 = exp(e74 * inverse_75);
-        const Scalar inverse_77 = Scalar(1) / exp_76;
-        const Scalar e78 = e34 / sqrt_29;
-        const Scalar e79 = e78 * (step_25 * e10);
-        const Scalar e80 = p_.p_0 - p_.p_s;
-        const Scalar exp_81 = exp(e80 * inverse_75);
-        const Scalar inverse_82 = Scalar(1) / exp_81;
-        const Scalar e83 = e43 / sqrt_38;
-        const Scalar e84 = e83 * (step_36 * e10);
-        const Scalar e85 = inverse_7 * (step_26 * e78 + step_37 * e83);
-        const Scalar e86 = e56 / sqrt_52;
-        const Scalar e87 = e86 * (step_49 * e66);
-        const Scalar e88 = e64 / sqrt_60;
-        const Scalar e89 = e88 * (step_58 * e66);
-        const Scalar e90 = inverse_65 * (step_50 * e86 + step_59 * e88);
-        const Scalar e91 = inverse_75 * e22;
-        const Scalar e92 = e74 * inverse_77;
-        const Scalar e93 = e80 * inverse_82;
-        const Scalar e94 = c_.k13 * e44;
-        const Scalar e95 = e4 * (e8 - e12);
-        const Scalar e96 = inverse_75 * e46;
-        const Scalar e97 = c_.k18 * e67;
-        const Scalar e98 = (Scalar(1) / Scalar(2)) * inverse_77 * e22 * e79;
-        const Scalar e99 = (Scalar(1) / Scalar(2)) * inverse_82 * e22 * e84;
-        const Scalar e100 = (Scalar(1) / Scalar(2)) * inverse_82 * e46 * e87;
-        const Scalar e101 = (Scalar(1) / Scalar(2)) * inverse_77 * e46 * e89;
-        const Scalar e102 = sqrt_38 * e10;
-        const Scalar power_103 = pow(e39, -Scalar(5) / Scalar(4));
-        const Scalar e104 = e102 * (power_103 * e42);
-        const Scalar e105 = sqrt_52 * e66;
-        const Scalar power_106 = pow(e53, -Scalar(5) / Scalar(4));
-        const Scalar e107 = e105 * (power_106 * e55);
-        const Scalar e108 = sqrt_29 * e10;
-        const Scalar power_109 = pow(e30, -Scalar(5) / Scalar(4));
-        const Scalar e110 = e108 * (power_109 * e33);
-        const Scalar e111 = sqrt_60 * e66;
-        const Scalar power_112 = pow(e61, -Scalar(5) / Scalar(4));
-        const Scalar e113 = e111 * (power_112 * e63);
-        const Scalar e114 = p_.alpha_d * sqrt_19;
-        const Scalar e115 = inverse_1 * e18;
-        const Scalar e116 = inverse_45 * e18;
+        const Scalar max_30 = detail::max<Scalar>(Scalar(0), -x_v);
+        const Scalar e31 = c_.k4 + e24 * e24;
+        const Scalar sqrt_32 = sqrt(e31);
+        const Scalar sqrt_33 = sqrt(sqrt_32);
+        const Scalar e34 = max_30 / sqrt_33;
+        const Scalar e35 = e24 * e34;
+        const Scalar e36 = p_.p_s - p_1;
+        const Scalar step_37 = detail::step<Scalar>(e36);
+        const Scalar step_38 = detail::step<Scalar>(-e36);
+        const Scalar sqrt_39 = sqrt(c_.k3 * step_37 + step_38 * e28);
+        const Scalar max_40 = detail::max<Scalar>(Scalar(0), x_v);
+        const Scalar e41 = c_.k4 + e36 * e36;
+        const Scalar sqrt_42 = sqrt(e41);
+        const Scalar sqrt_43 = sqrt(sqrt_42);
+        const Scalar e44 = max_40 / sqrt_43;
+        const Scalar e45 = e36 * e44;
+        const Scalar e46 = (sqrt_29 * e35 + sqrt_39 * e45) * e10;
+        const Scalar inverse_47 = Scalar(1) / p_.A_2;
+        const Scalar e48 = inverse_47 * e21;
+        const Scalar e49 = e18 * e48;
+        const Scalar e50 = p_.p_s - p_2;
+        const Scalar step_51 = detail::step<Scalar>(e50);
+        const Scalar step_52 = detail::step<Scalar>(-e50);
+        const Scalar e53 = p_.rho_0 * inverse_14;
+        const Scalar sqrt_54 = sqrt(c_.k3 * step_51 + step_52 * e53);
+        const Scalar e55 = c_.k4 + e50 * e50;
+        const Scalar sqrt_56 = sqrt(e55);
+        const Scalar sqrt_57 = sqrt(sqrt_56);
+        const Scalar e58 = max_30 / sqrt_57;
+        const Scalar e59 = e50 * e58;
+        const Scalar e60 = p_.p_t - p_2;
+        const Scalar step_61 = detail::step<Scalar>(e60);
+        const Scalar step_62 = detail::step<Scalar>(-e60);
+        const Scalar sqrt_63 = sqrt(c_.k6 * step_61 + step_62 * e53);
+        const Scalar e64 = c_.k4 + e60 * e60;
+        const Scalar sqrt_65 = sqrt(e64);
+        const Scalar sqrt_66 = sqrt(sqrt_65);
+        const Scalar e67 = max_40 / sqrt_66;
+        const Scalar e68 = e60 * e67;
+        const Scalar inverse_69 = Scalar(1) / (c_.k8 - s_k);
+        const Scalar e70 = exp_13 * inverse_69;
+        const Scalar e71 = (sqrt_54 * e59 + sqrt_63 * e68) * e70;
+        const Scalar e72 = p_.beta * inverse_47;
+        const Scalar e73 = p_.k_l * inverse_47;
+        const Scalar e74 = step_6 * inverse_27;
+        const Scalar e75 = e4 * (step_11 + exp_13 * e74);
+        const Scalar e76 = inverse_69 * e75;
+        const Scalar e77 = inverse_69 * (c_.k11 * e71 + inverse_69 * (p_.beta * s_k_dot + c_.k12 * e75));
+        const Scalar e78 = p_.p_0 - p_.p_t;
+        const Scalar inverse_79 = Scalar(1) / p_.beta;
+        const Scalar exp_80 = exp(e78 * inverse_79);
+        const Scalar inverse_81 = Scalar(1) / exp_80;
+        const Scalar e82 = e10 * e35;
+        const Scalar inverse_83 = Scalar(1) / sqrt_29;
+        const Scalar e84 = e82 * (step_25 * inverse_83);
+        const Scalar e85 = p_.p_0 - p_.p_s;
+        const Scalar exp_86 = exp(e85 * inverse_79);
+        const Scalar inverse_87 = Scalar(1) / exp_86;
+        const Scalar e88 = e10 * e45;
+        const Scalar inverse_89 = Scalar(1) / sqrt_39;
+        const Scalar e90 = e88 * (step_37 * inverse_89);
+        const Scalar e91 = inverse_7 * (step_26 * inverse_83 * e35 + step_38 * inverse_89 * e45);
+        const Scalar e92 = e70 * e59;
+        const Scalar inverse_93 = Scalar(1) / sqrt_54;
+        const Scalar e94 = e92 * (step_51 * inverse_93);
+        const Scalar e95 = e70 * e68;
+        const Scalar inverse_96 = Scalar(1) / sqrt_63;
+        const Scalar e97 = e95 * (step_61 * inverse_96);
+        const Scalar e98 = inverse_69 * (step_52 * inverse_93 * e59 + step_62 * inverse_96 * e68);
+        const Scalar e99 = inverse_79 * e22;
+        const Scalar e100 = e78 * inverse_81;
+        const Scalar e101 = e85 * inverse_87;
+        const Scalar e102 = c_.k13 * e46;
+        const Scalar e103 = e4 * (e8 - e12);
+        const Scalar e104 = inverse_79 * e48;
+        const Scalar e105 = c_.k18 * e71;
+        const Scalar e106 = (Scalar(1) / Scalar(2)) * inverse_81 * e22 * e84;
+        const Scalar e107 = (Scalar(1) / Scalar(2)) * inverse_87 * e22 * e90;
+        const Scalar e108 = (Scalar(1) / Scalar(2)) * inverse_87 * e48 * e94;
+        const Scalar e109 = (Scalar(1) / Scalar(2)) * inverse_81 * e48 * e97;
+        const Scalar e110 = c_.k9 * e10;
+        const Scalar e111 = e88 * (sqrt_39 / e41);
+        const Scalar e112 = c_.k11 * e70;
+        const Scalar e113 = e92 * (sqrt_54 / e55);
+        const Scalar e114 = e82 * (sqrt_29 / e31);
+        const Scalar e115 = e95 * (sqrt_63 / e64);
+        const Scalar e116 = p_.alpha_d * sqrt_19;
+        const Scalar e117 = inverse_1 * e18;
+        const Scalar e118 = inverse_47 * e18;
         J[0] = Scalar(0);
         J[1] = p_1 * c_.k0;
-        J[2] = e2 * e3 * e16 - inverse_1 * e23 * e44;
+        J[2] = e2 * e3 * e16 - inverse_1 * e23 * e46;
         J[3] = Scalar(0);
         J[4] = Scalar(0);
         J[5] = (-p_2) * c_.k0;
         J[6] = Scalar(0);
-        J[7] = -inverse_45 * e47 * e67 - e68 * e69 * e72;
+        J[7] = -inverse_47 * e49 * e71 - e72 * e73 * e76;
         J[8] = Scalar(0);
         J[9] = Scalar(0);
         J[10] = Scalar(0);
-        J[11] = -e73;
+        J[11] = -e77;
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = e73;
+        J[15] = e77;
         J[16] = Scalar(0);
         J[17] = (-dxdt[1]) * c_.k0;
         J[18] = Scalar(0);
         J[19] = Scalar(0);
         J[20] = Scalar(0);
         J[21] = Scalar(0);
-        J[22] = (Scalar(1) / Scalar(2)) * inverse_77 * e23 * e79 - inverse_17 * e23 * e44 + (Scalar(1) / Scalar(2))
-            * inverse_82 * e23 * e84 + c_.k15 * e85;
-        J[23] = (Scalar(1) / Scalar(2)) * inverse_82 * e47 * e87 - inverse_17 * e47 * e67 + (Scalar(1) / Scalar(2))
-            * inverse_77 * e47 * e89 + c_.k20 * e90;
+        J[22] = (Scalar(1) / Scalar(2)) * inverse_81 * e23 * e84 - inverse_17 * e23 * e46 + (Scalar(1) / Scalar(2))
+            * inverse_87 * e23 * e90 + c_.k15 * e91;
+        J[23] = (Scalar(1) / Scalar(2)) * inverse_87 * e49 * e94 - inverse_17 * e49 * e71 + (Scalar(1) / Scalar(2))
+            * inverse_81 * e49 * e97 + c_.k20 * e98;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = (Scalar(1) / Scalar(2)) * e91 * e92 * e79 - e8 * (inverse_17 * e91 * e44 - (Scalar(1) / Scalar(2)) * e91 * e85)
-            - s_k_dot * inverse_7 + (Scalar(1) / Scalar(2)) * e91 * e93 * e84 - c_.k16 * e16 + e94 + inverse_75 * e3 * e95
-            * e15;
-        J[27] = s_k_dot * inverse_65 - e12 * (inverse_17 * e96 * e67 - (Scalar(1) / Scalar(2)) * e96 * e90)
-            + (Scalar(1) / Scalar(2)) * e96 * e93 * e87 + (Scalar(1) / Scalar(2)) * e96 * e92 * e89 + c_.k17 * e72 + inverse_75
-            * e69 * e66 * e70 * e95 + e97;
+        J[26] = (Scalar(1) / Scalar(2)) * e99 * e100 * e84 - e8
+            * (inverse_17 * e99 * e46 - (Scalar(1) / Scalar(2)) * e99 * e91) - s_k_dot * inverse_7 + (Scalar(1) / Scalar(2))
+            * e99 * e101 * e90 - c_.k16 * e16 + e102 + inverse_79 * e3 * e103 * e15;
+        J[27] = s_k_dot * inverse_69 - e12 * (inverse_17 * e104 * e71 - (Scalar(1) / Scalar(2)) * e104 * e98)
+            + (Scalar(1) / Scalar(2)) * e104 * e101 * e94 + (Scalar(1) / Scalar(2)) * e104 * e100 * e97 + c_.k17 * e76
+            + inverse_79 * e73 * e70 * e74 * e103 + e105;
         J[28] = Scalar(0);
         J[29] = Scalar(0);
-        J[30] = e94 - c_.k14 * e85 - e98 - e99;
-        J[31] = e97 - c_.k19 * e90 - e100 - e101;
+        J[30] = e102 - c_.k14 * e91 - e106 - e107;
+        J[31] = e105 - c_.k19 * e98 - e108 - e109;
         J[32] = Scalar(0);
         J[33] = Scalar(0);
-        J[34] = c_.k9 * max_41 * power_40 * e102 + e99 - c_.k15 * e35 * e104;
-        J[35] = c_.k11 * max_32 * power_54 * e105 + e100 - c_.k20 * e48 * e107;
+        J[34] = sqrt_39 * e44 * e110 + e107 - c_.k15 * e36 * e111;
+        J[35] = sqrt_54 * e58 * e112 + e108 - c_.k20 * e50 * e113;
         J[36] = Scalar(0);
         J[37] = Scalar(0);
-        J[38] = c_.k9 * max_32 * power_31 * e108 + e98 - c_.k15 * e24 * e110;
-        J[39] = c_.k11 * max_41 * power_62 * e111 + e101 - c_.k20 * e57 * e113;
+        J[38] = sqrt_29 * e34 * e110 + e106 - c_.k15 * e24 * e114;
+        J[39] = sqrt_63 * e67 * e112 + e109 - c_.k20 * e60 * e115;
         J[40] = Scalar(0);
         J[41] = Scalar(0);
-        J[42] = e114 * e115 * e44;
-        J[43] = e114 * e116 * e67;
+        J[42] = e116 * e117 * e46;
+        J[43] = e116 * e118 * e71;
         J[44] = Scalar(0);
         J[45] = Scalar(0);
-        J[46] = e20 * e115 * e44;
-        J[47] = e20 * e116 * e67;
+        J[46] = e20 * e117 * e46;
+        J[47] = e20 * e118 * e71;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = -(Scalar(1) / Scalar(2)) * p_.p_w * e23 * (e110 + e104);
-        J[51] = -(Scalar(1) / Scalar(2)) * p_.p_w * e47 * (e107 + e113);
+        J[50] = -(Scalar(1) / Scalar(2)) * p_.p_w * e23 * (e114 + e111);
+        J[51] = -(Scalar(1) / Scalar(2)) * p_.p_w * e49 * (e113 + e115);
         J[52] = Scalar(0);
         J[53] = Scalar(0);
         J[54] = -e2 * e16;
-        J[55] = e68 * e72;
+        J[55] = e72 * e76;
         J[56] = Scalar(0);
         J[57] = (-s_k_dot) * c_.k0;
         J[58] = Scalar(0);
@@ -828,7 +834,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 28 + or -, 40 *, 2 /, 22 other functions
+    /// Operations: 28 + or -, 40 *, 6 /, 26 other functions
     ///     v_k = dot(s_k)
     ///     f_h = A_1*p_1 - A_2*p_2
     ///     m_1 = w*alpha_d*sqrt(2)*max(0, -x_v)*(p_t - p_1)*(p_w^2 + (p_t - p_1)^2)^(-1/4)*sqrt(rho_0*step(p_t - p_1)/exp((p_0 -
@@ -847,124 +853,131 @@ public:
     ///     p_1)/exp((p_0 - p_s)/beta) + rho_0*step(-p_s + p_1)/exp((p_0 - p_1)/beta))/rho_0
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar s_k_dot = x[1];
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
         const Scalar e1 = p_.p_t - p_1;
-        const Scalar power_2 = pow(c_.k3 + e1 * e1, -Scalar(1) / Scalar(4));
-        const Scalar step_3 = detail::step<Scalar>(e1);
-        const Scalar step_4 = detail::step<Scalar>(-e1);
-        const Scalar exp_5 = exp(c_.k1 * (p_.p_0 - p_1));
-        const Scalar inverse_6 = Scalar(1) / exp_5;
-        const Scalar e7 = p_.rho_0 * inverse_6;
-        const Scalar sqrt_8 = sqrt(c_.k6 * step_3 + step_4 * e7);
+        const Scalar step_2 = detail::step<Scalar>(e1);
+        const Scalar step_3 = detail::step<Scalar>(-e1);
+        const Scalar exp_4 = exp(c_.k1 * (p_.p_0 - p_1));
+        const Scalar inverse_5 = Scalar(1) / exp_4;
+        const Scalar e6 = p_.rho_0 * inverse_5;
+        const Scalar sqrt_7 = sqrt(c_.k6 * step_2 + step_3 * e6);
+        const Scalar sqrt_8 = sqrt(c_.k4 + e1 * e1);
+        const Scalar sqrt_9 = sqrt(sqrt_8);
         const Scalar x_v = u[0];
-        const Scalar max_9 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar e10 = c_.k21 * max_9;
-        const Scalar e11 = p_1 - p_2;
-        const Scalar e12 = p_.k_l * e11;
-        const Scalar step_13 = detail::step<Scalar>(-e12);
-        const Scalar exp_14 = exp(c_.k1 * (p_.p_0 - p_2));
-        const Scalar inverse_15 = Scalar(1) / exp_14;
-        const Scalar step_16 = detail::step<Scalar>(e12);
-        const Scalar e17 = (step_13 * inverse_15 + step_16 * inverse_6) * (c_.k22 * e11);
-        const Scalar max_18 = detail::max<Scalar>(Scalar(0), x_v);
-        const Scalar e19 = c_.k21 * max_18;
-        const Scalar e20 = p_.p_s - p_1;
-        const Scalar step_21 = detail::step<Scalar>(e20);
-        const Scalar step_22 = detail::step<Scalar>(-e20);
-        const Scalar sqrt_23 = sqrt(c_.k4 * step_21 + step_22 * e7);
-        const Scalar power_24 = pow(c_.k3 + e20 * e20, -Scalar(1) / Scalar(4));
-        const Scalar e25 = sqrt_23 * (e20 * power_24);
-        const Scalar e26 = p_.p_t - p_2;
-        const Scalar power_27 = pow(c_.k3 + e26 * e26, -Scalar(1) / Scalar(4));
-        const Scalar step_28 = detail::step<Scalar>(e26);
-        const Scalar step_29 = detail::step<Scalar>(-e26);
-        const Scalar e30 = p_.rho_0 * inverse_15;
-        const Scalar sqrt_31 = sqrt(c_.k6 * step_28 + step_29 * e30);
-        const Scalar e32 = p_.p_s - p_2;
-        const Scalar step_33 = detail::step<Scalar>(e32);
-        const Scalar step_34 = detail::step<Scalar>(-e32);
-        const Scalar sqrt_35 = sqrt(c_.k4 * step_33 + step_34 * e30);
-        const Scalar power_36 = pow(c_.k3 + e32 * e32, -Scalar(1) / Scalar(4));
-        const Scalar e37 = sqrt_35 * (e32 * power_36);
+        const Scalar max_10 = detail::max<Scalar>(Scalar(0), -x_v);
+        const Scalar e11 = c_.k21 * max_10;
+        const Scalar e12 = p_1 - p_2;
+        const Scalar e13 = p_.k_l * e12;
+        const Scalar step_14 = detail::step<Scalar>(-e13);
+        const Scalar exp_15 = exp(c_.k1 * (p_.p_0 - p_2));
+        const Scalar inverse_16 = Scalar(1) / exp_15;
+        const Scalar step_17 = detail::step<Scalar>(e13);
+        const Scalar e18 = (step_14 * inverse_16 + step_17 * inverse_5) * (c_.k22 * e12);
+        const Scalar max_19 = detail::max<Scalar>(Scalar(0), x_v);
+        const Scalar e20 = c_.k21 * max_19;
+        const Scalar e21 = p_.p_s - p_1;
+        const Scalar sqrt_22 = sqrt(c_.k4 + e21 * e21);
+        const Scalar sqrt_23 = sqrt(sqrt_22);
+        const Scalar step_24 = detail::step<Scalar>(e21);
+        const Scalar step_25 = detail::step<Scalar>(-e21);
+        const Scalar sqrt_26 = sqrt(c_.k3 * step_24 + step_25 * e6);
+        const Scalar e27 = e21 * sqrt_26 / sqrt_23;
+        const Scalar e28 = p_.p_t - p_2;
+        const Scalar step_29 = detail::step<Scalar>(e28);
+        const Scalar step_30 = detail::step<Scalar>(-e28);
+        const Scalar e31 = p_.rho_0 * inverse_16;
+        const Scalar sqrt_32 = sqrt(c_.k6 * step_29 + step_30 * e31);
+        const Scalar sqrt_33 = sqrt(c_.k4 + e28 * e28);
+        const Scalar sqrt_34 = sqrt(sqrt_33);
+        const Scalar e35 = p_.p_s - p_2;
+        const Scalar sqrt_36 = sqrt(c_.k4 + e35 * e35);
+        const Scalar sqrt_37 = sqrt(sqrt_36);
+        const Scalar step_38 = detail::step<Scalar>(e35);
+        const Scalar step_39 = detail::step<Scalar>(-e35);
+        const Scalar sqrt_40 = sqrt(c_.k3 * step_38 + step_39 * e31);
+        const Scalar e41 = e35 * sqrt_40 / sqrt_37;
         y[0] = s_k_dot;
         y[1] = p_.A_1 * p_1 - p_.A_2 * p_2;
-        y[2] = e1 * power_2 * sqrt_8 * e10 - e17 + e19 * e25;
-        y[3] = e26 * power_27 * sqrt_31 * e19 + e17 + e10 * e37;
-        y[4] = c_.k23 * (max_9 * e37 + max_18 * e25);
+        y[2] = e1 * sqrt_7 * e11 / sqrt_9 - e18 + e20 * e27;
+        y[3] = e28 * sqrt_32 * e20 / sqrt_34 + e18 + e11 * e41;
+        y[4] = c_.k23 * (max_10 * e41 + max_19 * e27);
     }
 
     /// C = dh/dx.
-    /// Operations: 41 + or -, 75 *, 6 /, 26 other functions
+    /// Operations: 41 + or -, 67 *, 14 /, 26 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar p_1 = x[2];
         const Scalar e1 = p_.p_t - p_1;
-        const Scalar e2 = c_.k3 + e1 * e1;
-        const Scalar power_3 = pow(e2, -Scalar(1) / Scalar(4));
-        const Scalar step_4 = detail::step<Scalar>(e1);
-        const Scalar step_5 = detail::step<Scalar>(-e1);
-        const Scalar exp_6 = exp(c_.k1 * (p_.p_0 - p_1));
-        const Scalar inverse_7 = Scalar(1) / exp_6;
-        const Scalar e8 = step_5 * inverse_7;
-        const Scalar sqrt_9 = sqrt(c_.k6 * step_4 + p_.rho_0 * e8);
+        const Scalar step_2 = detail::step<Scalar>(e1);
+        const Scalar step_3 = detail::step<Scalar>(-e1);
+        const Scalar exp_4 = exp(c_.k1 * (p_.p_0 - p_1));
+        const Scalar inverse_5 = Scalar(1) / exp_4;
+        const Scalar e6 = step_3 * inverse_5;
+        const Scalar sqrt_7 = sqrt(c_.k6 * step_2 + p_.rho_0 * e6);
         const Scalar x_v = u[0];
-        const Scalar max_10 = detail::max<Scalar>(Scalar(0), -x_v);
-        const Scalar e11 = max_10 * e1;
-        const Scalar e12 = p_.p_s - p_1;
-        const Scalar e13 = c_.k3 + e12 * e12;
-        const Scalar power_14 = pow(e13, -Scalar(1) / Scalar(4));
-        const Scalar step_15 = detail::step<Scalar>(e12);
-        const Scalar step_16 = detail::step<Scalar>(-e12);
-        const Scalar e17 = step_16 * inverse_7;
-        const Scalar sqrt_18 = sqrt(c_.k4 * step_15 + p_.rho_0 * e17);
-        const Scalar max_19 = detail::max<Scalar>(Scalar(0), x_v);
-        const Scalar e20 = max_19 * e12;
-        const Scalar e21 = power_14 / sqrt_18 * (e20 * e17);
-        const Scalar power_22 = pow(e2, -Scalar(5) / Scalar(4));
-        const Scalar power_23 = pow(e13, -Scalar(5) / Scalar(4));
-        const Scalar e24 = e12 * power_23 * (sqrt_18 * e20);
+        const Scalar max_8 = detail::max<Scalar>(Scalar(0), -x_v);
+        const Scalar e1_squared = e1 * e1;
+        const Scalar e9 = c_.k4 + e1_squared;
+        const Scalar sqrt_10 = sqrt(e9);
+        const Scalar sqrt_11 = sqrt(sqrt_10);
+        const Scalar e12 = max_8 / sqrt_11;
+        const Scalar e13 = p_.p_s - p_1;
+        const Scalar step_14 = detail::step<Scalar>(-e13);
+        const Scalar e15 = step_14 * inverse_5;
+        const Scalar step_16 = detail::step<Scalar>(e13);
+        const Scalar sqrt_17 = sqrt(c_.k3 * step_16 + p_.rho_0 * e15);
+        const Scalar max_18 = detail::max<Scalar>(Scalar(0), x_v);
+        const Scalar e19 = c_.k4 + e13 * e13;
+        const Scalar sqrt_20 = sqrt(e19);
+        const Scalar sqrt_21 = sqrt(sqrt_20);
+        const Scalar e22 = max_18 / sqrt_21;
+        const Scalar e23 = e13 * e22;
+        const Scalar e24 = e15 * (e23 / sqrt_17);
+        const Scalar e25 = sqrt_17 * e22;
+        const Scalar e26 = sqrt_7 * e12;
+        const Scalar e27 = e13 * sqrt_17 * (e23 / e19);
         const Scalar p_2 = x[3];
-        const Scalar e25 = p_1 - p_2;
-        const Scalar e26 = p_.k_l * e25;
-        const Scalar step_27 = detail::step<Scalar>(e26);
-        const Scalar e28 = step_27 * inverse_7;
-        const Scalar e29 = c_.k26 * e25;
-        const Scalar step_30 = detail::step<Scalar>(-e26);
-        const Scalar exp_31 = exp(c_.k1 * (p_.p_0 - p_2));
-        const Scalar inverse_32 = Scalar(1) / exp_31;
-        const Scalar e33 = step_30 * inverse_32;
-        const Scalar e34 = c_.k22 * (e28 + e33);
-        const Scalar e35 = e28 * e29 + e34;
-        const Scalar e36 = c_.k21 * max_10;
-        const Scalar e37 = sqrt_18 * (max_19 * power_14);
-        const Scalar e38 = e34 - e29 * e33;
-        const Scalar e39 = p_.p_t - p_2;
-        const Scalar e40 = c_.k3 + e39 * e39;
-        const Scalar power_41 = pow(e40, -Scalar(1) / Scalar(4));
-        const Scalar step_42 = detail::step<Scalar>(e39);
-        const Scalar step_43 = detail::step<Scalar>(-e39);
-        const Scalar e44 = step_43 * inverse_32;
-        const Scalar sqrt_45 = sqrt(c_.k6 * step_42 + p_.rho_0 * e44);
-        const Scalar e46 = max_19 * e39;
-        const Scalar e47 = p_.p_s - p_2;
-        const Scalar e48 = c_.k3 + e47 * e47;
-        const Scalar power_49 = pow(e48, -Scalar(1) / Scalar(4));
-        const Scalar step_50 = detail::step<Scalar>(e47);
-        const Scalar step_51 = detail::step<Scalar>(-e47);
-        const Scalar e52 = step_51 * inverse_32;
-        const Scalar sqrt_53 = sqrt(c_.k4 * step_50 + p_.rho_0 * e52);
-        const Scalar e54 = max_10 * e47;
-        const Scalar e55 = power_49 / sqrt_53 * (e54 * e52);
-        const Scalar power_56 = pow(e40, -Scalar(5) / Scalar(4));
-        const Scalar power_57 = pow(e48, -Scalar(5) / Scalar(4));
-        const Scalar e58 = e47 * power_57 * (sqrt_53 * e54);
-        const Scalar e59 = power_49 * sqrt_53;
+        const Scalar e28 = p_1 - p_2;
+        const Scalar e29 = p_.k_l * e28;
+        const Scalar step_30 = detail::step<Scalar>(e29);
+        const Scalar e31 = step_30 * inverse_5;
+        const Scalar e32 = c_.k26 * e28;
+        const Scalar step_33 = detail::step<Scalar>(-e29);
+        const Scalar exp_34 = exp(c_.k1 * (p_.p_0 - p_2));
+        const Scalar inverse_35 = Scalar(1) / exp_34;
+        const Scalar e36 = step_33 * inverse_35;
+        const Scalar e37 = c_.k22 * (e31 + e36);
+        const Scalar e38 = e31 * e32 + e37;
+        const Scalar e39 = e37 - e32 * e36;
+        const Scalar e40 = p_.p_t - p_2;
+        const Scalar step_41 = detail::step<Scalar>(e40);
+        const Scalar step_42 = detail::step<Scalar>(-e40);
+        const Scalar e43 = step_42 * inverse_35;
+        const Scalar sqrt_44 = sqrt(c_.k6 * step_41 + p_.rho_0 * e43);
+        const Scalar e40_squared = e40 * e40;
+        const Scalar e45 = c_.k4 + e40_squared;
+        const Scalar sqrt_46 = sqrt(e45);
+        const Scalar sqrt_47 = sqrt(sqrt_46);
+        const Scalar e48 = max_18 / sqrt_47;
+        const Scalar e49 = p_.p_s - p_2;
+        const Scalar step_50 = detail::step<Scalar>(-e49);
+        const Scalar e51 = step_50 * inverse_35;
+        const Scalar step_52 = detail::step<Scalar>(e49);
+        const Scalar sqrt_53 = sqrt(c_.k3 * step_52 + p_.rho_0 * e51);
+        const Scalar e54 = c_.k4 + e49 * e49;
+        const Scalar sqrt_55 = sqrt(e54);
+        const Scalar sqrt_56 = sqrt(sqrt_55);
+        const Scalar e57 = max_8 / sqrt_56;
+        const Scalar e58 = e49 * e57;
+        const Scalar e59 = e51 * (e58 / sqrt_53);
+        const Scalar e60 = sqrt_53 * e57;
+        const Scalar e61 = sqrt_44 * e48;
+        const Scalar e62 = e49 * sqrt_53 * (e58 / e54);
         C[0] = Scalar(0);
         C[1] = Scalar(0);
         C[2] = Scalar(0);
@@ -977,62 +990,64 @@ public:
         C[9] = Scalar(0);
         C[10] = Scalar(0);
         C[11] = p_.A_1;
-        C[12] = c_.k24 * (power_3 * e11 * e8 / sqrt_9 + e21) + c_.k25 * (e1 * power_22 * sqrt_9 * e11 + e24) - e35 - power_3
-            * sqrt_9 * e36 - c_.k21 * e37;
-        C[13] = e35;
-        C[14] = c_.k28 * e24 - c_.k23 * e37 + c_.k27 * e21;
+        C[12] = c_.k24 * (e1 * e12 * e6 / sqrt_7 + e24) - c_.k21 * (e25 + e26) + c_.k25 * (e1_squared * e26 / e9 + e27) - e38;
+        C[13] = e38;
+        C[14] = c_.k27 * e24 - c_.k23 * e25 + c_.k28 * e27;
         C[15] = Scalar(0);
         C[16] = -p_.A_2;
-        C[17] = e38;
-        C[18] = c_.k24 * (power_41 * e46 * e44 / sqrt_45 + e55) + c_.k25 * (e39 * power_56 * sqrt_45 * e46 + e58) - c_.k21
-            * max_19 * power_41 * sqrt_45 - e38 - e36 * e59;
-        C[19] = c_.k28 * e58 - c_.k23 * max_10 * e59 + c_.k27 * e55;
+        C[17] = e39;
+        C[18] = c_.k24 * (e40 * e48 * e43 / sqrt_44 + e59) - c_.k21 * (e60 + e61) + c_.k25 * (e40_squared * e61 / e45 + e62)
+            - e39;
+        C[19] = c_.k27 * e59 - c_.k23 * e60 + c_.k28 * e62;
     }
 
     /// D = dh/du.
-    /// Operations: 23 + or -, 33 *, 2 /, 20 other functions
+    /// Operations: 23 + or -, 33 *, 6 /, 24 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar x_v = u[0];
         const Scalar step_x_v = detail::step<Scalar>(x_v);
         const Scalar e1 = c_.k21 * step_x_v;
         const Scalar p_1 = x[2];
         const Scalar e2 = p_.p_s - p_1;
-        const Scalar step_3 = detail::step<Scalar>(e2);
-        const Scalar step_4 = detail::step<Scalar>(-e2);
-        const Scalar exp_5 = exp(c_.k1 * (p_.p_0 - p_1));
-        const Scalar e6 = p_.rho_0 / exp_5;
-        const Scalar sqrt_7 = sqrt(c_.k4 * step_3 + step_4 * e6);
-        const Scalar power_8 = pow(c_.k3 + e2 * e2, -Scalar(1) / Scalar(4));
-        const Scalar e9 = sqrt_7 * (e2 * power_8);
-        const Scalar e10 = p_.p_t - p_1;
-        const Scalar power_11 = pow(c_.k3 + e10 * e10, -Scalar(1) / Scalar(4));
-        const Scalar step_12 = detail::step<Scalar>(e10);
-        const Scalar step_13 = detail::step<Scalar>(-e10);
-        const Scalar sqrt_14 = sqrt(c_.k6 * step_12 + step_13 * e6);
-        const Scalar step_15 = detail::step<Scalar>(-x_v);
-        const Scalar e16 = c_.k21 * step_15;
+        const Scalar sqrt_3 = sqrt(c_.k4 + e2 * e2);
+        const Scalar sqrt_4 = sqrt(sqrt_3);
+        const Scalar step_5 = detail::step<Scalar>(e2);
+        const Scalar step_6 = detail::step<Scalar>(-e2);
+        const Scalar exp_7 = exp(c_.k1 * (p_.p_0 - p_1));
+        const Scalar e8 = p_.rho_0 / exp_7;
+        const Scalar sqrt_9 = sqrt(c_.k3 * step_5 + step_6 * e8);
+        const Scalar e10 = e2 * sqrt_9 / sqrt_4;
+        const Scalar e11 = p_.p_t - p_1;
+        const Scalar step_12 = detail::step<Scalar>(e11);
+        const Scalar step_13 = detail::step<Scalar>(-e11);
+        const Scalar sqrt_14 = sqrt(c_.k6 * step_12 + step_13 * e8);
+        const Scalar sqrt_15 = sqrt(c_.k4 + e11 * e11);
+        const Scalar sqrt_16 = sqrt(sqrt_15);
+        const Scalar step_17 = detail::step<Scalar>(-x_v);
+        const Scalar e18 = c_.k21 * step_17;
         const Scalar p_2 = x[3];
-        const Scalar e17 = p_.p_t - p_2;
-        const Scalar power_18 = pow(c_.k3 + e17 * e17, -Scalar(1) / Scalar(4));
-        const Scalar step_19 = detail::step<Scalar>(e17);
-        const Scalar step_20 = detail::step<Scalar>(-e17);
-        const Scalar exp_21 = exp(c_.k1 * (p_.p_0 - p_2));
-        const Scalar e22 = p_.rho_0 / exp_21;
-        const Scalar sqrt_23 = sqrt(c_.k6 * step_19 + step_20 * e22);
-        const Scalar e24 = p_.p_s - p_2;
-        const Scalar step_25 = detail::step<Scalar>(e24);
-        const Scalar step_26 = detail::step<Scalar>(-e24);
-        const Scalar sqrt_27 = sqrt(c_.k4 * step_25 + step_26 * e22);
-        const Scalar power_28 = pow(c_.k3 + e24 * e24, -Scalar(1) / Scalar(4));
-        const Scalar e29 = sqrt_27 * (e24 * power_28);
+        const Scalar e19 = p_.p_t - p_2;
+        const Scalar step_20 = detail::step<Scalar>(e19);
+        const Scalar step_21 = detail::step<Scalar>(-e19);
+        const Scalar exp_22 = exp(c_.k1 * (p_.p_0 - p_2));
+        const Scalar e23 = p_.rho_0 / exp_22;
+        const Scalar sqrt_24 = sqrt(c_.k6 * step_20 + step_21 * e23);
+        const Scalar sqrt_25 = sqrt(c_.k4 + e19 * e19);
+        const Scalar sqrt_26 = sqrt(sqrt_25);
+        const Scalar e27 = p_.p_s - p_2;
+        const Scalar sqrt_28 = sqrt(c_.k4 + e27 * e27);
+        const Scalar sqrt_29 = sqrt(sqrt_28);
+        const Scalar step_30 = detail::step<Scalar>(e27);
+        const Scalar step_31 = detail::step<Scalar>(-e27);
+        const Scalar sqrt_32 = sqrt(c_.k3 * step_30 + step_31 * e23);
+        const Scalar e33 = e27 * sqrt_32 / sqrt_29;
         D[0] = Scalar(0);
         D[1] = Scalar(0);
-        D[2] = e1 * e9 - e10 * power_11 * sqrt_14 * e16;
-        D[3] = e17 * power_18 * sqrt_23 * e1 - e16 * e29;
-        D[4] = -c_.k23 * (step_15 * e29 - step_x_v * e9);
+        D[2] = e1 * e10 - e11 * sqrt_14 * e18 / sqrt_16;
+        D[3] = e19 * sqrt_24 * e1 / sqrt_26 - e18 * e33;
+        D[4] = -c_.k23 * (step_17 * e33 - step_x_v * e10);
         D[5] = Scalar(0);
         D[6] = Scalar(0);
         D[7] = Scalar(0);
@@ -1104,67 +1119,70 @@ public:
     }
 
     /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
-    /// Operations: 41 + or -, 60 *, 3 /, 25 other functions
+    /// Operations: 41 + or -, 60 *, 7 /, 29 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar x_v = u[0];
         const Scalar max_1 = detail::max<Scalar>(Scalar(0), -x_v);
         const Scalar p_1 = x[2];
         const Scalar e2 = p_.p_t - p_1;
-        const Scalar power_3 = pow(c_.k3 + e2 * e2, -Scalar(1) / Scalar(4));
-        const Scalar step_4 = detail::step<Scalar>(e2);
-        const Scalar step_5 = detail::step<Scalar>(-e2);
-        const Scalar e6 = c_.k1 * (p_.p_0 - p_1);
-        const Scalar exp_7 = exp(e6);
-        const Scalar inverse_8 = Scalar(1) / exp_7;
-        const Scalar e9 = p_.rho_0 * inverse_8;
-        const Scalar sqrt_10 = sqrt(c_.k6 * step_4 + step_5 * e9);
-        const Scalar max_11 = detail::max<Scalar>(Scalar(0), x_v);
-        const Scalar e12 = p_.p_s - p_1;
-        const Scalar power_13 = pow(c_.k3 + e12 * e12, -Scalar(1) / Scalar(4));
-        const Scalar step_14 = detail::step<Scalar>(e12);
-        const Scalar step_15 = detail::step<Scalar>(-e12);
-        const Scalar sqrt_16 = sqrt(c_.k4 * step_14 + step_15 * e9);
-        const Scalar compression_17 = detail::compression<Scalar>(-e6, exp_7);
-        const Scalar sqrt_18 = sqrt(Scalar(2));
-        const Scalar e19 = p_.w * p_.alpha_d * (sqrt_18 / p_.rho_0);
-        const Scalar e20 = p_.beta * e19;
-        const Scalar e21 = e6 * exp_7 - compression_17;
-        const Scalar e22 = p_.p_0 * e19;
-        const Scalar e23 = p_1 * exp_7;
+        const Scalar step_3 = detail::step<Scalar>(e2);
+        const Scalar step_4 = detail::step<Scalar>(-e2);
+        const Scalar e5 = c_.k1 * (p_.p_0 - p_1);
+        const Scalar exp_6 = exp(e5);
+        const Scalar inverse_7 = Scalar(1) / exp_6;
+        const Scalar e8 = p_.rho_0 * inverse_7;
+        const Scalar sqrt_9 = sqrt(c_.k6 * step_3 + step_4 * e8);
+        const Scalar sqrt_10 = sqrt(c_.k4 + e2 * e2);
+        const Scalar sqrt_11 = sqrt(sqrt_10);
+        const Scalar max_12 = detail::max<Scalar>(Scalar(0), x_v);
+        const Scalar e13 = p_.p_s - p_1;
+        const Scalar step_14 = detail::step<Scalar>(e13);
+        const Scalar step_15 = detail::step<Scalar>(-e13);
+        const Scalar sqrt_16 = sqrt(c_.k3 * step_14 + step_15 * e8);
+        const Scalar sqrt_17 = sqrt(c_.k4 + e13 * e13);
+        const Scalar sqrt_18 = sqrt(sqrt_17);
+        const Scalar compression_19 = detail::compression<Scalar>(-e5, exp_6);
+        const Scalar sqrt_20 = sqrt(Scalar(2));
+        const Scalar e21 = p_.w * p_.alpha_d * (sqrt_20 / p_.rho_0);
+        const Scalar e22 = p_.beta * e21;
+        const Scalar e23 = e5 * exp_6 - compression_19;
+        const Scalar e24 = p_.p_0 * e21;
+        const Scalar e25 = p_1 * exp_6;
         const Scalar p_2 = x[3];
-        const Scalar e24 = p_1 - p_2;
-        const Scalar e25 = p_.k_l * e24;
-        const Scalar step_26 = detail::step<Scalar>(e25);
-        const Scalar step_27 = detail::step<Scalar>(-e25);
-        const Scalar e28 = c_.k1 * (p_.p_0 - p_2);
-        const Scalar exp_29 = exp(e28);
-        const Scalar e30 = p_2 * exp_29;
-        const Scalar e31 = step_26 * inverse_8;
-        const Scalar inverse_32 = Scalar(1) / exp_29;
-        const Scalar e33 = step_27 * inverse_32;
-        const Scalar e34 = p_.p_s - p_2;
-        const Scalar power_35 = pow(c_.k3 + e34 * e34, -Scalar(1) / Scalar(4));
-        const Scalar step_36 = detail::step<Scalar>(e34);
-        const Scalar step_37 = detail::step<Scalar>(-e34);
-        const Scalar e38 = p_.rho_0 * inverse_32;
-        const Scalar sqrt_39 = sqrt(c_.k4 * step_36 + step_37 * e38);
-        const Scalar e40 = p_.p_t - p_2;
-        const Scalar power_41 = pow(c_.k3 + e40 * e40, -Scalar(1) / Scalar(4));
-        const Scalar step_42 = detail::step<Scalar>(e40);
-        const Scalar step_43 = detail::step<Scalar>(-e40);
-        const Scalar sqrt_44 = sqrt(c_.k6 * step_42 + step_43 * e38);
-        const Scalar compression_45 = detail::compression<Scalar>(-e28, exp_29);
-        const Scalar e46 = e28 * exp_29 - compression_45;
-        const Scalar e47 = e24 * (e31 + e33);
-        const Scalar e48 = (max_1 * e2 * power_3 * sqrt_10 + max_11 * e12 * power_13 * sqrt_16)
-            * (compression_17 * e20 - e21 * e22 + c_.k5 * e23);
-        const Scalar e49 = (max_1 * e34 * power_35 * sqrt_39 + max_11 * e40 * power_41 * sqrt_44)
-            * (compression_45 * e20 - e46 * e22 + c_.k5 * e30);
-        return e48 - e25 * (p_1 * step_26 - p_2 * step_27 - e30 * e31 + e23 * e33) + e49 - p_.beta * p_.k_l * e47
-            * (compression_17 - compression_45) + p_.p_0 * p_.k_l * e47 * (e21 - e46);
+        const Scalar e26 = p_1 - p_2;
+        const Scalar e27 = p_.k_l * e26;
+        const Scalar step_28 = detail::step<Scalar>(e27);
+        const Scalar step_29 = detail::step<Scalar>(-e27);
+        const Scalar e30 = c_.k1 * (p_.p_0 - p_2);
+        const Scalar exp_31 = exp(e30);
+        const Scalar e32 = p_2 * exp_31;
+        const Scalar e33 = step_28 * inverse_7;
+        const Scalar inverse_34 = Scalar(1) / exp_31;
+        const Scalar e35 = step_29 * inverse_34;
+        const Scalar e36 = p_.p_s - p_2;
+        const Scalar step_37 = detail::step<Scalar>(e36);
+        const Scalar step_38 = detail::step<Scalar>(-e36);
+        const Scalar e39 = p_.rho_0 * inverse_34;
+        const Scalar sqrt_40 = sqrt(c_.k3 * step_37 + step_38 * e39);
+        const Scalar sqrt_41 = sqrt(c_.k4 + e36 * e36);
+        const Scalar sqrt_42 = sqrt(sqrt_41);
+        const Scalar e43 = p_.p_t - p_2;
+        const Scalar step_44 = detail::step<Scalar>(e43);
+        const Scalar step_45 = detail::step<Scalar>(-e43);
+        const Scalar sqrt_46 = sqrt(c_.k6 * step_44 + step_45 * e39);
+        const Scalar sqrt_47 = sqrt(c_.k4 + e43 * e43);
+        const Scalar sqrt_48 = sqrt(sqrt_47);
+        const Scalar compression_49 = detail::compression<Scalar>(-e30, exp_31);
+        const Scalar e50 = e30 * exp_31 - compression_49;
+        const Scalar e51 = e26 * (e33 + e35);
+        const Scalar e52 = (max_1 * e2 * sqrt_9 / sqrt_11 + max_12 * e13 * sqrt_16 / sqrt_18)
+            * (compression_19 * e22 - e23 * e24 + c_.k5 * e25);
+        const Scalar e53 = (max_1 * e36 * sqrt_40 / sqrt_42 + max_12 * e43 * sqrt_46 / sqrt_48)
+            * (compression_49 * e22 - e50 * e24 + c_.k5 * e32);
+        return e52 - e27 * (p_1 * step_28 - p_2 * step_29 - e32 * e33 + e25 * e35) + e53 - p_.beta * p_.k_l * e51
+            * (compression_19 - compression_49) + p_.p_0 * p_.k_l * e51 * (e23 - e50);
     }
 
     /// Functions whose sign an integrator must watch, in the order of guard_table().
@@ -1188,8 +1206,8 @@ private:
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< 1/beta
         Scalar k2;  ///< 1/A_1
-        Scalar k3;  ///< p_w^2
-        Scalar k4;  ///< rho_0/exp(p_0/beta - p_s/beta)
+        Scalar k3;  ///< rho_0/exp(p_0/beta - p_s/beta)
+        Scalar k4;  ///< p_w^2
         Scalar k5;  ///< w*alpha_d*sqrt(2)/rho_0
         Scalar k6;  ///< rho_0/exp(p_0/beta - p_t/beta)
         Scalar k7;  ///< 1/A_2

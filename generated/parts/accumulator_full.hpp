@@ -18,19 +18,19 @@
 //     this code = the derivation: 21 of 21 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 0     12     3        0      1
-//   rhs                   12     19     4        0      6
-//   rhs_and_jacobian      18     41     5        0      7
-//   jacobian_u             9     18     4        0      7
-//   jacobian_p            23     63     7        0      8
+//   update                 0     15     3        0      1
+//   rhs                   12     19     5        0      7
+//   rhs_and_jacobian      19     39     7        0      7
+//   jacobian_u             9     17     6        0      7
+//   jacobian_p            23     60     9        0      8
 //   bias                   2      2     0        0      0
-//   output                 6     10     3        0      6
-//   output_jacobian_x      8     15     3        0      7
-//   output_jacobian_u      8     15     3        0      7
+//   output                 6     10     4        0      7
+//   output_jacobian_x      9     14     5        0      7
+//   output_jacobian_u      8     14     5        0      7
 //   kinetic_energy         0      3     0        0      0
 //   dissipated_power       0      2     0        0      0
 //   internal_energy        6     12     1        0      2
-//   exchanged_power       11     20     3        0      8
+//   exchanged_power       11     20     4        0      9
 //   guards                 2      1     0        0      0
 //   start_state            1      3     2        0      1
 //
@@ -261,26 +261,31 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes the constants that depend on them.
-    /// Operations: 12 *, 3 /, 1 other functions
+    /// Operations: 15 *, 3 /, 1 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::sqrt;
         c_.k0 = Scalar(1) / p_.m;
-        c_.k1 = p_.A * p_.beta;
-        const Scalar sqrt_1 = sqrt(Scalar(2));
-        const Scalar e2 = sqrt_1 * (p_.A_n * p_.alpha);
-        const Scalar inverse_3 = Scalar(1) / p_.rho_0;
-        const Scalar e4 = e2 * (p_.beta * inverse_3);
-        c_.k2 = e4;
-        c_.k3 = p_.A * p_.n;
-        const Scalar inverse_5 = Scalar(1) / p_.beta;
-        c_.k4 = inverse_5;
-        c_.k5 = p_.p_w * p_.p_w;
-        c_.k6 = inverse_3;
-        c_.k7 = e2;
-        c_.k8 = (Scalar(1) / Scalar(2)) * e2;
-        c_.k9 = (Scalar(1) / Scalar(2)) * e4;
-        c_.k10 = (Scalar(1) / Scalar(2)) * p_.rho_0 * inverse_5 * e2;
+        const Scalar e1 = p_.A * p_.beta;
+        c_.k1 = e1;
+        const Scalar sqrt_2 = sqrt(Scalar(2));
+        const Scalar e3 = sqrt_2 * (p_.A_n * p_.alpha);
+        const Scalar e4 = e3 / p_.rho_0;
+        const Scalar e5 = p_.beta * e4;
+        c_.k2 = e5;
+        const Scalar e6 = p_.A * p_.n;
+        c_.k3 = e6;
+        c_.k4 = p_.p_w * p_.p_w;
+        const Scalar inverse_7 = Scalar(1) / p_.beta;
+        c_.k5 = inverse_7;
+        c_.k6 = p_.A * e1;
+        c_.k7 = e4 * e1;
+        c_.k8 = p_.A * e6;
+        c_.k9 = e4;
+        c_.k10 = (Scalar(1) / Scalar(2)) * e3;
+        c_.k11 = (Scalar(1) / Scalar(2)) * e5;
+        c_.k12 = e3;
+        c_.k13 = (Scalar(1) / Scalar(2)) * p_.rho_0 * inverse_7 * e3;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -297,7 +302,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 12 + or -, 19 *, 4 /, 6 other functions
+    /// Operations: 12 + or -, 19 *, 5 /, 7 other functions
     ///     density[inlet] = rho_0/exp((p_0 - p)/beta)
     ///     specific_enthalpy[inlet] = p*exp((p_0 - p)/beta)/rho_0 + beta*compression(-(p_0 - p)/beta)/rho_0 - p_0*expm1((p_0 -
     ///     p)/beta)/rho_0
@@ -312,7 +317,6 @@ public:
     ///     dot(p_2) = A*n*p_2*dot(z)/(V_0 - A*z)
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar p_1 = x[2];
         const Scalar p_2 = x[3];
@@ -322,85 +326,81 @@ public:
         const Scalar e1 = p_.A * z;
         const Scalar p_value = u[0];
         const Scalar e2 = p_value - p_1;
-        const Scalar exp_3 = exp(c_.k4 * (p_.p_0 - p_1));
-        const Scalar power_4 = pow(c_.k5 + e2 * e2, -Scalar(1) / Scalar(4));
-        const Scalar step_5 = detail::step<Scalar>(e2);
-        const Scalar exp_6 = exp(c_.k4 * (p_.p_0 - p_value));
-        const Scalar step_7 = detail::step<Scalar>(-e2);
-        const Scalar sqrt_8 = sqrt(p_.rho_0 * (step_5 / exp_6 + step_7 / exp_3));
+        const Scalar exp_3 = exp(c_.k5 * (p_.p_0 - p_1));
+        const Scalar step_4 = detail::step<Scalar>(e2);
+        const Scalar exp_5 = exp(c_.k5 * (p_.p_0 - p_value));
+        const Scalar step_6 = detail::step<Scalar>(-e2);
+        const Scalar sqrt_7 = sqrt(p_.rho_0 * (step_4 / exp_5 + step_6 / exp_3));
+        const Scalar sqrt_8 = sqrt(c_.k4 + e2 * e2);
+        const Scalar sqrt_9 = sqrt(sqrt_8);
         dxdt[0] = x[1];
         dxdt[1] = z_ddot;
-        const Scalar e9 = (c_.k1 * z_dot - c_.k2 * e2 * exp_3 * power_4 * sqrt_8) / (p_.V_d + e1);
-        dxdt[2] = -e9;
+        dxdt[2] = -(c_.k1 * z_dot - c_.k2 * e2 * exp_3 * sqrt_7 / sqrt_9) / (p_.V_d + e1);
         dxdt[3] = c_.k3 * z_dot * p_2 / (p_.V_0 - e1);
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 4 x 4, entry (i, j) at J[4*j + i].
-    /// Operations: 18 + or -, 41 *, 5 /, 7 other functions
+    /// Operations: 19 + or -, 39 *, 7 /, 7 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar p_1 = x[2];
-        const Scalar z_dot = x[1];
         const Scalar p_2 = x[3];
-        const Scalar e1 = p_.A * p_2;
-        const Scalar z_ddot = (p_.A * p_1 - p_.d * z_dot - e1) * c_.k0;
-        const Scalar e2 = p_.A * z_dot;
-        const Scalar exp_3 = exp((p_.p_0 - p_1) * c_.k4);
+        const Scalar z_dot = x[1];
+        const Scalar z_ddot = (p_.A * (p_1 - p_2) - p_.d * z_dot) * c_.k0;
+        const Scalar exp_1 = exp(c_.k5 * (p_.p_0 - p_1));
         const Scalar p_value = u[0];
-        const Scalar e4 = p_value - p_1;
-        const Scalar step_5 = detail::step<Scalar>(-e4);
-        const Scalar step_6 = detail::step<Scalar>(e4);
-        const Scalar exp_7 = exp((p_.p_0 - p_value) * c_.k4);
-        const Scalar sqrt_8 = sqrt(p_.rho_0 * (step_5 / exp_3 + step_6 / exp_7));
-        const Scalar e9 = exp_3 * sqrt_8 * c_.k6;
-        const Scalar e10 = c_.k5 + e4 * e4;
-        const Scalar power_11 = pow(e10, -Scalar(1) / Scalar(4));
-        const Scalar e12 = e4 * c_.k7;
-        const Scalar e13 = power_11 * e12;
-        const Scalar e14 = e2 - e9 * e13;
+        const Scalar e2 = p_value - p_1;
+        const Scalar step_3 = detail::step<Scalar>(e2);
+        const Scalar exp_4 = exp(c_.k5 * (p_.p_0 - p_value));
+        const Scalar step_5 = detail::step<Scalar>(-e2);
+        const Scalar sqrt_6 = sqrt(p_.rho_0 * (step_3 / exp_4 + step_5 / exp_1));
+        const Scalar e7 = exp_1 * sqrt_6;
         const Scalar z = x[0];
-        const Scalar e15 = p_.A * z;
-        const Scalar inverse_16 = Scalar(1) / (p_.V_d + e15);
-        const Scalar e17 = p_.beta * inverse_16;
-        const Scalar inverse_18 = Scalar(1) / (p_.V_0 - e15);
-        const Scalar e19 = p_.n * inverse_18;
-        const Scalar e20 = e2 * e19;
-        const Scalar e21 = -e14 * e17;
-        const Scalar e22 = p_2 * e20;
-        const Scalar e23 = p_.A * e17;
-        const Scalar e24 = inverse_16 * e14 * e23;
-        const Scalar e25 = inverse_18 * e1 * e20;
-        const Scalar e26 = (-p_.d) * c_.k0;
-        const Scalar e27 = -e23;
-        const Scalar e28 = e19 * e1;
-        const Scalar e29 = p_.A * c_.k0;
-        const Scalar power_30 = pow(e10, -Scalar(5) / Scalar(4));
-        const Scalar e31 = e17 * e9 * ((Scalar(1) / Scalar(2)) * e4 * power_30 * e12 - power_11 * c_.k7);
-        const Scalar e32 = e31 + inverse_16 * e13 * ((Scalar(1) / Scalar(2)) * step_5 / sqrt_8 - e9);
-        const Scalar e33 = (-p_.A) * c_.k0;
+        const Scalar e8 = p_.A * z;
+        const Scalar inverse_9 = Scalar(1) / (p_.V_d + e8);
+        const Scalar e10 = c_.k4 + e2 * e2;
+        const Scalar sqrt_11 = sqrt(e10);
+        const Scalar sqrt_12 = sqrt(sqrt_11);
+        const Scalar e13 = inverse_9 / sqrt_12;
+        const Scalar e14 = e2 * e13;
+        const Scalar e15 = e7 * e14;
+        const Scalar e16 = z_dot * inverse_9;
+        const Scalar inverse_17 = Scalar(1) / (p_.V_0 - e8);
+        const Scalar e18 = z_dot * inverse_17;
+        const Scalar e19 = c_.k3 * e18;
+        const Scalar e20 = c_.k2 * e15 - c_.k1 * e16;
+        const Scalar e21 = p_2 * e19;
+        const Scalar e22 = -inverse_9 * (c_.k7 * e15 - c_.k6 * e16);
+        const Scalar e23 = p_2 * inverse_17;
+        const Scalar e24 = c_.k8 * e18 * e23;
+        const Scalar e25 = (-p_.d) * c_.k0;
+        const Scalar e26 = -c_.k1 * inverse_9;
+        const Scalar e27 = c_.k3 * e23;
+        const Scalar e28 = p_.A * c_.k0;
+        const Scalar e29 = c_.k10 * step_5 * e14 / sqrt_6 - e15 * (c_.k9 - c_.k11 * e2 / e10) - c_.k2 * e13 * e7;
+        const Scalar e30 = (-p_.A) * c_.k0;
         dxdt[0] = x[1];
         dxdt[1] = z_ddot;
-        dxdt[2] = e21;
-        dxdt[3] = e22;
+        dxdt[2] = e20;
+        dxdt[3] = e21;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = e24;
-        J[3] = e25;
+        J[2] = e22;
+        J[3] = e24;
         J[4] = Scalar(1);
-        J[5] = e26;
-        J[6] = e27;
-        J[7] = e28;
+        J[5] = e25;
+        J[6] = e26;
+        J[7] = e27;
         J[8] = Scalar(0);
-        J[9] = e29;
-        J[10] = e32;
+        J[9] = e28;
+        J[10] = e29;
         J[11] = Scalar(0);
         J[12] = Scalar(0);
-        J[13] = e33;
+        J[13] = e30;
         J[14] = Scalar(0);
-        J[15] = e20;
+        J[15] = e19;
     }
 
     /// J = df/dx. 4 x 4, entry (i, j) at J[4*j + i].
@@ -410,38 +410,35 @@ public:
     }
 
     /// J = df/du. 4 x 1, entry (i, j) at J[4*j + i].
-    /// Operations: 9 + or -, 18 *, 4 /, 7 other functions
+    /// Operations: 9 + or -, 17 *, 6 /, 7 other functions
     void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar p_value = u[0];
         const Scalar p_1 = x[2];
         const Scalar e1 = p_value - p_1;
         const Scalar step_2 = detail::step<Scalar>(-e1);
-        const Scalar exp_3 = exp(c_.k4 * (p_.p_0 - p_1));
+        const Scalar exp_3 = exp(c_.k5 * (p_.p_0 - p_1));
         const Scalar step_4 = detail::step<Scalar>(e1);
-        const Scalar exp_5 = exp(c_.k4 * (p_.p_0 - p_value));
+        const Scalar exp_5 = exp(c_.k5 * (p_.p_0 - p_value));
         const Scalar e6 = step_4 / exp_5;
         const Scalar sqrt_7 = sqrt(p_.rho_0 * (step_2 / exp_3 + e6));
         const Scalar e1_squared = e1 * e1;
-        const Scalar e8 = c_.k5 + e1_squared;
-        const Scalar power_9 = pow(e8, -Scalar(1) / Scalar(4));
+        const Scalar e8 = c_.k4 + e1_squared;
+        const Scalar sqrt_9 = sqrt(e8);
+        const Scalar sqrt_10 = sqrt(sqrt_9);
         const Scalar z = x[0];
-        const Scalar e10 = exp_3 / (p_.V_d + p_.A * z);
-        const Scalar e11 = power_9 * e10;
-        const Scalar power_12 = pow(e8, -Scalar(5) / Scalar(4));
+        const Scalar e11 = exp_3 / (p_.V_d + p_.A * z) / sqrt_10;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = c_.k8 * e1 * e6 * e11 / sqrt_7 - sqrt_7 * (c_.k9 * power_12 * e10 * e1_squared - c_.k2 * e11);
+        J[2] = sqrt_7 * e11 * (c_.k2 - c_.k11 * e1_squared / e8) + c_.k10 * e1 * e11 * e6 / sqrt_7;
         J[3] = Scalar(0);
     }
 
     /// J = df/dp, parameters in the order of the table. 4 x 15, entry (i, j) at J[4*j + i].
-    /// Operations: 23 + or -, 63 *, 7 /, 8 other functions
+    /// Operations: 23 + or -, 60 *, 9 /, 8 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         State dxdt;
         rhs(x, u, t, dxdt);
@@ -460,16 +457,16 @@ public:
         const Scalar e8 = p_value - p_1;
         const Scalar step_9 = detail::step<Scalar>(-e8);
         const Scalar e10 = p_.p_0 - p_1;
-        const Scalar exp_11 = exp(c_.k4 * e10);
+        const Scalar exp_11 = exp(c_.k5 * e10);
         const Scalar step_12 = detail::step<Scalar>(e8);
         const Scalar e13 = p_.p_0 - p_value;
-        const Scalar exp_14 = exp(c_.k4 * e13);
+        const Scalar exp_14 = exp(c_.k5 * e13);
         const Scalar e15 = step_12 / exp_14;
         const Scalar sqrt_16 = sqrt(p_.rho_0 * (step_9 / exp_11 + e15));
-        const Scalar e17 = c_.k5 + e8 * e8;
-        const Scalar power_18 = pow(e17, -Scalar(1) / Scalar(4));
-        const Scalar e19 = e8 * inverse_5;
-        const Scalar e20 = power_18 * e19;
+        const Scalar e17 = c_.k4 + e8 * e8;
+        const Scalar sqrt_18 = sqrt(e17);
+        const Scalar sqrt_19 = sqrt(sqrt_18);
+        const Scalar e20 = e8 * inverse_5 / sqrt_19;
         const Scalar e21 = exp_11 * e20;
         const Scalar e22 = sqrt_16 * e21;
         const Scalar e23 = e22 * (c_.k2 * inverse_5);
@@ -477,17 +474,15 @@ public:
         const Scalar inverse_25 = Scalar(1) / p_.rho_0;
         const Scalar e26 = sqrt_24 * inverse_25;
         const Scalar e27 = p_.beta * e26;
-        const Scalar power_28 = pow(e17, -Scalar(5) / Scalar(4));
-        const Scalar e29 = p_.A_n * p_.alpha;
-        const Scalar e30 = e29 * e27;
-        const Scalar inverse_31 = Scalar(1) / sqrt_16;
-        const Scalar e32 = step_9 * e20;
-        const Scalar e33 = e21 * e15;
-        const Scalar e34 = inverse_31 * (e32 + e33);
-        const Scalar e35 = e26 * e29;
-        const Scalar e36 = e35 * e22;
-        const Scalar inverse_37 = Scalar(1) / p_.beta;
-        const Scalar e38 = inverse_31 * ((Scalar(1) / Scalar(2)) * sqrt_24 * inverse_37 * e29);
+        const Scalar e28 = p_.A_n * p_.alpha;
+        const Scalar e29 = e28 * e27;
+        const Scalar inverse_30 = Scalar(1) / sqrt_16;
+        const Scalar e31 = step_9 * e20;
+        const Scalar e32 = e21 * e15;
+        const Scalar e33 = inverse_30 * (e31 + e32);
+        const Scalar e34 = c_.k9 * e22;
+        const Scalar e35 = e28 / p_.beta;
+        const Scalar e36 = inverse_30 * ((Scalar(1) / Scalar(2)) * sqrt_24 * e35);
         J[0] = Scalar(0);
         J[1] = Scalar(0);
         J[2] = Scalar(0);
@@ -534,20 +529,19 @@ public:
         J[43] = Scalar(0);
         J[44] = Scalar(0);
         J[45] = Scalar(0);
-        const Scalar e39 = exp_11 * power_28 * sqrt_16 * ((Scalar(1) / Scalar(2)) * p_.p_w * e30) * e19;
-        J[46] = -e39;
+        J[46] = -(Scalar(1) / Scalar(2)) * p_.p_w * e29 * e22 / e17;
         J[47] = Scalar(0);
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = c_.k9 * e34 - inverse_25 * e30 * e22;
+        J[50] = c_.k11 * e33 - inverse_25 * e29 * e22;
         J[51] = Scalar(0);
         J[52] = Scalar(0);
         J[53] = Scalar(0);
-        J[54] = e36 - e10 * (inverse_37 * e35 * e22 - e38 * e32) - p_.A * e6 + e13 * e38 * e33;
+        J[54] = e34 - e10 * (e26 * e35 * e22 - e36 * e31) - p_.A * e6 + e13 * e36 * e32;
         J[55] = Scalar(0);
         J[56] = Scalar(0);
         J[57] = Scalar(0);
-        J[58] = e36 - c_.k8 * e34;
+        J[58] = e34 - c_.k10 * e33;
         J[59] = Scalar(0);
     }
 
@@ -585,82 +579,80 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 6 + or -, 10 *, 3 /, 6 other functions
+    /// Operations: 6 + or -, 10 *, 4 /, 7 other functions
     ///     V = A*z
     ///     q = A_n*alpha*sqrt(2)*(p - p_1)*(p_w^2 + (p - p_1)^2)^(-1/4)/sqrt(rho_0*step(p - p_1)/exp((p_0 - p)/beta) +
     ///     rho_0*step(-p + p_1)/exp((p_0 - p_1)/beta))
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar z = x[0];
         const Scalar p_value = u[0];
         const Scalar p_1 = x[2];
         const Scalar e1 = p_value - p_1;
-        const Scalar power_2 = pow(c_.k5 + e1 * e1, -Scalar(1) / Scalar(4));
-        const Scalar step_3 = detail::step<Scalar>(e1);
-        const Scalar exp_4 = exp(c_.k4 * (p_.p_0 - p_value));
-        const Scalar step_5 = detail::step<Scalar>(-e1);
-        const Scalar exp_6 = exp(c_.k4 * (p_.p_0 - p_1));
-        const Scalar sqrt_7 = sqrt(p_.rho_0 * (step_3 / exp_4 + step_5 / exp_6));
+        const Scalar step_2 = detail::step<Scalar>(e1);
+        const Scalar exp_3 = exp(c_.k5 * (p_.p_0 - p_value));
+        const Scalar step_4 = detail::step<Scalar>(-e1);
+        const Scalar exp_5 = exp(c_.k5 * (p_.p_0 - p_1));
+        const Scalar sqrt_6 = sqrt(p_.rho_0 * (step_2 / exp_3 + step_4 / exp_5));
+        const Scalar sqrt_7 = sqrt(c_.k4 + e1 * e1);
+        const Scalar sqrt_8 = sqrt(sqrt_7);
         y[0] = p_.A * z;
-        y[1] = c_.k7 * e1 * power_2 / sqrt_7;
+        y[1] = c_.k12 * e1 / sqrt_6 / sqrt_8;
     }
 
     /// C = dh/dx.
-    /// Operations: 8 + or -, 15 *, 3 /, 7 other functions
+    /// Operations: 9 + or -, 14 *, 5 /, 7 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar p_value = u[0];
         const Scalar p_1 = x[2];
         const Scalar e1 = p_value - p_1;
         const Scalar step_2 = detail::step<Scalar>(e1);
-        const Scalar exp_3 = exp(c_.k4 * (p_.p_0 - p_value));
+        const Scalar exp_3 = exp(c_.k5 * (p_.p_0 - p_value));
         const Scalar step_4 = detail::step<Scalar>(-e1);
-        const Scalar exp_5 = exp(c_.k4 * (p_.p_0 - p_1));
+        const Scalar exp_5 = exp(c_.k5 * (p_.p_0 - p_1));
         const Scalar e6 = step_4 / exp_5;
         const Scalar sqrt_7 = sqrt(p_.rho_0 * (step_2 / exp_3 + e6));
         const Scalar inverse_8 = Scalar(1) / sqrt_7;
-        const Scalar e9 = c_.k5 + e1 * e1;
-        const Scalar power_10 = pow(e9, -Scalar(5) / Scalar(4));
-        const Scalar power_11 = pow(e9, -Scalar(1) / Scalar(4));
-        const Scalar e12 = power_11 * inverse_8;
+        const Scalar e1_squared = e1 * e1;
+        const Scalar e9 = c_.k4 + e1_squared;
+        const Scalar sqrt_10 = sqrt(e9);
+        const Scalar sqrt_11 = sqrt(sqrt_10);
         C[0] = p_.A;
         C[1] = Scalar(0);
         C[2] = Scalar(0);
         C[3] = Scalar(0);
         C[4] = Scalar(0);
-        const Scalar e13 = e1 * inverse_8 * (c_.k8 * e1 * power_10 - c_.k10 * inverse_8 * e12 * e6);
-        C[5] = e13 - c_.k7 * e12;
+        const Scalar e12 = c_.k12 - c_.k10 * e1_squared / e9 + c_.k13 * e1 * inverse_8 * inverse_8 * e6;
+        C[5] = -inverse_8 / sqrt_11 * e12;
         C[6] = Scalar(0);
         C[7] = Scalar(0);
     }
 
     /// D = dh/du.
-    /// Operations: 8 + or -, 15 *, 3 /, 7 other functions
+    /// Operations: 8 + or -, 14 *, 5 /, 7 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar p_value = u[0];
         const Scalar p_1 = x[2];
         const Scalar e1 = p_value - p_1;
-        const Scalar e2 = c_.k5 + e1 * e1;
-        const Scalar power_3 = pow(e2, -Scalar(1) / Scalar(4));
-        const Scalar step_4 = detail::step<Scalar>(-e1);
-        const Scalar exp_5 = exp(c_.k4 * (p_.p_0 - p_1));
-        const Scalar step_6 = detail::step<Scalar>(e1);
-        const Scalar exp_7 = exp(c_.k4 * (p_.p_0 - p_value));
-        const Scalar e8 = step_6 / exp_7;
-        const Scalar sqrt_9 = sqrt(p_.rho_0 * (step_4 / exp_5 + e8));
-        const Scalar inverse_10 = Scalar(1) / sqrt_9;
-        const Scalar e11 = power_3 * inverse_10;
-        const Scalar power_12 = pow(e2, -Scalar(5) / Scalar(4));
+        const Scalar step_2 = detail::step<Scalar>(-e1);
+        const Scalar exp_3 = exp(c_.k5 * (p_.p_0 - p_1));
+        const Scalar step_4 = detail::step<Scalar>(e1);
+        const Scalar exp_5 = exp(c_.k5 * (p_.p_0 - p_value));
+        const Scalar e6 = step_4 / exp_5;
+        const Scalar sqrt_7 = sqrt(p_.rho_0 * (step_2 / exp_3 + e6));
+        const Scalar inverse_8 = Scalar(1) / sqrt_7;
+        const Scalar e1_squared = e1 * e1;
+        const Scalar e9 = c_.k4 + e1_squared;
+        const Scalar sqrt_10 = sqrt(e9);
+        const Scalar sqrt_11 = sqrt(sqrt_10);
         D[0] = Scalar(0);
-        const Scalar e13 = e1 * inverse_10 * (c_.k8 * e1 * power_12 + c_.k10 * inverse_10 * e11 * e8);
-        D[1] = c_.k7 * e11 - e13;
+        const Scalar e12 = c_.k12 - c_.k10 * e1_squared / e9 - c_.k13 * e1 * inverse_8 * inverse_8 * e6;
+        D[1] = inverse_8 / sqrt_11 * e12;
     }
 
     /// Kinetic energy T in joules.
@@ -705,7 +697,7 @@ public:
     Scalar internal_energy(const State& x, Scalar /*t*/) const noexcept {
         using std::exp;
         const Scalar p_1 = x[2];
-        const Scalar e1 = c_.k4 * (p_.p_0 - p_1);
+        const Scalar e1 = c_.k5 * (p_.p_0 - p_1);
         const Scalar exp_2 = exp(e1);
         const Scalar compression_3 = detail::compression<Scalar>(-e1, exp_2);
         const Scalar inverse_4 = Scalar(1) / exp_2;
@@ -716,28 +708,28 @@ public:
     }
 
     /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
-    /// Operations: 11 + or -, 20 *, 3 /, 8 other functions
+    /// Operations: 11 + or -, 20 *, 4 /, 9 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar p_value = u[0];
         const Scalar p_1 = x[2];
         const Scalar e1 = p_value - p_1;
-        const Scalar step_2 = detail::step<Scalar>(e1);
-        const Scalar exp_3 = exp(c_.k4 * (p_.p_0 - p_value));
-        const Scalar step_4 = detail::step<Scalar>(-e1);
-        const Scalar e5 = c_.k4 * (p_.p_0 - p_1);
-        const Scalar exp_6 = exp(e5);
-        const Scalar sqrt_7 = sqrt(p_.rho_0 * (step_2 / exp_3 + step_4 / exp_6));
-        const Scalar power_8 = pow(c_.k5 + e1 * e1, -Scalar(1) / Scalar(4));
-        const Scalar sqrt_9 = sqrt(Scalar(2));
-        const Scalar e10 = p_.A_n * p_.alpha * (sqrt_9 / p_.rho_0);
-        const Scalar compression_11 = detail::compression<Scalar>(-e5, exp_6);
+        const Scalar sqrt_2 = sqrt(c_.k4 + e1 * e1);
+        const Scalar sqrt_3 = sqrt(sqrt_2);
+        const Scalar step_4 = detail::step<Scalar>(e1);
+        const Scalar exp_5 = exp(c_.k5 * (p_.p_0 - p_value));
+        const Scalar step_6 = detail::step<Scalar>(-e1);
+        const Scalar e7 = c_.k5 * (p_.p_0 - p_1);
+        const Scalar exp_8 = exp(e7);
+        const Scalar sqrt_9 = sqrt(p_.rho_0 * (step_4 / exp_5 + step_6 / exp_8));
+        const Scalar compression_10 = detail::compression<Scalar>(-e7, exp_8);
+        const Scalar sqrt_11 = sqrt(Scalar(2));
         const Scalar z_dot = x[1];
         const Scalar p_2 = x[3];
-        const Scalar e12 = p_1 * exp_6 * e10 + c_.k2 * compression_11 - (e5 * exp_6 - compression_11) * (p_.p_0 * e10);
-        return sqrt_7 * (e1 * power_8) * e12 - p_.A * z_dot * p_2;
+        const Scalar e12 = (e7 * exp_8 - compression_10) * (p_.A_n * p_.alpha * p_.p_0 * sqrt_11 / p_.rho_0);
+        const Scalar e13 = e1 * sqrt_9 / sqrt_3 * (c_.k9 * p_1 * exp_8 + c_.k2 * compression_10 - e12);
+        return e13 - p_.A * z_dot * p_2;
     }
 
     /// Functions whose sign an integrator must watch, in the order of guard_table().
@@ -761,13 +753,16 @@ private:
         Scalar k1;  ///< A*beta
         Scalar k2;  ///< A_n*alpha*beta*sqrt(2)/rho_0
         Scalar k3;  ///< A*n
-        Scalar k4;  ///< 1/beta
-        Scalar k5;  ///< p_w^2
-        Scalar k6;  ///< 1/rho_0
-        Scalar k7;  ///< A_n*alpha*sqrt(2)
-        Scalar k8;  ///< A_n*alpha*sqrt(2)/2
-        Scalar k9;  ///< A_n*alpha*beta*sqrt(2)/(2*rho_0)
-        Scalar k10;  ///< A_n*alpha*rho_0*sqrt(2)/(2*beta)
+        Scalar k4;  ///< p_w^2
+        Scalar k5;  ///< 1/beta
+        Scalar k6;  ///< A^2*beta
+        Scalar k7;  ///< A*A_n*alpha*beta*sqrt(2)/rho_0
+        Scalar k8;  ///< A^2*n
+        Scalar k9;  ///< A_n*alpha*sqrt(2)/rho_0
+        Scalar k10;  ///< A_n*alpha*sqrt(2)/2
+        Scalar k11;  ///< A_n*alpha*beta*sqrt(2)/(2*rho_0)
+        Scalar k12;  ///< A_n*alpha*sqrt(2)
+        Scalar k13;  ///< A_n*alpha*rho_0*sqrt(2)/(2*beta)
     };
     Cached c_{};
 };

@@ -19,17 +19,17 @@
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 0      5     4        0      1
-//   rhs                   32     55     6        0     20
-//   rhs_and_jacobian      61    133     8        0     24
+//   rhs                   32     55     8        0     22
+//   rhs_and_jacobian      61    131    12        0     24
 //   jacobian_u             3      4     0        0      3
-//   jacobian_p           125    299    11        0     24
+//   jacobian_p           125    295    15        0     24
 //   bias                   2      3     0        0      0
 //   generalised_force      1      0     0        0      0
 //   kinetic_energy         0      3     0        0      0
 //   supplied_power         1      1     0        0      0
 //   dissipated_power       0      2     0        0      0
 //   internal_energy       24     39     4        0      8
-//   exchanged_power       58     84     5        0     25
+//   exchanged_power       58     84     7        0     27
 //   guards                22     11     0        0      0
 //
 // The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
@@ -389,10 +389,10 @@ public:
         using std::sqrt;
         c_.k0 = Scalar(1) / p_.m;
         c_.k1 = Scalar(1) / p_.beta;
+        c_.k2 = p_.p_w * p_.p_w;
         const Scalar sqrt_1 = sqrt(Scalar(2));
         const Scalar e2 = p_.alpha * sqrt_1;
-        c_.k2 = e2 / p_.rho_0;
-        c_.k3 = p_.p_w * p_.p_w;
+        c_.k3 = e2 / p_.rho_0;
         const Scalar inverse_3 = Scalar(1) / p_.V_p;
         c_.k4 = p_.beta * inverse_3;
         c_.k5 = e2;
@@ -414,7 +414,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 32 + or -, 55 *, 6 /, 20 other functions
+    /// Operations: 32 + or -, 55 *, 8 /, 22 other functions
     ///     specific_enthalpy[source] = p_0/rho_0
     ///     specific_enthalpy[tank] = p_0/rho_0
     ///     density[chamber_1] = rho_0/exp((p_0 - p_1)/beta)
@@ -454,7 +454,6 @@ public:
     ///     beta*mass_flow[drain]/(V_p*density[line_b])
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar p_1 = x[2];
         const Scalar f_l = u[0];
@@ -471,51 +470,52 @@ public:
         const Scalar e6 = -e5;
         const Scalar max_7 = detail::max<Scalar>(Scalar(0), e6);
         const Scalar e8 = p_.k_c * max_7;
-        const Scalar step_9 = detail::step<Scalar>(e6);
-        const Scalar step_10 = detail::step<Scalar>(e5);
-        const Scalar sqrt_11 = sqrt(p_.rho_0 * (step_9 * inverse_4 + step_10 / exp_1));
+        const Scalar sqrt_9 = sqrt(c_.k2 + e5 * e5);
+        const Scalar sqrt_10 = sqrt(sqrt_9);
         const Scalar way_value = detail::curve_value<Scalar, 6>(s, detail::way_curve<Scalar>);
-        const Scalar power_12 = pow(c_.k3 + e5 * e5, -Scalar(1) / Scalar(4));
-        const Scalar e13 = sqrt_11 * (p_.A_t + p_.A_w * way_value) * (e5 * power_12 * c_.k2);
-        const Scalar exp_14 = exp((p_.p_0 - p_2) * c_.k1);
-        const Scalar e15 = p_.l - s;
-        const Scalar e16 = p_.beta / (p_.V_d + p_.A_2 * e15);
+        const Scalar step_11 = detail::step<Scalar>(e6);
+        const Scalar step_12 = detail::step<Scalar>(e5);
+        const Scalar sqrt_13 = sqrt(p_.rho_0 * (step_11 * inverse_4 + step_12 / exp_1));
+        const Scalar e14 = (p_.A_t + p_.A_w * way_value) / sqrt_10 * (e5 * sqrt_13 * c_.k3);
+        const Scalar exp_15 = exp((p_.p_0 - p_2) * c_.k1);
+        const Scalar e16 = p_.l - s;
+        const Scalar e17 = p_.beta / (p_.V_d + p_.A_2 * e16);
         const Scalar p_b = x[5];
-        const Scalar e17 = p_.p_0 - p_b;
-        const Scalar exp_18 = exp(e17 * c_.k1);
-        const Scalar inverse_19 = Scalar(1) / exp_18;
-        const Scalar e20 = p_2 - p_b;
-        const Scalar e21 = -e20;
-        const Scalar max_22 = detail::max<Scalar>(Scalar(0), e21);
-        const Scalar e23 = p_.k_c * max_22;
-        const Scalar step_24 = detail::step<Scalar>(e21);
-        const Scalar step_25 = detail::step<Scalar>(e20);
-        const Scalar sqrt_26 = sqrt(p_.rho_0 * (step_24 * inverse_19 + step_25 / exp_14));
-        const Scalar way_value_2 = detail::curve_value<Scalar, 6>(e15, detail::way_curve<Scalar>);
-        const Scalar power_27 = pow(c_.k3 + e20 * e20, -Scalar(1) / Scalar(4));
-        const Scalar e28 = sqrt_26 * (p_.A_t + p_.A_w * way_value_2) * (e20 * power_27 * c_.k2);
+        const Scalar e18 = p_.p_0 - p_b;
+        const Scalar exp_19 = exp(e18 * c_.k1);
+        const Scalar inverse_20 = Scalar(1) / exp_19;
+        const Scalar e21 = p_2 - p_b;
+        const Scalar e22 = -e21;
+        const Scalar max_23 = detail::max<Scalar>(Scalar(0), e22);
+        const Scalar e24 = p_.k_c * max_23;
+        const Scalar sqrt_25 = sqrt(c_.k2 + e21 * e21);
+        const Scalar sqrt_26 = sqrt(sqrt_25);
+        const Scalar way_value_2 = detail::curve_value<Scalar, 6>(e16, detail::way_curve<Scalar>);
+        const Scalar step_27 = detail::step<Scalar>(e22);
+        const Scalar step_28 = detail::step<Scalar>(e21);
+        const Scalar sqrt_29 = sqrt(p_.rho_0 * (step_27 * inverse_20 + step_28 / exp_15));
+        const Scalar e30 = (p_.A_t + p_.A_w * way_value_2) / sqrt_26 * (e21 * sqrt_29 * c_.k3);
         const Scalar q_a = u[1];
         const Scalar step_q_a = detail::step<Scalar>(q_a);
-        const Scalar e29 = q_a * c_.k4;
-        const Scalar step_30 = detail::step<Scalar>(-q_a);
-        const Scalar e31 = p_.G_b * e17;
-        const Scalar step_32 = detail::step<Scalar>(-e31);
-        const Scalar step_33 = detail::step<Scalar>(e31);
-        const Scalar e34 = exp_18 * c_.k4;
+        const Scalar e31 = q_a * c_.k4;
+        const Scalar step_32 = detail::step<Scalar>(-q_a);
+        const Scalar e33 = p_.G_b * e18;
+        const Scalar step_34 = detail::step<Scalar>(-e33);
+        const Scalar step_35 = detail::step<Scalar>(e33);
+        const Scalar e36 = exp_19 * c_.k4;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
-        dxdt[2] = exp_1 * e2 * (inverse_4 * e8 - e13) - p_.A_1 * s_dot * e2;
-        dxdt[3] = exp_14 * e16 * (inverse_19 * e23 - e28) + p_.A_2 * s_dot * e16;
-        dxdt[4] = exp_3 * (step_q_a * e29 + e13 * c_.k4) + step_30 * e29 - e8 * c_.k4;
-        dxdt[5] = e31 * (step_32 * c_.k4 + step_33 * e34) - e23 * c_.k4 + e34 * e28;
+        dxdt[2] = exp_1 * e2 * (inverse_4 * e8 - e14) - p_.A_1 * s_dot * e2;
+        dxdt[3] = exp_15 * e17 * (inverse_20 * e24 - e30) + p_.A_2 * s_dot * e17;
+        dxdt[4] = exp_3 * (step_q_a * e31 + e14 * c_.k4) + step_32 * e31 - e8 * c_.k4;
+        dxdt[5] = e33 * (step_34 * c_.k4 + step_35 * e36) - e24 * c_.k4 + e36 * e30;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 6 x 6, entry (i, j) at J[6*j + i].
-    /// Operations: 61 + or -, 133 *, 8 /, 24 other functions
+    /// Operations: 61 + or -, 131 *, 12 /, 24 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar p_1 = x[2];
         const Scalar f_l = u[0];
@@ -536,126 +536,128 @@ public:
         const Scalar step_11 = detail::step<Scalar>(e4);
         const Scalar e12 = step_11 / exp_1;
         const Scalar sqrt_13 = sqrt(p_.rho_0 * (e10 + e12));
-        const Scalar e14 = sqrt_13 * c_.k2;
+        const Scalar e14 = sqrt_13 * c_.k3;
         const Scalar s = x[0];
         const Scalar way_value = detail::curve_value<Scalar, 6>(s, detail::way_curve<Scalar>);
         const Scalar e15 = p_.A_t + p_.A_w * way_value;
         const Scalar e4_squared = e4 * e4;
-        const Scalar e16 = c_.k3 + e4_squared;
-        const Scalar power_17 = pow(e16, -Scalar(1) / Scalar(4));
-        const Scalar e18 = e4 * power_17;
-        const Scalar e19 = e15 * e18;
-        const Scalar e20 = e14 * e19;
-        const Scalar e21 = e8 - e20;
-        const Scalar e22 = p_.A_1 * s_dot - exp_1 * e21;
-        const Scalar inverse_23 = Scalar(1) / (p_.V_d + p_.A_1 * s);
-        const Scalar e24 = p_.beta * inverse_23;
-        const Scalar exp_25 = exp((p_.p_0 - p_2) * c_.k1);
+        const Scalar e16 = c_.k2 + e4_squared;
+        const Scalar sqrt_17 = sqrt(e16);
+        const Scalar sqrt_18 = sqrt(sqrt_17);
+        const Scalar inverse_19 = Scalar(1) / sqrt_18;
+        const Scalar e20 = e4 * inverse_19;
+        const Scalar e21 = e15 * e20;
+        const Scalar e22 = e14 * e21;
+        const Scalar e23 = e8 - e22;
+        const Scalar e24 = p_.A_1 * s_dot - exp_1 * e23;
+        const Scalar inverse_25 = Scalar(1) / (p_.V_d + p_.A_1 * s);
+        const Scalar e26 = p_.beta * inverse_25;
+        const Scalar exp_27 = exp((p_.p_0 - p_2) * c_.k1);
         const Scalar p_b = x[5];
-        const Scalar e26 = p_.p_0 - p_b;
-        const Scalar exp_27 = exp(e26 * c_.k1);
-        const Scalar inverse_28 = Scalar(1) / exp_27;
-        const Scalar e29 = p_2 - p_b;
-        const Scalar e30 = -e29;
-        const Scalar max_31 = detail::max<Scalar>(Scalar(0), e30);
-        const Scalar e32 = p_.k_c * max_31;
-        const Scalar e33 = inverse_28 * e32;
-        const Scalar step_34 = detail::step<Scalar>(e30);
-        const Scalar e35 = step_34 * inverse_28;
-        const Scalar step_36 = detail::step<Scalar>(e29);
-        const Scalar e37 = step_36 / exp_25;
-        const Scalar sqrt_38 = sqrt(p_.rho_0 * (e35 + e37));
-        const Scalar e39 = sqrt_38 * c_.k2;
-        const Scalar e40 = p_.l - s;
-        const Scalar way_value_2 = detail::curve_value<Scalar, 6>(e40, detail::way_curve<Scalar>);
-        const Scalar e41 = p_.A_t + p_.A_w * way_value_2;
-        const Scalar e29_squared = e29 * e29;
-        const Scalar e42 = c_.k3 + e29_squared;
-        const Scalar power_43 = pow(e42, -Scalar(1) / Scalar(4));
-        const Scalar e44 = e29 * power_43;
-        const Scalar e45 = e41 * e44;
-        const Scalar e46 = e39 * e45;
-        const Scalar e47 = e33 - e46;
-        const Scalar e48 = p_.A_2 * s_dot + exp_25 * e47;
-        const Scalar inverse_49 = Scalar(1) / (p_.V_d + p_.A_2 * e40);
-        const Scalar e50 = p_.beta * inverse_49;
+        const Scalar e28 = p_.p_0 - p_b;
+        const Scalar exp_29 = exp(e28 * c_.k1);
+        const Scalar inverse_30 = Scalar(1) / exp_29;
+        const Scalar e31 = p_2 - p_b;
+        const Scalar e32 = -e31;
+        const Scalar max_33 = detail::max<Scalar>(Scalar(0), e32);
+        const Scalar e34 = p_.k_c * max_33;
+        const Scalar e35 = inverse_30 * e34;
+        const Scalar step_36 = detail::step<Scalar>(e32);
+        const Scalar e37 = step_36 * inverse_30;
+        const Scalar step_38 = detail::step<Scalar>(e31);
+        const Scalar e39 = step_38 / exp_27;
+        const Scalar sqrt_40 = sqrt(p_.rho_0 * (e37 + e39));
+        const Scalar e41 = sqrt_40 * c_.k3;
+        const Scalar e42 = p_.l - s;
+        const Scalar way_value_2 = detail::curve_value<Scalar, 6>(e42, detail::way_curve<Scalar>);
+        const Scalar e43 = p_.A_t + p_.A_w * way_value_2;
+        const Scalar e31_squared = e31 * e31;
+        const Scalar e44 = c_.k2 + e31_squared;
+        const Scalar sqrt_45 = sqrt(e44);
+        const Scalar sqrt_46 = sqrt(sqrt_45);
+        const Scalar inverse_47 = Scalar(1) / sqrt_46;
+        const Scalar e48 = e31 * inverse_47;
+        const Scalar e49 = e43 * e48;
+        const Scalar e50 = e41 * e49;
+        const Scalar e51 = e35 - e50;
+        const Scalar e52 = p_.A_2 * s_dot + exp_27 * e51;
+        const Scalar inverse_53 = Scalar(1) / (p_.V_d + p_.A_2 * e42);
+        const Scalar e54 = p_.beta * inverse_53;
         const Scalar q_a = u[1];
-        const Scalar step_51 = detail::step<Scalar>(-q_a);
+        const Scalar step_55 = detail::step<Scalar>(-q_a);
         const Scalar step_q_a = detail::step<Scalar>(q_a);
-        const Scalar e52 = q_a * step_q_a + e20;
-        const Scalar e53 = exp_2 * c_.k4;
-        const Scalar e54 = p_.G_b * e26;
-        const Scalar step_55 = detail::step<Scalar>(e54);
-        const Scalar e56 = step_55 * e54 + e46;
-        const Scalar e57 = exp_27 * c_.k4;
-        const Scalar step_58 = detail::step<Scalar>(-e54);
-        const Scalar e59 = step_58 * c_.k4;
+        const Scalar e56 = q_a * step_q_a + e22;
+        const Scalar e57 = exp_2 * c_.k4;
+        const Scalar e58 = p_.G_b * e28;
+        const Scalar step_59 = detail::step<Scalar>(e58);
+        const Scalar e60 = step_59 * e58 + e50;
+        const Scalar e61 = exp_29 * c_.k4;
+        const Scalar step_62 = detail::step<Scalar>(-e58);
+        const Scalar e63 = step_62 * c_.k4;
         dxdt[0] = x[1];
         dxdt[1] = s_ddot;
-        dxdt[2] = -e22 * e24;
-        dxdt[3] = e48 * e50;
-        dxdt[4] = c_.k4 * (q_a * step_51 - e7) + e52 * e53;
-        dxdt[5] = e56 * e57 + e54 * e59 - e32 * c_.k4;
-        const Scalar e60 = p_.A_1 * e24;
-        const Scalar e61 = exp_1 * e24;
+        dxdt[2] = -e24 * e26;
+        dxdt[3] = e52 * e54;
+        dxdt[4] = c_.k4 * (q_a * step_55 - e7) + e56 * e57;
+        dxdt[5] = e60 * e61 + e58 * e63 - e34 * c_.k4;
+        const Scalar e64 = p_.A_1 * e26;
+        const Scalar e65 = exp_1 * e26;
         const Scalar way_slope = detail::curve_slope<Scalar, 6>(s, detail::way_curve<Scalar>);
-        const Scalar e62 = p_.A_w * way_slope * (e18 * e14);
-        const Scalar e63 = p_.A_2 * e50;
-        const Scalar e64 = exp_25 * e50;
-        const Scalar way_slope_2 = detail::curve_slope<Scalar, 6>(e40, detail::way_curve<Scalar>);
-        const Scalar e65 = p_.A_w * way_slope_2 * (e44 * e39);
-        const Scalar e66 = e19 / sqrt_13;
-        const Scalar e67 = e66 * c_.k5;
-        const Scalar e68 = exp_1 * inverse_23;
-        const Scalar power_69 = pow(e16, -Scalar(5) / Scalar(4));
-        const Scalar e70 = e14 * (e15 * (power_69 * e4_squared - Scalar(2) * power_17));
-        const Scalar e71 = (p_.k_c * e10 - (Scalar(1) / Scalar(2)) * e70) * e61;
-        const Scalar e72 = e66 * c_.k6;
-        const Scalar e73 = (p_.k_c * step_9 - (Scalar(1) / Scalar(2)) * exp_2 * e70) * c_.k4;
-        const Scalar e74 = e45 / sqrt_38;
-        const Scalar e75 = e74 * c_.k5;
-        const Scalar e76 = exp_25 * inverse_49;
-        const Scalar power_77 = pow(e42, -Scalar(5) / Scalar(4));
-        const Scalar e78 = e39 * (e41 * (power_77 * e29_squared - Scalar(2) * power_43));
-        const Scalar e79 = (p_.k_c * e35 - (Scalar(1) / Scalar(2)) * e78) * e64;
-        const Scalar e80 = e74 * c_.k6;
-        const Scalar e81 = (p_.k_c * step_34 - (Scalar(1) / Scalar(2)) * exp_27 * e78) * c_.k4;
+        const Scalar e66 = p_.A_w * way_slope * (e20 * e14);
+        const Scalar e67 = p_.A_2 * e54;
+        const Scalar e68 = exp_27 * e54;
+        const Scalar way_slope_2 = detail::curve_slope<Scalar, 6>(e42, detail::way_curve<Scalar>);
+        const Scalar e69 = p_.A_w * way_slope_2 * (e48 * e41);
+        const Scalar e70 = e21 / sqrt_13;
+        const Scalar e71 = e70 * c_.k5;
+        const Scalar e72 = exp_1 * inverse_25;
+        const Scalar e73 = inverse_19 * e15 * ((Scalar(1) - (Scalar(1) / Scalar(2)) * e4_squared / e16) * e14);
+        const Scalar e74 = (p_.k_c * e10 + e73) * e65;
+        const Scalar e75 = e70 * c_.k6;
+        const Scalar e76 = (exp_2 * e73 + p_.k_c * step_9) * c_.k4;
+        const Scalar e77 = e49 / sqrt_40;
+        const Scalar e78 = e77 * c_.k5;
+        const Scalar e79 = exp_27 * inverse_53;
+        const Scalar e80 = inverse_47 * e43 * ((Scalar(1) - (Scalar(1) / Scalar(2)) * e31_squared / e44) * e41);
+        const Scalar e81 = (p_.k_c * e37 + e80) * e68;
+        const Scalar e82 = e77 * c_.k6;
+        const Scalar e83 = (exp_29 * e80 + p_.k_c * step_36) * c_.k4;
         J[0] = Scalar(0);
         J[1] = Scalar(0);
-        J[2] = inverse_23 * e22 * e60 - e61 * e62;
-        J[3] = inverse_49 * e48 * e63 + e64 * e65;
-        J[4] = e53 * e62;
-        J[5] = -e57 * e65;
+        J[2] = inverse_25 * e24 * e64 - e65 * e66;
+        J[3] = inverse_53 * e52 * e67 + e68 * e69;
+        J[4] = e57 * e66;
+        J[5] = -e61 * e69;
         J[6] = Scalar(1);
         J[7] = (-p_.d) * c_.k0;
-        J[8] = -e60;
-        J[9] = e63;
+        J[8] = -e64;
+        J[9] = e67;
         J[10] = Scalar(0);
         J[11] = Scalar(0);
         J[12] = Scalar(0);
         J[13] = p_.A_1 * c_.k0;
-        J[14] = -(Scalar(1) / Scalar(2)) * step_11 * inverse_23 * e67 - e21 * e68 - e71;
+        J[14] = -(Scalar(1) / Scalar(2)) * step_11 * inverse_25 * e71 - e23 * e72 - e74;
         J[15] = Scalar(0);
-        J[16] = (Scalar(1) / Scalar(2)) * exp_2 * e12 * e72 + e73;
+        J[16] = (Scalar(1) / Scalar(2)) * exp_2 * e12 * e75 + e76;
         J[17] = Scalar(0);
         J[18] = Scalar(0);
         J[19] = (-p_.A_2) * c_.k0;
         J[20] = Scalar(0);
-        J[21] = -(Scalar(1) / Scalar(2)) * step_36 * inverse_49 * e75 - e47 * e76 - e79;
+        J[21] = -(Scalar(1) / Scalar(2)) * step_38 * inverse_53 * e78 - e51 * e79 - e81;
         J[22] = Scalar(0);
-        J[23] = (Scalar(1) / Scalar(2)) * exp_27 * e37 * e80 + e81;
+        J[23] = (Scalar(1) / Scalar(2)) * exp_29 * e39 * e82 + e83;
         J[24] = Scalar(0);
         J[25] = Scalar(0);
-        J[26] = e71 - e68 * ((Scalar(1) / Scalar(2)) * e10 * e67 - e8);
+        J[26] = e74 - e72 * ((Scalar(1) / Scalar(2)) * e10 * e71 - e8);
         J[27] = Scalar(0);
-        J[28] = (Scalar(1) / Scalar(2)) * step_9 * e72 - exp_2 * e52 * c_.k7 - e73;
+        J[28] = (Scalar(1) / Scalar(2)) * step_9 * e75 - exp_2 * e56 * c_.k7 - e76;
         J[29] = Scalar(0);
         J[30] = Scalar(0);
         J[31] = Scalar(0);
         J[32] = Scalar(0);
-        J[33] = e79 - e76 * ((Scalar(1) / Scalar(2)) * e35 * e75 - e33);
+        J[33] = e81 - e79 * ((Scalar(1) / Scalar(2)) * e37 * e78 - e35);
         J[34] = Scalar(0);
-        J[35] = (Scalar(1) / Scalar(2)) * step_34 * e80 - p_.G_b * (step_55 * e57 + e59) - exp_27 * e56 * c_.k7 - e81;
+        J[35] = (Scalar(1) / Scalar(2)) * step_36 * e82 - p_.G_b * (step_59 * e61 + e63) - exp_29 * e60 * c_.k7 - e83;
     }
 
     /// J = df/dx. 6 x 6, entry (i, j) at J[6*j + i].
@@ -688,10 +690,9 @@ public:
     }
 
     /// J = df/dp, parameters in the order of the table. 6 x 16, entry (i, j) at J[6*j + i].
-    /// Operations: 125 + or -, 299 *, 11 /, 24 other functions
+    /// Operations: 125 + or -, 295 *, 15 /, 24 other functions
     void jacobian_p(const State& x, const Input& u, Scalar t, JacobianP& J) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         State dxdt;
         rhs(x, u, t, dxdt);
@@ -706,133 +707,133 @@ public:
         const Scalar e5 = inverse_2 * e4;
         const Scalar e6 = p_.beta * e5;
         const Scalar e7 = p_.A_t * e6;
-        const Scalar e8 = p_.p_0 - p_1;
-        const Scalar exp_9 = exp(c_.k1 * e8);
-        const Scalar e10 = exp_9 * inverse_1;
         const Scalar p_a = x[4];
-        const Scalar e11 = p_1 - p_a;
-        const Scalar e12 = -e11;
-        const Scalar step_13 = detail::step<Scalar>(e12);
-        const Scalar e14 = p_.p_0 - p_a;
-        const Scalar exp_15 = exp(c_.k1 * e14);
-        const Scalar inverse_16 = Scalar(1) / exp_15;
-        const Scalar step_17 = detail::step<Scalar>(e11);
-        const Scalar e18 = step_17 / exp_9;
-        const Scalar sqrt_19 = sqrt(p_.rho_0 * (step_13 * inverse_16 + e18));
-        const Scalar e20 = c_.k3 + e11 * e11;
-        const Scalar power_21 = pow(e20, -Scalar(1) / Scalar(4));
-        const Scalar e22 = e11 * power_21;
-        const Scalar e23 = sqrt_19 * e22;
-        const Scalar e24 = e10 * e23;
-        const Scalar e25 = p_.A_w * e6;
+        const Scalar e8 = p_1 - p_a;
+        const Scalar e9 = -e8;
+        const Scalar step_10 = detail::step<Scalar>(e9);
+        const Scalar e11 = p_.p_0 - p_a;
+        const Scalar exp_12 = exp(c_.k1 * e11);
+        const Scalar inverse_13 = Scalar(1) / exp_12;
+        const Scalar step_14 = detail::step<Scalar>(e8);
+        const Scalar e15 = p_.p_0 - p_1;
+        const Scalar exp_16 = exp(c_.k1 * e15);
+        const Scalar e17 = step_14 / exp_16;
+        const Scalar sqrt_18 = sqrt(p_.rho_0 * (step_10 * inverse_13 + e17));
+        const Scalar e19 = c_.k2 + e8 * e8;
+        const Scalar sqrt_20 = sqrt(e19);
+        const Scalar sqrt_21 = sqrt(sqrt_20);
+        const Scalar e22 = e8 / sqrt_21;
+        const Scalar e23 = sqrt_18 * e22;
+        const Scalar e24 = exp_16 * inverse_1;
+        const Scalar e25 = e23 * e24;
+        const Scalar e26 = p_.A_w * e6;
         const Scalar way_value = detail::curve_value<Scalar, 6>(s, detail::way_curve<Scalar>);
-        const Scalar e26 = way_value * e24;
-        const Scalar e27 = p_.k_c * p_.beta;
-        const Scalar max_28 = detail::max<Scalar>(Scalar(0), e12);
-        const Scalar e29 = inverse_16 * e10;
-        const Scalar e30 = max_28 * e29;
-        const Scalar e31 = inverse_1 * (e7 * e24 + (e25 * e26 - e27 * e30));
-        const Scalar e32 = p_.V_d * p_.beta;
-        const Scalar e33 = s_dot * inverse_1;
-        const Scalar e34 = inverse_1 * e33;
-        const Scalar inverse_35 = Scalar(1) / (p_.A_2 * p_.l + p_.V_d - p_.A_2 * s);
-        const Scalar e36 = s_dot * inverse_35;
-        const Scalar e37 = inverse_35 * e36;
-        const Scalar e38 = p_.p_0 - p_2;
-        const Scalar exp_39 = exp(c_.k1 * e38);
-        const Scalar e40 = exp_39 * inverse_35;
+        const Scalar e27 = way_value * e25;
+        const Scalar e28 = p_.k_c * p_.beta;
+        const Scalar max_29 = detail::max<Scalar>(Scalar(0), e9);
+        const Scalar e30 = inverse_13 * e24;
+        const Scalar e31 = max_29 * e30;
+        const Scalar e32 = inverse_1 * (e7 * e25 + (e26 * e27 - e28 * e31));
+        const Scalar e33 = p_.V_d * p_.beta;
+        const Scalar e34 = s_dot * inverse_1;
+        const Scalar e35 = inverse_1 * e34;
+        const Scalar inverse_36 = Scalar(1) / (p_.A_2 * p_.l + p_.V_d - p_.A_2 * s);
+        const Scalar e37 = s_dot * inverse_36;
+        const Scalar e38 = inverse_36 * e37;
         const Scalar p_b = x[5];
-        const Scalar e41 = p_2 - p_b;
-        const Scalar e42 = -e41;
-        const Scalar step_43 = detail::step<Scalar>(e42);
-        const Scalar e44 = p_.p_0 - p_b;
-        const Scalar exp_45 = exp(c_.k1 * e44);
-        const Scalar inverse_46 = Scalar(1) / exp_45;
-        const Scalar step_47 = detail::step<Scalar>(e41);
-        const Scalar e48 = step_47 / exp_39;
-        const Scalar sqrt_49 = sqrt(p_.rho_0 * (step_43 * inverse_46 + e48));
-        const Scalar e50 = c_.k3 + e41 * e41;
-        const Scalar power_51 = pow(e50, -Scalar(1) / Scalar(4));
-        const Scalar e52 = e41 * power_51;
-        const Scalar e53 = sqrt_49 * e52;
-        const Scalar e54 = e40 * e53;
-        const Scalar e55 = inverse_35 * e54;
-        const Scalar e56 = p_.l - s;
-        const Scalar way_value_2 = detail::curve_value<Scalar, 6>(e56, detail::way_curve<Scalar>);
-        const Scalar e57 = way_value_2 * e54;
-        const Scalar e58 = inverse_35 * e57;
-        const Scalar max_59 = detail::max<Scalar>(Scalar(0), e42);
-        const Scalar e60 = inverse_46 * e40;
-        const Scalar e61 = max_59 * e60;
-        const Scalar e62 = inverse_35 * e61;
-        const Scalar e63 = inverse_35 * (e7 * e54 + (e25 * e57 - e27 * e61));
-        const Scalar way_slope = detail::curve_slope<Scalar, 6>(e56, detail::way_curve<Scalar>);
-        const Scalar e64 = p_.A_2 * p_.beta;
-        const Scalar inverse_65 = Scalar(1) / p_.V_p;
-        const Scalar e66 = inverse_65 * e25;
-        const Scalar e67 = exp_45 * e53;
-        const Scalar e68 = p_.beta * inverse_65;
-        const Scalar e69 = inverse_65 * e68;
-        const Scalar e70 = p_.k_c * e69;
-        const Scalar e71 = inverse_65 * e7;
-        const Scalar e72 = inverse_65 * e71;
-        const Scalar e73 = exp_15 * e23;
+        const Scalar e39 = p_2 - p_b;
+        const Scalar e40 = -e39;
+        const Scalar step_41 = detail::step<Scalar>(e40);
+        const Scalar e42 = p_.p_0 - p_b;
+        const Scalar exp_43 = exp(c_.k1 * e42);
+        const Scalar inverse_44 = Scalar(1) / exp_43;
+        const Scalar step_45 = detail::step<Scalar>(e39);
+        const Scalar e46 = p_.p_0 - p_2;
+        const Scalar exp_47 = exp(c_.k1 * e46);
+        const Scalar e48 = step_45 / exp_47;
+        const Scalar sqrt_49 = sqrt(p_.rho_0 * (step_41 * inverse_44 + e48));
+        const Scalar e50 = c_.k2 + e39 * e39;
+        const Scalar sqrt_51 = sqrt(e50);
+        const Scalar sqrt_52 = sqrt(sqrt_51);
+        const Scalar e53 = e39 / sqrt_52;
+        const Scalar e54 = sqrt_49 * e53;
+        const Scalar e55 = exp_47 * inverse_36;
+        const Scalar e56 = e54 * e55;
+        const Scalar e57 = inverse_36 * e56;
+        const Scalar e58 = p_.l - s;
+        const Scalar way_value_2 = detail::curve_value<Scalar, 6>(e58, detail::way_curve<Scalar>);
+        const Scalar e59 = way_value_2 * e56;
+        const Scalar e60 = inverse_36 * e59;
+        const Scalar max_61 = detail::max<Scalar>(Scalar(0), e40);
+        const Scalar e62 = inverse_44 * e55;
+        const Scalar e63 = max_61 * e62;
+        const Scalar e64 = inverse_36 * e63;
+        const Scalar e65 = inverse_36 * (e26 * e59 - (e28 * e63 - e7 * e56));
+        const Scalar way_slope = detail::curve_slope<Scalar, 6>(e58, detail::way_curve<Scalar>);
+        const Scalar e66 = p_.A_2 * p_.beta;
+        const Scalar inverse_67 = Scalar(1) / p_.V_p;
+        const Scalar e68 = inverse_67 * e26;
+        const Scalar e69 = exp_43 * e54;
+        const Scalar e70 = p_.beta * inverse_67;
+        const Scalar e71 = inverse_67 * e70;
+        const Scalar e72 = p_.k_c * e71;
+        const Scalar e73 = inverse_67 * e7;
+        const Scalar e74 = inverse_67 * e73;
+        const Scalar e75 = exp_12 * e23;
+        const Scalar e76 = inverse_67 * e68;
+        const Scalar e77 = way_value * e75;
         const Scalar q_a = u[1];
-        const Scalar step_74 = detail::step<Scalar>(-q_a);
+        const Scalar step_78 = detail::step<Scalar>(-q_a);
         const Scalar step_q_a = detail::step<Scalar>(q_a);
-        const Scalar e75 = step_q_a * exp_15;
-        const Scalar e76 = step_74 + e75;
-        const Scalar e77 = inverse_65 * e66;
-        const Scalar e78 = way_value * e73;
-        const Scalar e79 = way_value_2 * e67;
-        const Scalar e80 = p_.G_b * e44;
-        const Scalar step_81 = detail::step<Scalar>(-e80);
-        const Scalar step_82 = detail::step<Scalar>(e80);
-        const Scalar e83 = exp_45 * step_82;
-        const Scalar e84 = step_81 + e83;
-        const Scalar e85 = e44 * e84;
-        const Scalar e86 = inverse_65 * e6;
-        const Scalar e87 = sqrt_3 * inverse_2;
-        const Scalar e88 = p_.beta * e87;
-        const Scalar e89 = p_.A_t * e88;
-        const Scalar e90 = p_.A_w * e88;
-        const Scalar e91 = e68 * e87;
-        const Scalar e92 = p_.A_t * e91;
-        const Scalar e93 = p_.A_w * e91;
-        const Scalar power_94 = pow(e20, -Scalar(5) / Scalar(4));
-        const Scalar e95 = power_94 * (e11 * sqrt_19);
-        const Scalar e96 = (Scalar(1) / Scalar(2)) * p_.p_w * e25;
+        const Scalar e79 = step_q_a * exp_12;
+        const Scalar e80 = step_78 + e79;
+        const Scalar e81 = way_value_2 * e69;
+        const Scalar e82 = p_.G_b * e42;
+        const Scalar step_83 = detail::step<Scalar>(-e82);
+        const Scalar step_84 = detail::step<Scalar>(e82);
+        const Scalar e85 = exp_43 * step_84;
+        const Scalar e86 = step_83 + e85;
+        const Scalar e87 = e42 * e86;
+        const Scalar e88 = inverse_67 * e6;
+        const Scalar e89 = sqrt_3 * inverse_2;
+        const Scalar e90 = p_.beta * e89;
+        const Scalar e91 = p_.A_t * e90;
+        const Scalar e92 = p_.A_w * e90;
+        const Scalar e93 = e70 * e89;
+        const Scalar e94 = p_.A_t * e93;
+        const Scalar e95 = p_.A_w * e93;
+        const Scalar inverse_96 = Scalar(1) / e19;
         const Scalar e97 = (Scalar(1) / Scalar(2)) * p_.p_w * e7;
-        const Scalar power_98 = pow(e50, -Scalar(5) / Scalar(4));
-        const Scalar e99 = power_98 * (e41 * sqrt_49);
-        const Scalar e100 = (Scalar(1) / Scalar(2)) * p_.p_w * e66;
-        const Scalar e101 = (Scalar(1) / Scalar(2)) * p_.p_w * e71;
+        const Scalar e98 = (Scalar(1) / Scalar(2)) * p_.p_w * e26;
+        const Scalar inverse_99 = Scalar(1) / e50;
+        const Scalar e100 = (Scalar(1) / Scalar(2)) * p_.p_w * e73;
+        const Scalar e101 = (Scalar(1) / Scalar(2)) * p_.p_w * e68;
         const Scalar e102 = inverse_2 * e7;
-        const Scalar e103 = inverse_2 * e25;
+        const Scalar e103 = inverse_2 * e26;
         const Scalar e104 = (Scalar(1) / Scalar(2)) * e7;
-        const Scalar e105 = step_17 * inverse_1;
-        const Scalar e106 = step_13 * e29 + e105;
-        const Scalar e107 = e22 / sqrt_19;
+        const Scalar e105 = step_14 * inverse_1;
+        const Scalar e106 = step_10 * e30 + e105;
+        const Scalar e107 = e22 / sqrt_18;
         const Scalar e108 = e106 * e107;
-        const Scalar e109 = (Scalar(1) / Scalar(2)) * e25;
+        const Scalar e109 = (Scalar(1) / Scalar(2)) * e26;
         const Scalar e110 = way_value * e107;
         const Scalar e111 = e106 * e110;
-        const Scalar e112 = step_47 * inverse_35;
-        const Scalar e113 = step_43 * e60 + e112;
-        const Scalar e114 = e52 / sqrt_49;
+        const Scalar e112 = step_45 * inverse_36;
+        const Scalar e113 = step_41 * e62 + e112;
+        const Scalar e114 = e53 / sqrt_49;
         const Scalar e115 = e113 * e114;
         const Scalar e116 = way_value_2 * e114;
         const Scalar e117 = e113 * e116;
-        const Scalar e118 = (Scalar(1) / Scalar(2)) * e71;
-        const Scalar e119 = exp_15 * e18;
-        const Scalar e120 = step_13 + e119;
+        const Scalar e118 = (Scalar(1) / Scalar(2)) * e73;
+        const Scalar e119 = exp_12 * e17;
+        const Scalar e120 = step_10 + e119;
         const Scalar e121 = e120 * e107;
-        const Scalar e122 = inverse_2 * e71;
-        const Scalar e123 = inverse_2 * e66;
-        const Scalar e124 = (Scalar(1) / Scalar(2)) * e66;
+        const Scalar e122 = inverse_2 * e73;
+        const Scalar e123 = inverse_2 * e68;
+        const Scalar e124 = (Scalar(1) / Scalar(2)) * e68;
         const Scalar e125 = e120 * e110;
-        const Scalar e126 = exp_45 * e48;
-        const Scalar e127 = step_43 + e126;
+        const Scalar e126 = exp_43 * e48;
+        const Scalar e127 = step_41 + e126;
         const Scalar e128 = e127 * e114;
         const Scalar e129 = e127 * e116;
         const Scalar inverse_130 = Scalar(1) / p_.beta;
@@ -841,65 +842,65 @@ public:
         const Scalar e133 = p_.A_w * e5;
         const Scalar e134 = inverse_130 * e133;
         const Scalar e135 = p_.k_c * inverse_130;
-        const Scalar e136 = e135 * e30;
+        const Scalar e136 = e135 * e31;
         const Scalar e137 = p_.A_w * e4;
         const Scalar e138 = (Scalar(1) / Scalar(2)) * inverse_130 * e137;
         const Scalar e139 = p_.A_t * e4;
         const Scalar e140 = (Scalar(1) / Scalar(2)) * inverse_130 * e139;
-        const Scalar e141 = e8 * e107;
-        const Scalar e142 = e107 * (e14 * step_13);
-        const Scalar e143 = e133 * e26 + e131 * e24;
-        const Scalar e144 = e135 * e61;
-        const Scalar e145 = e38 * e114;
-        const Scalar e146 = e114 * (e44 * step_43);
-        const Scalar e147 = e133 * e57 + e131 * e54;
-        const Scalar e148 = inverse_65 * inverse_130;
+        const Scalar e141 = e15 * e107;
+        const Scalar e142 = e107 * (e11 * step_10);
+        const Scalar e143 = e133 * e27 + e131 * e25;
+        const Scalar e144 = e135 * e63;
+        const Scalar e145 = e46 * e114;
+        const Scalar e146 = e114 * (e42 * step_41);
+        const Scalar e147 = e133 * e59 + e131 * e56;
+        const Scalar e148 = inverse_67 * inverse_130;
         const Scalar e149 = (Scalar(1) / Scalar(2)) * e148 * e137;
         const Scalar e150 = (Scalar(1) / Scalar(2)) * e148 * e139;
         const Scalar e151 = e148 * e131;
         const Scalar e152 = e148 * e133;
-        const Scalar e153 = p_.k_c * inverse_65;
-        const Scalar e154 = inverse_65 * e133;
-        const Scalar e155 = inverse_65 * e131;
-        const Scalar e156 = e154 * e78 + e155 * e73;
+        const Scalar e153 = p_.k_c * inverse_67;
+        const Scalar e154 = inverse_67 * e133;
+        const Scalar e155 = inverse_67 * e131;
+        const Scalar e156 = e154 * e77 + e155 * e75;
         const Scalar e157 = c_.k7 * q_a;
-        const Scalar e158 = e44 * e83;
-        const Scalar e159 = e154 * e79 + e155 * e67;
-        const Scalar e160 = p_.G_b * inverse_65;
+        const Scalar e158 = e42 * e85;
+        const Scalar e159 = e154 * e81 + e155 * e69;
+        const Scalar e160 = p_.G_b * inverse_67;
         const Scalar e161 = (Scalar(1) / Scalar(2)) * e139;
         const Scalar e162 = (Scalar(1) / Scalar(2)) * e137;
-        const Scalar e163 = (Scalar(1) / Scalar(2)) * inverse_65 * e139;
-        const Scalar e164 = (Scalar(1) / Scalar(2)) * inverse_65 * e137;
+        const Scalar e163 = (Scalar(1) / Scalar(2)) * inverse_67 * e139;
+        const Scalar e164 = (Scalar(1) / Scalar(2)) * inverse_67 * e137;
         J[0] = Scalar(0);
         J[1] = p_1 * c_.k0;
-        J[2] = s * e31 - e32 * e34;
+        J[2] = s * e32 - e33 * e35;
         J[3] = Scalar(0);
         J[4] = Scalar(0);
         J[5] = Scalar(0);
         J[6] = Scalar(0);
         J[7] = (-p_2) * c_.k0;
         J[8] = Scalar(0);
-        J[9] = e32 * e37 + p_.l * e7 * e55 + p_.l * e25 * e58 - p_.l * e27 * e62 - s * e63;
+        J[9] = e33 * e38 + p_.l * e7 * e57 + p_.l * e26 * e60 - p_.l * e28 * e64 - s * e65;
         J[10] = Scalar(0);
         J[11] = Scalar(0);
         J[12] = Scalar(0);
         J[13] = Scalar(0);
         J[14] = Scalar(0);
-        J[15] = p_.A_2 * e7 * e55 - way_slope * e25 * e54 - p_.A_2 * e64 * e37 + p_.A_2 * e25 * e58 - p_.A_2 * e27 * e62;
+        J[15] = p_.A_2 * e7 * e57 - way_slope * e26 * e56 - p_.A_2 * e66 * e38 + p_.A_2 * e26 * e60 - p_.A_2 * e28 * e64;
         J[16] = Scalar(0);
-        J[17] = way_slope * e66 * e67;
+        J[17] = way_slope * e68 * e69;
         J[18] = Scalar(0);
         J[19] = Scalar(0);
-        J[20] = e31 + p_.A_1 * p_.beta * e34;
-        J[21] = e63 - e64 * e37;
+        J[20] = e32 + p_.A_1 * p_.beta * e35;
+        J[21] = e65 - e66 * e38;
         J[22] = Scalar(0);
         J[23] = Scalar(0);
         J[24] = Scalar(0);
         J[25] = Scalar(0);
         J[26] = Scalar(0);
         J[27] = Scalar(0);
-        J[28] = max_28 * e70 - e72 * e73 - q_a * e69 * e76 - e77 * e78;
-        J[29] = max_59 * e70 - e72 * e67 - e77 * e79 - p_.G_b * e69 * e85;
+        J[28] = max_29 * e72 - e74 * e75 - e76 * e77 - q_a * e71 * e80;
+        J[29] = max_61 * e72 - e74 * e69 - e76 * e81 - p_.G_b * e71 * e87;
         J[30] = Scalar(0);
         J[31] = (-dxdt[1]) * c_.k0;
         J[32] = Scalar(0);
@@ -914,62 +915,62 @@ public:
         J[41] = Scalar(0);
         J[42] = Scalar(0);
         J[43] = Scalar(0);
-        J[44] = -e6 * e26;
-        J[45] = -e6 * e57;
-        J[46] = e86 * e78;
-        J[47] = e86 * e79;
+        J[44] = -e6 * e27;
+        J[45] = -e6 * e59;
+        J[46] = e88 * e77;
+        J[47] = e88 * e81;
         J[48] = Scalar(0);
         J[49] = Scalar(0);
-        J[50] = -e6 * e24;
-        J[51] = -e6 * e54;
-        J[52] = e86 * e73;
-        J[53] = e86 * e67;
+        J[50] = -e6 * e25;
+        J[51] = -e6 * e56;
+        J[52] = e88 * e75;
+        J[53] = e88 * e69;
         J[54] = Scalar(0);
         J[55] = Scalar(0);
-        J[56] = -e89 * e24 - e90 * e26;
-        J[57] = -e89 * e54 - e90 * e57;
-        J[58] = e92 * e73 + e93 * e78;
-        J[59] = e92 * e67 + e93 * e79;
+        J[56] = -e91 * e25 - e92 * e27;
+        J[57] = -e91 * e56 - e92 * e59;
+        J[58] = e94 * e75 + e95 * e77;
+        J[59] = e94 * e69 + e95 * e81;
         J[60] = Scalar(0);
         J[61] = Scalar(0);
-        J[62] = e10 * e95 * (way_value * e96 + e97);
-        J[63] = e40 * e99 * (way_value_2 * e96 + e97);
-        J[64] = -exp_15 * e95 * (way_value * e100 + e101);
-        J[65] = -exp_45 * e99 * (way_value_2 * e100 + e101);
+        J[62] = inverse_96 * (e97 * e25 + e98 * e27);
+        J[63] = inverse_99 * (e97 * e56 + e98 * e59);
+        J[64] = -inverse_96 * (e100 * e75 + e101 * e77);
+        J[65] = -inverse_99 * (e100 * e69 + e101 * e81);
         J[66] = Scalar(0);
         J[67] = Scalar(0);
-        J[68] = p_.beta * e30;
-        J[69] = p_.beta * e61;
-        J[70] = -c_.k4 * max_28;
-        J[71] = -c_.k4 * max_59;
+        J[68] = p_.beta * e31;
+        J[69] = p_.beta * e63;
+        J[70] = -c_.k4 * max_29;
+        J[71] = -c_.k4 * max_61;
         J[72] = Scalar(0);
         J[73] = Scalar(0);
-        J[74] = e102 * e24 + e103 * e26 - e104 * e108 - e109 * e111;
-        J[75] = e102 * e54 + e103 * e57 - e104 * e115 - e109 * e117;
-        J[76] = e118 * e121 - e122 * e73 - e123 * e78 + e124 * e125;
-        J[77] = e118 * e128 - e122 * e67 - e123 * e79 + e124 * e129;
+        J[74] = e102 * e25 + e103 * e27 - e104 * e108 - e109 * e111;
+        J[75] = e102 * e56 + e103 * e59 - e104 * e115 - e109 * e117;
+        J[76] = e118 * e121 - e122 * e75 - e123 * e77 + e124 * e125;
+        J[77] = e118 * e128 - e122 * e69 - e123 * e81 + e124 * e129;
         J[78] = Scalar(0);
         J[79] = Scalar(0);
-        J[80] = e8 * (e132 * e24 + e134 * e26 - e136) - (way_value * e138 + e140) * (e105 * e141 + e29 * e142) + p_.k_c * e30
-            - e143 - p_.A_1 * e33 + e14 * e136;
-        J[81] = e38 * (e132 * e54 + e134 * e57 - e144) - (way_value_2 * e138 + e140) * (e112 * e145 + e60 * e146) + p_.k_c
-            * e61 - e147 + p_.A_2 * e36 + e44 * e144;
-        J[82] = (way_value * e149 + e150) * (e141 * e119 + e142) - e14 * (e151 * e73 + e152 * e78 + q_a * e148 * e75) - max_28
-            * e153 + e156 + e76 * e157;
-        J[83] = (way_value_2 * e149 + e150) * (e145 * e126 + e146) - e44 * (e151 * e67 + e152 * e79 + p_.G_b * e148 * e158)
-            - max_59 * e153 + e159 + e160 * e85;
+        J[80] = e15 * (e132 * e25 + e134 * e27 - e136) - (way_value * e138 + e140) * (e105 * e141 + e30 * e142) + p_.k_c * e31
+            - e143 - p_.A_1 * e34 + e11 * e136;
+        J[81] = e46 * (e132 * e56 + e134 * e59 - e144) - (way_value_2 * e138 + e140) * (e112 * e145 + e62 * e146) + p_.k_c
+            * e63 - e147 + p_.A_2 * e37 + e42 * e144;
+        J[82] = (way_value * e149 + e150) * (e141 * e119 + e142) - e11 * (e151 * e75 + e152 * e77 + q_a * e148 * e79) - max_29
+            * e153 + e156 + e80 * e157;
+        J[83] = (way_value_2 * e149 + e150) * (e145 * e126 + e146) - e42 * (e151 * e69 + e152 * e81 + p_.G_b * e148 * e158)
+            - max_61 * e153 + e159 + e160 * e87;
         J[84] = Scalar(0);
         J[85] = Scalar(0);
         J[86] = e161 * e108 - e143 + e162 * e111;
         J[87] = e161 * e115 - e147 + e162 * e117;
-        J[88] = e156 + e75 * e157 - e163 * e121 - e164 * e125;
-        J[89] = p_.G_b * e68 * e84 + e159 - e163 * e128 - e164 * e129 + e160 * e158;
+        J[88] = e156 + e79 * e157 - e163 * e121 - e164 * e125;
+        J[89] = p_.G_b * e70 * e86 + e159 - e163 * e128 - e164 * e129 + e160 * e158;
         J[90] = Scalar(0);
         J[91] = Scalar(0);
         J[92] = Scalar(0);
         J[93] = Scalar(0);
         J[94] = Scalar(0);
-        J[95] = c_.k4 * e85;
+        J[95] = c_.k4 * e87;
     }
 
     /// J = df/dt at fixed x and u.
@@ -1112,10 +1113,9 @@ public:
     }
 
     /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
-    /// Operations: 58 + or -, 84 *, 5 /, 25 other functions
+    /// Operations: 58 + or -, 84 *, 7 /, 27 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar p_1 = x[2];
         const Scalar e1 = c_.k1 * (p_.p_0 - p_1);
@@ -1131,66 +1131,68 @@ public:
         const Scalar e10 = p_.A_t * e9;
         const Scalar e11 = p_.p_0 * e10;
         const Scalar e12 = p_1 - p_a;
-        const Scalar step_13 = detail::step<Scalar>(e12);
-        const Scalar e14 = -e12;
-        const Scalar step_15 = detail::step<Scalar>(e14);
-        const Scalar inverse_16 = Scalar(1) / exp_5;
-        const Scalar sqrt_17 = sqrt(p_.rho_0 * (step_13 / exp_2 + step_15 * inverse_16));
-        const Scalar power_18 = pow(c_.k3 + e12 * e12, -Scalar(1) / Scalar(4));
-        const Scalar e19 = sqrt_17 * (e12 * power_18);
-        const Scalar e20 = p_.k_c * p_.p_0;
-        const Scalar max_21 = detail::max<Scalar>(Scalar(0), e14);
-        const Scalar e22 = max_21 * inverse_16;
-        const Scalar e23 = p_.A_w * e9;
-        const Scalar e24 = p_.p_0 * e23;
+        const Scalar sqrt_13 = sqrt(c_.k2 + e12 * e12);
+        const Scalar sqrt_14 = sqrt(sqrt_13);
+        const Scalar step_15 = detail::step<Scalar>(e12);
+        const Scalar e16 = -e12;
+        const Scalar step_17 = detail::step<Scalar>(e16);
+        const Scalar inverse_18 = Scalar(1) / exp_5;
+        const Scalar sqrt_19 = sqrt(p_.rho_0 * (step_15 / exp_2 + step_17 * inverse_18));
+        const Scalar e20 = e12 * sqrt_19 / sqrt_14;
+        const Scalar e21 = p_.k_c * p_.p_0;
+        const Scalar max_22 = detail::max<Scalar>(Scalar(0), e16);
+        const Scalar e23 = max_22 * inverse_18;
+        const Scalar e24 = p_.A_w * e9;
+        const Scalar e25 = p_.p_0 * e24;
         const Scalar s = x[0];
         const Scalar way_value = detail::curve_value<Scalar, 6>(s, detail::way_curve<Scalar>);
-        const Scalar e25 = way_value * e19;
+        const Scalar e26 = way_value * e20;
         const Scalar p_b = x[5];
         const Scalar p_2 = x[3];
-        const Scalar e26 = p_2 - p_b;
-        const Scalar e27 = -e26;
-        const Scalar max_28 = detail::max<Scalar>(Scalar(0), e27);
-        const Scalar e29 = p_1 * exp_2;
-        const Scalar e30 = p_.p_0 - p_b;
-        const Scalar e31 = c_.k1 * e30;
-        const Scalar exp_32 = exp(e31);
-        const Scalar inverse_33 = Scalar(1) / exp_32;
-        const Scalar e34 = max_28 * inverse_33;
-        const Scalar e35 = c_.k1 * (p_.p_0 - p_2);
-        const Scalar exp_36 = exp(e35);
-        const Scalar e37 = p_2 * exp_36;
-        const Scalar e38 = p_.beta * e10;
-        const Scalar e39 = p_.k_c * p_.beta;
-        const Scalar e40 = p_.beta * e23;
-        const Scalar compression_41 = detail::compression<Scalar>(-e35, exp_36);
-        const Scalar compression_42 = detail::compression<Scalar>(-e31, exp_32);
-        const Scalar step_43 = detail::step<Scalar>(e26);
-        const Scalar step_44 = detail::step<Scalar>(e27);
-        const Scalar sqrt_45 = sqrt(p_.rho_0 * (step_43 / exp_36 + step_44 * inverse_33));
-        const Scalar power_46 = pow(c_.k3 + e26 * e26, -Scalar(1) / Scalar(4));
-        const Scalar e47 = sqrt_45 * (e26 * power_46);
+        const Scalar e27 = p_2 - p_b;
+        const Scalar e28 = -e27;
+        const Scalar max_29 = detail::max<Scalar>(Scalar(0), e28);
+        const Scalar e30 = p_1 * exp_2;
+        const Scalar e31 = p_.p_0 - p_b;
+        const Scalar e32 = c_.k1 * e31;
+        const Scalar exp_33 = exp(e32);
+        const Scalar inverse_34 = Scalar(1) / exp_33;
+        const Scalar e35 = max_29 * inverse_34;
+        const Scalar e36 = c_.k1 * (p_.p_0 - p_2);
+        const Scalar exp_37 = exp(e36);
+        const Scalar e38 = p_2 * exp_37;
+        const Scalar e39 = p_.beta * e10;
+        const Scalar e40 = p_.k_c * p_.beta;
+        const Scalar e41 = p_.beta * e24;
+        const Scalar compression_42 = detail::compression<Scalar>(-e36, exp_37);
+        const Scalar compression_43 = detail::compression<Scalar>(-e32, exp_33);
+        const Scalar sqrt_44 = sqrt(c_.k2 + e27 * e27);
+        const Scalar sqrt_45 = sqrt(sqrt_44);
+        const Scalar step_46 = detail::step<Scalar>(e27);
+        const Scalar step_47 = detail::step<Scalar>(e28);
+        const Scalar sqrt_48 = sqrt(p_.rho_0 * (step_46 / exp_37 + step_47 * inverse_34));
+        const Scalar e49 = e27 * sqrt_48 / sqrt_45;
         const Scalar way_value_2 = detail::curve_value<Scalar, 6>(p_.l - s, detail::way_curve<Scalar>);
-        const Scalar e48 = way_value_2 * e47;
-        const Scalar e49 = e31 * exp_32 - compression_42;
-        const Scalar e50 = p_.G_b * e30;
-        const Scalar step_51 = detail::step<Scalar>(-e50);
-        const Scalar e52 = e30 * (compression_42 * (p_.beta * p_.G_b) - e49 * (p_.p_0 * p_.G_b));
-        const Scalar step_53 = detail::step<Scalar>(e50);
-        const Scalar e54 = p_b * exp_32;
-        const Scalar e55 = e29 - p_a * exp_5;
-        const Scalar e56 = e37 - e54;
+        const Scalar e50 = way_value_2 * e49;
+        const Scalar e51 = e32 * exp_33 - compression_43;
+        const Scalar e52 = p_.G_b * e31;
+        const Scalar step_53 = detail::step<Scalar>(-e52);
+        const Scalar e54 = e31 * (compression_43 * (p_.beta * p_.G_b) - e51 * (p_.p_0 * p_.G_b));
+        const Scalar step_55 = detail::step<Scalar>(e52);
+        const Scalar e56 = p_b * exp_33;
+        const Scalar e57 = e30 - p_a * exp_5;
+        const Scalar e58 = e38 - e56;
         const Scalar q_a = u[1];
-        const Scalar step_57 = detail::step<Scalar>(-q_a);
+        const Scalar step_59 = detail::step<Scalar>(-q_a);
         const Scalar step_q_a = detail::step<Scalar>(q_a);
-        const Scalar e58 = (e1 * exp_2 - compression_3 - e7) * (e11 * e19 - e20 * e22 + e24 * e25);
-        const Scalar e59 = (compression_41 - compression_42) * (e38 * e47 - e39 * e34 + e40 * e48);
-        const Scalar e60 = (e35 * exp_36 - compression_41 - e49) * (e11 * e47 - e20 * e34 + e24 * e48);
-        const Scalar e61 = q_a * (step_57 * inverse_16 + step_q_a) * (p_.beta * compression_6 - p_.p_0 * e7);
-        return e58 - p_.k_c * (p_a * max_21 + p_b * max_28 - e22 * e29 - e34 * e37) - (compression_3 - compression_6)
-            * (e38 * e19 - e39 * e22 + e40 * e25) - e59 + e60 + step_51 * (p_b * e50 + inverse_33 * e52) + step_53
-            * (e50 * e54 + e52) - e23 * (e55 * e25 + e56 * e48) - e10 * (e55 * e19 + e56 * e47) + q_a * p_a
-            * (step_57 + step_q_a * exp_5) + e61;
+        const Scalar e60 = (e1 * exp_2 - compression_3 - e7) * (e11 * e20 - e21 * e23 + e25 * e26);
+        const Scalar e61 = (compression_42 - compression_43) * (e39 * e49 - e40 * e35 + e41 * e50);
+        const Scalar e62 = (e36 * exp_37 - compression_42 - e51) * (e11 * e49 - e21 * e35 + e25 * e50);
+        const Scalar e63 = q_a * (step_59 * inverse_18 + step_q_a) * (p_.beta * compression_6 - p_.p_0 * e7);
+        return e60 - p_.k_c * (p_a * max_22 + p_b * max_29 - e23 * e30 - e35 * e38) - (compression_3 - compression_6)
+            * (e39 * e20 - e40 * e23 + e41 * e26) - e61 + e62 + step_53 * (p_b * e52 + inverse_34 * e54) + step_55
+            * (e52 * e56 + e54) - e24 * (e57 * e26 + e58 * e50) - e10 * (e57 * e20 + e58 * e49) + q_a * p_a
+            * (step_59 + step_q_a * exp_5) + e63;
     }
 
     /// Functions whose sign an integrator must watch, in the order of guard_table().
@@ -1232,8 +1234,8 @@ private:
     struct Cached {
         Scalar k0;  ///< of the factorisation of M
         Scalar k1;  ///< 1/beta
-        Scalar k2;  ///< alpha*sqrt(2)/rho_0
-        Scalar k3;  ///< p_w^2
+        Scalar k2;  ///< p_w^2
+        Scalar k3;  ///< alpha*sqrt(2)/rho_0
         Scalar k4;  ///< beta/V_p
         Scalar k5;  ///< alpha*sqrt(2)
         Scalar k6;  ///< alpha*sqrt(2)/V_p

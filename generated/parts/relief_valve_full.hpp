@@ -20,9 +20,9 @@
 //   rhs_and_jacobian       4      2     0        0      2
 //   jacobian_u             2      3     0        0      3
 //   jacobian_p             7     10     2        0      4
-//   output                 5      8     2        0      6
-//   output_jacobian_x      5      8     2        0      6
-//   output_jacobian_u      6     14     2        0      7
+//   output                 5      8     3        0      7
+//   output_jacobian_x      5      8     3        0      7
+//   output_jacobian_u      6     13     4        0      7
 //   guards                 2      1     0        0      1
 //
 // The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
@@ -213,9 +213,9 @@ public:
         const Scalar sqrt_3 = sqrt(Scalar(2));
         const Scalar e4 = sqrt_3 * (p_.A * p_.alpha);
         c_.k4 = e4;
+        c_.k5 = p_.p_w * p_.p_w;
         const Scalar inverse_5 = Scalar(1) / p_.beta;
-        c_.k5 = inverse_5;
-        c_.k6 = p_.p_w * p_.p_w;
+        c_.k6 = inverse_5;
         c_.k7 = (Scalar(1) / Scalar(2)) * p_.rho_0 * inverse_5 * e4;
         c_.k8 = (Scalar(1) / Scalar(2)) * e4;
     }
@@ -318,65 +318,64 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 5 + or -, 8 *, 2 /, 6 other functions
+    /// Operations: 5 + or -, 8 *, 3 /, 7 other functions
     ///     q = -A*alpha*sqrt(2)*max(0, y)*(p_0 - p)*(p_w^2 + (p_0 - p)^2)^(-1/4)/sqrt(rho_0*step(-p_0 + p)/exp((p_0 - p)/beta) +
     ///     rho_0*step(p_0 - p))
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar y_value = x[0];
         const Scalar max_1 = detail::max<Scalar>(Scalar(0), y_value);
         const Scalar p_value = u[0];
         const Scalar e2 = p_.p_0 - p_value;
-        const Scalar power_3 = pow(c_.k6 + e2 * e2, -Scalar(1) / Scalar(4));
-        const Scalar step_4 = detail::step<Scalar>(-e2);
-        const Scalar exp_5 = exp(c_.k5 * e2);
-        const Scalar step_6 = detail::step<Scalar>(e2);
-        const Scalar sqrt_7 = sqrt(p_.rho_0 * (step_4 / exp_5 + step_6));
-        y[0] = -c_.k4 * max_1 * e2 * power_3 / sqrt_7;
+        const Scalar step_3 = detail::step<Scalar>(-e2);
+        const Scalar exp_4 = exp(c_.k6 * e2);
+        const Scalar step_5 = detail::step<Scalar>(e2);
+        const Scalar sqrt_6 = sqrt(p_.rho_0 * (step_3 / exp_4 + step_5));
+        const Scalar sqrt_7 = sqrt(c_.k5 + e2 * e2);
+        const Scalar sqrt_8 = sqrt(sqrt_7);
+        y[0] = -c_.k4 * max_1 * e2 / sqrt_6 / sqrt_8;
     }
 
     /// C = dh/dx.
-    /// Operations: 5 + or -, 8 *, 2 /, 6 other functions
+    /// Operations: 5 + or -, 8 *, 3 /, 7 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar y_value = x[0];
         const Scalar step_y = detail::step<Scalar>(y_value);
         const Scalar p_value = u[0];
         const Scalar e1 = p_.p_0 - p_value;
-        const Scalar power_2 = pow(c_.k6 + e1 * e1, -Scalar(1) / Scalar(4));
-        const Scalar step_3 = detail::step<Scalar>(-e1);
-        const Scalar exp_4 = exp(c_.k5 * e1);
-        const Scalar step_5 = detail::step<Scalar>(e1);
-        const Scalar sqrt_6 = sqrt(p_.rho_0 * (step_3 / exp_4 + step_5));
-        C[0] = -c_.k4 * step_y * e1 * power_2 / sqrt_6;
+        const Scalar step_2 = detail::step<Scalar>(-e1);
+        const Scalar exp_3 = exp(c_.k6 * e1);
+        const Scalar step_4 = detail::step<Scalar>(e1);
+        const Scalar sqrt_5 = sqrt(p_.rho_0 * (step_2 / exp_3 + step_4));
+        const Scalar sqrt_6 = sqrt(c_.k5 + e1 * e1);
+        const Scalar sqrt_7 = sqrt(sqrt_6);
+        C[0] = -c_.k4 * step_y * e1 / sqrt_5 / sqrt_7;
     }
 
     /// D = dh/du.
-    /// Operations: 6 + or -, 14 *, 2 /, 7 other functions
+    /// Operations: 6 + or -, 13 *, 4 /, 7 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar p_value = u[0];
         const Scalar e1 = p_.p_0 - p_value;
         const Scalar e1_squared = e1 * e1;
-        const Scalar e2 = c_.k6 + e1_squared;
-        const Scalar power_3 = pow(e2, -Scalar(1) / Scalar(4));
+        const Scalar e2 = c_.k5 + e1_squared;
+        const Scalar sqrt_3 = sqrt(e2);
+        const Scalar sqrt_4 = sqrt(sqrt_3);
         const Scalar y_value = x[0];
-        const Scalar max_4 = detail::max<Scalar>(Scalar(0), y_value);
-        const Scalar step_5 = detail::step<Scalar>(e1);
-        const Scalar step_6 = detail::step<Scalar>(-e1);
-        const Scalar exp_7 = exp(c_.k5 * e1);
-        const Scalar e8 = step_6 / exp_7;
-        const Scalar sqrt_9 = sqrt(p_.rho_0 * (step_5 + e8));
-        const Scalar inverse_10 = Scalar(1) / sqrt_9;
-        const Scalar e11 = max_4 * inverse_10;
-        const Scalar power_12 = pow(e2, -Scalar(5) / Scalar(4));
-        D[0] = power_3 * e11 * (c_.k4 + c_.k7 * e1 * inverse_10 * inverse_10 * e8) - c_.k8 * power_12 * e11 * e1_squared;
+        const Scalar max_5 = detail::max<Scalar>(Scalar(0), y_value);
+        const Scalar step_6 = detail::step<Scalar>(e1);
+        const Scalar step_7 = detail::step<Scalar>(-e1);
+        const Scalar exp_8 = exp(c_.k6 * e1);
+        const Scalar e9 = step_7 / exp_8;
+        const Scalar sqrt_10 = sqrt(p_.rho_0 * (step_6 + e9));
+        const Scalar inverse_11 = Scalar(1) / sqrt_10;
+        const Scalar e12 = c_.k4 - c_.k8 * e1_squared / e2 + c_.k7 * e1 * inverse_11 * inverse_11 * e9;
+        D[0] = max_5 * inverse_11 / sqrt_4 * e12;
     }
 
     /// Kinetic energy T in joules.
@@ -445,8 +444,8 @@ private:
         Scalar k2;  ///< 1/p_o
         Scalar k3;  ///< 1/(p_o*T_v)
         Scalar k4;  ///< A*alpha*sqrt(2)
-        Scalar k5;  ///< 1/beta
-        Scalar k6;  ///< p_w^2
+        Scalar k5;  ///< p_w^2
+        Scalar k6;  ///< 1/beta
         Scalar k7;  ///< A*alpha*rho_0*sqrt(2)/(2*beta)
         Scalar k8;  ///< A*alpha*sqrt(2)/2
     };

@@ -16,7 +16,7 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 9     24     9        0     12
+//   update                 9     24    11        0     14
 //   rhs                    1      1     0        0      0
 //   rhs_and_jacobian       2      1     0        0      0
 //   jacobian_p             2      2     1        0      0
@@ -272,34 +272,35 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes the constants that depend on them.
-    /// Operations: 9 + or -, 24 *, 9 /, 12 other functions
+    /// Operations: 9 + or -, 24 *, 11 /, 14 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::exp;
-        using std::pow;
         using std::sqrt;
         const Scalar sqrt_1 = sqrt(Scalar(2));
         const Scalar sqrt_2 = sqrt(p_.dp_n / p_.rho_0);
         c_.A_n = (Scalar(1) / Scalar(2)) * p_.Q_n * sqrt_1 / p_.alpha / sqrt_2;
         c_.k0 = Scalar(1) / p_.T_v;
         const Scalar e3 = p_.p_0 - p_.p_l;
-        const Scalar e4 = p_.p_w * p_.p_w;
-        const Scalar power_5 = pow(e3 * e3 + e4, -Scalar(1) / Scalar(4));
-        const Scalar step_6 = detail::step<Scalar>(e3);
-        const Scalar step_7 = detail::step<Scalar>(-e3);
-        const Scalar inverse_8 = Scalar(1) / p_.beta;
-        const Scalar exp_9 = exp(e3 * inverse_8);
-        const Scalar e10 = p_.rho_0 / exp_9;
-        const Scalar sqrt_11 = sqrt(p_.rho_0 * step_6 + step_7 * e10);
-        const Scalar e12 = sqrt_1 * (p_.alpha * c_.A_n);
-        c_.k1 = e3 * power_5 * e12 / sqrt_11;
-        const Scalar e13 = p_.p_s - p_.p_l;
-        const Scalar power_14 = pow(e13 * e13 + e4, -Scalar(1) / Scalar(4));
-        const Scalar step_15 = detail::step<Scalar>(e13);
-        const Scalar exp_16 = exp((p_.p_0 - p_.p_s) * inverse_8);
-        const Scalar step_17 = detail::step<Scalar>(-e13);
-        const Scalar sqrt_18 = sqrt(p_.rho_0 * step_15 / exp_16 + step_17 * e10);
-        c_.k2 = e13 * power_14 * e12 / sqrt_18;
+        const Scalar step_4 = detail::step<Scalar>(e3);
+        const Scalar step_5 = detail::step<Scalar>(-e3);
+        const Scalar inverse_6 = Scalar(1) / p_.beta;
+        const Scalar exp_7 = exp(e3 * inverse_6);
+        const Scalar e8 = p_.rho_0 / exp_7;
+        const Scalar sqrt_9 = sqrt(p_.rho_0 * step_4 + step_5 * e8);
+        const Scalar e10 = p_.p_w * p_.p_w;
+        const Scalar sqrt_11 = sqrt(e3 * e3 + e10);
+        const Scalar sqrt_12 = sqrt(sqrt_11);
+        const Scalar e13 = sqrt_1 * (p_.alpha * c_.A_n);
+        c_.k1 = e3 * e13 / sqrt_9 / sqrt_12;
+        const Scalar e14 = p_.p_s - p_.p_l;
+        const Scalar step_15 = detail::step<Scalar>(e14);
+        const Scalar exp_16 = exp((p_.p_0 - p_.p_s) * inverse_6);
+        const Scalar step_17 = detail::step<Scalar>(-e14);
+        const Scalar sqrt_18 = sqrt(p_.rho_0 * step_15 / exp_16 + step_17 * e8);
+        const Scalar sqrt_19 = sqrt(e14 * e14 + e10);
+        const Scalar sqrt_20 = sqrt(sqrt_19);
+        c_.k2 = e14 * e13 / sqrt_18 / sqrt_20;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }

@@ -15,7 +15,7 @@
 //     this code = the derivation: 17 of 17 functions
 //
 // Operations          +,-      *     /  sin,cos  other
-//   update                 5     18     6        0     13
+//   update                 5     18     8        0     15
 //   rhs                    1      1     0        0      0
 //   rhs_and_jacobian       2      1     0        0      0
 //   jacobian_p             2      2     1        0      0
@@ -323,33 +323,34 @@ public:
     explicit System(const Parameters<Scalar>& values = Parameters<Scalar>()) noexcept { update(values); }
 
     /// Sets the parameters and computes the constants that depend on them.
-    /// Operations: 5 + or -, 18 *, 6 /, 13 other functions
+    /// Operations: 5 + or -, 18 *, 8 /, 15 other functions
     void update(const Parameters<Scalar>& values) noexcept {
         p_ = values;
         using std::abs;
-        using std::pow;
         using std::sqrt;
         c_.k0 = Scalar(1) / p_.T_v;
         const Scalar e1 = p_.p_0 - p_.p_l;
-        const Scalar e2 = p_.p_w * p_.p_w;
-        const Scalar power_3 = pow(e1 * e1 + e2, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_.p_l);
-        const Scalar sqrt_4 = sqrt(max_p_0);
-        const Scalar abs_5 = abs(e1);
-        const Scalar e6 = Scalar(1) + p_.R_s / p_.c_v;
-        const Scalar outflow_factor_7 = detail::outflow_factor<Scalar>(abs_5 / max_p_0, e6);
-        const Scalar sqrt_8 = sqrt(Scalar(2));
+        const Scalar sqrt_2 = sqrt(max_p_0);
+        const Scalar abs_3 = abs(e1);
+        const Scalar e4 = Scalar(1) + p_.R_s / p_.c_v;
+        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_3 / max_p_0, e4);
+        const Scalar e6 = p_.p_w * p_.p_w;
+        const Scalar sqrt_7 = sqrt(e1 * e1 + e6);
+        const Scalar sqrt_8 = sqrt(sqrt_7);
+        const Scalar sqrt_9 = sqrt(Scalar(2));
         const Scalar sqrt_R_s = sqrt(p_.R_s);
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar e9 = sqrt_8 / sqrt_R_s * (p_.A_n * p_.alpha / sqrt_T_0);
-        c_.k1 = e1 * power_3 * sqrt_4 * outflow_factor_7 * e9;
-        const Scalar e10 = p_.p_s - p_.p_l;
-        const Scalar power_11 = pow(e10 * e10 + e2, -Scalar(1) / Scalar(4));
+        const Scalar e10 = sqrt_9 / sqrt_R_s * (p_.A_n * p_.alpha / sqrt_T_0);
+        c_.k1 = e1 * sqrt_2 * outflow_factor_5 * e10 / sqrt_8;
+        const Scalar e11 = p_.p_s - p_.p_l;
         const Scalar max_p_s = detail::max<Scalar>(p_.p_s, p_.p_l);
         const Scalar sqrt_12 = sqrt(max_p_s);
-        const Scalar abs_13 = abs(e10);
-        const Scalar outflow_factor_14 = detail::outflow_factor<Scalar>(abs_13 / max_p_s, e6);
-        c_.k2 = e10 * power_11 * sqrt_12 * outflow_factor_14 * e9;
+        const Scalar abs_13 = abs(e11);
+        const Scalar outflow_factor_14 = detail::outflow_factor<Scalar>(abs_13 / max_p_s, e4);
+        const Scalar sqrt_15 = sqrt(e11 * e11 + e6);
+        const Scalar sqrt_16 = sqrt(sqrt_15);
+        c_.k2 = e11 * sqrt_12 * outflow_factor_14 * e10 / sqrt_16;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }

@@ -18,15 +18,15 @@
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 5     36     9        0      4
-//   rhs                    8     17     2        0     12
-//   rhs_and_jacobian      19     47     4        0     19
-//   jacobian_u             6     14     2        0     12
-//   jacobian_p            35    129    10        0     25
-//   output                13     24     2        0     14
-//   output_jacobian_x     25     57     4        0     20
-//   output_jacobian_u     11     24     2        0     14
+//   rhs                    8     17     4        0     14
+//   rhs_and_jacobian      18     44     8        0     19
+//   jacobian_u             6     14     4        0     14
+//   jacobian_p            35    128    14        0     25
+//   output                13     24     4        0     16
+//   output_jacobian_x     25     54     8        0     20
+//   output_jacobian_u     11     24     4        0     16
 //   internal_energy        0      3     1        0      0
-//   exchanged_power       10     29     5        0     16
+//   exchanged_power       10     29     7        0     18
 //   guards                 7      5     3        0      5
 //
 // The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
@@ -333,49 +333,50 @@ public:
         const Scalar inverse_6 = Scalar(1) / p_.V;
         const Scalar e7 = p_.R_s * p_.T_0;
         const Scalar e8 = inverse_6 * e7;
-        const Scalar e9 = e5 * e8;
-        c_.k0 = e9;
+        c_.k0 = e5 * e8;
         const Scalar sqrt_T_in = sqrt(p_.T_in);
-        const Scalar inverse_10 = Scalar(1) / sqrt_T_in;
-        const Scalar e11 = inverse_10 * e4;
-        const Scalar e12 = e11 * e8;
-        c_.k1 = e12;
+        const Scalar inverse_9 = Scalar(1) / sqrt_T_in;
+        const Scalar e10 = inverse_9 * e4;
+        c_.k1 = e10 * e8;
         c_.k2 = e8;
-        c_.k3 = Scalar(1) + p_.R_s / c_.c_v;
-        c_.k4 = p_.width * p_.width;
-        c_.k5 = (Scalar(1) / Scalar(2)) * e9;
-        c_.k6 = (Scalar(1) / Scalar(2)) * e12;
-        const Scalar e13 = sqrt_R_s * e3;
-        const Scalar e14 = p_.T_0 * e13;
-        const Scalar e15 = inverse_6 * e14;
-        c_.k7 = inverse_1 * e15;
-        c_.k8 = inverse_10 * e15;
-        const Scalar e16 = sqrt_T_0 * e13;
-        c_.k9 = inverse_6 * e16;
-        c_.k10 = p_.V / p_.R_s / p_.T_0;
-        c_.k11 = e5;
-        c_.k12 = e11;
-        const Scalar e17 = e7 * e5;
-        c_.k13 = e17;
-        const Scalar e18 = e7 * e11;
-        c_.k14 = e18;
-        c_.k15 = e7;
-        const Scalar e19 = (p_.R_s + c_.c_v) * (p_.T_0 - p_.T_in);
-        c_.k16 = e19;
-        c_.k17 = Scalar(1) / p_.p_S;
-        c_.k18 = (Scalar(1) / Scalar(2)) * e5;
-        c_.k19 = (Scalar(1) / Scalar(2)) * e11;
-        const Scalar e20 = e5 * e19;
-        c_.k20 = e20;
-        const Scalar e21 = e11 * e19;
-        c_.k21 = e21;
-        c_.k22 = (Scalar(1) / Scalar(2)) * e17;
-        c_.k23 = (Scalar(1) / Scalar(2)) * e20;
-        c_.k24 = (Scalar(1) / Scalar(2)) * e18;
-        c_.k25 = (Scalar(1) / Scalar(2)) * e21;
-        c_.k26 = inverse_1 * e14;
-        c_.k27 = inverse_10 * e14;
-        c_.k28 = e16;
+        const Scalar e11 = p_.width * p_.width;
+        c_.k3 = e11;
+        c_.k4 = Scalar(1) + p_.R_s / c_.c_v;
+        c_.k5 = e4 * e8;
+        c_.k6 = inverse_1;
+        c_.k7 = inverse_9;
+        c_.k8 = (Scalar(1) / Scalar(2)) * e11;
+        const Scalar e12 = sqrt_R_s * e3;
+        const Scalar e13 = p_.T_0 * e12;
+        const Scalar e14 = inverse_6 * e13;
+        c_.k9 = inverse_1 * e14;
+        c_.k10 = inverse_9 * e14;
+        const Scalar e15 = sqrt_T_0 * e12;
+        c_.k11 = inverse_6 * e15;
+        c_.k12 = p_.V / p_.R_s / p_.T_0;
+        c_.k13 = e5;
+        c_.k14 = e10;
+        const Scalar e16 = e7 * e5;
+        c_.k15 = e16;
+        const Scalar e17 = e7 * e10;
+        c_.k16 = e17;
+        c_.k17 = e7;
+        const Scalar e18 = (p_.R_s + c_.c_v) * (p_.T_0 - p_.T_in);
+        c_.k18 = e18;
+        c_.k19 = Scalar(1) / p_.p_S;
+        c_.k20 = (Scalar(1) / Scalar(2)) * e5;
+        c_.k21 = (Scalar(1) / Scalar(2)) * e10;
+        const Scalar e19 = e5 * e18;
+        c_.k22 = e19;
+        const Scalar e20 = e10 * e18;
+        c_.k23 = e20;
+        c_.k24 = (Scalar(1) / Scalar(2)) * e16;
+        c_.k25 = (Scalar(1) / Scalar(2)) * e19;
+        c_.k26 = (Scalar(1) / Scalar(2)) * e17;
+        c_.k27 = (Scalar(1) / Scalar(2)) * e20;
+        c_.k28 = inverse_1 * e13;
+        c_.k29 = inverse_9 * e13;
+        c_.k30 = e15;
     }
 
     const Parameters<Scalar>& parameters() const noexcept { return p_; }
@@ -388,7 +389,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 8 + or -, 17 *, 2 /, 12 other functions
+    /// Operations: 8 + or -, 17 *, 4 /, 14 other functions
     ///     specific_enthalpy[supply] = T_in*(R_s + c_v)
     ///     specific_enthalpy[ambience] = T_0*(R_s + c_v)
     ///     density[tank] = p/(R_s*T_0)
@@ -404,84 +405,83 @@ public:
     ///     p*mass_flow[empty_smooth]/(V*density[tank])
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::abs;
-        using std::pow;
         using std::sqrt;
         const Scalar u_e = u[1];
         const Scalar p_value = x[0];
         const Scalar e1 = p_.p_0 - p_value;
-        const Scalar power_2 = pow(c_.k4 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar sqrt_3 = sqrt(max_p_0);
-        const Scalar abs_4 = abs(e1);
-        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_0, c_.k3);
-        const Scalar e6 = p_.p_S - p_value;
-        const Scalar step_7 = detail::step<Scalar>(-e6);
-        const Scalar power_8 = pow(c_.k4 + e6 * e6, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_2 = sqrt(max_p_0);
+        const Scalar abs_3 = abs(e1);
+        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_0, c_.k4);
+        const Scalar sqrt_5 = sqrt(c_.k3 + e1 * e1);
+        const Scalar sqrt_6 = sqrt(sqrt_5);
+        const Scalar e7 = p_.p_S - p_value;
+        const Scalar step_8 = detail::step<Scalar>(-e7);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar sqrt_9 = sqrt(max_p_S);
-        const Scalar abs_10 = abs(e6);
-        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(abs_10 / max_p_S, c_.k3);
+        const Scalar abs_10 = abs(e7);
+        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(abs_10 / max_p_S, c_.k4);
+        const Scalar sqrt_12 = sqrt(c_.k3 + e7 * e7);
+        const Scalar sqrt_13 = sqrt(sqrt_12);
         const Scalar u_f = u[0];
-        const Scalar e12 = power_8 * sqrt_9 * (outflow_factor_11 * (u_f * e6));
+        const Scalar e14 = sqrt_9 * outflow_factor_11 * (u_f * e7 / sqrt_13);
         const Scalar mdot = u[2];
-        const Scalar step_13 = detail::step<Scalar>(e6);
-        const Scalar e14 = c_.k0 * (u_e * e1 * power_2 * sqrt_3 * outflow_factor_5 + step_7 * e12);
-        dxdt[0] = e14 + c_.k2 * mdot + c_.k1 * step_13 * e12;
+        const Scalar step_15 = detail::step<Scalar>(e7);
+        dxdt[0] = c_.k0 * (u_e * e1 * sqrt_2 * outflow_factor_4 / sqrt_6 + step_8 * e14) + c_.k2 * mdot + c_.k1 * step_15 * e14;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 1 x 1, entry (i, j) at J[1*j + i].
-    /// Operations: 19 + or -, 47 *, 4 /, 19 other functions
+    /// Operations: 18 + or -, 44 *, 8 /, 19 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::abs;
-        using std::pow;
         using std::sqrt;
         const Scalar mdot = u[2];
         const Scalar p_value = x[0];
         const Scalar e1 = p_.p_S - p_value;
-        const Scalar step_2 = detail::step<Scalar>(-e1);
-        const Scalar step_3 = detail::step<Scalar>(e1);
-        const Scalar e4 = c_.k4 + e1 * e1;
-        const Scalar power_5 = pow(e4, -Scalar(1) / Scalar(4));
+        const Scalar abs_2 = abs(e1);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
+        const Scalar inverse_3 = Scalar(1) / max_p_S;
+        const Scalar e4 = abs_2 * inverse_3;
+        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(e4, c_.k4);
         const Scalar sqrt_6 = sqrt(max_p_S);
-        const Scalar e7 = (c_.k0 * step_2 + c_.k1 * step_3) * (power_5 * sqrt_6);
-        const Scalar abs_8 = abs(e1);
-        const Scalar inverse_9 = Scalar(1) / max_p_S;
-        const Scalar e10 = abs_8 * inverse_9;
-        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(e10, c_.k3);
         const Scalar u_f = u[0];
-        const Scalar e12 = u_f * e1;
-        const Scalar e13 = outflow_factor_11 * e12;
-        const Scalar e14 = p_.p_0 - p_value;
-        const Scalar abs_15 = abs(e14);
+        const Scalar e7 = c_.k3 + e1 * e1;
+        const Scalar sqrt_8 = sqrt(e7);
+        const Scalar sqrt_9 = sqrt(sqrt_8);
+        const Scalar step_10 = detail::step<Scalar>(-e1);
+        const Scalar step_11 = detail::step<Scalar>(e1);
+        const Scalar e12 = u_f / sqrt_9 * ((step_10 * c_.k6 + step_11 * c_.k7) * c_.k5);
+        const Scalar e13 = sqrt_6 * e12;
+        const Scalar e14 = outflow_factor_5 * e13;
+        const Scalar e15 = p_.p_0 - p_value;
+        const Scalar abs_16 = abs(e15);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar inverse_16 = Scalar(1) / max_p_0;
-        const Scalar e17 = abs_15 * inverse_16;
-        const Scalar outflow_factor_18 = detail::outflow_factor<Scalar>(e17, c_.k3);
-        const Scalar e19 = c_.k4 + e14 * e14;
-        const Scalar power_20 = pow(e19, -Scalar(1) / Scalar(4));
-        const Scalar e21 = c_.k0 * power_20;
-        const Scalar sqrt_22 = sqrt(max_p_0);
+        const Scalar inverse_17 = Scalar(1) / max_p_0;
+        const Scalar e18 = abs_16 * inverse_17;
+        const Scalar outflow_factor_19 = detail::outflow_factor<Scalar>(e18, c_.k4);
+        const Scalar sqrt_20 = sqrt(max_p_0);
         const Scalar u_e = u[1];
-        const Scalar e23 = u_e * e14;
-        const Scalar e24 = sqrt_22 * e23;
-        const Scalar e25 = e21 * e24;
-        const Scalar e26 = c_.k2 * mdot + e7 * e13 + outflow_factor_18 * e25;
-        const Scalar step_27 = detail::step<Scalar>(-e14);
-        const Scalar e28 = c_.k5 * outflow_factor_18;
-        const Scalar outflow_factor_slope_29 = detail::outflow_factor_slope<Scalar>(e17, c_.k3);
-        const Scalar e30 = e25 * (outflow_factor_slope_29 * inverse_16);
-        const Scalar power_31 = pow(e4, -Scalar(5) / Scalar(4));
-        const Scalar outflow_factor_slope_32 = detail::outflow_factor_slope<Scalar>(e10, c_.k3);
-        const Scalar sign_33 = detail::sign<Scalar>(e1);
-        const Scalar power_34 = pow(e19, -Scalar(5) / Scalar(4));
-        const Scalar sign_35 = detail::sign<Scalar>(e14);
-        const Scalar e36 = (step_2 * power_5 / sqrt_6 + e1 * power_31 * sqrt_6) * e13 * (c_.k5 * step_2 + c_.k6 * step_3);
-        const Scalar e37 = outflow_factor_slope_32 * inverse_9 * (e12 * e7) * (sign_33 + step_2 * e10);
-        const Scalar e38 = step_27 * (power_20 * e23 * e28 / sqrt_22 - e17 * e30) + e36 - e37 - u_e * sqrt_22
-            * outflow_factor_18 * e21 - u_f * outflow_factor_11 * e7 + e14 * power_34 * e24 * e28 - sign_35 * e30;
-        dxdt[0] = e26;
+        const Scalar e21 = c_.k3 + e15 * e15;
+        const Scalar sqrt_22 = sqrt(e21);
+        const Scalar sqrt_23 = sqrt(sqrt_22);
+        const Scalar e24 = u_e * c_.k6 * (c_.k5 / sqrt_23);
+        const Scalar e25 = e15 * e24;
+        const Scalar e26 = sqrt_20 * e25;
+        const Scalar e27 = outflow_factor_19 * e26;
+        const Scalar e28 = mdot * c_.k2 + e1 * e14 + e27;
+        const Scalar step_29 = detail::step<Scalar>(-e15);
+        const Scalar outflow_factor_slope_30 = detail::outflow_factor_slope<Scalar>(e18, c_.k4);
+        const Scalar e31 = e26 * (outflow_factor_slope_30 * inverse_17);
+        const Scalar outflow_factor_slope_32 = detail::outflow_factor_slope<Scalar>(e4, c_.k4);
+        const Scalar e33 = e1 * inverse_3 * (outflow_factor_slope_32 * e13);
+        const Scalar sign_34 = detail::sign<Scalar>(e15);
+        const Scalar sign_35 = detail::sign<Scalar>(e1);
+        const Scalar e36 = (Scalar(1) / Scalar(2)) * outflow_factor_19 * e25 / sqrt_20 - e18 * e31;
+        const Scalar e37 = (Scalar(1) / Scalar(2)) * e1 * outflow_factor_5 * e12 / sqrt_6 - e4 * e33;
+        const Scalar e38 = step_29 * e36 + step_10 * e37 - e14 * (Scalar(1) / Scalar(2) + c_.k8 / e7) + (Scalar(1) / Scalar(2))
+            * e15 * e27 / e21 - sign_34 * e31 - sign_35 * e33 - sqrt_20 * outflow_factor_19 * e24;
+        dxdt[0] = e28;
         J[0] = e38;
     }
 
@@ -492,36 +492,36 @@ public:
     }
 
     /// J = df/du. 1 x 3, entry (i, j) at J[1*j + i].
-    /// Operations: 6 + or -, 14 *, 2 /, 12 other functions
+    /// Operations: 6 + or -, 14 *, 4 /, 14 other functions
     void jacobian_u(const State& x, const Input& /*u*/, Scalar /*t*/, JacobianU& J) const noexcept {
         using std::abs;
-        using std::pow;
         using std::sqrt;
         const Scalar p_value = x[0];
         const Scalar e1 = p_.p_S - p_value;
-        const Scalar power_2 = pow(c_.k4 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar sqrt_3 = sqrt(max_p_S);
-        const Scalar abs_4 = abs(e1);
-        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k3);
-        const Scalar step_6 = detail::step<Scalar>(-e1);
-        const Scalar step_7 = detail::step<Scalar>(e1);
-        const Scalar e8 = p_.p_0 - p_value;
-        const Scalar power_9 = pow(c_.k4 + e8 * e8, -Scalar(1) / Scalar(4));
+        const Scalar sqrt_2 = sqrt(max_p_S);
+        const Scalar abs_3 = abs(e1);
+        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k4);
+        const Scalar sqrt_5 = sqrt(c_.k3 + e1 * e1);
+        const Scalar sqrt_6 = sqrt(sqrt_5);
+        const Scalar step_7 = detail::step<Scalar>(-e1);
+        const Scalar step_8 = detail::step<Scalar>(e1);
+        const Scalar e9 = p_.p_0 - p_value;
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar sqrt_10 = sqrt(max_p_0);
-        const Scalar abs_11 = abs(e8);
-        const Scalar outflow_factor_12 = detail::outflow_factor<Scalar>(abs_11 / max_p_0, c_.k3);
-        J[0] = e1 * power_2 * (sqrt_3 * outflow_factor_5) * (c_.k7 * step_6 + c_.k8 * step_7);
-        J[1] = c_.k9 * e8 * power_9 * sqrt_10 * outflow_factor_12;
+        const Scalar abs_11 = abs(e9);
+        const Scalar outflow_factor_12 = detail::outflow_factor<Scalar>(abs_11 / max_p_0, c_.k4);
+        const Scalar sqrt_13 = sqrt(c_.k3 + e9 * e9);
+        const Scalar sqrt_14 = sqrt(sqrt_13);
+        J[0] = e1 * sqrt_2 * (outflow_factor_4 / sqrt_6) * (c_.k9 * step_7 + c_.k10 * step_8);
+        J[1] = c_.k11 * e9 * sqrt_10 * outflow_factor_12 / sqrt_14;
         J[2] = c_.k2;
     }
 
     /// J = df/dp, parameters in the order of the table. 1 x 10, entry (i, j) at J[1*j + i].
-    /// Operations: 35 + or -, 129 *, 10 /, 25 other functions
+    /// Operations: 35 + or -, 128 *, 14 /, 25 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::abs;
-        using std::pow;
         using std::sqrt;
         const Scalar mdot = u[2];
         const Scalar inverse_1 = Scalar(1) / p_.V;
@@ -539,83 +539,86 @@ public:
         const Scalar e11 = e5 * e10;
         const Scalar e12 = inverse_4 * e11;
         const Scalar p_value = x[0];
-        const Scalar e13 = p_.p_0 - p_value;
-        const Scalar abs_14 = abs(e13);
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar inverse_15 = Scalar(1) / max_p_0;
-        const Scalar e16 = abs_14 * inverse_15;
-        const Scalar outflow_factor_17 = detail::outflow_factor<Scalar>(e16, c_.k3);
-        const Scalar e18 = c_.k4 + e13 * e13;
-        const Scalar power_19 = pow(e18, -Scalar(1) / Scalar(4));
-        const Scalar sqrt_20 = sqrt(max_p_0);
-        const Scalar u_e = u[1];
-        const Scalar e21 = u_e * e13;
-        const Scalar e22 = sqrt_20 * e21;
-        const Scalar e23 = power_19 * e22;
-        const Scalar e24 = p_.p_S - p_value;
-        const Scalar abs_25 = abs(e24);
+        const Scalar e13 = p_.p_S - p_value;
+        const Scalar step_14 = detail::step<Scalar>(-e13);
+        const Scalar abs_15 = abs(e13);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar inverse_26 = Scalar(1) / max_p_S;
-        const Scalar e27 = abs_25 * inverse_26;
-        const Scalar outflow_factor_28 = detail::outflow_factor<Scalar>(e27, c_.k3);
-        const Scalar step_29 = detail::step<Scalar>(-e24);
-        const Scalar e30 = c_.k4 + e24 * e24;
-        const Scalar power_31 = pow(e30, -Scalar(1) / Scalar(4));
-        const Scalar sqrt_32 = sqrt(max_p_S);
+        const Scalar inverse_16 = Scalar(1) / max_p_S;
+        const Scalar e17 = abs_15 * inverse_16;
+        const Scalar outflow_factor_18 = detail::outflow_factor<Scalar>(e17, c_.k4);
+        const Scalar sqrt_19 = sqrt(max_p_S);
         const Scalar u_f = u[0];
-        const Scalar e33 = u_f * e24;
-        const Scalar e34 = sqrt_32 * e33;
-        const Scalar e35 = power_31 * e34;
-        const Scalar e36 = step_29 * e35;
-        const Scalar e37 = outflow_factor_17 * e23 + outflow_factor_28 * e36;
+        const Scalar e20 = c_.k3 + e13 * e13;
+        const Scalar sqrt_21 = sqrt(e20);
+        const Scalar sqrt_22 = sqrt(sqrt_21);
+        const Scalar e23 = u_f / sqrt_22;
+        const Scalar e24 = e13 * e23;
+        const Scalar e25 = sqrt_19 * e24;
+        const Scalar e26 = outflow_factor_18 * e25;
+        const Scalar e27 = p_.p_0 - p_value;
+        const Scalar abs_28 = abs(e27);
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
+        const Scalar inverse_29 = Scalar(1) / max_p_0;
+        const Scalar e30 = abs_28 * inverse_29;
+        const Scalar outflow_factor_31 = detail::outflow_factor<Scalar>(e30, c_.k4);
+        const Scalar sqrt_32 = sqrt(max_p_0);
+        const Scalar u_e = u[1];
+        const Scalar e33 = c_.k3 + e27 * e27;
+        const Scalar sqrt_34 = sqrt(e33);
+        const Scalar sqrt_35 = sqrt(sqrt_34);
+        const Scalar e36 = u_e / sqrt_35;
+        const Scalar e37 = e27 * e36;
+        const Scalar e38 = sqrt_32 * e37;
+        const Scalar e39 = outflow_factor_31 * e38;
+        const Scalar e40 = step_14 * e26 + e39;
         const Scalar sqrt_T_in = sqrt(p_.T_in);
-        const Scalar inverse_38 = Scalar(1) / sqrt_T_in;
-        const Scalar e39 = inverse_38 * e11;
-        const Scalar step_40 = detail::step<Scalar>(e24);
-        const Scalar e41 = step_40 * e35;
-        const Scalar e42 = outflow_factor_28 * e41;
-        const Scalar e43 = inverse_7 * inverse_7 * e11 - Scalar(2) * e2 * e8 * e5;
-        const Scalar inverse_44 = Scalar(1) / c_.c_v;
-        const Scalar e45 = p_.R_s * inverse_44 / (Scalar(1) - p_.kappa);
-        const Scalar e46 = inverse_44 * (Scalar(1) + e45);
-        const Scalar outflow_factor_by_exponent_47 = detail::outflow_factor_by_exponent<Scalar>(e16, c_.k3);
-        const Scalar outflow_factor_by_exponent_48 = detail::outflow_factor_by_exponent<Scalar>(e27, c_.k3);
-        const Scalar e49 = outflow_factor_by_exponent_47 * e23 + outflow_factor_by_exponent_48 * e36;
-        const Scalar e50 = outflow_factor_by_exponent_48 * e41;
-        const Scalar e45_squared = e45 * e45;
-        const Scalar step_51 = detail::step<Scalar>(e13);
-        const Scalar e52 = power_19 * outflow_factor_17;
-        const Scalar power_53 = pow(e18, -Scalar(5) / Scalar(4));
-        const Scalar e54 = e22 * (power_53 * outflow_factor_17);
-        const Scalar outflow_factor_slope_55 = detail::outflow_factor_slope<Scalar>(e16, c_.k3);
-        const Scalar sign_56 = detail::sign<Scalar>(e13);
-        const Scalar e57 = inverse_1 * e9;
-        const Scalar e58 = inverse_38 * e5;
-        const Scalar e59 = c_.k5 * step_29 + c_.k6 * step_40;
-        const Scalar e60 = power_31 * outflow_factor_28;
-        const Scalar outflow_factor_slope_61 = detail::outflow_factor_slope<Scalar>(e27, c_.k3);
-        const Scalar e62 = c_.k0 * step_29 + c_.k1 * step_40;
-        const Scalar e63 = outflow_factor_slope_61 * inverse_26 * (e62 * e35);
-        const Scalar power_64 = pow(e30, -Scalar(5) / Scalar(4));
-        const Scalar e65 = e34 * (power_64 * outflow_factor_28);
-        const Scalar sign_66 = detail::sign<Scalar>(e24);
-        const Scalar e67 = p_.alpha_d * e10;
-        const Scalar e68 = p_.A_d * e10;
-        J[0] = -mdot * (e2 * e3) - inverse_1 * e12 * e37 - inverse_1 * e39 * e42;
-        J[1] = mdot * e2 - (Scalar(1) / Scalar(2)) * inverse_4 * e43 * e37 + e12 * e46 * e49 - (Scalar(1) / Scalar(2))
-            * inverse_38 * e43 * e42 + e39 * e46 * e50;
-        J[2] = e12 * e45_squared * e49 + e39 * e45_squared * e50;
-        const Scalar e69 = c_.k0 * inverse_15 * (outflow_factor_slope_55 * e23) * (sign_56 - step_51 * e16);
-        J[3] = c_.k5 * (step_51 * e21 * e52 / sqrt_20 - e13 * e54) + e69 + c_.k0 * u_e * sqrt_20 * e52;
-        const Scalar e70 = inverse_4 * ((Scalar(1) / Scalar(2)) * inverse_4 * e12 - e5 * e57) * e37;
-        J[4] = mdot * e3 - e70 + e57 * e58 * e42;
-        J[5] = step_40 * (e33 * e59 * e60 / sqrt_32 - e27 * e63) - e24 * e59 * e65 + u_f * sqrt_32 * e62 * e60 + sign_66 * e63;
-        const Scalar e71 = (Scalar(1) / Scalar(2)) * sqrt_6 * sqrt_R_s * inverse_38 * inverse_38 * e2 * e58;
-        J[6] = -e71 * e42;
-        J[7] = inverse_4 * e67 * e37 + inverse_38 * e67 * e42;
-        J[8] = inverse_4 * e68 * e37 + inverse_38 * e68 * e42;
-        J[9] = -(Scalar(1) / Scalar(2)) * p_.width * e12 * (step_29 * e65 + e54) - step_40
-            * ((Scalar(1) / Scalar(2)) * p_.width * e39) * e65;
+        const Scalar inverse_41 = Scalar(1) / sqrt_T_in;
+        const Scalar e42 = inverse_41 * e11;
+        const Scalar step_43 = detail::step<Scalar>(e13);
+        const Scalar e44 = step_43 * e26;
+        const Scalar e45 = inverse_7 * inverse_7 * e11 - Scalar(2) * e2 * e8 * e5;
+        const Scalar inverse_46 = Scalar(1) / c_.c_v;
+        const Scalar e47 = p_.R_s * inverse_46 / (Scalar(1) - p_.kappa);
+        const Scalar e48 = inverse_46 * (Scalar(1) + e47);
+        const Scalar outflow_factor_by_exponent_49 = detail::outflow_factor_by_exponent<Scalar>(e30, c_.k4);
+        const Scalar outflow_factor_by_exponent_50 = detail::outflow_factor_by_exponent<Scalar>(e17, c_.k4);
+        const Scalar e51 = outflow_factor_by_exponent_50 * e25;
+        const Scalar e52 = outflow_factor_by_exponent_49 * e38 + step_14 * e51;
+        const Scalar e53 = step_43 * e51;
+        const Scalar e47_squared = e47 * e47;
+        const Scalar step_54 = detail::step<Scalar>(e27);
+        const Scalar e55 = (Scalar(1) / Scalar(2)) * e12;
+        const Scalar outflow_factor_slope_56 = detail::outflow_factor_slope<Scalar>(e30, c_.k4);
+        const Scalar e57 = c_.k0 * inverse_29 * (outflow_factor_slope_56 * e38);
+        const Scalar e58 = e39 / e33;
+        const Scalar sign_59 = detail::sign<Scalar>(e27);
+        const Scalar e60 = inverse_1 * e9;
+        const Scalar e61 = inverse_41 * e5;
+        const Scalar e62 = step_14 * e55 + step_43 * ((Scalar(1) / Scalar(2)) * e42);
+        const Scalar outflow_factor_slope_63 = detail::outflow_factor_slope<Scalar>(e17, c_.k4);
+        const Scalar e64 = c_.k0 * step_14 + c_.k1 * step_43;
+        const Scalar e65 = outflow_factor_slope_63 * inverse_16 * (e64 * e25);
+        const Scalar inverse_66 = Scalar(1) / e20;
+        const Scalar e67 = inverse_66 * e26;
+        const Scalar sign_68 = detail::sign<Scalar>(e13);
+        const Scalar e69 = p_.alpha_d * e10;
+        const Scalar e70 = p_.A_d * e10;
+        J[0] = -mdot * (e2 * e3) - inverse_1 * e12 * e40 - inverse_1 * e42 * e44;
+        J[1] = mdot * e2 - (Scalar(1) / Scalar(2)) * inverse_4 * e45 * e40 + e12 * e48 * e52 - (Scalar(1) / Scalar(2))
+            * inverse_41 * e45 * e44 + e42 * e48 * e53;
+        J[2] = e12 * e47_squared * e52 + e42 * e47_squared * e53;
+        J[3] = step_54 * (outflow_factor_31 * e55 * e37 / sqrt_32 - e30 * e57) + c_.k0 * sqrt_32 * outflow_factor_31 * e36
+            - e27 * e55 * e58 + sign_59 * e57;
+        const Scalar e71 = inverse_4 * ((Scalar(1) / Scalar(2)) * inverse_4 * e12 - e5 * e60) * e40;
+        J[4] = mdot * e3 - e71 + e60 * e61 * e44;
+        J[5] = step_43 * (outflow_factor_18 * e24 * e62 / sqrt_19 - e17 * e65) + sqrt_19 * outflow_factor_18 * e64 * e23 - e13
+            * e62 * e67 + sign_68 * e65;
+        const Scalar e72 = (Scalar(1) / Scalar(2)) * sqrt_6 * sqrt_R_s * inverse_41 * inverse_41 * e2 * e61;
+        J[6] = -e72 * e44;
+        J[7] = inverse_4 * e69 * e40 + inverse_41 * e69 * e44;
+        J[8] = inverse_4 * e70 * e40 + inverse_41 * e70 * e44;
+        J[9] = -(Scalar(1) / Scalar(2)) * p_.width * e12 * (step_14 * e67 + e58) - inverse_66
+            * ((Scalar(1) / Scalar(2)) * p_.width * e42) * e44;
     }
 
     /// J = df/dt at fixed x and u.
@@ -640,7 +643,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 13 + or -, 24 *, 2 /, 14 other functions
+    /// Operations: 13 + or -, 24 *, 4 /, 16 other functions
     ///     air_temperature = T_0
     ///     air_mass = V*p/(R_s*T_0)
     ///     net_inflow = A_d*alpha_d*sqrt(2)*u_f*(p_S - p)*(width^2 + (p_S - p)^2)^(-1/4)*sqrt(max(p_S, p))*step(-p_S +
@@ -660,140 +663,142 @@ public:
     ///     ratio = p/p_S
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::abs;
-        using std::pow;
         using std::sqrt;
         const Scalar p_value = x[0];
         const Scalar mdot = u[2];
         const Scalar e1 = p_.p_S - p_value;
         const Scalar step_2 = detail::step<Scalar>(-e1);
         const Scalar step_3 = detail::step<Scalar>(e1);
-        const Scalar power_4 = pow(c_.k4 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar sqrt_5 = sqrt(max_p_S);
-        const Scalar abs_6 = abs(e1);
-        const Scalar outflow_factor_7 = detail::outflow_factor<Scalar>(abs_6 / max_p_S, c_.k3);
+        const Scalar sqrt_4 = sqrt(max_p_S);
+        const Scalar abs_5 = abs(e1);
+        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_S, c_.k4);
+        const Scalar sqrt_7 = sqrt(c_.k3 + e1 * e1);
+        const Scalar sqrt_8 = sqrt(sqrt_7);
         const Scalar u_f = u[0];
-        const Scalar e8 = power_4 * sqrt_5 * (outflow_factor_7 * (u_f * e1));
-        const Scalar e9 = (c_.k11 * step_2 + c_.k12 * step_3) * e8;
-        const Scalar e10 = p_.p_0 - p_value;
-        const Scalar power_11 = pow(c_.k4 + e10 * e10, -Scalar(1) / Scalar(4));
+        const Scalar e9 = sqrt_4 * outflow_factor_6 * (u_f * e1 / sqrt_8);
+        const Scalar e10 = (c_.k13 * step_2 + c_.k14 * step_3) * e9;
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar sqrt_12 = sqrt(max_p_0);
-        const Scalar abs_13 = abs(e10);
-        const Scalar outflow_factor_14 = detail::outflow_factor<Scalar>(abs_13 / max_p_0, c_.k3);
+        const Scalar sqrt_11 = sqrt(max_p_0);
+        const Scalar e12 = p_.p_0 - p_value;
+        const Scalar abs_13 = abs(e12);
+        const Scalar outflow_factor_14 = detail::outflow_factor<Scalar>(abs_13 / max_p_0, c_.k4);
+        const Scalar sqrt_15 = sqrt(c_.k3 + e12 * e12);
+        const Scalar sqrt_16 = sqrt(sqrt_15);
         const Scalar u_e = u[1];
-        const Scalar e15 = power_11 * sqrt_12 * (outflow_factor_14 * (u_e * e10));
-        const Scalar max_16 = detail::max<Scalar>(Scalar(0), mdot);
-        const Scalar max_17 = detail::max<Scalar>(Scalar(0), e9);
+        const Scalar e17 = sqrt_11 * outflow_factor_14 * (u_e * e12 / sqrt_16);
+        const Scalar max_18 = detail::max<Scalar>(Scalar(0), mdot);
+        const Scalar max_19 = detail::max<Scalar>(Scalar(0), e10);
         y[0] = p_.T_0;
-        y[1] = c_.k10 * p_value;
-        y[2] = mdot + e9 + c_.k11 * e15;
-        y[3] = c_.k16 * (max_16 + max_17) - c_.k13 * (step_2 * e8 + e15) - c_.k15 * mdot - c_.k14 * step_3 * e8;
-        y[4] = c_.k17 * p_value;
+        y[1] = c_.k12 * p_value;
+        y[2] = mdot + e10 + c_.k13 * e17;
+        y[3] = c_.k18 * (max_18 + max_19) - c_.k15 * (step_2 * e9 + e17) - c_.k17 * mdot - c_.k16 * step_3 * e9;
+        y[4] = c_.k19 * p_value;
     }
 
     /// C = dh/dx.
-    /// Operations: 25 + or -, 57 *, 4 /, 20 other functions
+    /// Operations: 25 + or -, 54 *, 8 /, 20 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::abs;
-        using std::pow;
         using std::sqrt;
         const Scalar p_value = x[0];
         const Scalar e1 = p_.p_S - p_value;
         const Scalar step_2 = detail::step<Scalar>(-e1);
-        const Scalar e3 = c_.k4 + e1 * e1;
-        const Scalar power_4 = pow(e3, -Scalar(1) / Scalar(4));
+        const Scalar abs_3 = abs(e1);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar sqrt_5 = sqrt(max_p_S);
-        const Scalar power_6 = pow(e3, -Scalar(5) / Scalar(4));
-        const Scalar abs_7 = abs(e1);
-        const Scalar inverse_8 = Scalar(1) / max_p_S;
-        const Scalar e9 = abs_7 * inverse_8;
-        const Scalar outflow_factor_10 = detail::outflow_factor<Scalar>(e9, c_.k3);
+        const Scalar inverse_4 = Scalar(1) / max_p_S;
+        const Scalar e5 = abs_3 * inverse_4;
+        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(e5, c_.k4);
+        const Scalar e7 = e1 * outflow_factor_6;
+        const Scalar sqrt_8 = sqrt(max_p_S);
+        const Scalar e9 = c_.k3 + e1 * e1;
         const Scalar u_f = u[0];
-        const Scalar e11 = outflow_factor_10 * (u_f * e1);
-        const Scalar e12 = (step_2 * power_4 / sqrt_5 + e1 * power_6 * sqrt_5) * e11;
-        const Scalar e13 = p_.p_0 - p_value;
-        const Scalar abs_14 = abs(e13);
+        const Scalar sqrt_10 = sqrt(e9);
+        const Scalar sqrt_11 = sqrt(sqrt_10);
+        const Scalar e12 = u_f / sqrt_11;
+        const Scalar e13 = e7 * ((step_2 / sqrt_8 + e1 * sqrt_8 / e9) * e12);
+        const Scalar e14 = p_.p_0 - p_value;
+        const Scalar step_15 = detail::step<Scalar>(-e14);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar inverse_15 = Scalar(1) / max_p_0;
-        const Scalar e16 = abs_14 * inverse_15;
-        const Scalar outflow_factor_17 = detail::outflow_factor<Scalar>(e16, c_.k3);
-        const Scalar step_18 = detail::step<Scalar>(-e13);
-        const Scalar e19 = c_.k4 + e13 * e13;
-        const Scalar power_20 = pow(e19, -Scalar(1) / Scalar(4));
-        const Scalar sqrt_21 = sqrt(max_p_0);
-        const Scalar power_22 = pow(e19, -Scalar(5) / Scalar(4));
+        const Scalar sqrt_16 = sqrt(max_p_0);
+        const Scalar e17 = c_.k3 + e14 * e14;
+        const Scalar e18 = e14 * sqrt_16;
+        const Scalar abs_19 = abs(e14);
+        const Scalar inverse_20 = Scalar(1) / max_p_0;
+        const Scalar e21 = abs_19 * inverse_20;
+        const Scalar outflow_factor_22 = detail::outflow_factor<Scalar>(e21, c_.k4);
         const Scalar u_e = u[1];
-        const Scalar e23 = u_e * e13;
-        const Scalar e24 = outflow_factor_17 * (step_18 * power_20 / sqrt_21 + e13 * power_22 * sqrt_21) * e23;
-        const Scalar e25 = step_2 * e12 + e24;
-        const Scalar e26 = power_4 * sqrt_5;
-        const Scalar outflow_factor_slope_27 = detail::outflow_factor_slope<Scalar>(e9, c_.k3);
-        const Scalar e28 = outflow_factor_slope_27 * (e1 * inverse_8);
-        const Scalar sign_29 = detail::sign<Scalar>(e1);
-        const Scalar e30 = e26 * (u_f * (outflow_factor_10 + step_2 * e9 * e28 + sign_29 * e28));
-        const Scalar outflow_factor_slope_31 = detail::outflow_factor_slope<Scalar>(e16, c_.k3);
-        const Scalar sign_32 = detail::sign<Scalar>(e13);
-        const Scalar e33 = power_20 * sqrt_21;
-        const Scalar e34 = outflow_factor_slope_31 * inverse_15 * (sign_32 + step_18 * e16) * e23 * e33;
-        const Scalar e35 = step_2 * e30 + e34 + u_e * outflow_factor_17 * e33;
-        const Scalar step_36 = detail::step<Scalar>(e1);
-        const Scalar e37 = step_36 * e12;
-        const Scalar e38 = step_36 * e30;
-        const Scalar step_39 = detail::step<Scalar>(e26 * e11 * (c_.k11 * step_2 + c_.k12 * step_36));
+        const Scalar sqrt_23 = sqrt(e17);
+        const Scalar sqrt_24 = sqrt(sqrt_23);
+        const Scalar e25 = u_e / sqrt_24;
+        const Scalar e26 = outflow_factor_22 * e25;
+        const Scalar e27 = step_2 * e13 + e14 * (step_15 / sqrt_16 + e18 / e17) * e26;
+        const Scalar outflow_factor_slope_28 = detail::outflow_factor_slope<Scalar>(e5, c_.k4);
+        const Scalar e29 = outflow_factor_slope_28 * (e1 * inverse_4);
+        const Scalar sign_30 = detail::sign<Scalar>(e1);
+        const Scalar e31 = sqrt_8 * e12;
+        const Scalar e32 = (outflow_factor_6 + step_2 * e5 * e29 + sign_30 * e29) * e31;
+        const Scalar outflow_factor_slope_33 = detail::outflow_factor_slope<Scalar>(e21, c_.k4);
+        const Scalar sign_34 = detail::sign<Scalar>(e14);
+        const Scalar e35 = outflow_factor_slope_33 * inverse_20 * (sign_34 + step_15 * e21) * e25 * e18;
+        const Scalar e36 = step_2 * e32 + e35 + sqrt_16 * e26;
+        const Scalar step_37 = detail::step<Scalar>(e1);
+        const Scalar e38 = step_37 * e32;
+        const Scalar e39 = step_37 * e13;
+        const Scalar step_40 = detail::step<Scalar>(e7 * e31 * (c_.k13 * step_2 + c_.k14 * step_37));
         C[0] = Scalar(0);
-        C[1] = c_.k10;
-        C[2] = c_.k18 * e25 - c_.k11 * e35 + c_.k19 * e37 - c_.k12 * e38;
-        C[3] = step_39 * (c_.k25 * e37 - c_.k21 * e38) + step_2 * step_39 * (c_.k23 * e12 - c_.k20 * e30) - c_.k22 * e25
-            + c_.k13 * e35 - c_.k24 * e37 + c_.k14 * e38;
-        C[4] = c_.k17;
+        C[1] = c_.k12;
+        C[2] = c_.k20 * e27 - c_.k13 * e36 - c_.k14 * e38 + c_.k21 * e39;
+        C[3] = c_.k15 * e36 - step_40 * (c_.k23 * e38 - c_.k27 * e39) - step_2 * step_40 * (c_.k22 * e32 - c_.k25 * e13)
+            - c_.k24 * e27 + c_.k16 * e38 - c_.k26 * e39;
+        C[4] = c_.k19;
     }
 
     /// D = dh/du.
-    /// Operations: 11 + or -, 24 *, 2 /, 14 other functions
+    /// Operations: 11 + or -, 24 *, 4 /, 16 other functions
     void output_jacobian_u(const State& x, const Input& u, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         using std::abs;
-        using std::pow;
         using std::sqrt;
         const Scalar p_value = x[0];
         const Scalar e1 = p_.p_S - p_value;
         const Scalar step_2 = detail::step<Scalar>(-e1);
         const Scalar step_3 = detail::step<Scalar>(e1);
-        const Scalar power_4 = pow(c_.k4 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar sqrt_5 = sqrt(max_p_S);
-        const Scalar abs_6 = abs(e1);
-        const Scalar outflow_factor_7 = detail::outflow_factor<Scalar>(abs_6 / max_p_S, c_.k3);
-        const Scalar e8 = e1 * power_4 * (sqrt_5 * outflow_factor_7);
-        const Scalar e9 = (c_.k11 * step_2 + c_.k12 * step_3) * e8;
+        const Scalar sqrt_4 = sqrt(max_p_S);
+        const Scalar abs_5 = abs(e1);
+        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_S, c_.k4);
+        const Scalar sqrt_7 = sqrt(c_.k3 + e1 * e1);
+        const Scalar sqrt_8 = sqrt(sqrt_7);
+        const Scalar e9 = e1 * sqrt_4 * (outflow_factor_6 / sqrt_8);
+        const Scalar e10 = (c_.k13 * step_2 + c_.k14 * step_3) * e9;
         const Scalar u_f = u[0];
-        const Scalar step_10 = detail::step<Scalar>(u_f * e9);
-        const Scalar e11 = step_2 * e8;
-        const Scalar e12 = step_3 * e8;
-        const Scalar e13 = p_.p_0 - p_value;
-        const Scalar power_14 = pow(c_.k4 + e13 * e13, -Scalar(1) / Scalar(4));
+        const Scalar step_11 = detail::step<Scalar>(u_f * e10);
+        const Scalar e12 = step_2 * e9;
+        const Scalar e13 = step_3 * e9;
+        const Scalar e14 = p_.p_0 - p_value;
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar sqrt_15 = sqrt(max_p_0);
-        const Scalar abs_16 = abs(e13);
-        const Scalar outflow_factor_17 = detail::outflow_factor<Scalar>(abs_16 / max_p_0, c_.k3);
-        const Scalar e18 = e13 * power_14 * (sqrt_15 * outflow_factor_17);
+        const Scalar abs_16 = abs(e14);
+        const Scalar outflow_factor_17 = detail::outflow_factor<Scalar>(abs_16 / max_p_0, c_.k4);
+        const Scalar sqrt_18 = sqrt(c_.k3 + e14 * e14);
+        const Scalar sqrt_19 = sqrt(sqrt_18);
+        const Scalar e20 = e14 * sqrt_15 * (outflow_factor_17 / sqrt_19);
         const Scalar mdot = u[2];
         const Scalar step_mdot = detail::step<Scalar>(mdot);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
-        D[2] = e9;
-        D[3] = step_10 * (c_.k20 * e11 + c_.k21 * e12) - c_.k26 * e11 - c_.k27 * e12;
+        D[2] = e10;
+        D[3] = step_11 * (c_.k22 * e12 + c_.k23 * e13) - c_.k28 * e12 - c_.k29 * e13;
         D[4] = Scalar(0);
         D[5] = Scalar(0);
         D[6] = Scalar(0);
-        D[7] = c_.k11 * e18;
-        D[8] = -c_.k28 * e18;
+        D[7] = c_.k13 * e20;
+        D[8] = -c_.k30 * e20;
         D[9] = Scalar(0);
         D[10] = Scalar(0);
         D[11] = Scalar(0);
         D[12] = Scalar(1);
-        D[13] = c_.k16 * step_mdot - c_.k15;
+        D[13] = c_.k18 * step_mdot - c_.k17;
         D[14] = Scalar(0);
     }
 
@@ -840,41 +845,42 @@ public:
     }
 
     /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
-    /// Operations: 10 + or -, 29 *, 5 /, 16 other functions
+    /// Operations: 10 + or -, 29 *, 7 /, 18 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::abs;
-        using std::pow;
         using std::sqrt;
         const Scalar p_value = x[0];
-        const Scalar e1 = p_.p_S - p_value;
-        const Scalar power_2 = pow(c_.k4 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar sqrt_3 = sqrt(max_p_S);
-        const Scalar abs_4 = abs(e1);
-        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k3);
+        const Scalar sqrt_1 = sqrt(max_p_S);
+        const Scalar e2 = p_.p_S - p_value;
+        const Scalar abs_3 = abs(e2);
+        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k4);
+        const Scalar sqrt_5 = sqrt(c_.k3 + e2 * e2);
+        const Scalar sqrt_6 = sqrt(sqrt_5);
         const Scalar u_f = u[0];
-        const Scalar step_6 = detail::step<Scalar>(-e1);
-        const Scalar e7 = p_.T_0 * c_.c_v;
+        const Scalar step_7 = detail::step<Scalar>(-e2);
+        const Scalar e8 = p_.T_0 * c_.c_v;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
-        const Scalar sqrt_8 = sqrt(Scalar(2));
+        const Scalar sqrt_9 = sqrt(Scalar(2));
         const Scalar sqrt_R_s = sqrt(p_.R_s);
-        const Scalar e9 = p_.A_d * p_.alpha_d * (sqrt_8 / sqrt_R_s);
-        const Scalar e10 = e9 / sqrt_T_0;
-        const Scalar step_11 = detail::step<Scalar>(e1);
+        const Scalar e10 = p_.A_d * p_.alpha_d * (sqrt_9 / sqrt_R_s);
+        const Scalar e11 = e10 / sqrt_T_0;
+        const Scalar step_12 = detail::step<Scalar>(e2);
         const Scalar sqrt_T_in = sqrt(p_.T_in);
         const Scalar u_e = u[1];
-        const Scalar e12 = p_.p_0 - p_value;
-        const Scalar power_13 = pow(c_.k4 + e12 * e12, -Scalar(1) / Scalar(4));
+        const Scalar e13 = p_.p_0 - p_value;
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar sqrt_14 = sqrt(max_p_0);
-        const Scalar abs_15 = abs(e12);
-        const Scalar outflow_factor_16 = detail::outflow_factor<Scalar>(abs_15 / max_p_0, c_.k3);
-        const Scalar e17 = sqrt_T_0 * e9;
+        const Scalar abs_15 = abs(e13);
+        const Scalar outflow_factor_16 = detail::outflow_factor<Scalar>(abs_15 / max_p_0, c_.k4);
+        const Scalar sqrt_17 = sqrt(c_.k3 + e13 * e13);
+        const Scalar sqrt_18 = sqrt(sqrt_17);
+        const Scalar e19 = sqrt_T_0 * e10;
         const Scalar mdot = u[2];
-        const Scalar e18 = power_2 * sqrt_3 * (outflow_factor_5 * (u_f * e1))
-            * (step_6 * (e7 * e10) + step_11 * (e9 * e7 / sqrt_T_in));
-        const Scalar e19 = u_e * e12 * power_13 * sqrt_14 * outflow_factor_16 * (p_.R_s * (p_.T_0 * e10 - e17) - c_.c_v * e17);
-        return e18 - e19 + mdot * e7;
+        const Scalar e20 = sqrt_1 * outflow_factor_4 * (u_f * e2 / sqrt_6)
+            * (step_7 * (e8 * e11) + step_12 * (e10 * e8 / sqrt_T_in));
+        const Scalar e21 = u_e * e13 * sqrt_14 * outflow_factor_16 * (p_.R_s * (p_.T_0 * e11 - e19) - c_.c_v * e19) / sqrt_18;
+        return e20 - e21 + mdot * e8;
     }
 
     /// Functions whose sign an integrator must watch, in the order of guard_table().
@@ -902,32 +908,34 @@ private:
         Scalar k0;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)/V
         Scalar k1;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)/(V*sqrt(T_in))
         Scalar k2;  ///< R_s*T_0/V
-        Scalar k3;  ///< 1 + R_s/c_v
-        Scalar k4;  ///< width^2
-        Scalar k5;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)/(2*V)
-        Scalar k6;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)/(2*V*sqrt(T_in))
-        Scalar k7;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)/V
-        Scalar k8;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)/(V*sqrt(T_in))
+        Scalar k3;  ///< width^2
+        Scalar k4;  ///< 1 + R_s/c_v
+        Scalar k5;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)/V
+        Scalar k6;  ///< 1/sqrt(T_0)
+        Scalar k7;  ///< 1/sqrt(T_in)
+        Scalar k8;  ///< width^2/2
         Scalar k9;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)/V
-        Scalar k10;  ///< V/(R_s*T_0)
-        Scalar k11;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
-        Scalar k12;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_in))
-        Scalar k13;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)
-        Scalar k14;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)/sqrt(T_in)
-        Scalar k15;  ///< R_s*T_0
-        Scalar k16;  ///< R_s*T_0 - R_s*T_in + T_0*c_v - T_in*c_v
-        Scalar k17;  ///< 1/p_S
-        Scalar k18;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
-        Scalar k19;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_in))
-        Scalar k20;  ///< A_d*alpha_d*sqrt(2)*(R_s*T_0 - R_s*T_in + T_0*c_v - T_in*c_v)/(sqrt(R_s)*sqrt(T_0))
-        Scalar k21;  ///< A_d*alpha_d*sqrt(2)*(R_s*T_0 - R_s*T_in + T_0*c_v - T_in*c_v)/(sqrt(R_s)*sqrt(T_in))
-        Scalar k22;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)/2
-        Scalar k23;  ///< A_d*alpha_d*sqrt(2)*(R_s*T_0 - R_s*T_in + T_0*c_v - T_in*c_v)/(2*sqrt(R_s)*sqrt(T_0))
-        Scalar k24;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)/(2*sqrt(T_in))
-        Scalar k25;  ///< A_d*alpha_d*sqrt(2)*(R_s*T_0 - R_s*T_in + T_0*c_v - T_in*c_v)/(2*sqrt(R_s)*sqrt(T_in))
-        Scalar k26;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)
-        Scalar k27;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)/sqrt(T_in)
+        Scalar k10;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)/(V*sqrt(T_in))
+        Scalar k11;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)/V
+        Scalar k12;  ///< V/(R_s*T_0)
+        Scalar k13;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_0))
+        Scalar k14;  ///< A_d*alpha_d*sqrt(2)/(sqrt(R_s)*sqrt(T_in))
+        Scalar k15;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)
+        Scalar k16;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)/sqrt(T_in)
+        Scalar k17;  ///< R_s*T_0
+        Scalar k18;  ///< R_s*T_0 - R_s*T_in + T_0*c_v - T_in*c_v
+        Scalar k19;  ///< 1/p_S
+        Scalar k20;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_0))
+        Scalar k21;  ///< A_d*alpha_d*sqrt(2)/(2*sqrt(R_s)*sqrt(T_in))
+        Scalar k22;  ///< A_d*alpha_d*sqrt(2)*(R_s*T_0 - R_s*T_in + T_0*c_v - T_in*c_v)/(sqrt(R_s)*sqrt(T_0))
+        Scalar k23;  ///< A_d*alpha_d*sqrt(2)*(R_s*T_0 - R_s*T_in + T_0*c_v - T_in*c_v)/(sqrt(R_s)*sqrt(T_in))
+        Scalar k24;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)/2
+        Scalar k25;  ///< A_d*alpha_d*sqrt(2)*(R_s*T_0 - R_s*T_in + T_0*c_v - T_in*c_v)/(2*sqrt(R_s)*sqrt(T_0))
+        Scalar k26;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)/(2*sqrt(T_in))
+        Scalar k27;  ///< A_d*alpha_d*sqrt(2)*(R_s*T_0 - R_s*T_in + T_0*c_v - T_in*c_v)/(2*sqrt(R_s)*sqrt(T_in))
         Scalar k28;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)
+        Scalar k29;  ///< T_0*A_d*alpha_d*sqrt(2)*sqrt(R_s)/sqrt(T_in)
+        Scalar k30;  ///< A_d*alpha_d*sqrt(2)*sqrt(R_s)*sqrt(T_0)
     };
     Cached c_{};
 };

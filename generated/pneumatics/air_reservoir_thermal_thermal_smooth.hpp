@@ -18,15 +18,15 @@
 //
 // Operations          +,-      *     /  sin,cos  other
 //   update                 3     31     8        0      4
-//   rhs                   18     35     4        0     18
-//   rhs_and_jacobian      43    100     6        0     26
-//   jacobian_u            22     55     4        0     18
-//   jacobian_p           141    371    12        0     32
-//   output                11     24     4        0     15
-//   output_jacobian_x     23     59     6        0     21
-//   output_jacobian_u      8     17     3        0     15
+//   rhs                   18     35     6        0     20
+//   rhs_and_jacobian      43    100    10        0     26
+//   jacobian_u            22     55     6        0     20
+//   jacobian_p           141    360    16        0     32
+//   output                11     24     6        0     17
+//   output_jacobian_x     23     59    10        0     21
+//   output_jacobian_u      8     17     5        0     17
 //   internal_energy        0      3     1        0      0
-//   exchanged_power       17     26     3        0     21
+//   exchanged_power       17     26     5        0     23
 //   guards                 7      5     3        0      5
 //
 // The generator is free software under the GPL. This file is not: it is under the Boost Software License 1.0,
@@ -345,10 +345,10 @@ public:
         const Scalar e7 = sqrt_6 * (p_.A_d * p_.alpha_d);
         const Scalar e8 = e7 / sqrt_R_s;
         c_.k2 = e8;
+        c_.k3 = p_.width * p_.width;
         const Scalar sqrt_T_0 = sqrt(p_.T_0);
         const Scalar inverse_9 = Scalar(1) / sqrt_T_0;
-        c_.k3 = inverse_9;
-        c_.k4 = p_.width * p_.width;
+        c_.k4 = inverse_9;
         const Scalar e10 = p_.k_W * inverse_3;
         c_.k5 = e10;
         const Scalar sqrt_T_in = sqrt(p_.T_in);
@@ -399,7 +399,7 @@ public:
     }
 
     /// dx/dt = f(x, u, t).
-    /// Operations: 18 + or -, 35 *, 4 /, 18 other functions
+    /// Operations: 18 + or -, 35 *, 6 /, 20 other functions
     ///     specific_enthalpy[supply] = T_in*(R_s + c_v)
     ///     specific_enthalpy[ambience] = T_0*(R_s + c_v)
     ///     density[tank] = p/(R_s*T)
@@ -426,7 +426,6 @@ public:
     ///     mass_flow[empty_smooth])*(specific_enthalpy[ambience] - specific_enthalpy[tank])/(V*c_v*density[tank])
     void rhs(const State& x, const Input& u, Scalar /*t*/, State& dxdt) const noexcept {
         using std::abs;
-        using std::pow;
         using std::sqrt;
         const Scalar mdot = u[2];
         const Scalar max_1 = detail::max<Scalar>(Scalar(0), mdot);
@@ -435,42 +434,43 @@ public:
         const Scalar e3 = p_.T_0 - T;
         const Scalar p_value = x[0];
         const Scalar e4 = p_.p_0 - p_value;
-        const Scalar abs_5 = abs(e4);
-        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_0, c_.k1);
+        const Scalar sqrt_5 = sqrt(c_.k3 + e4 * e4);
+        const Scalar sqrt_6 = sqrt(sqrt_5);
         const Scalar step_7 = detail::step<Scalar>(-e4);
         const Scalar sqrt_T = sqrt(T);
         const Scalar inverse_8 = Scalar(1) / sqrt_T;
         const Scalar step_9 = detail::step<Scalar>(e4);
         const Scalar u_e = u[1];
-        const Scalar power_10 = pow(c_.k4 + e4 * e4, -Scalar(1) / Scalar(4));
-        const Scalar sqrt_11 = sqrt(max_p_0);
-        const Scalar e12 = outflow_factor_6 * (step_7 * inverse_8 + step_9 * c_.k3) * (u_e * e4 * (power_10 * sqrt_11));
-        const Scalar min_13 = detail::min<Scalar>(Scalar(0), -e12 * c_.k2);
-        const Scalar e14 = p_.p_S - p_value;
-        const Scalar abs_15 = abs(e14);
-        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar outflow_factor_16 = detail::outflow_factor<Scalar>(abs_15 / max_p_S, c_.k1);
-        const Scalar step_17 = detail::step<Scalar>(-e14);
-        const Scalar step_18 = detail::step<Scalar>(e14);
+        const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
+        const Scalar sqrt_10 = sqrt(max_p_0);
+        const Scalar abs_11 = abs(e4);
+        const Scalar outflow_factor_12 = detail::outflow_factor<Scalar>(abs_11 / max_p_0, c_.k1);
+        const Scalar e13 = (step_7 * inverse_8 + step_9 * c_.k4) / sqrt_6 * (u_e * e4 * (sqrt_10 * outflow_factor_12));
+        const Scalar min_14 = detail::min<Scalar>(Scalar(0), -e13 * c_.k2);
+        const Scalar e15 = p_.p_S - p_value;
+        const Scalar sqrt_16 = sqrt(c_.k3 + e15 * e15);
+        const Scalar sqrt_17 = sqrt(sqrt_16);
+        const Scalar step_18 = detail::step<Scalar>(-e15);
+        const Scalar step_19 = detail::step<Scalar>(e15);
         const Scalar u_f = u[0];
-        const Scalar power_19 = pow(c_.k4 + e14 * e14, -Scalar(1) / Scalar(4));
+        const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
         const Scalar sqrt_20 = sqrt(max_p_S);
-        const Scalar e21 = outflow_factor_16 * (step_17 * inverse_8 + step_18 * c_.k6) * (u_f * e14 * (power_19 * sqrt_20));
-        const Scalar max_22 = detail::max<Scalar>(Scalar(0), e21 * c_.k2);
-        const Scalar e23 = (max_1 * e2 - e3 * min_13) * c_.k1 + (e2 * max_22 * c_.k1 + e3 * c_.k5);
-        const Scalar e24 = T * c_.k0;
-        const Scalar e25 = (mdot + (e21 + e12) * c_.k2) * e24;
-        dxdt[0] = e23 * c_.k0 + e25 * c_.k1;
-        dxdt[1] = (T * e25 * c_.k7 + e23 * e24) / p_value;
+        const Scalar abs_21 = abs(e15);
+        const Scalar outflow_factor_22 = detail::outflow_factor<Scalar>(abs_21 / max_p_S, c_.k1);
+        const Scalar e23 = (step_18 * inverse_8 + step_19 * c_.k6) / sqrt_17 * (u_f * e15 * (sqrt_20 * outflow_factor_22));
+        const Scalar max_24 = detail::max<Scalar>(Scalar(0), e23 * c_.k2);
+        const Scalar e25 = (max_1 * e2 - e3 * min_14) * c_.k1 + (e2 * max_24 * c_.k1 + e3 * c_.k5);
+        const Scalar e26 = T * c_.k0;
+        const Scalar e27 = (mdot + (e23 + e13) * c_.k2) * e26;
+        dxdt[0] = e25 * c_.k0 + e27 * c_.k1;
+        dxdt[1] = (T * e27 * c_.k7 + e25 * e26) / p_value;
     }
 
     /// dx/dt and its derivative J = df/dx together, by implicit differentiation: M d(qdd)/dx = -dR/dx with R = M qdd + bias - Q.
     /// 2 x 2, entry (i, j) at J[2*j + i].
-    /// Operations: 43 + or -, 100 *, 6 /, 26 other functions
+    /// Operations: 43 + or -, 100 *, 10 /, 26 other functions
     void rhs_and_jacobian(const State& x, const Input& u, Scalar /*t*/, State& dxdt, JacobianX& J) const noexcept {
         using std::abs;
-        using std::pow;
         using std::sqrt;
         const Scalar T = x[1];
         const Scalar e1 = p_.T_in - T;
@@ -478,94 +478,92 @@ public:
         const Scalar max_2 = detail::max<Scalar>(Scalar(0), mdot);
         const Scalar p_value = x[0];
         const Scalar e3 = p_.p_S - p_value;
-        const Scalar e3_squared = e3 * e3;
-        const Scalar e4 = c_.k4 + e3_squared;
-        const Scalar power_5 = pow(e4, -Scalar(1) / Scalar(4));
-        const Scalar e6 = e3 * power_5;
+        const Scalar abs_4 = abs(e3);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar sqrt_7 = sqrt(max_p_S);
-        const Scalar abs_8 = abs(e3);
-        const Scalar inverse_9 = Scalar(1) / max_p_S;
-        const Scalar e10 = abs_8 * inverse_9;
-        const Scalar outflow_factor_11 = detail::outflow_factor<Scalar>(e10, c_.k1);
-        const Scalar e12 = sqrt_7 * outflow_factor_11;
-        const Scalar e13 = e6 * e12;
-        const Scalar step_14 = detail::step<Scalar>(-e3);
+        const Scalar inverse_5 = Scalar(1) / max_p_S;
+        const Scalar e6 = abs_4 * inverse_5;
+        const Scalar outflow_factor_7 = detail::outflow_factor<Scalar>(e6, c_.k1);
+        const Scalar sqrt_8 = sqrt(max_p_S);
+        const Scalar e9 = e3 * sqrt_8;
+        const Scalar e10 = outflow_factor_7 * e9;
+        const Scalar step_11 = detail::step<Scalar>(-e3);
         const Scalar sqrt_T = sqrt(T);
-        const Scalar inverse_15 = Scalar(1) / sqrt_T;
-        const Scalar step_16 = detail::step<Scalar>(e3);
-        const Scalar e17 = step_14 * inverse_15 + step_16 * c_.k6;
+        const Scalar inverse_12 = Scalar(1) / sqrt_T;
+        const Scalar step_13 = detail::step<Scalar>(e3);
+        const Scalar e14 = step_11 * inverse_12 + step_13 * c_.k6;
         const Scalar u_f = u[0];
-        const Scalar e18 = u_f * c_.k2;
-        const Scalar e19 = e17 * e18;
-        const Scalar e20 = e13 * e19;
-        const Scalar max_21 = detail::max<Scalar>(Scalar(0), e20);
-        const Scalar e22 = max_2 + max_21;
-        const Scalar e23 = p_.T_0 - T;
-        const Scalar e24 = p_.p_0 - p_value;
-        const Scalar e24_squared = e24 * e24;
-        const Scalar e25 = c_.k4 + e24_squared;
-        const Scalar power_26 = pow(e25, -Scalar(1) / Scalar(4));
-        const Scalar e27 = e24 * power_26;
+        const Scalar e15 = c_.k3 + e3 * e3;
+        const Scalar sqrt_16 = sqrt(e15);
+        const Scalar sqrt_17 = sqrt(sqrt_16);
+        const Scalar e18 = u_f / sqrt_17;
+        const Scalar e19 = e18 * c_.k2;
+        const Scalar e20 = e14 * e19;
+        const Scalar e21 = e10 * e20;
+        const Scalar max_22 = detail::max<Scalar>(Scalar(0), e21);
+        const Scalar e23 = max_2 + max_22;
+        const Scalar e24 = p_.T_0 - T;
+        const Scalar e25 = p_.p_0 - p_value;
+        const Scalar abs_26 = abs(e25);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar sqrt_28 = sqrt(max_p_0);
-        const Scalar abs_29 = abs(e24);
-        const Scalar inverse_30 = Scalar(1) / max_p_0;
-        const Scalar e31 = abs_29 * inverse_30;
-        const Scalar outflow_factor_32 = detail::outflow_factor<Scalar>(e31, c_.k1);
-        const Scalar e33 = sqrt_28 * outflow_factor_32;
-        const Scalar e34 = e27 * e33;
-        const Scalar step_35 = detail::step<Scalar>(-e24);
-        const Scalar step_36 = detail::step<Scalar>(e24);
-        const Scalar e37 = step_35 * inverse_15 + step_36 * c_.k3;
+        const Scalar inverse_27 = Scalar(1) / max_p_0;
+        const Scalar e28 = abs_26 * inverse_27;
+        const Scalar outflow_factor_29 = detail::outflow_factor<Scalar>(e28, c_.k1);
+        const Scalar sqrt_30 = sqrt(max_p_0);
+        const Scalar e31 = e25 * sqrt_30;
+        const Scalar e32 = outflow_factor_29 * e31;
+        const Scalar step_33 = detail::step<Scalar>(-e25);
+        const Scalar step_34 = detail::step<Scalar>(e25);
+        const Scalar e35 = step_33 * inverse_12 + step_34 * c_.k4;
         const Scalar u_e = u[1];
-        const Scalar e38 = u_e * c_.k2;
-        const Scalar e39 = e37 * e38;
-        const Scalar e40 = e34 * e39;
-        const Scalar min_41 = detail::min<Scalar>(Scalar(0), -e40);
-        const Scalar e42 = e1 * e22 * c_.k1 + (c_.k10 - e23 * min_41 * c_.k1);
-        const Scalar e43 = mdot + (u_f * e17 * e13 + u_e * e37 * e34) * c_.k2;
-        const Scalar e44 = c_.k8 - e43 * c_.k9;
-        const Scalar inverse_45 = Scalar(1) / p_value;
-        const Scalar e46 = inverse_45 * c_.k0;
-        const Scalar e47 = T * e46;
-        const Scalar e48 = (p_.R_s * e43 - p_.k_W) * c_.k11;
-        const Scalar e49 = e47 * (T * e48 + e42);
-        const Scalar e50 = e42 * c_.k0 - T * e44;
-        const Scalar step_51 = detail::step<Scalar>(e20);
-        const Scalar e52 = e1 * step_51;
-        const Scalar e53 = (T + e52) * c_.k9;
-        const Scalar outflow_factor_slope_54 = detail::outflow_factor_slope<Scalar>(e10, c_.k1);
-        const Scalar sign_55 = detail::sign<Scalar>(e3);
-        const Scalar power_56 = pow(e4, -Scalar(5) / Scalar(4));
-        const Scalar e57 = Scalar(2) * sqrt_7 * outflow_factor_slope_54 * inverse_9 * (step_14 * e10 + sign_55);
-        const Scalar e58 = (step_14 * outflow_factor_11 / sqrt_7 - e57) * e6 + (power_56 * e3_squared - Scalar(2) * power_5)
-            * e12;
-        const Scalar e59 = e58 * e19;
-        const Scalar step_60 = detail::step<Scalar>(e40);
-        const Scalar e61 = e23 * step_60;
-        const Scalar e62 = (T + e61) * c_.k9;
-        const Scalar outflow_factor_slope_63 = detail::outflow_factor_slope<Scalar>(e31, c_.k1);
-        const Scalar sign_64 = detail::sign<Scalar>(e24);
-        const Scalar power_65 = pow(e25, -Scalar(5) / Scalar(4));
-        const Scalar e66 = Scalar(2) * sqrt_28 * outflow_factor_slope_63 * inverse_30 * (step_35 * e31 + sign_64);
-        const Scalar e67 = (step_35 * outflow_factor_32 / sqrt_28 - e66) * e27
-            + (power_65 * e24_squared - Scalar(2) * power_26) * e33;
-        const Scalar e68 = e67 * e39;
-        const Scalar e69 = (Scalar(1) / Scalar(2)) * (e53 * e59 + e62 * e68);
+        const Scalar e36 = c_.k3 + e25 * e25;
+        const Scalar sqrt_37 = sqrt(e36);
+        const Scalar sqrt_38 = sqrt(sqrt_37);
+        const Scalar e39 = u_e / sqrt_38;
+        const Scalar e40 = e39 * c_.k2;
+        const Scalar e41 = e35 * e40;
+        const Scalar e42 = e32 * e41;
+        const Scalar min_43 = detail::min<Scalar>(Scalar(0), -e42);
+        const Scalar e44 = e1 * e23 * c_.k1 + (c_.k10 - e24 * min_43 * c_.k1);
+        const Scalar e45 = mdot + (e35 * e39 * e32 + e14 * e18 * e10) * c_.k2;
+        const Scalar e46 = c_.k8 - e45 * c_.k9;
+        const Scalar inverse_47 = Scalar(1) / p_value;
+        const Scalar e48 = inverse_47 * c_.k0;
+        const Scalar e49 = T * e48;
+        const Scalar e50 = (p_.R_s * e45 - p_.k_W) * c_.k11;
+        const Scalar e51 = e49 * (T * e50 + e44);
+        const Scalar e52 = e44 * c_.k0 - T * e46;
+        const Scalar step_53 = detail::step<Scalar>(e21);
+        const Scalar e54 = e1 * step_53;
+        const Scalar e55 = (T + e54) * c_.k9;
+        const Scalar outflow_factor_slope_56 = detail::outflow_factor_slope<Scalar>(e6, c_.k1);
+        const Scalar sign_57 = detail::sign<Scalar>(e3);
+        const Scalar e58 = Scalar(2) * outflow_factor_slope_56 * inverse_5 * (step_11 * e6 + sign_57);
+        const Scalar e59 = outflow_factor_7 * (step_11 * e3 / sqrt_8 - Scalar(2) * sqrt_8)
+            + (e3 * outflow_factor_7 / e15 - e58) * e9;
+        const Scalar e60 = e59 * e20;
+        const Scalar step_61 = detail::step<Scalar>(e42);
+        const Scalar e62 = e24 * step_61;
+        const Scalar e63 = (T + e62) * c_.k9;
+        const Scalar outflow_factor_slope_64 = detail::outflow_factor_slope<Scalar>(e28, c_.k1);
+        const Scalar sign_65 = detail::sign<Scalar>(e25);
+        const Scalar e66 = Scalar(2) * outflow_factor_slope_64 * inverse_27 * (step_33 * e28 + sign_65);
+        const Scalar e67 = outflow_factor_29 * (step_33 * e25 / sqrt_30 - Scalar(2) * sqrt_30)
+            + (e25 * outflow_factor_29 / e36 - e66) * e31;
+        const Scalar e68 = e67 * e41;
+        const Scalar e69 = (Scalar(1) / Scalar(2)) * (e55 * e60 + e63 * e68);
         const Scalar e70 = T * c_.k7;
-        const Scalar e71 = (e52 * c_.k1 + e70) * e47;
-        const Scalar e72 = (e61 * c_.k1 + e70) * e47;
-        const Scalar e73 = (Scalar(1) / Scalar(2)) * e71 * e59 - inverse_45 * e49 + (Scalar(1) / Scalar(2)) * e72 * e68;
-        const Scalar e74 = min_41 - e22;
-        const Scalar e75 = inverse_15 * (inverse_15 * inverse_15);
-        const Scalar e76 = step_14 * e18 * (e13 * e75);
-        const Scalar e77 = step_35 * e38 * (e34 * e75);
-        const Scalar e78 = e74 * c_.k9 - e44 - (Scalar(1) / Scalar(2)) * e53 * e76 - (Scalar(1) / Scalar(2)) * e62 * e77;
-        const Scalar e79 = e47 * (e74 * c_.k1 + Scalar(2) * e48) + e46 * e42 - (Scalar(1) / Scalar(2)) * e71 * e76
+        const Scalar e71 = (e54 * c_.k1 + e70) * e49;
+        const Scalar e72 = (e62 * c_.k1 + e70) * e49;
+        const Scalar e73 = (Scalar(1) / Scalar(2)) * e71 * e60 - inverse_47 * e51 + (Scalar(1) / Scalar(2)) * e72 * e68;
+        const Scalar e74 = min_43 - e23;
+        const Scalar e75 = inverse_12 * (inverse_12 * inverse_12);
+        const Scalar e76 = step_11 * e19 * (e10 * e75);
+        const Scalar e77 = step_33 * e40 * (e32 * e75);
+        const Scalar e78 = e74 * c_.k9 - e46 - (Scalar(1) / Scalar(2)) * e55 * e76 - (Scalar(1) / Scalar(2)) * e63 * e77;
+        const Scalar e79 = e49 * (e74 * c_.k1 + Scalar(2) * e50) + e48 * e44 - (Scalar(1) / Scalar(2)) * e71 * e76
             - (Scalar(1) / Scalar(2)) * e72 * e77;
-        dxdt[0] = e50;
-        dxdt[1] = e49;
+        dxdt[0] = e52;
+        dxdt[1] = e51;
         J[0] = e69;
         J[1] = e73;
         J[2] = e78;
@@ -579,66 +577,66 @@ public:
     }
 
     /// J = df/du. 2 x 3, entry (i, j) at J[2*j + i].
-    /// Operations: 22 + or -, 55 *, 4 /, 18 other functions
+    /// Operations: 22 + or -, 55 *, 6 /, 20 other functions
     void jacobian_u(const State& x, const Input& u, Scalar /*t*/, JacobianU& J) const noexcept {
         using std::abs;
-        using std::pow;
         using std::sqrt;
         const Scalar T = x[1];
         const Scalar p_value = x[0];
         const Scalar e1 = p_.p_S - p_value;
         const Scalar step_2 = detail::step<Scalar>(e1);
-        const Scalar power_3 = pow(c_.k4 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar sqrt_4 = sqrt(max_p_S);
-        const Scalar abs_5 = abs(e1);
-        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_S, c_.k24);
-        const Scalar e7 = e1 * power_3 * (sqrt_4 * outflow_factor_6);
-        const Scalar e8 = step_2 * e7;
-        const Scalar step_9 = detail::step<Scalar>(-e1);
+        const Scalar sqrt_3 = sqrt(max_p_S);
+        const Scalar abs_4 = abs(e1);
+        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k24);
+        const Scalar sqrt_6 = sqrt(c_.k3 + e1 * e1);
+        const Scalar sqrt_7 = sqrt(sqrt_6);
+        const Scalar e8 = e1 * sqrt_3 * (outflow_factor_5 / sqrt_7);
+        const Scalar e9 = step_2 * e8;
+        const Scalar step_10 = detail::step<Scalar>(-e1);
         const Scalar sqrt_T = sqrt(T);
-        const Scalar inverse_10 = Scalar(1) / sqrt_T;
-        const Scalar e11 = step_9 * inverse_10;
-        const Scalar e12 = e7 * e11;
-        const Scalar e13 = c_.k12 * T;
-        const Scalar e14 = p_.T_in - T;
+        const Scalar inverse_11 = Scalar(1) / sqrt_T;
+        const Scalar e12 = step_10 * inverse_11;
+        const Scalar e13 = e8 * e12;
+        const Scalar e14 = c_.k12 * T;
+        const Scalar e15 = p_.T_in - T;
         const Scalar u_f = u[0];
-        const Scalar step_15 = detail::step<Scalar>(u_f * (c_.k25 * e8 + c_.k2 * e12));
-        const Scalar e16 = e14 * step_15 * ((c_.k15 * step_2 + c_.k14 * e11) * e7);
-        const Scalar e17 = T / p_value;
-        const Scalar e18 = T * e17;
-        const Scalar e19 = c_.k16 * e18;
-        const Scalar e20 = p_.p_0 - p_value;
-        const Scalar step_21 = detail::step<Scalar>(e20);
-        const Scalar power_22 = pow(c_.k4 + e20 * e20, -Scalar(1) / Scalar(4));
+        const Scalar step_16 = detail::step<Scalar>(u_f * (c_.k25 * e9 + c_.k2 * e13));
+        const Scalar e17 = e15 * step_16 * ((c_.k15 * step_2 + c_.k14 * e12) * e8);
+        const Scalar e18 = T / p_value;
+        const Scalar e19 = T * e18;
+        const Scalar e20 = c_.k16 * e19;
+        const Scalar e21 = p_.p_0 - p_value;
+        const Scalar step_22 = detail::step<Scalar>(e21);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar sqrt_23 = sqrt(max_p_0);
-        const Scalar abs_24 = abs(e20);
+        const Scalar abs_24 = abs(e21);
         const Scalar outflow_factor_25 = detail::outflow_factor<Scalar>(abs_24 / max_p_0, c_.k24);
-        const Scalar e26 = e20 * power_22 * (sqrt_23 * outflow_factor_25);
-        const Scalar e27 = step_21 * e26;
-        const Scalar step_28 = detail::step<Scalar>(-e20);
-        const Scalar e29 = step_28 * inverse_10;
-        const Scalar e30 = e26 * e29;
+        const Scalar sqrt_26 = sqrt(c_.k3 + e21 * e21);
+        const Scalar sqrt_27 = sqrt(sqrt_26);
+        const Scalar e28 = e21 * sqrt_23 * (outflow_factor_25 / sqrt_27);
+        const Scalar e29 = step_22 * e28;
+        const Scalar step_30 = detail::step<Scalar>(-e21);
+        const Scalar e31 = step_30 * inverse_11;
+        const Scalar e32 = e28 * e31;
         const Scalar u_e = u[1];
-        const Scalar step_31 = detail::step<Scalar>(u_e * (c_.k23 * e27 + c_.k2 * e30));
-        const Scalar e32 = (p_.T_0 - T) * step_31 * ((c_.k19 * step_21 + c_.k14 * e29) * e26);
+        const Scalar step_33 = detail::step<Scalar>(u_e * (c_.k23 * e29 + c_.k2 * e32));
+        const Scalar e34 = (p_.T_0 - T) * step_33 * ((c_.k19 * step_22 + c_.k14 * e31) * e28);
         const Scalar mdot = u[2];
         const Scalar step_mdot = detail::step<Scalar>(mdot);
-        const Scalar e33 = e14 * (c_.k21 * step_mdot);
-        J[0] = c_.k13 * T * e8 + e12 * e13 + e16;
-        J[1] = c_.k17 * e18 * e8 + e12 * e19 + e17 * e16;
-        J[2] = c_.k18 * T * e27 + e30 * e13 + e32;
-        J[3] = c_.k20 * e18 * e27 + e30 * e19 + e17 * e32;
-        J[4] = c_.k21 * T + e33;
-        J[5] = c_.k22 * e18 + e17 * e33;
+        const Scalar e35 = e15 * (c_.k21 * step_mdot);
+        J[0] = c_.k13 * T * e9 + e13 * e14 + e17;
+        J[1] = c_.k17 * e19 * e9 + e13 * e20 + e18 * e17;
+        J[2] = c_.k18 * T * e29 + e32 * e14 + e34;
+        J[3] = c_.k20 * e19 * e29 + e32 * e20 + e18 * e34;
+        J[4] = c_.k21 * T + e35;
+        J[5] = c_.k22 * e19 + e18 * e35;
     }
 
     /// J = df/dp, parameters in the order of the table. 2 x 11, entry (i, j) at J[2*j + i].
-    /// Operations: 141 + or -, 371 *, 12 /, 32 other functions
+    /// Operations: 141 + or -, 360 *, 16 /, 32 other functions
     void jacobian_p(const State& x, const Input& u, Scalar /*t*/, JacobianP& J) const noexcept {
         using std::abs;
-        using std::pow;
         using std::sqrt;
         const Scalar T = x[1];
         const Scalar inverse_1 = Scalar(1) / p_.V;
@@ -655,52 +653,52 @@ public:
         const Scalar e11 = p_.T_0 - T;
         const Scalar p_value = x[0];
         const Scalar e12 = p_.p_0 - p_value;
-        const Scalar abs_13 = abs(e12);
+        const Scalar step_13 = detail::step<Scalar>(e12);
+        const Scalar abs_14 = abs(e12);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar inverse_14 = Scalar(1) / max_p_0;
-        const Scalar e15 = abs_13 * inverse_14;
-        const Scalar outflow_factor_16 = detail::outflow_factor<Scalar>(e15, c_.k24);
+        const Scalar inverse_15 = Scalar(1) / max_p_0;
+        const Scalar e16 = abs_14 * inverse_15;
+        const Scalar outflow_factor_17 = detail::outflow_factor<Scalar>(e16, c_.k24);
+        const Scalar sqrt_18 = sqrt(max_p_0);
         const Scalar u_e = u[1];
-        const Scalar e17 = u_e * e12;
-        const Scalar e18 = outflow_factor_16 * e17;
-        const Scalar step_19 = detail::step<Scalar>(e12);
-        const Scalar e20 = c_.k4 + e12 * e12;
-        const Scalar power_21 = pow(e20, -Scalar(1) / Scalar(4));
-        const Scalar sqrt_22 = sqrt(max_p_0);
-        const Scalar e23 = power_21 * sqrt_22;
-        const Scalar e24 = step_19 * e23;
-        const Scalar e25 = e18 * e24;
-        const Scalar step_26 = detail::step<Scalar>(-e12);
+        const Scalar e19 = c_.k3 + e12 * e12;
+        const Scalar sqrt_20 = sqrt(e19);
+        const Scalar sqrt_21 = sqrt(sqrt_20);
+        const Scalar e22 = u_e / sqrt_21;
+        const Scalar e23 = e12 * e22;
+        const Scalar e24 = sqrt_18 * e23;
+        const Scalar e25 = outflow_factor_17 * e24;
+        const Scalar e26 = step_13 * e25;
+        const Scalar step_27 = detail::step<Scalar>(-e12);
         const Scalar sqrt_T = sqrt(T);
-        const Scalar inverse_27 = Scalar(1) / sqrt_T;
-        const Scalar e28 = step_26 * inverse_27;
-        const Scalar e29 = e23 * e28;
-        const Scalar e30 = e18 * e29;
-        const Scalar e31 = c_.k23 * e25 + c_.k2 * e30;
+        const Scalar inverse_28 = Scalar(1) / sqrt_T;
+        const Scalar e29 = step_27 * inverse_28;
+        const Scalar e30 = e25 * e29;
+        const Scalar e31 = c_.k23 * e26 + c_.k2 * e30;
         const Scalar min_32 = detail::min<Scalar>(Scalar(0), -e31);
         const Scalar e33 = p_.T_in - T;
         const Scalar max_34 = detail::max<Scalar>(Scalar(0), mdot);
         const Scalar e35 = p_.p_S - p_value;
-        const Scalar abs_36 = abs(e35);
+        const Scalar step_36 = detail::step<Scalar>(e35);
+        const Scalar abs_37 = abs(e35);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar inverse_37 = Scalar(1) / max_p_S;
-        const Scalar e38 = abs_36 * inverse_37;
-        const Scalar outflow_factor_39 = detail::outflow_factor<Scalar>(e38, c_.k24);
+        const Scalar inverse_38 = Scalar(1) / max_p_S;
+        const Scalar e39 = abs_37 * inverse_38;
+        const Scalar outflow_factor_40 = detail::outflow_factor<Scalar>(e39, c_.k24);
+        const Scalar sqrt_41 = sqrt(max_p_S);
         const Scalar u_f = u[0];
-        const Scalar e40 = u_f * e35;
-        const Scalar e41 = outflow_factor_39 * e40;
-        const Scalar step_42 = detail::step<Scalar>(e35);
-        const Scalar e43 = c_.k4 + e35 * e35;
-        const Scalar power_44 = pow(e43, -Scalar(1) / Scalar(4));
-        const Scalar sqrt_45 = sqrt(max_p_S);
-        const Scalar e46 = power_44 * sqrt_45;
-        const Scalar e47 = step_42 * e46;
-        const Scalar e48 = e41 * e47;
-        const Scalar step_49 = detail::step<Scalar>(-e35);
-        const Scalar e50 = step_49 * inverse_27;
-        const Scalar e51 = e46 * e50;
-        const Scalar e52 = e41 * e51;
-        const Scalar e53 = c_.k25 * e48 + c_.k2 * e52;
+        const Scalar e42 = c_.k3 + e35 * e35;
+        const Scalar sqrt_43 = sqrt(e42);
+        const Scalar sqrt_44 = sqrt(sqrt_43);
+        const Scalar e45 = u_f / sqrt_44;
+        const Scalar e46 = e35 * e45;
+        const Scalar e47 = sqrt_41 * e46;
+        const Scalar e48 = outflow_factor_40 * e47;
+        const Scalar e49 = step_36 * e48;
+        const Scalar step_50 = detail::step<Scalar>(-e35);
+        const Scalar e51 = step_50 * inverse_28;
+        const Scalar e52 = e48 * e51;
+        const Scalar e53 = c_.k25 * e49 + c_.k2 * e52;
         const Scalar max_54 = detail::max<Scalar>(Scalar(0), e53);
         const Scalar e55 = max_34 + max_54;
         const Scalar e56 = e11 * min_32 - e33 * e55;
@@ -716,170 +714,159 @@ public:
         const Scalar e64 = e62 * e63;
         const Scalar e65 = e9 * e64;
         const Scalar e66 = inverse_58 * e65;
-        const Scalar e67 = T * e25;
+        const Scalar e67 = T * e26;
         const Scalar sqrt_T_in = sqrt(p_.T_in);
         const Scalar inverse_68 = Scalar(1) / sqrt_T_in;
         const Scalar e69 = inverse_68 * e65;
-        const Scalar e70 = T * e48;
-        const Scalar e71 = e18 * (step_26 * e23);
-        const Scalar e72 = e41 * (step_49 * e46);
-        const Scalar e73 = inverse_27 * (e71 + e72);
+        const Scalar e70 = T * e49;
+        const Scalar e71 = step_27 * e25;
+        const Scalar e72 = step_50 * e48;
+        const Scalar e73 = inverse_28 * (e71 + e72);
         const Scalar e74 = T * e73;
         const Scalar e75 = T / p_value;
         const Scalar e76 = T * e75;
         const Scalar e77 = e64 * e4;
-        const Scalar e78 = e76 * e25;
-        const Scalar e79 = e76 * e48;
+        const Scalar e78 = e76 * e26;
+        const Scalar e79 = e76 * e49;
         const Scalar e80 = e76 * e73;
         const Scalar e81 = mdot * e76;
         const Scalar e82 = e75 * e56;
         const Scalar inverse_83 = Scalar(1) / (Scalar(1) - p_.kappa);
-        const Scalar e84 = e64 * e8;
-        const Scalar e85 = inverse_83 * e84;
-        const Scalar e86 = inverse_2 * (e65 + e9 * e85);
-        const Scalar step_87 = detail::step<Scalar>(e31);
-        const Scalar e88 = e11 * step_87;
-        const Scalar e89 = T + e88;
-        const Scalar outflow_factor_by_exponent_90 = detail::outflow_factor_by_exponent<Scalar>(e15, c_.k24);
-        const Scalar e91 = outflow_factor_by_exponent_90 * e17;
-        const Scalar e92 = e91 * e29;
-        const Scalar step_93 = detail::step<Scalar>(e53);
-        const Scalar e94 = e33 * step_93;
-        const Scalar e95 = T + e94;
-        const Scalar outflow_factor_by_exponent_96 = detail::outflow_factor_by_exponent<Scalar>(e38, c_.k24);
-        const Scalar e97 = outflow_factor_by_exponent_96 * e40;
-        const Scalar e98 = e97 * e51;
-        const Scalar e99 = e89 * e92 + e95 * e98;
-        const Scalar e100 = (inverse_1 + inverse_83 * e4) * (p_.k_W * inverse_2);
-        const Scalar e101 = inverse_83 * e8;
-        const Scalar e102 = Scalar(2) * (e4 * (Scalar(1) + (Scalar(1) / Scalar(2)) * e101));
-        const Scalar e103 = inverse_1 + e102;
+        const Scalar e84 = inverse_83 * e8;
+        const Scalar e85 = Scalar(2) * (e4 * (Scalar(1) + (Scalar(1) / Scalar(2)) * e84));
+        const Scalar e86 = inverse_1 + e85;
+        const Scalar e87 = (inverse_1 + inverse_83 * e4) * (p_.k_W * inverse_2);
         const Scalar inverse_60_squared = inverse_60 * inverse_60;
-        const Scalar e104 = (Scalar(1) / Scalar(2)) * (e65 * inverse_60_squared);
-        const Scalar e105 = inverse_27 * (e88 * e71 + e94 * e72);
-        const Scalar e106 = e104 * e105 - p_.T_0 * e100;
-        const Scalar e107 = inverse_2 * (Scalar(2) * e64 + e85);
-        const Scalar e108 = inverse_1 * e61 * e63 - e104 + e107;
-        const Scalar e109 = (Scalar(1) / Scalar(2)) * inverse_60_squared * e69;
-        const Scalar e110 = e48 * e94;
-        const Scalar e111 = (Scalar(1) / Scalar(2)) * inverse_60_squared * e66;
-        const Scalar e112 = e25 * e88;
-        const Scalar e113 = inverse_58 * e86;
-        const Scalar e114 = e24 * e91;
-        const Scalar e115 = e89 * e114;
-        const Scalar e116 = inverse_68 * e86;
-        const Scalar e117 = e47 * e97;
-        const Scalar e118 = e95 * e117;
-        const Scalar e119 = e107 - (Scalar(1) / Scalar(2)) * e84 * inverse_60_squared;
-        const Scalar e120 = e75 * e94;
-        const Scalar e121 = e48 * e120;
-        const Scalar e122 = e75 * e88;
-        const Scalar e123 = e25 * e122;
-        const Scalar e124 = e75 * (e88 * e92 + e94 * e98);
-        const Scalar e125 = e84 * e101;
-        const Scalar e126 = inverse_2 * (e84 + e125);
-        const Scalar e127 = e76 * (e92 + e98);
-        const Scalar e128 = e76 * e114;
-        const Scalar e129 = e122 * e114;
-        const Scalar e130 = e76 * e117;
-        const Scalar e131 = e120 * e117;
-        const Scalar e132 = e5 * (inverse_83 * e101);
-        const Scalar e133 = p_.T_0 * e132;
-        const Scalar e134 = inverse_83 * e125;
-        const Scalar e135 = e9 * e134;
-        const Scalar e136 = e3 * e101 * e101;
-        const Scalar e137 = inverse_68 * e134 * e48 + inverse_58 * e134 * e25 + (e134 * e73 - e132);
-        const Scalar e138 = inverse_58 * e9;
-        const Scalar e139 = e134 * e138;
-        const Scalar e140 = inverse_68 * e9;
-        const Scalar e141 = e134 * e140;
-        const Scalar e142 = e101 * e125;
-        const Scalar outflow_factor_slope_143 = detail::outflow_factor_slope<Scalar>(e15, c_.k24);
-        const Scalar sign_144 = detail::sign<Scalar>(e12);
-        const Scalar e145 = e12 * outflow_factor_slope_143 * inverse_14 * (step_19 * e15 - sign_144);
-        const Scalar e146 = u_e * (e145 - outflow_factor_16);
+        const Scalar e88 = (Scalar(1) / Scalar(2)) * (e65 * inverse_60_squared);
+        const Scalar step_89 = detail::step<Scalar>(e31);
+        const Scalar e90 = e11 * step_89;
+        const Scalar step_91 = detail::step<Scalar>(e53);
+        const Scalar e92 = e33 * step_91;
+        const Scalar e93 = inverse_28 * (e90 * e71 + e92 * e72);
+        const Scalar e94 = e88 * e93 - p_.T_0 * e87;
+        const Scalar e95 = e64 * e8;
+        const Scalar e96 = inverse_83 * e95;
+        const Scalar e97 = inverse_2 * (Scalar(2) * e64 + e96);
+        const Scalar e98 = inverse_1 * e61 * e63 - e88 + e97;
+        const Scalar e99 = (Scalar(1) / Scalar(2)) * inverse_60_squared * e69;
+        const Scalar e100 = e49 * e92;
+        const Scalar e101 = (Scalar(1) / Scalar(2)) * inverse_60_squared * e66;
+        const Scalar e102 = e26 * e90;
+        const Scalar e103 = inverse_2 * (e65 + e9 * e96);
+        const Scalar e104 = step_13 * (inverse_58 * e103) + e103 * e29;
+        const Scalar e105 = T + e90;
+        const Scalar outflow_factor_by_exponent_106 = detail::outflow_factor_by_exponent<Scalar>(e16, c_.k24);
+        const Scalar e107 = outflow_factor_by_exponent_106 * e24;
+        const Scalar e108 = e105 * e107;
+        const Scalar e109 = step_36 * (inverse_68 * e103) + e103 * e51;
+        const Scalar e110 = T + e92;
+        const Scalar outflow_factor_by_exponent_111 = detail::outflow_factor_by_exponent<Scalar>(e39, c_.k24);
+        const Scalar e112 = outflow_factor_by_exponent_111 * e47;
+        const Scalar e113 = e110 * e112;
+        const Scalar e114 = e97 - (Scalar(1) / Scalar(2)) * e95 * inverse_60_squared;
+        const Scalar e115 = e75 * e92;
+        const Scalar e116 = e49 * e115;
+        const Scalar e117 = e75 * e90;
+        const Scalar e118 = e26 * e117;
+        const Scalar e119 = e117 * e107;
+        const Scalar e120 = e115 * e112;
+        const Scalar e121 = e95 * e84;
+        const Scalar e122 = inverse_2 * (e95 + e121);
+        const Scalar e123 = e76 * (e29 * e107 + e51 * e112);
+        const Scalar e124 = step_13 * e76;
+        const Scalar e125 = e107 * e124;
+        const Scalar e126 = step_36 * e76;
+        const Scalar e127 = e112 * e126;
+        const Scalar e128 = e5 * (inverse_83 * e84);
+        const Scalar e129 = p_.T_0 * e128;
+        const Scalar e130 = e3 * e84 * e84;
+        const Scalar e131 = inverse_83 * e121;
+        const Scalar e132 = e131 * e73 - e128;
+        const Scalar e133 = inverse_58 * e131;
+        const Scalar e134 = inverse_68 * e131;
+        const Scalar e135 = inverse_58 * e9;
+        const Scalar e136 = e9 * e131;
+        const Scalar e137 = step_13 * (e131 * e135) + e136 * e29;
+        const Scalar e138 = inverse_68 * e9;
+        const Scalar e139 = step_36 * (e131 * e138) + e136 * e51;
+        const Scalar e140 = e84 * e121;
+        const Scalar outflow_factor_slope_141 = detail::outflow_factor_slope<Scalar>(e16, c_.k24);
+        const Scalar sign_142 = detail::sign<Scalar>(e12);
+        const Scalar e143 = e12 * outflow_factor_slope_141 * inverse_15 * (step_13 * e16 - sign_142);
+        const Scalar e144 = e22 * (sqrt_18 * (e143 - outflow_factor_17));
+        const Scalar inverse_145 = Scalar(1) / e19;
+        const Scalar e146 = e23 * (outflow_factor_17 * (step_13 / sqrt_18 - e12 * sqrt_18 * inverse_145));
         const Scalar e147 = (Scalar(1) / Scalar(2)) * e65;
-        const Scalar power_148 = pow(e20, -Scalar(5) / Scalar(4));
-        const Scalar e149 = power_148 * sqrt_22;
-        const Scalar e150 = (step_19 * power_21 / sqrt_22 - e12 * e149) * e18;
-        const Scalar e151 = e24 * e146;
-        const Scalar e152 = e28 * (c_.k14 * e23 * e146 - e147 * e150)
-            + (c_.k19 * e151 - step_19 * ((Scalar(1) / Scalar(2)) * e66) * e150);
-        const Scalar e153 = inverse_58 * e84;
-        const Scalar e154 = step_19 * e76;
-        const Scalar e155 = (Scalar(1) / Scalar(2)) * e84 * e76;
-        const Scalar e156 = e84 * e76;
-        const Scalar e157 = c_.k8 - c_.k21 * min_32;
+        const Scalar e148 = step_13 * (c_.k19 * e144 - (Scalar(1) / Scalar(2)) * e66 * e146) + e29
+            * (c_.k14 * e144 - e147 * e146);
+        const Scalar e149 = inverse_58 * e95;
+        const Scalar e150 = e95 * e76;
+        const Scalar e151 = (Scalar(1) / Scalar(2)) * e95 * e76;
+        const Scalar e152 = c_.k8 - c_.k21 * min_32;
         const Scalar inverse_58_squared = inverse_58 * inverse_58;
-        const Scalar e158 = e63 * (sqrt_59 * sqrt_R_s);
-        const Scalar e159 = inverse_1 * e158;
-        const Scalar e160 = (Scalar(1) / Scalar(2)) * e66 * inverse_58_squared;
-        const Scalar e161 = e4 * e158;
-        const Scalar outflow_factor_slope_162 = detail::outflow_factor_slope<Scalar>(e38, c_.k24);
-        const Scalar sign_163 = detail::sign<Scalar>(e35);
-        const Scalar e164 = e35 * outflow_factor_slope_162 * inverse_37 * (step_42 * e38 - sign_163);
-        const Scalar e165 = u_f * (e164 - outflow_factor_39);
-        const Scalar power_166 = pow(e43, -Scalar(5) / Scalar(4));
-        const Scalar e167 = power_166 * sqrt_45;
-        const Scalar e168 = (step_42 * power_44 / sqrt_45 - e35 * e167) * e41;
-        const Scalar e169 = e47 * e165;
-        const Scalar e170 = e50 * (c_.k14 * e46 * e165 - e147 * e168)
-            + (c_.k15 * e169 - step_42 * ((Scalar(1) / Scalar(2)) * e69) * e168);
-        const Scalar e171 = inverse_68 * e84;
-        const Scalar e172 = step_42 * e76;
-        const Scalar e173 = c_.k21 * e55;
+        const Scalar e153 = e63 * (sqrt_59 * sqrt_R_s);
+        const Scalar e154 = inverse_1 * e153;
+        const Scalar e155 = (Scalar(1) / Scalar(2)) * e66 * inverse_58_squared;
+        const Scalar e156 = e4 * e153;
+        const Scalar outflow_factor_slope_157 = detail::outflow_factor_slope<Scalar>(e39, c_.k24);
+        const Scalar sign_158 = detail::sign<Scalar>(e35);
+        const Scalar e159 = e35 * outflow_factor_slope_157 * inverse_38 * (step_36 * e39 - sign_158);
+        const Scalar e160 = e45 * (sqrt_41 * (e159 - outflow_factor_40));
+        const Scalar inverse_161 = Scalar(1) / e42;
+        const Scalar e162 = e46 * (outflow_factor_40 * (step_36 / sqrt_41 - e35 * sqrt_41 * inverse_161));
+        const Scalar e163 = step_36 * (c_.k15 * e160 - (Scalar(1) / Scalar(2)) * e69 * e162) + e51
+            * (c_.k14 * e160 - e147 * e162);
+        const Scalar e164 = inverse_68 * e95;
+        const Scalar e165 = c_.k21 * e55;
         const Scalar inverse_68_squared = inverse_68 * inverse_68;
-        const Scalar e174 = (Scalar(1) / Scalar(2)) * e69 * inverse_68_squared;
-        const Scalar e175 = p_.alpha_d * e62;
-        const Scalar e176 = e9 * e175;
-        const Scalar e177 = e89 * e30 + e95 * e52;
-        const Scalar e178 = e175 * e138;
-        const Scalar e179 = e89 * e25;
-        const Scalar e180 = e175 * e140;
-        const Scalar e181 = e95 * e48;
-        const Scalar e182 = e8 * e175;
-        const Scalar e183 = e75 * e105;
-        const Scalar e184 = p_.A_d * e62;
-        const Scalar e185 = e9 * e184;
-        const Scalar e186 = e184 * e138;
-        const Scalar e187 = e184 * e140;
-        const Scalar e188 = e8 * e184;
-        const Scalar e189 = p_.T_0 * e4;
-        const Scalar e190 = (Scalar(1) / Scalar(2)) * p_.width * e65;
-        const Scalar e191 = e18 * e149;
-        const Scalar e192 = (step_19 * ((Scalar(1) / Scalar(2)) * p_.width * e66) + e190 * e28) * e191;
-        const Scalar e193 = e41 * e167;
-        const Scalar e194 = (step_42 * ((Scalar(1) / Scalar(2)) * p_.width * e69) + e190 * e50) * e193;
-        const Scalar e195 = (Scalar(1) / Scalar(2)) * p_.width * e84 * e76;
+        const Scalar e166 = (Scalar(1) / Scalar(2)) * e69 * inverse_68_squared;
+        const Scalar e167 = p_.alpha_d * e62;
+        const Scalar e168 = e9 * e167;
+        const Scalar e169 = e105 * e30 + e110 * e52;
+        const Scalar e170 = e167 * e135;
+        const Scalar e171 = e105 * e26;
+        const Scalar e172 = e167 * e138;
+        const Scalar e173 = e110 * e49;
+        const Scalar e174 = e8 * e167;
+        const Scalar e175 = e75 * e93;
+        const Scalar e176 = p_.A_d * e62;
+        const Scalar e177 = e9 * e176;
+        const Scalar e178 = e176 * e135;
+        const Scalar e179 = e176 * e138;
+        const Scalar e180 = e8 * e176;
+        const Scalar e181 = p_.T_0 * e4;
+        const Scalar e182 = (Scalar(1) / Scalar(2)) * p_.width * e65;
+        const Scalar e183 = inverse_145 * ((Scalar(1) / Scalar(2)) * p_.width * e66 * e26 + e182 * e30);
+        const Scalar e184 = inverse_161 * ((Scalar(1) / Scalar(2)) * p_.width * e69 * e49 + e182 * e52);
+        const Scalar e185 = (Scalar(1) / Scalar(2)) * p_.width * e95 * e76;
         J[0] = T * e6 - e7 - e10 * e57 - inverse_1 * e66 * e67 - inverse_1 * e69 * e70 - inverse_1 * e65 * e74;
         J[1] = e6 * e76 - e7 * e75 - inverse_58 * e77 * e78 - inverse_68 * e77 * e79 - e77 * e80 - e3 * e4 * e81 + e10 * e82;
-        J[2] = e86 * e99 - T * e100 + e103 * e57 - e106 + inverse_58 * e108 * e67 + inverse_68 * e108 * e70 - e109 * e110
-            - e111 * e112 + e108 * e74 + e113 * e115 + e116 * e118;
-        J[3] = inverse_58 * e119 * e78 - e100 * e76 - e75 * e106 + inverse_68 * e119 * e79 - e109 * e121 - e111 * e123 + e119
-            * e80 + e102 * e81 - e103 * e82 + e86 * e124 + e126 * e127 + inverse_58 * e126 * e128 + e113 * e129 + inverse_68
-            * e126 * e130 + e116 * e131;
-        J[4] = e133 + e135 * e99 + e136 * e57 + T * e137 + e139 * e115 + e141 * e118;
-        J[5] = e136 * (e81 - e82) + e133 * e75 + e76 * e137 + e135 * e124 + e142 * e127 + inverse_58 * e142 * e128 + e139
-            * e129 + inverse_68 * e142 * e130 + e141 * e131;
-        J[6] = -e89 * e152;
-        J[7] = e150 * ((Scalar(1) / Scalar(2)) * e153 * e154 + e28 * e155) - e122 * e152 - e29 * e146 * e156 - e153 * e76
-            * e151;
-        J[8] = e157 - (Scalar(1) / Scalar(2)) * e138 * inverse_58_squared * e159 * e67 - e160 * e112;
-        J[9] = e75 * e157 - (Scalar(1) / Scalar(2)) * inverse_58 * inverse_58_squared * e161 * e78 - e160 * e123;
-        J[10] = -e95 * e170;
-        J[11] = e168 * ((Scalar(1) / Scalar(2)) * e171 * e172 + e50 * e155) - e120 * e170 - e51 * e165 * e156 - e171 * e76
-            * e169;
-        J[12] = e173 - (Scalar(1) / Scalar(2)) * e140 * inverse_68_squared * e159 * e70 - e174 * e110;
-        J[13] = e75 * e173 - (Scalar(1) / Scalar(2)) * inverse_68 * inverse_68_squared * e161 * e79 - e174 * e121;
-        J[14] = e176 * e177 + e178 * e179 + e180 * e181;
-        J[15] = inverse_58 * e182 * e78 + inverse_68 * e182 * e79 + e180 * e121 + e178 * e123 + e182 * e80 + e176 * e183;
-        J[16] = e185 * e177 + e186 * e179 + e187 * e181;
-        J[17] = inverse_58 * e188 * e78 + inverse_68 * e188 * e79 + e187 * e121 + e186 * e123 + e188 * e80 + e185 * e183;
-        J[18] = e189 - T * e4;
-        J[19] = e189 * e75 - e4 * e76;
-        J[20] = -e89 * e192 - e95 * e194;
-        J[21] = -e191 * ((Scalar(1) / Scalar(2)) * p_.width * e153 * e154 + e28 * e195) - e193
-            * ((Scalar(1) / Scalar(2)) * p_.width * e171 * e172 + e50 * e195) - e122 * e192 - e120 * e194;
+        J[2] = e86 * e57 - T * e87 - e94 + inverse_58 * e98 * e67 + inverse_68 * e98 * e70 - e99 * e100 - e101 * e102 + e104
+            * e108 + e109 * e113 + e98 * e74;
+        J[3] = inverse_58 * e114 * e78 - e87 * e76 + inverse_68 * e114 * e79 - e75 * e94 - e99 * e116 - e101 * e118 + e114
+            * e80 + e85 * e81 - e86 * e82 + e104 * e119 + e109 * e120 + e122 * e123 + inverse_58 * e122 * e125 + inverse_68
+            * e122 * e127;
+        J[4] = e129 + e130 * e57 + T * e132 + e133 * e67 + e134 * e70 + e137 * e108 + e139 * e113;
+        J[5] = e130 * (e81 - e82) + e129 * e75 + e133 * e78 + e134 * e79 + e76 * e132 + e137 * e119 + e139 * e120 + e140 * e123
+            + inverse_58 * e140 * e125 + inverse_68 * e140 * e127;
+        J[6] = -e105 * e148;
+        J[7] = e124 * ((Scalar(1) / Scalar(2)) * e149 * e146 - e149 * e144) - e29 * (e144 * e150 - e146 * e151) - e117 * e148;
+        J[8] = e152 - (Scalar(1) / Scalar(2)) * e135 * inverse_58_squared * e154 * e67 - e155 * e102;
+        J[9] = e75 * e152 - (Scalar(1) / Scalar(2)) * inverse_58 * inverse_58_squared * e156 * e78 - e155 * e118;
+        J[10] = -e110 * e163;
+        J[11] = e126 * ((Scalar(1) / Scalar(2)) * e164 * e162 - e164 * e160) - e51 * (e160 * e150 - e162 * e151) - e115 * e163;
+        J[12] = e165 - (Scalar(1) / Scalar(2)) * e138 * inverse_68_squared * e154 * e70 - e166 * e100;
+        J[13] = e75 * e165 - (Scalar(1) / Scalar(2)) * inverse_68 * inverse_68_squared * e156 * e79 - e166 * e116;
+        J[14] = e168 * e169 + e170 * e171 + e172 * e173;
+        J[15] = inverse_58 * e174 * e78 + inverse_68 * e174 * e79 + e172 * e116 + e170 * e118 + e174 * e80 + e168 * e175;
+        J[16] = e177 * e169 + e178 * e171 + e179 * e173;
+        J[17] = inverse_58 * e180 * e78 + inverse_68 * e180 * e79 + e179 * e116 + e178 * e118 + e180 * e80 + e177 * e175;
+        J[18] = e181 - T * e4;
+        J[19] = e181 * e75 - e4 * e76;
+        J[20] = -e105 * e183 - e110 * e184;
+        const Scalar e186 = inverse_145 * ((Scalar(1) / Scalar(2)) * p_.width * e149 * e78 + e30 * e185);
+        const Scalar e187 = inverse_161 * ((Scalar(1) / Scalar(2)) * p_.width * e164 * e79 + e52 * e185);
+        J[21] = -e186 - e187 - e117 * e183 - e115 * e184;
     }
 
     /// J = df/dt at fixed x and u.
@@ -905,7 +892,7 @@ public:
     }
 
     /// y = h(x, u, t).
-    /// Operations: 11 + or -, 24 *, 4 /, 15 other functions
+    /// Operations: 11 + or -, 24 *, 6 /, 17 other functions
     ///     air_temperature = T
     ///     air_mass = V*p/(R_s*T)
     ///     net_inflow = A_d*alpha_d*sqrt(2)*u_f*(p_S - p)*(width^2 + (p_S - p)^2)^(-1/4)*sqrt(max(p_S, p))*step(-p_S +
@@ -919,44 +906,44 @@ public:
     ///     ratio = p/p_S
     void output(const State& x, const Input& u, Scalar /*t*/, Output& y) const noexcept {
         using std::abs;
-        using std::pow;
         using std::sqrt;
         const Scalar T = x[1];
         const Scalar p_value = x[0];
         const Scalar sqrt_T = sqrt(T);
         const Scalar e1 = p_.p_S - p_value;
         const Scalar step_2 = detail::step<Scalar>(-e1);
-        const Scalar power_3 = pow(c_.k4 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar sqrt_4 = sqrt(max_p_S);
-        const Scalar abs_5 = abs(e1);
-        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_S, c_.k24);
+        const Scalar sqrt_3 = sqrt(max_p_S);
+        const Scalar abs_4 = abs(e1);
+        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k24);
+        const Scalar sqrt_6 = sqrt(c_.k3 + e1 * e1);
+        const Scalar sqrt_7 = sqrt(sqrt_6);
         const Scalar u_f = u[0];
-        const Scalar e7 = power_3 * sqrt_4 * (outflow_factor_6 * (u_f * e1));
-        const Scalar e8 = p_.p_0 - p_value;
-        const Scalar step_9 = detail::step<Scalar>(-e8);
-        const Scalar power_10 = pow(c_.k4 + e8 * e8, -Scalar(1) / Scalar(4));
+        const Scalar e8 = sqrt_3 * outflow_factor_5 * (u_f * e1 / sqrt_7);
+        const Scalar e9 = p_.p_0 - p_value;
+        const Scalar step_10 = detail::step<Scalar>(-e9);
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar sqrt_11 = sqrt(max_p_0);
-        const Scalar abs_12 = abs(e8);
+        const Scalar abs_12 = abs(e9);
         const Scalar outflow_factor_13 = detail::outflow_factor<Scalar>(abs_12 / max_p_0, c_.k24);
+        const Scalar sqrt_14 = sqrt(c_.k3 + e9 * e9);
+        const Scalar sqrt_15 = sqrt(sqrt_14);
         const Scalar u_e = u[1];
-        const Scalar e14 = power_10 * sqrt_11 * (outflow_factor_13 * (u_e * e8));
+        const Scalar e16 = sqrt_11 * outflow_factor_13 * (u_e * e9 / sqrt_15);
         const Scalar mdot = u[2];
-        const Scalar step_15 = detail::step<Scalar>(e1);
-        const Scalar step_16 = detail::step<Scalar>(e8);
+        const Scalar step_17 = detail::step<Scalar>(e1);
+        const Scalar step_18 = detail::step<Scalar>(e9);
         y[0] = T;
         y[1] = c_.k26 * p_value / T;
-        y[2] = c_.k2 / sqrt_T * (step_2 * e7 + step_9 * e14) + mdot + c_.k25 * step_15 * e7 + c_.k23 * step_16 * e14;
+        y[2] = c_.k2 / sqrt_T * (step_2 * e8 + step_10 * e16) + mdot + c_.k25 * step_17 * e8 + c_.k23 * step_18 * e16;
         y[3] = c_.k27 - p_.k_W * T;
         y[4] = c_.k28 * p_value;
     }
 
     /// C = dh/dx.
-    /// Operations: 23 + or -, 59 *, 6 /, 21 other functions
+    /// Operations: 23 + or -, 59 *, 10 /, 21 other functions
     void output_jacobian_x(const State& x, const Input& u, Scalar /*t*/, OutputJacobianX& C) const noexcept {
         using std::abs;
-        using std::pow;
         using std::sqrt;
         const Scalar T = x[1];
         const Scalar inverse_1 = Scalar(1) / T;
@@ -964,100 +951,102 @@ public:
         const Scalar p_value = x[0];
         const Scalar e3 = p_.p_0 - p_value;
         const Scalar step_4 = detail::step<Scalar>(-e3);
-        const Scalar e5 = c_.k4 + e3 * e3;
-        const Scalar power_6 = pow(e5, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar sqrt_7 = sqrt(max_p_0);
-        const Scalar step_8 = detail::step<Scalar>(e3);
-        const Scalar sqrt_T = sqrt(T);
-        const Scalar inverse_9 = Scalar(1) / sqrt_T;
-        const Scalar e10 = c_.k29 * inverse_9;
-        const Scalar e11 = step_4 * e10;
-        const Scalar abs_12 = abs(e3);
-        const Scalar inverse_13 = Scalar(1) / max_p_0;
-        const Scalar e14 = abs_12 * inverse_13;
-        const Scalar outflow_factor_15 = detail::outflow_factor<Scalar>(e14, c_.k24);
+        const Scalar sqrt_5 = sqrt(max_p_0);
         const Scalar u_e = u[1];
-        const Scalar e16 = u_e * e3;
-        const Scalar e17 = outflow_factor_15 * e16;
-        const Scalar e18 = (c_.k31 * step_8 + e11) * e17;
-        const Scalar outflow_factor_slope_19 = detail::outflow_factor_slope<Scalar>(e14, c_.k24);
-        const Scalar e20 = c_.k2 * inverse_9;
-        const Scalar e21 = power_6 * sqrt_7;
-        const Scalar e22 = (c_.k23 * step_8 + step_4 * e20) * e21;
-        const Scalar e23 = outflow_factor_slope_19 * inverse_13 * (e16 * e22);
-        const Scalar e24 = p_.p_S - p_value;
-        const Scalar step_25 = detail::step<Scalar>(-e24);
-        const Scalar e26 = c_.k4 + e24 * e24;
-        const Scalar power_27 = pow(e26, -Scalar(1) / Scalar(4));
+        const Scalar e6 = c_.k3 + e3 * e3;
+        const Scalar sqrt_7 = sqrt(e6);
+        const Scalar sqrt_8 = sqrt(sqrt_7);
+        const Scalar e9 = u_e / sqrt_8;
+        const Scalar e10 = e3 * e9;
+        const Scalar abs_11 = abs(e3);
+        const Scalar inverse_12 = Scalar(1) / max_p_0;
+        const Scalar e13 = abs_11 * inverse_12;
+        const Scalar outflow_factor_14 = detail::outflow_factor<Scalar>(e13, c_.k24);
+        const Scalar step_15 = detail::step<Scalar>(e3);
+        const Scalar sqrt_T = sqrt(T);
+        const Scalar inverse_16 = Scalar(1) / sqrt_T;
+        const Scalar e17 = c_.k29 * inverse_16;
+        const Scalar e18 = step_4 * e17;
+        const Scalar e19 = outflow_factor_14 * (c_.k31 * step_15 + e18);
+        const Scalar outflow_factor_slope_20 = detail::outflow_factor_slope<Scalar>(e13, c_.k24);
+        const Scalar e21 = c_.k2 * inverse_16;
+        const Scalar e22 = c_.k23 * step_15 + step_4 * e21;
+        const Scalar e23 = sqrt_5 * e10;
+        const Scalar e24 = outflow_factor_slope_20 * inverse_12 * (e22 * e23);
+        const Scalar e25 = p_.p_S - p_value;
+        const Scalar step_26 = detail::step<Scalar>(-e25);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar sqrt_28 = sqrt(max_p_S);
-        const Scalar step_29 = detail::step<Scalar>(e24);
-        const Scalar e30 = step_25 * e10;
-        const Scalar abs_31 = abs(e24);
-        const Scalar inverse_32 = Scalar(1) / max_p_S;
-        const Scalar e33 = abs_31 * inverse_32;
-        const Scalar outflow_factor_34 = detail::outflow_factor<Scalar>(e33, c_.k24);
+        const Scalar sqrt_27 = sqrt(max_p_S);
         const Scalar u_f = u[0];
-        const Scalar e35 = u_f * e24;
-        const Scalar e36 = outflow_factor_34 * e35;
-        const Scalar e37 = (c_.k30 * step_29 + e30) * e36;
-        const Scalar outflow_factor_slope_38 = detail::outflow_factor_slope<Scalar>(e33, c_.k24);
-        const Scalar e39 = power_27 * sqrt_28;
-        const Scalar e40 = (c_.k25 * step_29 + step_25 * e20) * e39;
-        const Scalar e41 = outflow_factor_slope_38 * inverse_32 * (e35 * e40);
-        const Scalar power_42 = pow(e26, -Scalar(5) / Scalar(4));
-        const Scalar power_43 = pow(e5, -Scalar(5) / Scalar(4));
-        const Scalar sign_44 = detail::sign<Scalar>(e24);
+        const Scalar e28 = c_.k3 + e25 * e25;
+        const Scalar sqrt_29 = sqrt(e28);
+        const Scalar sqrt_30 = sqrt(sqrt_29);
+        const Scalar e31 = u_f / sqrt_30;
+        const Scalar e32 = e25 * e31;
+        const Scalar abs_33 = abs(e25);
+        const Scalar inverse_34 = Scalar(1) / max_p_S;
+        const Scalar e35 = abs_33 * inverse_34;
+        const Scalar outflow_factor_36 = detail::outflow_factor<Scalar>(e35, c_.k24);
+        const Scalar step_37 = detail::step<Scalar>(e25);
+        const Scalar e38 = step_26 * e17;
+        const Scalar e39 = outflow_factor_36 * (c_.k30 * step_37 + e38);
+        const Scalar outflow_factor_slope_40 = detail::outflow_factor_slope<Scalar>(e35, c_.k24);
+        const Scalar e41 = c_.k25 * step_37 + step_26 * e21;
+        const Scalar e42 = sqrt_27 * e32;
+        const Scalar e43 = outflow_factor_slope_40 * inverse_34 * (e41 * e42);
+        const Scalar sign_44 = detail::sign<Scalar>(e25);
         const Scalar sign_45 = detail::sign<Scalar>(e3);
         C[0] = Scalar(0);
         C[1] = e2;
-        C[2] = step_4 * (power_6 * e18 / sqrt_7 - e14 * e23) + step_25 * (power_27 * e37 / sqrt_28 - e33 * e41) - u_f
-            * outflow_factor_34 * e40 - u_e * outflow_factor_15 * e22 + e24 * power_42 * sqrt_28 * e37 + e3 * power_43 * sqrt_7
-            * e18 - sign_44 * e41 - sign_45 * e23;
+        C[2] = step_4 * (e10 * e19 / sqrt_5 - e13 * e24) + step_26 * (e32 * e39 / sqrt_27 - e35 * e43) - sqrt_27
+            * outflow_factor_36 * e41 * e31 - sqrt_5 * outflow_factor_14 * e22 * e9 + e25 * e42 * e39 / e28 + e3 * e23 * e19
+            / e6 - sign_44 * e43 - sign_45 * e24;
         C[3] = Scalar(0);
         C[4] = c_.k28;
         C[5] = Scalar(1);
         C[6] = -p_value * inverse_1 * e2;
-        C[7] = -inverse_9 * inverse_9 * (e21 * e17 * e11 + e39 * e36 * e30);
+        const Scalar e46 = inverse_16 * inverse_16 * (outflow_factor_36 * e42 * e38 + outflow_factor_14 * e23 * e18);
+        C[7] = -e46;
         C[8] = -p_.k_W;
         C[9] = Scalar(0);
     }
 
     /// D = dh/du.
-    /// Operations: 8 + or -, 17 *, 3 /, 15 other functions
+    /// Operations: 8 + or -, 17 *, 5 /, 17 other functions
     void output_jacobian_u(const State& x, const Input& /*u*/, Scalar /*t*/, OutputJacobianU& D) const noexcept {
         using std::abs;
-        using std::pow;
         using std::sqrt;
         const Scalar p_value = x[0];
         const Scalar e1 = p_.p_S - p_value;
-        const Scalar power_2 = pow(c_.k4 + e1 * e1, -Scalar(1) / Scalar(4));
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar sqrt_3 = sqrt(max_p_S);
-        const Scalar abs_4 = abs(e1);
-        const Scalar outflow_factor_5 = detail::outflow_factor<Scalar>(abs_4 / max_p_S, c_.k24);
-        const Scalar step_6 = detail::step<Scalar>(e1);
-        const Scalar step_7 = detail::step<Scalar>(-e1);
+        const Scalar sqrt_2 = sqrt(max_p_S);
+        const Scalar abs_3 = abs(e1);
+        const Scalar outflow_factor_4 = detail::outflow_factor<Scalar>(abs_3 / max_p_S, c_.k24);
+        const Scalar sqrt_5 = sqrt(c_.k3 + e1 * e1);
+        const Scalar sqrt_6 = sqrt(sqrt_5);
+        const Scalar step_7 = detail::step<Scalar>(e1);
+        const Scalar step_8 = detail::step<Scalar>(-e1);
         const Scalar T = x[1];
         const Scalar sqrt_T = sqrt(T);
-        const Scalar e8 = c_.k2 / sqrt_T;
-        const Scalar e9 = p_.p_0 - p_value;
-        const Scalar power_10 = pow(c_.k4 + e9 * e9, -Scalar(1) / Scalar(4));
+        const Scalar e9 = c_.k2 / sqrt_T;
+        const Scalar e10 = p_.p_0 - p_value;
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
         const Scalar sqrt_11 = sqrt(max_p_0);
-        const Scalar abs_12 = abs(e9);
+        const Scalar abs_12 = abs(e10);
         const Scalar outflow_factor_13 = detail::outflow_factor<Scalar>(abs_12 / max_p_0, c_.k24);
-        const Scalar step_14 = detail::step<Scalar>(e9);
-        const Scalar step_15 = detail::step<Scalar>(-e9);
+        const Scalar sqrt_14 = sqrt(c_.k3 + e10 * e10);
+        const Scalar sqrt_15 = sqrt(sqrt_14);
+        const Scalar step_16 = detail::step<Scalar>(e10);
+        const Scalar step_17 = detail::step<Scalar>(-e10);
         D[0] = Scalar(0);
         D[1] = Scalar(0);
-        D[2] = e1 * power_2 * (sqrt_3 * outflow_factor_5) * (c_.k25 * step_6 + step_7 * e8);
+        D[2] = e1 * sqrt_2 * (outflow_factor_4 / sqrt_6) * (c_.k25 * step_7 + step_8 * e9);
         D[3] = Scalar(0);
         D[4] = Scalar(0);
         D[5] = Scalar(0);
         D[6] = Scalar(0);
-        D[7] = e9 * power_10 * (sqrt_11 * outflow_factor_13) * (c_.k23 * step_14 + step_15 * e8);
+        D[7] = e10 * sqrt_11 * (outflow_factor_13 / sqrt_15) * (c_.k23 * step_16 + step_17 * e9);
         D[8] = Scalar(0);
         D[9] = Scalar(0);
         D[10] = Scalar(0);
@@ -1110,45 +1099,46 @@ public:
     }
 
     /// Power in watts across the boundary of the model: enthalpy flows, heat, shafts.
-    /// Operations: 17 + or -, 26 *, 3 /, 21 other functions
+    /// Operations: 17 + or -, 26 *, 5 /, 23 other functions
     Scalar exchanged_power(const State& x, const Input& u, Scalar /*t*/) const noexcept {
         using std::abs;
-        using std::pow;
         using std::sqrt;
         const Scalar T = x[1];
         const Scalar e1 = p_.R_s + c_.c_v;
         const Scalar mdot = u[2];
         const Scalar min_2 = detail::min<Scalar>(Scalar(0), mdot);
         const Scalar p_value = x[0];
-        const Scalar e3 = p_.p_0 - p_value;
-        const Scalar power_4 = pow(c_.k4 + e3 * e3, -Scalar(1) / Scalar(4));
         const Scalar max_p_0 = detail::max<Scalar>(p_.p_0, p_value);
-        const Scalar sqrt_5 = sqrt(max_p_0);
-        const Scalar abs_6 = abs(e3);
-        const Scalar outflow_factor_7 = detail::outflow_factor<Scalar>(abs_6 / max_p_0, c_.k24);
+        const Scalar sqrt_3 = sqrt(max_p_0);
+        const Scalar e4 = p_.p_0 - p_value;
+        const Scalar abs_5 = abs(e4);
+        const Scalar outflow_factor_6 = detail::outflow_factor<Scalar>(abs_5 / max_p_0, c_.k24);
+        const Scalar sqrt_7 = sqrt(c_.k3 + e4 * e4);
+        const Scalar sqrt_8 = sqrt(sqrt_7);
         const Scalar u_e = u[1];
-        const Scalar step_8 = detail::step<Scalar>(e3);
-        const Scalar step_9 = detail::step<Scalar>(-e3);
+        const Scalar step_9 = detail::step<Scalar>(e4);
+        const Scalar step_10 = detail::step<Scalar>(-e4);
         const Scalar sqrt_T = sqrt(T);
-        const Scalar e10 = c_.k2 / sqrt_T;
-        const Scalar e11 = power_4 * sqrt_5 * (outflow_factor_7 * (u_e * e3)) * (c_.k23 * step_8 + step_9 * e10);
-        const Scalar e12 = -e11;
-        const Scalar max_13 = detail::max<Scalar>(Scalar(0), e12);
-        const Scalar e14 = p_.p_S - p_value;
-        const Scalar power_15 = pow(c_.k4 + e14 * e14, -Scalar(1) / Scalar(4));
+        const Scalar e11 = c_.k2 / sqrt_T;
+        const Scalar e12 = sqrt_3 * outflow_factor_6 * (u_e * e4 / sqrt_8) * (c_.k23 * step_9 + step_10 * e11);
+        const Scalar e13 = -e12;
+        const Scalar max_14 = detail::max<Scalar>(Scalar(0), e13);
         const Scalar max_p_S = detail::max<Scalar>(p_.p_S, p_value);
-        const Scalar sqrt_16 = sqrt(max_p_S);
-        const Scalar abs_17 = abs(e14);
+        const Scalar sqrt_15 = sqrt(max_p_S);
+        const Scalar e16 = p_.p_S - p_value;
+        const Scalar abs_17 = abs(e16);
         const Scalar outflow_factor_18 = detail::outflow_factor<Scalar>(abs_17 / max_p_S, c_.k24);
+        const Scalar sqrt_19 = sqrt(c_.k3 + e16 * e16);
+        const Scalar sqrt_20 = sqrt(sqrt_19);
         const Scalar u_f = u[0];
-        const Scalar step_19 = detail::step<Scalar>(e14);
-        const Scalar step_20 = detail::step<Scalar>(-e14);
-        const Scalar e21 = power_15 * sqrt_16 * (outflow_factor_18 * (u_f * e14)) * (c_.k25 * step_19 + step_20 * e10);
-        const Scalar min_22 = detail::min<Scalar>(Scalar(0), e21);
-        const Scalar max_23 = detail::max<Scalar>(Scalar(0), mdot);
-        const Scalar max_24 = detail::max<Scalar>(Scalar(0), e21);
-        const Scalar min_25 = detail::min<Scalar>(Scalar(0), e12);
-        return T * e1 * (min_2 - max_13 + min_22) + p_.T_in * e1 * (max_23 + max_24) + c_.k27 - p_.k_W * T - min_25
+        const Scalar step_21 = detail::step<Scalar>(e16);
+        const Scalar step_22 = detail::step<Scalar>(-e16);
+        const Scalar e23 = sqrt_15 * outflow_factor_18 * (u_f * e16 / sqrt_20) * (c_.k25 * step_21 + step_22 * e11);
+        const Scalar min_24 = detail::min<Scalar>(Scalar(0), e23);
+        const Scalar max_25 = detail::max<Scalar>(Scalar(0), mdot);
+        const Scalar max_26 = detail::max<Scalar>(Scalar(0), e23);
+        const Scalar min_27 = detail::min<Scalar>(Scalar(0), e13);
+        return T * e1 * (min_2 - max_14 + min_24) + p_.T_in * e1 * (max_25 + max_26) + c_.k27 - p_.k_W * T - min_27
             * (p_.T_0 * e1);
     }
 
@@ -1179,8 +1169,8 @@ private:
         Scalar k0;  ///< R_s/V
         Scalar k1;  ///< 1 + R_s/c_v
         Scalar k2;  ///< A_d*alpha_d*sqrt(2)/sqrt(R_s)
-        Scalar k3;  ///< 1/sqrt(T_0)
-        Scalar k4;  ///< width^2
+        Scalar k3;  ///< width^2
+        Scalar k4;  ///< 1/sqrt(T_0)
         Scalar k5;  ///< k_W/c_v
         Scalar k6;  ///< 1/sqrt(T_in)
         Scalar k7;  ///< R_s/c_v

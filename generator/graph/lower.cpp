@@ -51,7 +51,7 @@ std::tuple<Rational, Monomial, Polynomial> primitive(const Polynomial& p, const 
 
 class Lowering {
 public:
-    explicit Lowering(Atoms& atoms) : atoms_(atoms) {}
+    Lowering(Atoms& atoms, FractionalPowers powers) : atoms_(atoms), powers_(powers) {}
 
     Polynomial operator()(const ex& e) {
         if (GiNaC::is_exactly_a<numeric>(e)) {
@@ -108,7 +108,21 @@ private:
         }
         const auto numerator = to_int(cln::numerator(value));
         if (numerator && cln::denominator(value) == 2) return Polynomial::letter(atoms_.letter(Op::sqrt, {base}), *numerator);
-        return Polynomial::letter(atoms_.letter(Op::power, {base, Polynomial(value)}));
+        // A power and its derivatives differ by whole exponents: x^(-5/4) = x^(-1/4)/x, which needs no other call.
+        const auto whole = to_int(cln::truncate1(value));
+        if (!whole || powers_ == FractionalPowers::as_written) return Polynomial::letter(atoms_.letter(Op::power, {base, Polynomial(value)}));
+        const Polynomial fraction = fractional_power(base, value - *whole);
+        return *whole == 0 ? fraction : multiply(fraction, kept_whole(base, *whole, atoms_));
+    }
+
+    /// Of an exponent between -1 and 1. Roots of roots are many times as fast as pow.
+    Polynomial fractional_power(const Polynomial& base, const Rational& exponent) {
+        const cln::cl_I of = cln::denominator(exponent);
+        if (of != 4 && of != 8) return Polynomial::letter(atoms_.letter(Op::power, {base, Polynomial(exponent)}));
+        Polynomial root = base;
+        for (cln::cl_I left = of; left > 1; left = cln::exquo(left, 2)) root = Polynomial::letter(atoms_.letter(Op::sqrt, {root}));
+        const auto numerator = to_int(cln::numerator(exponent));
+        return Polynomial::letter(root.terms().begin()->first.front().letter, *numerator);
     }
 
     Polynomial function(const ex& e) {
@@ -163,6 +177,7 @@ private:
     }
 
     Atoms& atoms_;
+    FractionalPowers powers_;
     double work_ = 0;
 };
 
@@ -252,7 +267,9 @@ Polynomial with_extrema_joined(Polynomial p, const Atoms& atoms) {
 
 }  // namespace
 
-Polynomial lower(const ex& e, Atoms& atoms) { return folded(with_extrema_joined(Lowering(atoms)(e), atoms), atoms); }
+Polynomial lower(const ex& e, Atoms& atoms, FractionalPowers powers) {
+    return folded(with_extrema_joined(Lowering(atoms, powers)(e), atoms), atoms);
+}
 
 std::vector<Polynomial> lower_in_order(const std::vector<ex>& expressions, Atoms& atoms) {
     Atoms grown = atoms;

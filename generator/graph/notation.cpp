@@ -278,7 +278,7 @@ std::string Notation::polynomial(const Polynomial& p, const Atoms& atoms, int le
 
 std::string Notation::operator()(const GiNaC::ex& e) const {
     Atoms atoms(symbols_);
-    Polynomial p = lower(e, atoms);
+    Polynomial p = lower(e, atoms, FractionalPowers::as_written);
     atoms.canonicalise({&p});
     return polynomial(without_brackets(with_angle_sums(std::move(p), atoms), atoms), atoms, 2);
 }

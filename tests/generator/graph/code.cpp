@@ -8,6 +8,7 @@
 #include "graph/extract.hpp"
 #include "graph/factorisation.hpp"
 #include "graph/lower.hpp"
+#include "graph/notation.hpp"
 #include "graph/verify.hpp"
 #include "graph/verify_solve.hpp"
 #include "symbolic/functions.hpp"
@@ -148,6 +149,31 @@ TEST_CASE("the larger and the smaller of two with one factor are their sum") {
     CHECK_FALSE(same(m * maximum(x, v) + minimum(x, v), m * (x + v)));
     CHECK_FALSE(same(maximum(x, v) - minimum(x, v), x + v));
     CHECK_FALSE(same(maximum(x, v) * minimum(x, v), x * v));  // it is, but of another rule
+}
+
+TEST_CASE("quarters and eighths of powers are roots of roots, and whole exponents need no other power") {
+    const Machine machine = machine_from(block);
+    const Symbols& symbols = machine.system->symbols;
+    const ex x = symbols.get(SymbolKind::coordinate, 0), m = symbols.get(SymbolKind::parameter, 0);
+    const auto to_the = [](const ex& base, int numerator, int denominator) { return pow(base, GiNaC::numeric(numerator, denominator)); };
+    Atoms atoms(symbols);
+    const auto product = [&](const ex& a, const ex& b) { return Polynomial::product(lower(a, atoms), lower(b, atoms), SIZE_MAX); };
+    for (const ex& base : {x, x + m}) {
+        CAPTURE(base);
+        for (const int denominator : {4, 8}) {
+            const Polynomial root = lower(to_the(base, 1, denominator), atoms);
+            REQUIRE(root.is_monomial());
+            const LetterPower letter = root.terms().begin()->first.front();
+            CHECK(atoms[letter.letter].op == Op::sqrt);
+            CHECK(lower(to_the(base, -3, denominator), atoms) == Polynomial::letter(letter.letter, -3));
+            CHECK(lower(to_the(base, -denominator - 1, denominator), atoms) == product(1 / base, to_the(base, -1, denominator)));
+        }
+        CHECK(lower(to_the(base, 5, 4), atoms) == product(base, to_the(base, 1, 4)));
+        CHECK(lower(to_the(base, -6, 5), atoms) == product(1 / base, to_the(base, -1, 5)));
+        CHECK(lower(to_the(base, 9, 5), atoms) == product(base, to_the(base, 4, 5)));
+        CHECK_FALSE(lower(to_the(base, 3, 4), atoms) == lower(to_the(base, 1, 4), atoms));
+    }
+    CHECK(Notation(symbols, Style::text)(to_the(x + m, -5, 4)) == Notation(symbols, Style::text)(x + m) + "^(-5/4)");
 }
 
 TEST_CASE("a sum that is zero once it is multiplied out: its square is zero, and a fraction of it has no value") {
