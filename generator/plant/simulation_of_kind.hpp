@@ -212,13 +212,16 @@ private:
             if constexpr (switches) mode = sample.mode;
             sensitivities_->advance(sample.t, sample.x, mode);
         }
-        std::vector<double> row{sample.t};
+        std::vector<double> row;
+        row.reserve(result_.recording.columns.size());
+        row.push_back(sample.t);
         for (const RecordedState& state : run_.states)
             row.push_back(state.is_root ? sample.x[state.place] * sample.x[state.place] : sample.x[state.place]);
         row.insert(row.end(), sample.y.begin(), sample.y.end());
         row.insert(row.end(), sample.u.begin(), sample.u.end());
         controllers_.add_states(row);
-        row.insert(row.end(), {sample.kinetic_energy, sample.potential_energy, sample.internal_energy, sample.work});
+        for (const double energy : {sample.kinetic_energy, sample.potential_energy, sample.internal_energy, sample.work})
+            row.push_back(energy);
         if constexpr (switches) row.push_back(static_cast<double>(static_cast<unsigned>(sample.mode)));
         auto& rows = result_.recording.rows;
         if (!run_.keeps_all) rows.clear();

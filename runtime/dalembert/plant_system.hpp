@@ -124,7 +124,17 @@ public:
     }
 
 protected:
+    using Power = double (*)(const void*, unsigned, const double*, const double*, double);
     static const dalembert_plant& now() noexcept { return *plant_in_use; }
+    /// In W; what a plant does not have is zero.
+    double power(Power of, unsigned mode, const double* x, const double* u, double t) const {
+        return of != nullptr ? of(self(), mode, x, u, t) : 0;
+    }
+    /// All that changes the energy.
+    double power_of_run(unsigned mode, const double* x, const double* u, double t) const {
+        return power(now().supplied_power, mode, x, u, t) - power(now().dissipated_power, mode, x, u, t) +
+               power(now().prescribed_power, mode, x, u, t) + power(now().exchanged_power, mode, x, u, t);
+    }
     void solve_for_all(const int* chosen) { now().solve_for(self_.get(), chosen); }
 
 private:
@@ -190,6 +200,11 @@ public:
     double internal_energy(const State& x, double t) const {
         return now().internal_energy != nullptr ? now().internal_energy(self(), mode_, x.data(), t) : 0;
     }
+    /// The rates with the power behind them, of a state that the work may follow.
+    void rates_and_power(const double* x, const double* u, double t, double* rates) const {
+        now().rhs(self(), mode_, x, u, t, rates);
+        rates[now().states] = power_of_run(mode_, x, u, t);
+    }
     double supplied_power(const State& x, const Input& u, double t) const { return power(now().supplied_power, x, u, t); }
     double dissipated_power(const State& x, const Input& u, double t) const { return power(now().dissipated_power, x, u, t); }
     double prescribed_power(const State& x, const Input& u, double t) const { return power(now().prescribed_power, x, u, t); }
@@ -226,10 +241,7 @@ public:
     }
 
 private:
-    using Power = double (*)(const void*, unsigned, const double*, const double*, double);
-    double power(Power of, const State& x, const Input& u, double t) const {
-        return of != nullptr ? of(self(), mode_, x.data(), u.data(), t) : 0;
-    }
+    double power(Power of, const State& x, const Input& u, double t) const { return PlantBase::power(of, mode_, x.data(), u.data(), t); }
     unsigned mode_;
 };
 
@@ -286,6 +298,11 @@ public:
     double internal_energy(Mode mode, const State& x, double t) const {
         return now().internal_energy != nullptr ? now().internal_energy(self(), number(mode), x.data(), t) : 0;
     }
+    /// As above.
+    void rates_and_power(Mode mode, const double* x, const double* u, double t, double* rates) const {
+        now().rhs(self(), number(mode), x, u, t, rates);
+        rates[now().states] = power_of_run(number(mode), x, u, t);
+    }
     double supplied_power(Mode mode, const State& x, const Input& u, double t) const { return power(now().supplied_power, mode, x, u, t); }
     double dissipated_power(Mode mode, const State& x, const Input& u, double t) const {
         return power(now().dissipated_power, mode, x, u, t);
@@ -328,9 +345,8 @@ private:
         for (const unsigned each : numbers) modes.push_back(static_cast<Mode>(each));
         return modes;
     }
-    using Power = double (*)(const void*, unsigned, const double*, const double*, double);
     double power(Power of, Mode mode, const State& x, const Input& u, double t) const {
-        return of != nullptr ? of(self(), number(mode), x.data(), u.data(), t) : 0;
+        return PlantBase::power(of, number(mode), x.data(), u.data(), t);
     }
 };
 
@@ -353,7 +369,9 @@ public:
     bool of_time_alone() const { return of_time_alone_; }
     /// The same with the parameters and delays of another system.
     InputsOfPlant of(const detail::PlantBase& system) const { return {system, held_, sampled_, of_time_alone_, set_}; }
-    detail::PlantBase::Input operator()(const detail::PlantBase::State& x, double t) const {
+    /// Of a state that the work may follow.
+    template <class StateOfRun>
+    detail::PlantBase::Input operator()(const StateOfRun& x, double t) const {
         detail::PlantBase::Input u = held_;
         if (detail::plant_in_use->inputs_of_run != nullptr) detail::plant_in_use->inputs_of_run(system_.self(), x.data(), t, u.data());
         if (sampled_ != nullptr)

@@ -33,10 +33,12 @@ public:
     using const_iterator = const T*;
 
     RunArray() : RunArray(Size::of_run()) {}
-    RunArray(const RunArray& other) : size_(other.size_), long_(other.long_ != nullptr ? new T[size_] : nullptr) { copy(other); }
-    RunArray(RunArray&& other) : size_(other.size_), long_(std::move(other.long_)) {
+    RunArray(const RunArray& other) : size_(other.size_), long_(other.long_ != nullptr ? new T[size_] : nullptr), data_(place()) {
+        copy(other);
+    }
+    RunArray(RunArray&& other) : size_(other.size_), long_(std::move(other.long_)), data_(place()) {
         if (long_ == nullptr) take_short(std::move(other));
-        other.size_ = 0;
+        other.clear();
     }
     RunArray& operator=(const RunArray& other) {
         if (size_ != other.size_) return *this = RunArray(other);
@@ -46,15 +48,17 @@ public:
     RunArray& operator=(RunArray&& other) {
         if (long_ == nullptr && size_ == other.size_) return *this = std::as_const(other);
         long_ = std::move(other.long_);
+        size_ = other.size_;
+        data_ = place();
         if (long_ == nullptr) take_short(std::move(other));
-        size_ = std::exchange(other.size_, 0);
+        other.clear();
         return *this;
     }
     ~RunArray() = default;
 
     std::size_t size() const noexcept { return size_; }
-    T* data() noexcept { return long_ != nullptr ? long_.get() : short_.data(); }
-    const T* data() const noexcept { return long_ != nullptr ? long_.get() : short_.data(); }
+    T* data() noexcept { return data_; }
+    const T* data() const noexcept { return data_; }
     T* begin() noexcept { return data(); }
     T* end() noexcept { return data() + size_; }
     const T* begin() const noexcept { return data(); }
@@ -68,8 +72,13 @@ public:
     friend bool operator!=(const RunArray& a, const RunArray& b) { return !(a == b); }
 
 private:
-    explicit RunArray(std::size_t size) : size_(size), long_(size > most_without_heap ? new T[size]() : nullptr) {
+    explicit RunArray(std::size_t size) : size_(size), long_(size > most_without_heap ? new T[size]() : nullptr), data_(place()) {
         std::fill_n(short_.data(), has_halves && size <= half ? half : most_without_heap, T());
+    }
+    T* place() noexcept { return long_ != nullptr ? long_.get() : short_.data(); }
+    void clear() noexcept {
+        size_ = 0;
+        data_ = short_.data();
     }
     void copy(const RunArray& other) {
         if (long_ == nullptr)
@@ -89,6 +98,7 @@ private:
     std::size_t size_;
     std::array<T, most_without_heap> short_;
     std::unique_ptr<T[]> long_;
+    T* data_;  ///< of the one that is used: asking which at every entry takes time
 };
 
 /// So many entries more.

@@ -81,8 +81,8 @@ typename System::State rate_rounding(const System& system, const Sample& sample)
 /// Where the rough run stops, the sizes are those up to there.
 /// A size stops where the digits that `tolerance` asks for are no longer there: where what rounding leaves of a rate, over the longest
 /// step, would be an error that counts. A pendulum that swings by 3e-5 m rises at 3e-9 m/s, known to 1e-17 m/s, and not to 1e-9 of that.
-/// Steps of the rough run are as long as an interval at most, or as `seen_step`, in s, within which nothing comes and goes; with this it
-/// looks at a hundred points at most.
+/// Steps of the rough run are as long as an interval at most, or as four times `seen_step`, in s, within which nothing comes and goes; with
+/// this it looks at a hundred points at most.
 template <class System, class Inputs>
 typename System::State state_scales(const System& system, const Inputs& inputs, const typename System::State& start,
                                     typename System::scalar_type until, std::size_t intervals, typename System::scalar_type tolerance = 1,
@@ -95,6 +95,7 @@ typename System::State state_scales(const System& system, const Inputs& inputs, 
     using std::min;
     const Scalar longest = until / Scalar(static_cast<double>(intervals));
     const Scalar rest = Scalar(10000) * std::numeric_limits<Scalar>::epsilon();
+    const Scalar most = Scalar(1) / Scalar(1000);  // states that are this large are never measured against less
     State scale;
     for (std::size_t i = 0; i < start.size(); ++i) scale[i] = abs(start[i]) > rest ? min(Scalar(1), Scalar(abs(start[i]))) : Scalar(1);
     State rounding{};
@@ -103,7 +104,7 @@ typename System::State state_scales(const System& system, const Inputs& inputs, 
         typename detail::Running<System>::Options options;
         options.tolerance = Scalar(1) / Scalar(1000);
         options.intervals = seen_step > Scalar(0) ? std::min<std::size_t>(intervals, 100) : intervals;
-        options.max_step = min(until, max(seen_step, longest));
+        options.max_step = min(until, max(Scalar(4) * seen_step, longest));
         options.max_steps = 100000;
         std::copy(scale.begin(), scale.end(), options.scale.begin());
         options.scale.back() = std::numeric_limits<Scalar>::max() / Scalar(1e10);  // the work
@@ -113,6 +114,7 @@ typename System::State state_scales(const System& system, const Inputs& inputs, 
         detail::Running<System>::run(system, inputs, x, until, options, [&](const auto& sample) {
             for (std::size_t i = 0; i < reach.size(); ++i)
                 if (isfinite(sample.x[i])) reach[i] = max(reach[i], Scalar(abs(sample.x[i])));
+            if (std::all_of(reach.begin(), reach.end(), [&](Scalar size) { return size >= most; })) return;  // nothing follows from roundings
             const State rate = detail::rate_rounding(system, sample);
             for (std::size_t i = 0; i < rate.size(); ++i)
                 if (isfinite(rate[i])) rounding[i] = max(rounding[i], rate[i]);
@@ -125,8 +127,6 @@ typename System::State state_scales(const System& system, const Inputs& inputs, 
         }
         if (is_good) break;
     }
-    // States that are this large are never measured against less.
-    const Scalar most = Scalar(1) / Scalar(1000);
     for (std::size_t i = 0; i < scale.size(); ++i)
         scale[i] = max(scale[i], min(most, Scalar(Scalar(4) * rounding[i] * longest / tolerance)));
     return scale;

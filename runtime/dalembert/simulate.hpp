@@ -2,6 +2,8 @@
 // Simulation of a generated system with inputs, its outputs, and the check of its energy.
 #pragma once
 
+#include <type_traits>
+
 #include "dalembert/api.hpp"
 #include "dalembert/integrate.hpp"
 #include "dalembert/series.hpp"
@@ -16,6 +18,24 @@ template <class System>
 struct ZeroInputs : detail::NoInputs {
     typename System::Input operator()(const typename System::State&, typename System::scalar_type) const { return {}; }
 };
+
+namespace detail {
+
+/// Whether a system gives its rates and the power behind them at once, of a state that the work follows: plants do, so that nothing is copied.
+template <class System, class = void>
+constexpr bool has_rates_and_power = false;
+template <class System>
+constexpr bool has_rates_and_power<System, std::void_t<decltype(&System::rates_and_power)>> = true;
+/// And whether inputs may be asked at such a state: of others asking may not even compile.
+template <class System, class Inputs, class WithWork>
+constexpr bool takes_work_along() {
+    if constexpr (has_rates_and_power<System>)
+        return std::is_invocable_v<const Inputs&, const WithWork&, typename System::scalar_type>;
+    else
+        return false;
+}
+
+}  // namespace detail
 
 /// Energy balance of a run, for E = T + V + internal. From d(T + V + internal)/dt = supplied - dissipated + prescribed + exchanged
 /// follows E(t) - E(0) = work(t), the integral of the right-hand side; for an exact solution the error is zero.
@@ -68,13 +88,17 @@ SimulationResult simulate(const System& given, const Inputs& inputs, typename Sy
         return state;
     };
     const auto plain_rhs = [&](const Extended& extended, Scalar t, Extended& derivative) {
-        const auto state = plain(extended);
-        const auto u = inputs(state, t);
-        typename System::State dxdt;
-        system.rhs(state, u, t, dxdt);
-        std::copy_n(dxdt.begin(), n, derivative.begin());
-        derivative[n] = system.supplied_power(state, u, t) - system.dissipated_power(state, u, t) + system.prescribed_power(state, u, t) +
-                        system.exchanged_power(state, u, t);
+        if constexpr (detail::takes_work_along<System, Inputs, Extended>()) {
+            system.rates_and_power(extended.data(), inputs(extended, t).data(), t, derivative.data());
+        } else {
+            const auto state = plain(extended);
+            const auto u = inputs(state, t);
+            typename System::State dxdt;
+            system.rhs(state, u, t, dxdt);
+            std::copy_n(dxdt.begin(), n, derivative.begin());
+            derivative[n] = system.supplied_power(state, u, t) - system.dissipated_power(state, u, t) +
+                            system.prescribed_power(state, u, t) + system.exchanged_power(state, u, t);
+        }
     };
     detail::MeasureOf<System> measure_of;
     const auto rhs = [&] {
@@ -104,6 +128,7 @@ SimulationResult simulate(const System& given, const Inputs& inputs, typename Sy
     }();
     using Guards = typename System::Guards;
     const auto guards = [&](const Extended& extended, Scalar t, Guards& g) {
+        if (g.size() == 0) return;  // a plant says so when it runs
         const auto state = plain(extended);
         system.guards(state, inputs(state, t), t, g);
     };

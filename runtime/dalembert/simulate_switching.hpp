@@ -53,12 +53,16 @@ public:
     }
 
     void rhs(Mode mode, const State& x, const Input& u, scalar_type t, State& dxdt) const {
-        const Plain at = plain(x);
-        Plain rate;
-        system_.rhs(mode, at, u, t, rate);
-        std::copy_n(rate.begin(), n(), dxdt.begin());
-        dxdt[n()] = system_.supplied_power(mode, at, u, t) - system_.dissipated_power(mode, at, u, t) +
-                    system_.prescribed_power(mode, at, u, t) + system_.exchanged_power(mode, at, u, t);
+        if constexpr (has_rates_and_power<System>) {
+            system_.rates_and_power(mode, x.data(), u.data(), t, dxdt.data());
+        } else {
+            const Plain at = plain(x);
+            Plain rate;
+            system_.rhs(mode, at, u, t, rate);
+            std::copy_n(rate.begin(), n(), dxdt.begin());
+            dxdt[n()] = system_.supplied_power(mode, at, u, t) - system_.dissipated_power(mode, at, u, t) +
+                        system_.prescribed_power(mode, at, u, t) + system_.exchanged_power(mode, at, u, t);
+        }
     }
     void guards(Mode mode, const State& x, const Input& u, scalar_type t, Events& g) const { system_.guards(mode, plain(x), u, t, g); }
     void guard_rates(Mode mode, const State& x, const Input& u, scalar_type t, Events& rates) const {
