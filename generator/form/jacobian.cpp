@@ -47,6 +47,10 @@ private:
     std::map<ex, std::vector<std::size_t>, GiNaC::ex_is_less> places_;
 };
 
+bool is_left_out(const System& system, const Variable& column) {
+    return column.kind == SymbolKind::parameter && system.slopes_by && !system.slopes_by->contains(column.name);
+}
+
 std::vector<TermsByLetter> by_letter(const std::vector<ex>& rows) { return std::vector<TermsByLetter>(rows.begin(), rows.end()); }
 
 }  // namespace
@@ -64,6 +68,7 @@ std::vector<const Variable*> column_variables(const Symbols& symbols, By by) {
 std::size_t column_count(const Symbols& symbols, By by) { return column_variables(symbols, by).size(); }
 
 ex by_column(const System& system, const ex& e, const Variable& column) {
+    if (is_left_out(system, column)) return 0;
     return column.kind == SymbolKind::parameter ? system.symbols.derivative_by_parameter(e, column.position)
                                                 : partial_of_kept(e, column.symbol);
 }
@@ -81,7 +86,8 @@ Partials partials(const System& system, By by) {
         letters.front() = variable->symbol;
         const auto derivatives = [&](const std::vector<TermsByLetter>& rows) {
             std::vector<ex> column;
-            for (const TermsByLetter& row : rows) column.push_back(by_column(system, row.with(letters), *variable));
+            for (const TermsByLetter& row : rows)
+                column.push_back(is_left_out(system, *variable) ? ex(0) : by_column(system, row.with(letters), *variable));
             return column;
         };
         result.residual.push_back(derivatives(residual));

@@ -4,6 +4,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <set>
+#include <string>
 
 #include "balance/balance_equation.hpp"
 #include "balance/circuit.hpp"
@@ -185,6 +188,7 @@ struct System {
     bool has_exchange() const { return has_balances() || !ejections.empty(); }
 
     std::vector<GiNaC::ex> state_rates;  ///< zd
+    std::optional<std::set<std::string>> slopes_by;  ///< parameters, of which those by others are left out as if zero; nothing: all are made
     /// An expression with the rates of states replaced by what they are.
     GiNaC::ex with_rates(const GiNaC::ex& e) const;
 

@@ -22,9 +22,12 @@ FitRun::FitRun(const std::shared_ptr<const LoadedModel>& model, const Options& o
     const System& system = *machine_.system;
     refuse_rest(system, "identify");
     refuse_samplers(system, "identify");
-    std::string without_outputs;
-    header_ = generate_with_slopes(machine_, without_outputs);
     fitted_ = fitted_of(fitted, system);
+    std::set<std::string> parameters;
+    for (const Fitted& one : fitted_)
+        if (one.what == Fitted::What::parameter) parameters.insert(one.variable->name);
+    std::string without_outputs;
+    header_ = generate_with_slopes(machine_, parameters, without_outputs);
     take_data(files);
     refuse_unknown_columns();
     refuse_missing_slopes(without_outputs);

@@ -59,6 +59,18 @@ std::vector<typename System::State> sensitivities_at_start_of(const PlantRun& ru
     return S;
 }
 
+/// The kinks of the run that follow what is varied.
+template <class KinksOfInputs>
+std::vector<typename KinksOfInputs::Moving> moving_kinks(const PlantRun& run) {
+    std::vector<typename KinksOfInputs::Moving> kinks;
+    for (std::size_t k = 0; k < run.kinks.size(); ++k) {
+        typename KinksOfInputs::Moving kink{run.kinks[k], {}};
+        for (const VariedOfRun& one : run.varied) kink.slope.push_back(one.kinks[k]);
+        if (std::any_of(kink.slope.begin(), kink.slope.end(), [](double slope) { return slope != 0; })) kinks.push_back(std::move(kink));
+    }
+    return kinks;
+}
+
 template <class System>
 class Sensitivities : public SensitivitiesOfRun<System> {
     using State = typename System::State;
@@ -75,21 +87,14 @@ public:
           columns_(varied_.size()),
           replay_(system, inputs, varied_, x, sensitivities_at_start_of(run, system, varied_), 0.0, run.until, options,
                   !run.is_for_fit) {
-        for (std::size_t k = 0; k < run.kinks.size(); ++k) {
-            kinks_.push_back({run.kinks[k], {}});
-            for (const VariedOfRun& one : run.varied) kinks_.back().slope.push_back(one.kinks[k]);
-        }
-        const auto rests = [](const auto& kink) {
-            return std::all_of(kink.slope.begin(), kink.slope.end(), [](double slope) { return slope == 0; });
-        };
-        kinks_.erase(std::remove_if(kinks_.begin(), kinks_.end(), rests), kinks_.end());
+        kinks_ = moving_kinks<typename Following::KinksOfInputs>(run);
         replay_.take_moving_kinks(kinks_);
     }
 
     void advance(double t, const State& x, PlantMode mode) override {
         if (points_.size() == points_at_once || (!points_.empty() && mode != mode_)) finish();
         mode_ = mode;
-        points_.push_back({t, x});
+        points_.push_back({t, x, true});
     }
     void change(double t, std::size_t event, PlantMode from, PlantMode to, const State& before, const State& after,
                 bool is_accumulation) override {

@@ -9,6 +9,13 @@ namespace dalembert {
 namespace {
 
 using System = PlantSystem<PlantKind::free>;
+using detail::Columns;
+
+bool moves_kinks(const PlantRun& run) {
+    return std::any_of(run.varied.begin(), run.varied.end(), [](const VariedOfRun& one) {
+        return std::any_of(one.kinks.begin(), one.kinks.end(), [](double slope) { return slope != 0; });
+    });
+}
 
 class TogetherRun {
     using State = System::State;
@@ -38,15 +45,40 @@ public:
         of_states.step = 0;
         result_.recording.columns = plant_run::recorded_columns<System>(run_);
         result_.sensitivities.columns = plant_run::sensitivity_columns<System>(run_);
-        const auto observe = [this](const auto& point) { this->record(point); };
-        result_.outcome = detail::integrate_together(system_, inputs_, varied_, x, S, 0.0, run_.until, of_states, observe, false);
+        if (moves_kinks(run_) || detail::plant_in_use->guards > 0) {
+            follow(x, S, of_states);
+        } else {
+            const auto observe = [this](const auto& point) { record(point, [&](std::size_t c) { return slopes_of_inputs(c, point); }); };
+            result_.outcome = detail::integrate_together(system_, inputs_, varied_, x, S, 0.0, run_.until, of_states, observe, false);
+        }
         result_.of_sensitivities = result_.outcome;
         return std::move(result_);
     }
 
 private:
-    template <class Point>
-    void record(const Point& point) {
+    using Sensitivities = Columns<List>::Of<State>;
+
+    /// Over kinks, where S may jump.
+    void follow(const State& x, const Sensitivities& S, const IntegrationOptions<State>& options) {
+        using Following = detail::Replay<System, InputsOfPlant, List>;
+        Following replay(system_, inputs_, varied_, x, S, 0.0, run_.until, options, false);
+        const auto kinks = plant_run::moving_kinks<Following::KinksOfInputs>(run_);
+        replay.take_moving_kinks(kinks);
+        replay.watch_ends();
+        std::vector<Following::Point> points{{0, x, true}};
+        for (const double t : run_.output_times) points.push_back({t, x, false});
+        points.push_back({run_.until, x, false});  // data have times, and where there is none between the first and the last, no others
+        replay.advance_along(points.data(), points.data() + points.size(), {}, [&](const auto& point) {
+            const System::Input u = inputs_(replay.x(), point.t);
+            record(SensitivityPoint<System, Sensitivities>{point.t, replay.x(), u, replay.S()},
+                   [&](std::size_t c) { return replay.slopes_of_inputs(c); });
+        });
+        result_.outcome = replay.outcome();
+        result_.outcome.t = result_.sensitivities.rows.back().front();
+    }
+
+    template <class Point, class Slopes>
+    void record(const Point& point, const Slopes& slopes) {
         std::vector<double> row{point.t};
         for (const RecordedState& state : run_.states)
             row.push_back(state.is_root ? point.x[state.place] * point.x[state.place] : point.x[state.place]);
@@ -55,7 +87,6 @@ private:
         row.insert(row.end(), y.begin(), y.end());
         row.insert(row.end(), point.u.begin(), point.u.end());
         result_.recording.rows.push_back(std::move(row));
-        const auto slopes = [&](std::size_t c) { return slopes_of_inputs(c, point); };
         std::vector<double> sensitivities =
             plant_run::sensitivity_row(run_, system_, varied_, point.u, point.x, point.t, 0, point.S, slopes);
         sensitivities.insert(sensitivities.begin(), point.t);
@@ -100,11 +131,8 @@ private:
 }  // namespace
 
 bool can_simulate_together(const dalembert_plant& plant, const PlantRun& run) {
-    const auto moves_kinks = [](const VariedOfRun& one) {
-        return std::any_of(one.kinks.begin(), one.kinks.end(), [](double slope) { return slope != 0; });
-    };
-    return kind_of(plant) == PlantKind::free && plant.guards == 0 && plant.jacobian_p != nullptr && !run.varied.empty() &&
-           std::none_of(run.varied.begin(), run.varied.end(), moves_kinks);
+    return kind_of(plant) == PlantKind::free && plant.jacobian_p != nullptr && !run.varied.empty() &&
+           (!run.output_times.empty() || run.intervals == 1);
 }
 
 PlantRunResult simulate_together(const dalembert_plant& plant, const PlantRun& run) {

@@ -6,7 +6,7 @@
 
 namespace dalembert {
 
-/// Of a run that is varied, where nothing but the rates is needed: no events, constraints or kinks that move.
+/// Of a run that is varied, with times of output, where nothing but the rates and their kinks is needed: no events, no constraints.
 bool can_simulate_together(const dalembert_plant& plant, const PlantRun& run);
 /// Energies, events and their errors are not in the result.
 PlantRunResult simulate_together(const dalembert_plant& plant, const PlantRun& run);

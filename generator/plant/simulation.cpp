@@ -5,7 +5,10 @@
 namespace dalembert {
 
 PlantRunResult simulate_plant(const dalembert_plant& plant, const PlantRun& run) {
-    if (run.is_for_fit && can_simulate_together(plant, run)) return simulate_together(plant, run);
+    if (run.is_for_fit && can_simulate_together(plant, run)) {
+        const PlantRunResult together = simulate_together(plant, run);
+        if (together.outcome.status == Status::success) return together;  // else the run says whether it or its derivatives are at fault
+    }
     switch (kind_of(plant)) {
         case PlantKind::free: return simulate_kind<PlantKind::free>(plant, run);
         case PlantKind::normed: return simulate_kind<PlantKind::normed>(plant, run);

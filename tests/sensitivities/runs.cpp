@@ -14,6 +14,7 @@
 
 #include "elements/runs.hpp"
 #include "model_files.hpp"
+#include "plant/sensitivities_together.hpp"
 #include "run/run_preparation.hpp"
 #include "run/simulation.hpp"
 
@@ -129,11 +130,10 @@ Row compare(const dalembert_plant& plant, const PlantRun& run, const PlantRunRes
 /// Both are errors of runs; that of differences is told by themselves.
 constexpr double allowed(const Row& row) { return 3e-8 + 30 * row.noise; }
 
-}  // namespace
-
-TEST_CASE("sensitivities of runs are those of differences") {
-    std::size_t compared = 0, sharply = 0;
-    for (const std::filesystem::path& file : model_files({"bouncing_ball", "cylinder_stops", "switched_tank"}, is_full)) {
+/// Calls check(name, stem, plant, run) for each run of these models, or of all in the full tier, that is varied by all of its parameters.
+template <class Check>
+void for_each_run(const std::vector<std::string>& models, const Check& check) {
+    for (const std::filesystem::path& file : model_files(models, is_full)) {
         const auto model = loaded_if_good(file);
         if (model == nullptr) continue;
         for (const Run& wanted : model->model.runs) {
@@ -151,45 +151,97 @@ TEST_CASE("sensitivities of runs are those of differences") {
                 if (options.sensitivities.empty()) continue;
                 const PreparedSimulation prepared = prepare_simulation(model, "", options);
                 const PlantLibrary library(prepared.plant, prepared.cache);
-                const PlantRun run = recorded_where_steps_end(prepared.run);
-                const PlantRunResult result = simulate_plant(library.table(), run);
-                if (result.outcome.status != Status::success) continue;
-                const Outcome& outcome = result.of_sensitivities;
-                if (prints && outcome.status != Status::success)
-                    std::cout << fmt::format("{}: {} at {} s, guard {}\n", name, to_string(outcome.status), outcome.t, outcome.guard);
-                // A flow like a root has no derivative at equal pressures, where it may begin or stay, or which it may pass often. What
-                // moves a singular position away has none behind it.
-                const bool is_known = (outcome.status == Status::not_finite && outcome.t == 0) ||
-                                      outcome.status == Status::singular_position || outcome.status == Status::too_many_steps ||
-                                      outcome.status == Status::event_storm;
-                CHECK((outcome.status == Status::success || is_known));
-                if (outcome.status != Status::success) continue;
-                // Every second of few; of many, which differences take hours for, a few.
-                const std::size_t every = std::max<std::size_t>(is_full ? 2 : 3, (run.varied.size() + most_compared - 1) / most_compared);
-                for (std::size_t c = 0; c < run.varied.size(); c += every) {
-                    const Row row = compare(library.table(), run, result, c);
-                    CAPTURE(row.by);
-                    CAPTURE(row.of);
-                    CAPTURE(row.expected);
-                    CAPTURE(row.found);
-                    CAPTURE(row.noise);
-                    if (prints)
-                        std::cout << fmt::format("{:40} d({})/d({}): {:.9g}, differences {:.9g}; {:.1e}, of these {:.1e}\n", name, row.of,
-                                                 row.by, row.found, row.expected, row.error, row.noise);
-                    // Its momentum stays, while the derivatives of attitude and spin that it is made of grow.
-                    // The other one goes through singular positions, which cost digits.
-                    const double cancels = file.stem() == "free_body" ? 100 : file.stem() == "four_bars_2" ? 10 : 1;
-                    CHECK(row.error <= cancels * allowed(row));
-                    compared += row.compared;
-                    sharply += row.sharply;
-                }
+                check(name, file.stem().string(), library.table(), prepared.run);
             } catch (const Failure& failure) {
                 if (prints) std::cout << name << ": " << failure.what() << "\n";  // runs that the program refuses
             }
         }
     }
+}
+
+}  // namespace
+
+TEST_CASE("sensitivities of runs are those of differences") {
+    std::size_t compared = 0, sharply = 0;
+    for_each_run({"bouncing_ball", "cylinder_stops", "switched_tank"}, [&](const std::string& name, const std::string& stem,
+                                                                           const dalembert_plant& plant, const PlantRun& given) {
+        const PlantRun run = recorded_where_steps_end(given);
+        const PlantRunResult result = simulate_plant(plant, run);
+        if (result.outcome.status != Status::success) return;
+        const Outcome& outcome = result.of_sensitivities;
+        if (prints && outcome.status != Status::success)
+            std::cout << fmt::format("{}: {} at {} s, guard {}\n", name, to_string(outcome.status), outcome.t, outcome.guard);
+        // A flow like a root has no derivative at equal pressures, where it may begin or stay, or which it may pass often. What
+        // moves a singular position away has none behind it.
+        const bool is_known = (outcome.status == Status::not_finite && outcome.t == 0) || outcome.status == Status::singular_position ||
+                              outcome.status == Status::too_many_steps || outcome.status == Status::event_storm;
+        CHECK((outcome.status == Status::success || is_known));
+        if (outcome.status != Status::success) return;
+        // Every second of few; of many, which differences take hours for, a few.
+        const std::size_t every = std::max<std::size_t>(is_full ? 2 : 3, (run.varied.size() + most_compared - 1) / most_compared);
+        for (std::size_t c = 0; c < run.varied.size(); c += every) {
+            const Row row = compare(plant, run, result, c);
+            CAPTURE(row.by);
+            CAPTURE(row.of);
+            CAPTURE(row.expected);
+            CAPTURE(row.found);
+            CAPTURE(row.noise);
+            if (prints)
+                std::cout << fmt::format("{:40} d({})/d({}): {:.9g}, differences {:.9g}; {:.1e}, of these {:.1e}\n", name, row.of, row.by,
+                                         row.found, row.expected, row.error, row.noise);
+            // Its momentum stays, while the derivatives of attitude and spin that it is made of grow.
+            // The other one goes through singular positions, which cost digits.
+            const double cancels = stem == "free_body" ? 100 : stem == "four_bars_2" ? 10 : 1;
+            CHECK(row.error <= cancels * allowed(row));
+            compared += row.compared;
+            sharply += row.sharply;
+        }
+    });
     if (prints) std::cout << fmt::format("{} compared, {} of them with nine digits\n", compared, sharply);
     CHECK(sharply >= 100);
+}
+
+TEST_CASE("what a fit integrates is the run with its derivatives") {
+    std::size_t compared = 0;
+    for_each_run({"valve_cylinder", "torricelli"}, [&](const std::string& name, const std::string&, const dalembert_plant& plant,
+                                                       const PlantRun& given) {
+        PlantRun run = given;
+        run.output_times.clear();
+        for (int k = 1; k < 50; ++k) run.output_times.push_back(run.until * k / 50);
+        if (!can_simulate_together(plant, run)) return;
+        const PlantRunResult beside = simulate_plant(plant, run);
+        if (beside.outcome.status != Status::success || beside.of_sensitivities.status != Status::success) return;
+        run.is_for_fit = true;
+        const PlantRunResult together = simulate_together(plant, run);
+        CHECK(together.outcome.status == Status::success);
+        const auto check_same = [&](const Recording& a, const Recording& b, const auto& least_size, double allowed) {
+            REQUIRE(a.rows.size() == b.rows.size());
+            for (std::size_t i = 0; i < a.columns.size(); ++i) {
+                double error = 0, size = least_size(i);
+                for (std::size_t r = 0; r < a.rows.size(); ++r) {
+                    error = std::max(error, std::fabs(a.rows[r][i] - b.rows[r][i]));
+                    size = std::max(size, std::fabs(b.rows[r][i]));
+                }
+                CAPTURE(a.columns[i].name);
+                CHECK(error <= allowed * size);
+                if (prints && error > allowed / 100 * size)
+                    std::cout << fmt::format("{:40} {}: {:.1e} of {:.1e}\n", name, a.columns[i].name, error, size);
+                ++compared;
+            }
+        };
+        check_same(together.recording, beside.recording, [&](std::size_t i) { return size_of(beside.recording, i); }, 1e-6);
+        // One that is zero but for rounding counts as a state does by its parameter.
+        const std::size_t count = run.states.size() + plant.outputs;
+        const auto size_by = [&](std::size_t i) {
+            if (i == 0) return run.until;
+            const Varied& what = run.varied[(i - 1) / count].what;
+            const double value = what.of == Varied::Of::parameter ? run.parameters[what.number] : 0;
+            return size_of(beside.recording, (i - 1) % count + 1) / (value != 0 ? std::fabs(value) : 1);
+        };
+        // Errors of S do not limit the steps of a fit.
+        check_same(together.sensitivities, beside.sensitivities, size_by, is_full ? 1e-4 : 1e-6);
+    });
+    CHECK(compared > 50);
 }
 
 TEST_CASE("what has no derivative is refused") {

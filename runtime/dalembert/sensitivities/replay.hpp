@@ -28,21 +28,25 @@ public:
     using Base::Base;
     using typename Base::Mode, typename Base::Plain, typename Base::Scalar;
 
-    /// A point of the run.
+    /// A point of the run. Where its state is not known, that which comes with S stays as it is.
     struct Point {
         Scalar t;
         Plain x;
+        bool is_known = true;
     };
+
+    /// There is no run that ended in time where the model does: Status::event.
+    void watch_ends() { watches_ends_ = true; }
 
     /// To the point (t, x) of the run.
     void advance(Scalar t, const Plain& x, Mode mode = {}) {
-        const Point point{t, x};
+        const Point point{t, x, true};
         advance_along(&point, &point + 1, mode, [](const Point&) {});
     }
 
     /// To the last of some points of the run, between which nothing happens. Calls seen(point) at each of them, when S is that there: in
-    /// one integration, whose steps do not end on the points. The state that comes with S is that of the run at the last point; at the
-    /// others it is as near to it as the error of the steps.
+    /// one integration, whose steps do not end on the points. The state that comes with S is that of the run at the last point, if it is
+    /// known; at the others it is as near to it as the error of the steps.
     template <class Seen>
     void advance_along(const Point* points, const Point* end, Mode mode, const Seen& seen) {
         if (outcome_.status != Status::success || points == end) return;
@@ -53,7 +57,7 @@ public:
         while (outcome_.status == Status::success) {
             for (; next_ != end_ && next_->t <= t_; ++next_) {
                 t_ = next_->t;
-                x_ = next_->x;
+                if (next_->is_known) x_ = next_->x;
                 seen(*next_);
             }
             if (next_ == end_) return;
@@ -64,9 +68,10 @@ public:
             } else if (t_ < *kink - instant(*kink)) {
                 go_on(*kink - instant(*kink), seen);
             } else {
-                const Scalar t = next_->t;
+                const Scalar t = next_->t, behind = std::min(t, Scalar(*kink + instant(*kink)));
                 if (t_ < *kink && t >= *kink) pass_known_kink(*kink);
-                t_ = std::min(t, Scalar(*kink + instant(*kink)));
+                if (!next_->is_known) x_ = moved(x_, rate(mode_, x_, behind), behind - t_);
+                t_ = behind;
             }
         }
     }
@@ -131,7 +136,9 @@ private:
         if constexpr (may_have_entries<Kinks>) {
             const auto guards = [&](const All& at, Scalar t, Kinks& g) {
                 g = kinks_at(mode_, Motion::part(at, 0), t);
-                for (std::size_t i = 0; i < g.size(); ++i) g[i] = Asked::is_kink(i) ? g[i] * Scalar(sides_[i]) : Scalar(1);
+                for (std::size_t i = 0; i < g.size(); ++i)
+                    if (Asked::is_kink(i)) g[i] *= Scalar(sides_[i]);
+                    else if (!watches_ends_) g[i] = Scalar(1);
             };
             Like<Kinks, bool> ends;
             ends.fill(true);
@@ -145,7 +152,7 @@ private:
         outcome_.steps_by = choice_.steps;
         take(all, part.status == Status::success ? to : reached);
         if constexpr (may_have_entries<Kinks>)
-            if (part.status == Status::event) return pass_kink(part.guard);
+            if (part.status == Status::event) return Asked::is_kink(part.guard) ? pass_kink(part.guard) : fail(part.status, part.guard);
         if (part.status != Status::success) fail(part.status);
     }
 
@@ -223,7 +230,7 @@ private:
 
     using Choice = ChoiceOf<Scalar, Motion>;
     Choice choice_;  ///< from part to part
-    bool is_begun_ = false;
+    bool is_begun_ = false, watches_ends_ = false;
     Scalar time_of_last_ = from_;  ///< event
     bool has_last_ = false;
     ColumnsOf<Scalar> shift_ = Columns<List>::filled(varied_, Scalar(0));  ///< how its time follows what is varied
