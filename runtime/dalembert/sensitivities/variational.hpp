@@ -147,21 +147,14 @@ public:
     }
 
     void rates(const State& all, Scalar t, State& derivative) {
-        const std::size_t n = size_of<Plain>();
         const Plain x = part(all, 0);
         const auto u = inputs_(x, t);
         Plain dxdt;
         shown_.rhs_and_jacobian(x, u, t, dxdt, by_state_);
         put(derivative, 0, dxdt);
         shown_.jacobian_p(x, u, t, by_parameters_);
-        const std::size_t end = (varied_.size() + 1) * n;
-        const Scalar* const S = all.data();
-        Scalar* const rates_of_S = derivative.data();
         put_own_rates(derivative);
-        for (std::size_t column = 0; column < n; ++column)
-            for_each_in_column<typename System::PatternX>(by_state_, n, column, [&](std::size_t row, const Scalar& value) {
-                for (std::size_t c = n; c < end; c += n) rates_of_S[c + row] += value * S[c + column];
-            });
+        add_products(all, derivative);
         if constexpr (may_have_entries<typename System::Input>) {
             if (are_of_time_alone(inputs_, 0)) return;
             if (on_the_way_.have_feedback(x, u, t)) add_feedback(all, x, t, derivative);
@@ -232,6 +225,40 @@ public:
     }
 
 private:
+    /// Of short columns the whole Jacobian, of others row by row: sums stay in registers.
+    void add_products(const State& all, State& derivative) const {
+        constexpr std::size_t short_column = 8;
+        const std::size_t n = size_of<Plain>(), end = (varied_.size() + 1) * n;
+        const Scalar* const S = all.data();
+        Scalar* const rates = derivative.data();
+        if constexpr (!has_fixed_size<Plain>) {
+            for (std::size_t c = n; c < end; c += n)
+                for (std::size_t row = 0; row < n; ++row) {
+                    Scalar sum = rates[c + row];
+                    for (std::size_t k = by_rows_.starts[row]; k < by_rows_.starts[row + 1]; ++k)
+                        sum += by_state_[by_rows_.entries[k].place] * S[c + by_rows_.entries[k].column];
+                    rates[c + row] = sum;
+                }
+        } else if constexpr (size_of<Plain>() <= short_column) {
+            std::array<Plain, size_of<Plain>()> J{};
+            for (std::size_t column = 0; column < n; ++column)
+                for_each_in_column<typename System::PatternX>(by_state_, n, column,
+                                                              [&](std::size_t row, const Scalar& value) { J[column][row] = value; });
+            for (std::size_t c = n; c < end; c += n) {
+                Plain sum;
+                std::copy_n(rates + c, n, sum.begin());
+                for (std::size_t column = 0; column < n; ++column)
+                    for (std::size_t i = 0; i < n; ++i) sum[i] += J[column][i] * S[c + column];
+                std::copy_n(sum.begin(), n, rates + c);
+            }
+        } else {
+            for (std::size_t column = 0; column < n; ++column)
+                for_each_in_column<typename System::PatternX>(by_state_, n, column, [&](std::size_t row, const Scalar& value) {
+                    for (std::size_t c = n; c < end; c += n) rates[c + row] += value * S[c + column];
+                });
+        }
+    }
+
     /// What S gets by way of inputs that follow the state: the whole Jacobian without that of the system.
     void add_feedback(const State& all, const Plain& x, Scalar t, State& derivative) {
         const std::size_t n = size_of<Plain>();
@@ -273,6 +300,33 @@ private:
                     [&](std::size_t row, const Scalar& value) { derivative[(c + 1) * n + row] = value; });
     }
 
+    /// The pattern of the Jacobian row by row, of sizes that belong to a run.
+    struct Rows {
+        struct Entry {
+            std::size_t place, column;
+        };
+        struct Places {
+            std::size_t operator[](std::size_t place) const { return place; }
+        };
+        std::vector<std::size_t> starts;
+        std::vector<Entry> entries;
+
+        Rows() {
+            if constexpr (!has_fixed_size<Plain>) {
+                const std::size_t n = size_of<Plain>();
+                std::vector<std::vector<Entry>> rows(n);
+                for (std::size_t column = 0; column < n; ++column)
+                    for_each_in_column<typename System::PatternX>(
+                        Places{}, n, column, [&](std::size_t row, std::size_t place) { rows[row].push_back({place, column}); });
+                starts.push_back(0);
+                for (const auto& row : rows) {
+                    entries.insert(entries.end(), row.begin(), row.end());
+                    starts.push_back(entries.size());
+                }
+            }
+        }
+    };
+
     const System& shown_system_;
     Held shown_;
     const Inputs& inputs_;
@@ -283,6 +337,7 @@ private:
     SystemDerivatives<Shown, Inputs> here_, on_the_way_;  ///< where Rodas5p has prepared, which may ask again; and at its stages
     Plain scale_;
     typename System::JacobianX by_state_{};
+    Rows by_rows_;
     typename System::JacobianP by_parameters_{};
     typename System::JacobianU by_inputs_{};
     ColumnsOf<typename System::JacobianX> below_;

@@ -2,7 +2,12 @@
 // Partial derivatives of large sums, of which only the terms with a letter are looked at.
 #include "form/jacobian.hpp"
 
+#include <set>
+#include <string>
+
 #include "generator/machine.hpp"
+#include "graph/code.hpp"
+#include "graph/verify.hpp"
 
 using namespace dalembert;
 using GiNaC::ex;
@@ -34,4 +39,26 @@ TEST_CASE("terms without the letter have no part in a derivative") {
             check(found.held, held);
         }
     }
+}
+
+TEST_CASE("derivatives by parameters that nobody asks for are left out") {
+    Machine machine = machine_of("cart_pendulum", "lab");
+    const std::vector<const Variable*> columns = column_variables(machine.system->symbols, By::parameter);
+    const auto all = make_code(*machine.system);
+    machine.system->slopes_by = std::set<std::string>{"d_R"};
+    const auto few = make_code(*machine.system);
+    const auto entries = [&](const Code& code, const Variable& column) {
+        std::size_t count = 0;
+        const FunctionCode& function = code[Function::jacobian_p];
+        for (std::size_t row = 0; row < function.right.rows; ++row)
+            count += !function.is_zero(function.right.at(row, column.position));
+        return count;
+    };
+    for (const Variable* column : columns) {
+        CAPTURE(column->name);
+        CHECK(entries(*few, *column) == (column->name == "d_R" ? entries(*all, *column) : 0));
+    }
+    CHECK(few->count(Function::jacobian_p).total() < all->count(Function::jacobian_p).total() / 2);
+    CHECK(few->count(Function::rhs_and_jacobian).total() == all->count(Function::rhs_and_jacobian).total());
+    for (const AuditEntry& entry : verify(*few)) CHECK(entry.result.verdict == Verdict::proven);
 }
