@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "form/state_places.hpp"
@@ -45,7 +46,7 @@ public:
         const std::size_t at_state = is_parameter ? 0 : state_number(variable, system_.symbols);
         const ex value = varied_value(variable, values_, system_);
         const ex step = step_of(value);
-        const auto moved = [&](const System&, Values& values, int sign) { set_varied(variable, values, value + sign * step); };
+        const auto move = [&](Values& values, int steps) { set_varied(variable, values, value + steps * step); };
         VariedOfRun result{is_parameter ? Varied::parameter(variable.position) : Varied::start(place_states(system_).positions[at_state]),
                            variable.recorded_name(),
                            variable.is_root ? variable.declared->unit.si() : variable.unit,
@@ -59,7 +60,7 @@ public:
         };
         const auto start_at = [&](int sign) {
             Values there = values_;
-            moved(system_, there, sign);
+            move(there, sign);
             return start_of(there, place);
         };
         result.start = slopes(start_at(1), start_at(-1));
@@ -67,8 +68,9 @@ public:
             throw Failure(
                 Diagnostic{Id::bad_option, place,
                            fmt::format("the start of '{}' cannot be varied: constraints determine it", variable.recorded_name())});
-        const auto kinks_at = [&](int sign) { return kinks_([&](const System& system, Values& values) { moved(system, values, sign); }); };
+        const auto kinks_at = [&](int steps) { return kinks_([&](const System&, Values& values) { move(values, steps); }); };
         result.kinks = kink_slopes(kinks_at(1), kinks_at(-1), cln::double_approx(distance), variable, place);
+        refine(result.kinks, kinks_at, cln::double_approx(distance) / 2);
         return result;
     }
 
@@ -94,6 +96,20 @@ private:
                                                      variable.recorded_name(), kinks_now_[k])});
         }
         return slopes;
+    }
+
+    /// Times of kinks are doubles, which leave a short step half of their digits. Differences of order four at a longer one have all of
+    /// them, where the same kinks are still there and move as they do nearby.
+    template <class KinksAt>
+    void refine(std::vector<double>& slopes, const KinksAt& kinks_at, double step) const {
+        constexpr int longer = 10000;
+        if (std::all_of(slopes.begin(), slopes.end(), [](double slope) { return slope == 0; })) return;
+        const std::array<std::vector<double>, 4> times{kinks_at(-2 * longer), kinks_at(-longer), kinks_at(longer), kinks_at(2 * longer)};
+        if (std::any_of(times.begin(), times.end(), [&](const auto& list) { return list.size() != slopes.size(); })) return;
+        for (std::size_t k = 0; k < slopes.size(); ++k) {
+            const double near = times[2][k] - times[1][k], far = times[3][k] - times[0][k], slope = (8 * near - far) / (12 * longer * step);
+            if (std::fabs(slope - slopes[k]) * step <= 1e-15 * std::fabs(kinks_now_[k])) slopes[k] = slope;
+        }
     }
 
     /// Alone they leave the norm one.

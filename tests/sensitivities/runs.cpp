@@ -270,6 +270,19 @@ TEST_CASE("derivatives by one parameter do not depend on which others are asked 
     check("hydraulics/switched_tank", "A_2", "q_i");
 }
 
+TEST_CASE("a later blow moves a block as far: slopes of its times have all digits") {
+    Diagnostics diagnostics;
+    Options options;
+    options.sensitivities = {"t_p"};
+    options.tolerance = tolerance;
+    const auto model = load(std::filesystem::path(SOURCE_DIR) / "tests/regressions/kinks_blow_and_friction.toml", diagnostics);
+    const PreparedSimulation prepared = prepare_simulation(model, "", options);
+    for (const double slope : prepared.run.varied.front().kinks) CHECK(std::fabs(slope - 1) < 1e-11);
+    const PlantLibrary library(prepared.plant, prepared.cache);
+    const PlantRunResult result = simulate_plant(library.table(), prepared.run);
+    CHECK(std::fabs(result.sensitivities.rows.back()[1]) < 1e-7);  // of 0.999 m/s while it slides
+}
+
 TEST_CASE("what has no derivative is refused") {
     const auto refusal = [](const char* file, const char* scene, const char* name) -> std::string {
         Diagnostics diagnostics;
