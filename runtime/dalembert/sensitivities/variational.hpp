@@ -9,7 +9,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "dalembert/linear/run_matrix.hpp"
+#include "dalembert/linear/jacobian_pattern.hpp"
+#include "dalembert/run_array.hpp"
 #include "dalembert/sensitivities/varied.hpp"
 #include "dalembert/system_derivatives.hpp"
 
