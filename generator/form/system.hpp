@@ -188,7 +188,8 @@ struct System {
     bool has_exchange() const { return has_balances() || !ejections.empty(); }
 
     std::vector<GiNaC::ex> state_rates;  ///< zd
-    std::optional<std::set<std::string>> slopes_by;  ///< parameters, of which those by others are left out as if zero; nothing: all are made
+    /// Parameters that derivatives are made by; those by others are left out as if they were zero. Nothing: by all.
+    std::optional<std::set<std::string>> slopes_by;
     /// An expression with the rates of states replaced by what they are.
     GiNaC::ex with_rates(const GiNaC::ex& e) const;
 

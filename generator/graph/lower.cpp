@@ -110,7 +110,8 @@ private:
         if (numerator && cln::denominator(value) == 2) return Polynomial::letter(atoms_.letter(Op::sqrt, {base}), *numerator);
         // A power and its derivatives differ by whole exponents: x^(-5/4) = x^(-1/4)/x, which needs no other call.
         const auto whole = to_int(cln::truncate1(value));
-        if (!whole || powers_ == FractionalPowers::as_written) return Polynomial::letter(atoms_.letter(Op::power, {base, Polynomial(value)}));
+        if (!whole || powers_ == FractionalPowers::as_written)
+            return Polynomial::letter(atoms_.letter(Op::power, {base, Polynomial(value)}));
         const Polynomial fraction = fractional_power(base, value - *whole);
         return *whole == 0 ? fraction : multiply(fraction, kept_whole(base, *whole, atoms_));
     }

@@ -15,7 +15,8 @@ enum class FractionalPowers { by_roots, as_written };
 /// that needs an assumption.
 Polynomial lower(const GiNaC::ex& e, Atoms& atoms, FractionalPowers powers = FractionalPowers::by_roots);
 
-/// Several that come after the atoms of a system were put in order: which new letters they bring, in which order, does not depend on GiNaC's.
+/// Several that come after the atoms of a system were put in order. Which new letters they bring, in which order, does not depend on
+/// GiNaC's.
 std::vector<Polynomial> lower_in_order(const std::vector<GiNaC::ex>& expressions, Atoms& atoms);
 
 /// A sum kept whole, to a power, with its sign, content and common factors taken out.

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "prove/constraint_validity.hpp"
 #include "run/shared.hpp"
@@ -23,11 +25,9 @@ FitRun::FitRun(const std::shared_ptr<const LoadedModel>& model, const Options& o
     refuse_rest(system, "identify");
     refuse_samplers(system, "identify");
     fitted_ = fitted_of(fitted, system);
-    std::set<std::string> parameters;
-    for (const Fitted& one : fitted_)
-        if (one.what == Fitted::What::parameter) parameters.insert(one.variable->name);
+    differentiate_by_what_is_fitted();
     std::string without_outputs;
-    header_ = generate_with_slopes(machine_, parameters, without_outputs);
+    header_ = generate_with_slopes(machine_, without_outputs);
     take_data(files);
     refuse_unknown_columns();
     refuse_missing_slopes(without_outputs);
@@ -50,6 +50,15 @@ FitRun::FitRun(const std::shared_ptr<const LoadedModel>& model, const Options& o
         if (follows_nothing(e)) ready_.back() = prepared(e, start_);
     }
     doubts_ = doubts_of_start(values_at(0, start_), system);
+}
+
+/// No other derivatives by parameters: nobody sees this code.
+void FitRun::differentiate_by_what_is_fitted() {
+    std::set<std::string> parameters;
+    for (const Fitted& one : fitted_)
+        if (one.what == Fitted::What::parameter) parameters.insert(one.variable->name);
+    machine_.system->slopes_by = parameters;
+    for (Machine& mode : machine_.other_modes) mode.system->slopes_by = parameters;
 }
 
 void FitRun::take_data(const std::vector<DataFile>& files) {

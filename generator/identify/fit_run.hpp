@@ -57,6 +57,7 @@ public:
     RunBesideData compare(std::size_t experiment, const std::vector<double>& x, bool with_slopes) const;
 
 private:
+    void differentiate_by_what_is_fitted();
     void take_data(const std::vector<DataFile>& files);
     void refuse_unknown_columns() const;
     double shortest_sample(const Variable& input) const;  ///< s, of its data

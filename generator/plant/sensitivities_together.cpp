@@ -67,7 +67,7 @@ private:
         replay.watch_ends();
         std::vector<Following::Point> points{{0, x, true}};
         for (const double t : run_.output_times) points.push_back({t, x, false});
-        points.push_back({run_.until, x, false});  // data have times, and where there is none between the first and the last, no others
+        points.push_back({run_.until, x, false});
         replay.advance_along(points.data(), points.data() + points.size(), {}, [&](const auto& point) {
             const System::Input u = inputs_(replay.x(), point.t);
             record(SensitivityPoint<System, Sensitivities>{point.t, replay.x(), u, replay.S()},

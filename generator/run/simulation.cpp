@@ -122,9 +122,7 @@ KinksOfRun kinks_of_run(const RunPreparation& preparation, const Machine& machin
     };
 }
 
-Header generate_with_slopes(Machine& machine, const std::set<std::string>& parameters, std::string& without_outputs, SeriesWish wish) {
-    machine.system->slopes_by = parameters;
-    for (Machine& mode : machine.other_modes) mode.system->slopes_by = parameters;
+Header generate_with_slopes(Machine& machine, std::string& without_outputs, SeriesWish wish) {
     if (!machine.system->outputs.empty()) machine.wished.insert(Function::output_jacobian_p);
     try {
         return generate(machine, wish);
@@ -148,13 +146,9 @@ PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const s
     const SeriesWish wish = tries_series                       ? SeriesWish::if_possible
                             : preparation.method() == "taylor" ? SeriesWish::wanted
                                                                : SeriesWish::none;
-    const std::vector<NamedVariable> named = named_variables(options.sensitivities, system);
-    std::set<std::string> differentiated_by;
-    for (const NamedVariable& one : named)
-        if (one.variable->kind == SymbolKind::parameter) differentiated_by.insert(one.variable->name);
     std::string without_slopes_of_outputs;
-    Header header = named.empty() ? generate(machine, wish)
-                                  : generate_with_slopes(machine, differentiated_by, without_slopes_of_outputs, wish);
+    Header header =
+        options.sensitivities.empty() ? generate(machine, wish) : generate_with_slopes(machine, without_slopes_of_outputs, wish);
     Values values(system.scene, system.translate);
     preparation.set_values(values, system);
     const Values unmet = values;
@@ -168,6 +162,7 @@ PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const s
                                  fmt::format("the method taylor needs series of all inputs, and sampler '{}' sets one at its samples; "
                                              "choose another method",
                                              system.scene.samplers.front()->name)});
+    const std::vector<NamedVariable> named = named_variables(options.sensitivities, system);
     std::vector<VariedOfRun> varied = varied_of_run(named, system, unmet, kinks_of);
     std::vector<MovedRuns> moved;
     if (options.second_order) moved = moved_runs(named, system, unmet, settings, kinks_of);

@@ -2,9 +2,6 @@
 // One simulation of a model: what is to be run, the run itself, and its results.
 #pragma once
 
-#include <set>
-#include <string>
-
 #include "run/controllers.hpp"
 #include "run/options.hpp"
 #include "run/plant_run.hpp"
@@ -95,9 +92,8 @@ std::string scene_for_run(const Model& model, const Options& options);
 std::pair<Values, std::vector<GiNaC::ex>> start_of_run(const System& system, const Options& options);
 /// Kinks at known times of a run in all its modes. Refers to both.
 KinksOfRun kinks_of_run(const RunPreparation& preparation, const Machine& machine);
-/// With derivatives by these parameters alone, and with those of outputs, where these can be made; else `without_outputs` says why not.
-Header generate_with_slopes(Machine& machine, const std::set<std::string>& parameters, std::string& without_outputs,
-                            SeriesWish wish = SeriesWish::none);
+/// With the derivatives of outputs by parameters, where these can be made; else `without_outputs` says why not.
+Header generate_with_slopes(Machine& machine, std::string& without_outputs, SeriesWish wish = SeriesWish::none);
 /// Derives and generates, with series of the motion where the method needs them, or where `tries_series` and that is possible. `verb` is
 /// named where nothing moves. Throws Failure.
 PreparedRun prepare_run(const std::shared_ptr<const LoadedModel>& model, const std::string& scene, const Options& options, const char* verb,

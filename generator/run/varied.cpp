@@ -104,7 +104,12 @@ private:
     void refine(std::vector<double>& slopes, const KinksAt& kinks_at, double step) const {
         constexpr int longer = 10000;
         if (std::all_of(slopes.begin(), slopes.end(), [](double slope) { return slope == 0; })) return;
-        const std::array<std::vector<double>, 4> times{kinks_at(-2 * longer), kinks_at(-longer), kinks_at(longer), kinks_at(2 * longer)};
+        std::array<std::vector<double>, 4> times;
+        try {
+            times = {kinks_at(-2 * longer), kinks_at(-longer), kinks_at(longer), kinks_at(2 * longer)};
+        } catch (const Failure&) {
+            return;  // nearby the parameter lies beyond what it may be
+        }
         if (std::any_of(times.begin(), times.end(), [&](const auto& list) { return list.size() != slopes.size(); })) return;
         for (std::size_t k = 0; k < slopes.size(); ++k) {
             const double near = times[2][k] - times[1][k], far = times[3][k] - times[0][k], slope = (8 * near - far) / (12 * longer * step);

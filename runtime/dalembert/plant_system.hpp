@@ -130,10 +130,11 @@ protected:
     double power(Power of, unsigned mode, const double* x, const double* u, double t) const {
         return of != nullptr ? of(self(), mode, x, u, t) : 0;
     }
-    /// All that changes the energy.
-    double power_of_run(unsigned mode, const double* x, const double* u, double t) const {
-        return power(now().supplied_power, mode, x, u, t) - power(now().dissipated_power, mode, x, u, t) +
-               power(now().prescribed_power, mode, x, u, t) + power(now().exchanged_power, mode, x, u, t);
+    /// The rates with the power behind them, of a state that the work may follow.
+    void rates_and_power(unsigned mode, const double* x, const double* u, double t, double* rates) const {
+        now().rhs(self(), mode, x, u, t, rates);
+        rates[now().states] = power(now().supplied_power, mode, x, u, t) - power(now().dissipated_power, mode, x, u, t) +
+                              power(now().prescribed_power, mode, x, u, t) + power(now().exchanged_power, mode, x, u, t);
     }
     void solve_for_all(const int* chosen) { now().solve_for(self_.get(), chosen); }
 
@@ -200,10 +201,8 @@ public:
     double internal_energy(const State& x, double t) const {
         return now().internal_energy != nullptr ? now().internal_energy(self(), mode_, x.data(), t) : 0;
     }
-    /// The rates with the power behind them, of a state that the work may follow.
     void rates_and_power(const double* x, const double* u, double t, double* rates) const {
-        now().rhs(self(), mode_, x, u, t, rates);
-        rates[now().states] = power_of_run(mode_, x, u, t);
+        PlantBase::rates_and_power(mode_, x, u, t, rates);
     }
     double supplied_power(const State& x, const Input& u, double t) const { return power(now().supplied_power, x, u, t); }
     double dissipated_power(const State& x, const Input& u, double t) const { return power(now().dissipated_power, x, u, t); }
@@ -298,10 +297,8 @@ public:
     double internal_energy(Mode mode, const State& x, double t) const {
         return now().internal_energy != nullptr ? now().internal_energy(self(), number(mode), x.data(), t) : 0;
     }
-    /// As above.
     void rates_and_power(Mode mode, const double* x, const double* u, double t, double* rates) const {
-        now().rhs(self(), number(mode), x, u, t, rates);
-        rates[now().states] = power_of_run(number(mode), x, u, t);
+        PlantBase::rates_and_power(number(mode), x, u, t, rates);
     }
     double supplied_power(Mode mode, const State& x, const Input& u, double t) const { return power(now().supplied_power, mode, x, u, t); }
     double dissipated_power(Mode mode, const State& x, const Input& u, double t) const {

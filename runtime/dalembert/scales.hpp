@@ -114,7 +114,8 @@ typename System::State state_scales(const System& system, const Inputs& inputs, 
         detail::Running<System>::run(system, inputs, x, until, options, [&](const auto& sample) {
             for (std::size_t i = 0; i < reach.size(); ++i)
                 if (isfinite(sample.x[i])) reach[i] = max(reach[i], Scalar(abs(sample.x[i])));
-            if (std::all_of(reach.begin(), reach.end(), [&](Scalar size) { return size >= most; })) return;  // nothing follows from roundings
+            // Of states that are large enough roundings change nothing.
+            if (std::all_of(reach.begin(), reach.end(), [&](Scalar size) { return size >= most; })) return;
             const State rate = detail::rate_rounding(system, sample);
             for (std::size_t i = 0; i < rate.size(); ++i)
                 if (isfinite(rate[i])) rounding[i] = max(rounding[i], rate[i]);

@@ -21,7 +21,7 @@ struct ZeroInputs : detail::NoInputs {
 
 namespace detail {
 
-/// Whether a system gives its rates and the power behind them at once, of a state that the work follows: plants do, so that nothing is copied.
+/// Whether a system gives its rates and the power behind them at once, of a state that the work follows. Plants do: nothing is copied.
 template <class System, class = void>
 constexpr bool has_rates_and_power = false;
 template <class System>
@@ -33,6 +33,12 @@ constexpr bool takes_work_along() {
         return std::is_invocable_v<const Inputs&, const WithWork&, typename System::scalar_type>;
     else
         return false;
+}
+
+/// All that changes the energy, in W. `at`: the mode where there are modes, state, inputs, time.
+template <class System, class... At>
+typename System::scalar_type power_of(const System& system, const At&... at) {
+    return system.supplied_power(at...) - system.dissipated_power(at...) + system.prescribed_power(at...) + system.exchanged_power(at...);
 }
 
 }  // namespace detail
@@ -96,8 +102,7 @@ SimulationResult simulate(const System& given, const Inputs& inputs, typename Sy
             typename System::State dxdt;
             system.rhs(state, u, t, dxdt);
             std::copy_n(dxdt.begin(), n, derivative.begin());
-            derivative[n] = system.supplied_power(state, u, t) - system.dissipated_power(state, u, t) +
-                            system.prescribed_power(state, u, t) + system.exchanged_power(state, u, t);
+            derivative[n] = detail::power_of(system, state, u, t);
         }
     };
     detail::MeasureOf<System> measure_of;

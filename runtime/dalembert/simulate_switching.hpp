@@ -60,8 +60,7 @@ public:
             Plain rate;
             system_.rhs(mode, at, u, t, rate);
             std::copy_n(rate.begin(), n(), dxdt.begin());
-            dxdt[n()] = system_.supplied_power(mode, at, u, t) - system_.dissipated_power(mode, at, u, t) +
-                        system_.prescribed_power(mode, at, u, t) + system_.exchanged_power(mode, at, u, t);
+            dxdt[n()] = power_of(system_, mode, at, u, t);
         }
     }
     void guards(Mode mode, const State& x, const Input& u, scalar_type t, Events& g) const { system_.guards(mode, plain(x), u, t, g); }

@@ -16,7 +16,12 @@ TEST_CASE("terms without the letter have no part in a derivative") {
     struct Case {
         const char *system, *scene;
     };
-    for (const Case& one : {Case{"n_pendulum", ""}, {"heavy_top", "attitude"}, {"slider_crank", ""}, {"hydraulics/hydraulic_cylinder", "real"}, {"heat/enclosure", ""}, {"heat/heat_conduction", ""}}) {
+    for (const Case& one : {Case{"n_pendulum", ""},
+                            {"heavy_top", "attitude"},
+                            {"slider_crank", ""},
+                            {"hydraulics/hydraulic_cylinder", "real"},
+                            {"heat/enclosure", ""},
+                            {"heat/heat_conduction", ""}}) {
         CAPTURE(one.system);
         const Machine machine = machine_of(one.system, one.scene);
         const System& system = *machine.system;
@@ -30,7 +35,8 @@ TEST_CASE("terms without the letter have no part in a derivative") {
                 REQUIRE(derivatives.size() == columns.size());
                 for (std::size_t c = 0; c < columns.size(); ++c) {
                     REQUIRE(derivatives[c].size() == rows.size());
-                    for (std::size_t i = 0; i < rows.size(); ++i) CHECK(derivatives[c][i].is_equal(by_column(system, rows[i], *columns[c])));
+                    for (std::size_t i = 0; i < rows.size(); ++i)
+                        CHECK(derivatives[c][i].is_equal(by_column(system, rows[i], *columns[c])));
                 }
             };
             check(found.residual, system.motion.residual);
