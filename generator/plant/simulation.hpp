@@ -68,6 +68,8 @@ struct PlantRun {
     std::vector<double> kinks = {};  ///< s, at known times
     double seen_step = 0;            ///< s, within which nothing comes and goes; may be infinite
     bool keeps_all = true;           ///< else only the last row
+    std::function<void(const Recording&)> see_row = {};  ///< the last of the recording, as each comes, also where they are not kept
+    bool asks_outputs = true, asks_energies = true;  ///< else both are NaN in the recording, and energy_error, too
     std::vector<VariedOfRun> varied = {};  ///< derivatives are recorded of plants that have those by parameters
     bool inputs_of_time_alone = false;  ///< they follow neither the state nor what is varied
     std::vector<ControllerOfRun> controllers = {};  ///< that sample, in the order in which they do where instants agree

@@ -98,7 +98,9 @@ public:
                                    run_.seen_step);
         options.kinks = run_.kinks;
         options.output_times = run_.output_times;
-        if (!run_.keeps_all && run_.seen_step > 0 && run_.varied.empty() && steps_past_samples(options.method)) options.intervals = 1;
+        const bool sees_samples = run_.keeps_all || run_.see_row;
+        if (!sees_samples && run_.seen_step > 0 && run_.varied.empty() && steps_past_samples(options.method)) options.intervals = 1;
+        system_.leave_out(!run_.asks_outputs && controllers_.empty(), !run_.asks_energies);
         if constexpr (!switches)
             if (run_.is_of_heat) result_.euler_step = largest_euler_step(system_, x, inputs_(x, 0.0), 0.0);
         if (!run_.varied.empty()) begin_sensitivities(options, x);
@@ -212,8 +214,10 @@ private:
             if constexpr (switches) mode = sample.mode;
             sensitivities_->advance(sample.t, sample.x, mode);
         }
-        std::vector<double> row;
-        row.reserve(result_.recording.columns.size());
+        auto& rows = result_.recording.rows;
+        if (rows.empty() || run_.keeps_all) rows.emplace_back().reserve(result_.recording.columns.size());
+        std::vector<double>& row = rows.back();
+        row.clear();
         row.push_back(sample.t);
         for (const RecordedState& state : run_.states)
             row.push_back(state.is_root ? sample.x[state.place] * sample.x[state.place] : sample.x[state.place]);
@@ -223,9 +227,7 @@ private:
         for (const double energy : {sample.kinetic_energy, sample.potential_energy, sample.internal_energy, sample.work})
             row.push_back(energy);
         if constexpr (switches) row.push_back(static_cast<double>(static_cast<unsigned>(sample.mode)));
-        auto& rows = result_.recording.rows;
-        if (!run_.keeps_all) rows.clear();
-        rows.push_back(std::move(row));
+        if (run_.see_row) run_.see_row(result_.recording);
     }
 
     template <class Ended>

@@ -17,6 +17,7 @@ namespace dalembert {
 
 namespace {
 
+constexpr std::array energies{"kinetic_energy", "potential_energy", "internal_energy"};
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 constexpr std::array of_runs{
@@ -54,20 +55,33 @@ struct Measured {
     std::string unit = {};  ///< of a column alone
 };
 
-using Row = std::vector<double>;
+using Row = ReadRow;
+
+/// What may be observed, with its unit in SI. Controllers have columns besides.
+std::vector<Column> recorded_columns(const System& system) {
+    const auto si = [](const std::string& unit) { return unit == "1" ? "" : unit; };
+    std::vector<Column> columns{{"t", "s"}};
+    for (const Variable* state : system.symbols.state_variables())
+        columns.push_back({state->recorded_name(), si(state->is_root ? state->declared->unit.si() : state->unit)});
+    for (const OutputEquation& output : system.outputs) columns.push_back({output.name, si(output.unit)});
+    for (const Variable& input : system.symbols.all(SymbolKind::input)) columns.push_back({input.name, si(input.unit)});
+    for (const char* energy : energies) columns.push_back({energy, "J"});
+    columns.push_back({"work", "J"});
+    if (!system.scene.modes.empty()) columns.push_back({"mode", ""});
+    return columns;
+}
 
 class ObservableReader {
 public:
     explicit ObservableReader(const System& system) : system_(system), columns_(recorded_columns(system)) {}
 
-    Observable read(const ExpressionPtr& e) {
-        is_of_samples_ = false;
-        const auto whole = of<PlantRunResult>(*e);
+    void read(const ExpressionPtr& e) {
+        const auto whole = of<ObservedRun>(*e);
         std::string unit = whole.unit;
         if (unit.empty() && !whole.dimension.is_none()) unit = whole.dimension.in_base_units();
-        return {column_of(*e) ? "end(" + e->written() + ")" : e->written(), unit == "1" ? "" : unit, whole.value,
-                is_of_samples_};
+        result_.list.push_back({column_of(*e) ? "end(" + e->written() + ")" : e->written(), unit == "1" ? "" : unit, whole.value});
     }
+    Observables take() { return std::move(result_); }
 
 private:
     [[noreturn]] static void refuse(const Expression& e, std::string sentence, Id id = Id::bad_option) {
@@ -138,10 +152,10 @@ private:
         auto [a, b] = both<From>(e);
         Dimension dimension;
         if (!a.dimension.is_none()) {
-            const double exponent = b.value(From{});
-            const bool is_number =
-                e.children[1]->kind == Expression::Kind::number ||
-                (e.children[1]->kind == Expression::Kind::negate && e.children[1]->children[0]->kind == Expression::Kind::number);
+            const bool is_negative = e.children[1]->kind == Expression::Kind::negate;
+            const Expression& number = is_negative ? *e.children[1]->children[0] : *e.children[1];
+            const bool is_number = number.kind == Expression::Kind::number;
+            const double exponent = (is_negative ? -1 : 1) * (is_number ? cln::double_approx(number.value) : 0);
             if (!is_number || 2 * exponent != std::floor(2 * exponent) || std::fabs(exponent) > 100)
                 refuse(e, fmt::format("'{}' has a unit, so its exponent must be a whole or half number", e.children[0]->written()),
                        Id::unit_mismatch);
@@ -194,45 +208,51 @@ private:
         return unit.empty() ? Dimension() : parse_unit(excerpt_of(std::make_shared<const Source>("unit", unit))).dimension;
     }
 
-    std::optional<Measured<Row>> column_of(const Expression& e) const {
+    std::optional<Measured<Row>> column_of(const Expression& e) {
         std::string written = e.written();
         written.erase(std::remove(written.begin(), written.end(), ' '), written.end());
         for (std::size_t i = 0; i < columns_.size(); ++i)
-            if (columns_[i].name == written)
-                return Measured<Row>{[i](const Row& row) { return row[i]; }, dimension_of(columns_[i].unit), columns_[i].unit};
+            if (columns_[i].name == written) {
+                return Measured<Row>{[k = read_column(written)](const Row& row) { return row[k]; }, dimension_of(columns_[i].unit),
+                                     columns_[i].unit};
+            }
         return std::nullopt;
     }
 
-    static Measured<PlantRunResult> at_end(const Measured<Row>& of_row) {
-        return {[v = of_row.value](const PlantRunResult& run) { return run.recording.rows.empty() ? none : v(run.recording.rows.back()); },
-                of_row.dimension, of_row.unit};
+    /// Its place in the rows that observables see.
+    std::size_t read_column(const std::string& name) {
+        const auto is_one_of = [&](const auto& list) {
+            return std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.name == name; });
+        };
+        result_.read_outputs = result_.read_outputs || is_one_of(system_.outputs);
+        result_.read_energies = result_.read_energies || std::find(energies.begin(), energies.end(), name) != energies.end();
+        const auto found = std::find(result_.columns.begin(), result_.columns.end(), name);
+        const auto place = static_cast<std::size_t>(found - result_.columns.begin());
+        if (found == result_.columns.end()) result_.columns.push_back(name);
+        return place;
     }
 
-    std::optional<Measured<PlantRunResult>> observed(const Expression& e) {
+    static Measured<ObservedRun> at_end(const Measured<Row>& of_row) {
+        return {[v = of_row.value](const ObservedRun& run) { return run.end.empty() ? none : v(run.end); }, of_row.dimension, of_row.unit};
+    }
+    Measured<ObservedRun> of_rows(RowObserver::Kind kind, const Measured<Row>& of_row) {
+        const std::size_t number = result_.of_rows.size();
+        result_.of_rows.push_back({kind, of_row.value});
+        return {[number](const ObservedRun& run) { return run.of_rows[number]; }, of_row.dimension, of_row.unit};
+    }
+
+    std::optional<Measured<ObservedRun>> observed(const Expression& e) {
         if (e.kind != Expression::Kind::call || e.children.size() != 1) return std::nullopt;
         const Expression& argument = *e.children[0];
         if (e.name == "time" || e.name == "count") return of_event(e, argument);
         if (e.name == "end") return at_end(of<Row>(argument));
-        if (e.name != "start" && e.name != "max" && e.name != "min") return std::nullopt;
-        is_of_samples_ = true;
-        if (e.name == "start") {
-            const auto of_row = of<Row>(argument);
-            return Measured<PlantRunResult>{
-                [v = of_row.value](const PlantRunResult& run) { return run.recording.rows.empty() ? none : v(run.recording.rows.front()); },
-                of_row.dimension, of_row.unit};
-        }
-        const auto of_row = of<Row>(argument);
-        const double sign = e.name == "max" ? 1 : -1;
-        return Measured<PlantRunResult>{[v = of_row.value, sign](const PlantRunResult& run) {
-                                            double found = none;
-                                            for (const Row& row : run.recording.rows)
-                                                if (const double value = v(row); !(sign * value <= sign * found)) found = value;
-                                            return found;
-                                        },
-                                        of_row.dimension, of_row.unit};
+        if (e.name == "start") return of_rows(RowObserver::first, of<Row>(argument));
+        if (e.name == "max") return of_rows(RowObserver::largest, of<Row>(argument));
+        if (e.name == "min") return of_rows(RowObserver::smallest, of<Row>(argument));
+        return std::nullopt;
     }
 
-    Measured<PlantRunResult> of_event(const Expression& e, const Expression& named) const {
+    Measured<ObservedRun> of_event(const Expression& e, const Expression& named) const {
         std::vector<std::string> known;
         for (const EventEquation& event : system_.events) known.push_back(event.name);
         const std::string name = named.written();
@@ -245,56 +265,76 @@ private:
                    Id::unknown_name);
         const auto number = static_cast<std::size_t>(found - known.begin());
         if (e.name == "count")
-            return {[number](const PlantRunResult& run) {
-                        return static_cast<double>(std::count_if(run.events.begin(), run.events.end(),
-                                                                 [&](const EventOfRun& event) { return event.event == number; }));
+            return {[number](const ObservedRun& run) {
+                        const auto& events = run.events;
+                        return static_cast<double>(
+                            std::count_if(events.begin(), events.end(), [&](const EventOfRun& event) { return event.event == number; }));
                     },
                     Dimension()};
-        return {[number](const PlantRunResult& run) {
+        return {[number](const ObservedRun& run) {
+                    const auto& events = run.events;
                     const auto first =
-                        std::find_if(run.events.begin(), run.events.end(), [&](const EventOfRun& event) { return event.event == number; });
-                    return first == run.events.end() ? none : first->t;
+                        std::find_if(events.begin(), events.end(), [&](const EventOfRun& event) { return event.event == number; });
+                    return first == events.end() ? none : first->t;
                 },
                 Dimension::time(), "s"};
     }
 
     const System& system_;
     std::vector<Column> columns_;
-    bool is_of_samples_ = false;  ///< what is read
+    Observables result_;
 };
 
 }  // namespace
 
 std::span<const ObserverSpec> observers() { return of_runs; }
 
-std::vector<Column> recorded_columns(const System& system) {
-    const auto si = [](const std::string& unit) { return unit == "1" ? "" : unit; };
-    std::vector<Column> columns{{"t", "s"}};
-    for (const Variable* state : system.symbols.state_variables())
-        columns.push_back({state->recorded_name(), si(state->is_root ? state->declared->unit.si() : state->unit)});
-    for (const OutputEquation& output : system.outputs) columns.push_back({output.name, si(output.unit)});
-    for (const Variable& input : system.symbols.all(SymbolKind::input)) columns.push_back({input.name, si(input.unit)});
-    for (const char* energy : {"kinetic_energy", "potential_energy", "internal_energy", "work"}) columns.push_back({energy, "J"});
-    if (!system.scene.modes.empty()) columns.push_back({"mode", ""});
-    return columns;
-}
-
-std::vector<Observable> read_observables(const std::vector<std::string>& texts, const System& system) {
+Observables read_observables(const std::vector<std::string>& texts, const System& system) {
     std::vector<std::string> wanted = texts;
     if (wanted.empty()) {
         for (const Variable* state : system.symbols.state_variables()) wanted.push_back(state->recorded_name());
         for (const OutputEquation& output : system.outputs) wanted.push_back(output.name);
     }
     ObservableReader reader(system);
-    std::vector<Observable> result;
     for (const std::string& text : wanted) {
         const auto source = std::make_shared<const Source>("--observe", text);
         for (std::size_t begin = 0; begin <= text.size();) {
             const std::size_t end = end_of_part(text, begin);
-            result.push_back(reader.read(parse_expression(excerpt_of(source, begin, end))));
+            reader.read(parse_expression(excerpt_of(source, begin, end)));
             begin = end + 1;
         }
     }
+    return reader.take();
+}
+
+PlantRunResult Observables::observe(const dalembert_plant& plant, PlantRun run, std::vector<double>& values) const {
+    std::vector<std::size_t> places;
+    ReadRow read(columns.size());
+    const auto read_last = [&](const Recording& recording) {
+        if (places.empty())
+            for (const std::string& column : columns) places.push_back(recording.find(column));
+        for (std::size_t k = 0; k < places.size(); ++k) read[k] = recording.rows.back().at(places[k]);
+    };
+    std::vector<double> kept(of_rows.size(), none);
+    run.keeps_all = false;
+    run.asks_outputs = read_outputs;
+    run.asks_energies = read_energies;
+    if (!of_rows.empty())
+        run.see_row = [&, is_first = true](const Recording& recording) mutable {
+            read_last(recording);
+            for (std::size_t i = 0; i < kept.size(); ++i) {
+                const RowObserver& one = of_rows[i];
+                if (one.kind == RowObserver::first && !is_first) continue;
+                const double value = one.value(read);
+                const bool is_further = one.kind == RowObserver::smallest ? value >= kept[i] : value <= kept[i];
+                if (one.kind == RowObserver::first || !is_further) kept[i] = value;
+            }
+            is_first = false;
+        };
+    const PlantRunResult result = simulate_plant(plant, run);
+    if (result.recording.rows.empty()) read.clear();
+    else read_last(result.recording);
+    for (std::size_t i = 0; i < list.size(); ++i) values[i] = list[i].value({result.events, read, kept});
     return result;
 }
 

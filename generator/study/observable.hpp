@@ -19,18 +19,40 @@ struct ObserverSpec {
 };
 std::span<const ObserverSpec> observers();
 
+/// The values of the columns that are read, at one time of a run.
+using ReadRow = std::vector<double>;
+
+/// What is kept of the rows of a run while they come.
+struct RowObserver {
+    enum Kind { first, largest, smallest } kind;
+    std::function<double(const ReadRow&)> value;
+};
+
+/// A run as observables see it.
+struct ObservedRun {
+    const std::vector<EventOfRun>& events;
+    const ReadRow& end;
+    const std::vector<double>& of_rows;  ///< of each row observer
+};
+
 /// A number that is made of a run.
 struct Observable {
     std::string name;  ///< as it was written
     std::string unit;  ///< of SI; empty without one
-    std::function<double(const PlantRunResult&)> value;
-    bool is_of_samples = false;  ///< not of the end and events alone
+    std::function<double(const ObservedRun&)> value;
 };
 
-/// The columns of the recording of a run, in their order.
-std::vector<Column> recorded_columns(const System& system);
+struct Observables {
+    std::vector<Observable> list;
+    std::vector<RowObserver> of_rows;
+    std::vector<std::string> columns;  ///< of a recording, that are read
+    bool read_outputs = false, read_energies = false;
+
+    /// Makes the run, of which only what is read is computed; the numbers of `list` go to `values`.
+    PlantRunResult observe(const dalembert_plant& plant, PlantRun run, std::vector<double>& values) const;
+};
 
 /// Without texts, all states and outputs at the end. Throws Failure (unknown-name, bad-option, unit-mismatch, syntax).
-std::vector<Observable> read_observables(const std::vector<std::string>& texts, const System& system);
+Observables read_observables(const std::vector<std::string>& texts, const System& system);
 
 }  // namespace dalembert

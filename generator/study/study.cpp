@@ -75,15 +75,14 @@ Study::Study(const std::shared_ptr<const LoadedModel>& model, const Options& opt
     const System& system = *runs_.machine().system;
     varied_ = read_varied(options.vary, system, runs_.values());
     observables_ = read_observables(options.observe, system);
-    sees_samples_ = std::any_of(observables_.begin(), observables_.end(), [](const Observable& one) { return one.is_of_samples; });
     read_design(options);
     std::vector<const Variable*> variables;
     for (const VariedQuantity& one : varied_) variables.push_back(one.variable);
     runs_.vary(variables);
     bound_values();
-    head_.study = description(*this, options, varied_, observables_);
+    head_.study = description(*this, options, varied_, observables_.list);
     for (const VariedQuantity& one : varied_) head_.varied.push_back({one.name(), one.unit()});
-    for (const Observable& one : observables_) head_.observed.push_back({one.name, one.unit});
+    for (const Observable& one : observables_.list) head_.observed.push_back({one.name, one.unit});
     head_.shard = shard_of(options.shard, design_.runs);
 }
 
@@ -145,11 +144,10 @@ RowOfRun Study::row(std::size_t run) const { return row_of(run, ValuesOfRuns(des
 RowOfRun Study::row_of(std::size_t run, std::vector<double> values) const {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     enter_stage("a run of a study");  // each has a budget of its own
-    RowOfRun row{run, "", none, std::move(values), std::vector<double>(observables_.size(), none)};
+    RowOfRun row{run, "", none, std::move(values), std::vector<double>(observables_.list.size(), none)};
     try {
-        PlantRun own = runs_(row.varied);
-        own.keeps_all = sees_samples_;
-        const PlantRunResult result = simulate_plant(runs_.plant(), own);
+        std::vector<double> observed = row.observed;
+        const PlantRunResult result = observables_.observe(runs_.plant(), runs_(row.varied), observed);
         const System& system = *runs_.machine().system;
         const EventEquation* ends = event_that_ended(result.outcome, system);
         row.t = result.outcome.t;
@@ -158,8 +156,7 @@ RowOfRun Study::row_of(std::size_t run, std::vector<double> values) const {
             row.status = "ended by " + ends->name;
         else if (result.outcome.status == Status::event)
             row.status = "left the model at " + end_of_model(result.outcome, system).name;
-        if (row.is_good())
-            for (std::size_t i = 0; i < observables_.size(); ++i) row.observed[i] = observables_[i].value(result);
+        if (row.is_good()) row.observed = observed;
     } catch (const Failure& failure) {
         row.status = fmt::format("refused: {}", name_of(failure.diagnostics().front().id));
     }

@@ -39,8 +39,7 @@ private:
 
     VariedRuns runs_;
     std::vector<VariedQuantity> varied_;
-    std::vector<Observable> observables_;
-    bool sees_samples_ = false;  ///< some of them do
+    Observables observables_;
     Design design_;
     RunTable head_;
 };

@@ -18,7 +18,7 @@ extern "C" {
 #endif
 
 /* Version of this table. It grows with every change that matters to a program that reads it. */
-#define DALEMBERT_PLANT_VERSION 3
+#define DALEMBERT_PLANT_VERSION 4
 
 /* Name in the model, SI unit, description, and declared range. */
 typedef struct dalembert_quantity {
@@ -155,6 +155,10 @@ typedef struct dalembert_plant {
      * another comes first. s holds their values, and behind them, for each of them, how fast the arguments of its sines and cosines rise, in rad/s. */
     size_t time_switches;
     void (*time_switch_values)(const void* self, unsigned mode, const double* x, const double* u, double t, double* s);
+
+    /* dx/dt, and behind it supplied - dissipated + prescribed + exchanged power, in one call (null: the functions above are called one by one). If u is
+     * null, the inputs are those of the run. */
+    void (*rates_and_power)(const void* self, unsigned mode, const double* x, const double* u, double t, double* rates);
 } dalembert_plant;
 
 /* The function that a plant exports. Everything else may be hidden (-fvisibility=hidden): then two plants of one name do not share their symbols. */

@@ -153,6 +153,17 @@ class PlantTable {
     static void rhs(const void* self, unsigned mode, const double* x, const double* u, double t, double* dxdt) {
         in_mode(mode, [&](auto... m) { of(self).rhs(m..., as<State>(x), as<Input>(u), t, as<State>(dxdt)); });
     }
+    static void rates_and_power(const void* self, unsigned mode, const double* x, const double* u, double t, double* rates) {
+        if constexpr (Run::has_inputs) {
+            if (u == nullptr) {
+                const Input of_run = Run::inputs(of(self))(as<State>(x), t);
+                return rates_and_power(self, mode, x, of_run.data(), t, rates);
+            }
+        }
+        rhs(self, mode, x, u, t, rates);
+        rates[n] = supplied_power(self, mode, x, u, t) - dissipated_power(self, mode, x, u, t) + prescribed_power(self, mode, x, u, t) +
+                   exchanged_power(self, mode, x, u, t);
+    }
     static void rhs_and_jacobian(const void* self, unsigned mode, const double* x, const double* u, double t, double* dxdt, double* J) {
         using Stored = Compressed<typename System::PatternX>;
         if constexpr (Stored::is_masked) {
@@ -391,6 +402,7 @@ public:
         table.dissipated_power = dissipated_power;
         table.prescribed_power = prescribed_power;
         table.exchanged_power = exchanged_power;
+        table.rates_and_power = rates_and_power;
         table.guard_values = guard_values;
         if constexpr (plant_export::has_time_switches<System>) {
             table.time_switches = std::tuple_size<typename System::TimeSwitches>::value / 2;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <new>
 #include <utility>
@@ -104,7 +105,7 @@ public:
     /// Of the plant in use, with these parameters in SI, in the order of its table. Behind them there may stand a delay in s for each
     /// input, by which the machine gets it later where it was measured: see SampledInput.
     explicit PlantBase(std::vector<double> parameters) : parameters_(std::move(parameters)), self_(make(parameters_)) {}
-    PlantBase(const PlantBase& other) : parameters_(other.parameters_), self_(make(parameters_)) {}
+    PlantBase(const PlantBase& other) : parameters_(other.parameters_), self_(make(parameters_)), none_(other.none_) {}
     PlantBase& operator=(const PlantBase&) = delete;
 
     const std::vector<double>& parameters() const { return parameters_; }
@@ -117,6 +118,8 @@ public:
         return number < parameters_.size() ? parameters_[number] : 0;
     }
     const void* self() const { return self_.get(); }
+    /// Outputs and energies that nobody asks for are NaN from now on: they take as long as rates.
+    void leave_out(bool outputs, bool energies) { none_ = {outputs, energies}; }
     State start_state() const {
         State x;
         now().start_state(self(), x.data());
@@ -126,12 +129,26 @@ public:
 protected:
     using Power = double (*)(const void*, unsigned, const double*, const double*, double);
     static const dalembert_plant& now() noexcept { return *plant_in_use; }
+    void output(unsigned mode, const State& x, const Input& u, double t, Output& y) const {
+        if (none_.outputs)
+            y.fill(std::numeric_limits<double>::quiet_NaN());
+        else if (now().output != nullptr)
+            now().output(self(), mode, x.data(), u.data(), t, y.data());
+    }
+    using Energy = double (*)(const void*, unsigned, const double*, double);
+    /// In J; what a plant does not have is zero.
+    double energy(Energy of, unsigned mode, const State& x, double t) const {
+        if (none_.energies) return std::numeric_limits<double>::quiet_NaN();
+        return of != nullptr ? of(self(), mode, x.data(), t) : 0;
+    }
     /// In W; what a plant does not have is zero.
     double power(Power of, unsigned mode, const double* x, const double* u, double t) const {
         return of != nullptr ? of(self(), mode, x, u, t) : 0;
     }
-    /// The rates with the power behind them, of a state that the work may follow.
+    /// The rates with the power behind them, of a state that the work may follow. u may be null where the plant has a function for both and
+    /// inputs of the run.
     void rates_and_power(unsigned mode, const double* x, const double* u, double t, double* rates) const {
+        if (now().rates_and_power != nullptr) return now().rates_and_power(self(), mode, x, u, t, rates);
         now().rhs(self(), mode, x, u, t, rates);
         rates[now().states] = power(now().supplied_power, mode, x, u, t) - power(now().dissipated_power, mode, x, u, t) +
                               power(now().prescribed_power, mode, x, u, t) + power(now().exchanged_power, mode, x, u, t);
@@ -148,6 +165,9 @@ private:
     }
     std::vector<double> parameters_;
     Instance self_;
+    struct LeftOut {
+        bool outputs = false, energies = false;
+    } none_;
 };
 
 }  // namespace detail
@@ -182,9 +202,7 @@ public:
         else
             dfdt.fill(0);
     }
-    void output(const State& x, const Input& u, double t, Output& y) const {
-        if (now().output != nullptr) now().output(self(), mode_, x.data(), u.data(), t, y.data());
-    }
+    void output(const State& x, const Input& u, double t, Output& y) const { PlantBase::output(mode_, x, u, t, y); }
     void output_jacobian_x(const State& x, const Input& u, double t, OutputJacobianX& C) const {
         if (now().output_jacobian_x != nullptr) now().output_jacobian_x(self(), mode_, x.data(), u.data(), t, C.data());
     }
@@ -192,15 +210,9 @@ public:
         if (now().output_jacobian_u != nullptr) now().output_jacobian_u(self(), mode_, x.data(), u.data(), t, D.data());
     }
     void mass_matrix(const State& x, double t, MassMatrix& M) const { now().mass_matrix(self(), mode_, x.data(), t, M.data()); }
-    double kinetic_energy(const State& x, double t) const {
-        return now().kinetic_energy != nullptr ? now().kinetic_energy(self(), mode_, x.data(), t) : 0;
-    }
-    double potential_energy(const State& x, double t) const {
-        return now().potential_energy != nullptr ? now().potential_energy(self(), mode_, x.data(), t) : 0;
-    }
-    double internal_energy(const State& x, double t) const {
-        return now().internal_energy != nullptr ? now().internal_energy(self(), mode_, x.data(), t) : 0;
-    }
+    double kinetic_energy(const State& x, double t) const { return energy(now().kinetic_energy, mode_, x, t); }
+    double potential_energy(const State& x, double t) const { return energy(now().potential_energy, mode_, x, t); }
+    double internal_energy(const State& x, double t) const { return energy(now().internal_energy, mode_, x, t); }
     void rates_and_power(const double* x, const double* u, double t, double* rates) const {
         PlantBase::rates_and_power(mode_, x, u, t, rates);
     }
@@ -285,18 +297,10 @@ public:
         else
             dfdt.fill(0);
     }
-    void output(Mode mode, const State& x, const Input& u, double t, Output& y) const {
-        if (now().output != nullptr) now().output(self(), number(mode), x.data(), u.data(), t, y.data());
-    }
-    double kinetic_energy(Mode mode, const State& x, double t) const {
-        return now().kinetic_energy != nullptr ? now().kinetic_energy(self(), number(mode), x.data(), t) : 0;
-    }
-    double potential_energy(Mode mode, const State& x, double t) const {
-        return now().potential_energy != nullptr ? now().potential_energy(self(), number(mode), x.data(), t) : 0;
-    }
-    double internal_energy(Mode mode, const State& x, double t) const {
-        return now().internal_energy != nullptr ? now().internal_energy(self(), number(mode), x.data(), t) : 0;
-    }
+    void output(Mode mode, const State& x, const Input& u, double t, Output& y) const { PlantBase::output(number(mode), x, u, t, y); }
+    double kinetic_energy(Mode mode, const State& x, double t) const { return energy(now().kinetic_energy, number(mode), x, t); }
+    double potential_energy(Mode mode, const State& x, double t) const { return energy(now().potential_energy, number(mode), x, t); }
+    double internal_energy(Mode mode, const State& x, double t) const { return energy(now().internal_energy, number(mode), x, t); }
     void rates_and_power(Mode mode, const double* x, const double* u, double t, double* rates) const {
         PlantBase::rates_and_power(number(mode), x, u, t, rates);
     }
@@ -362,7 +366,8 @@ public:
     /// varied.
     InputsOfPlant(const detail::PlantBase& system, detail::PlantBase::Input held, const std::vector<SampledInput>* sampled = nullptr,
                   bool of_time_alone = false, const SetInputs* set = nullptr)
-        : system_(system), held_(std::move(held)), sampled_(sampled), of_time_alone_(of_time_alone), set_(set) {}
+        : system_(system), held_(std::move(held)), sampled_(sampled), of_time_alone_(of_time_alone), set_(set),
+          is_plain_((sampled == nullptr || sampled->empty()) && (set == nullptr || set->places.empty())) {}
     bool of_time_alone() const { return of_time_alone_; }
     /// The same with the parameters and delays of another system.
     InputsOfPlant of(const detail::PlantBase& system) const { return {system, held_, sampled_, of_time_alone_, set_}; }
@@ -376,6 +381,17 @@ public:
         for (std::size_t i = 0; set_ != nullptr && i < set_->places.size(); ++i) u[set_->places[i]] = set_->values[i];
         return u;
     }
+    /// The rates of a system with these inputs, and the power behind them.
+    template <class System, class StateOfRun>
+    void rates_and_power(const System& system, const StateOfRun& x, double t, double* rates) const {
+        const dalembert_plant& plant = *detail::plant_in_use;
+        if (is_plain_ && plant.inputs_of_run == nullptr)
+            system.rates_and_power(x.data(), held_.data(), t, rates);
+        else if (is_plain_ && plant.rates_and_power != nullptr && system.self() == system_.self())
+            system.rates_and_power(x.data(), nullptr, t, rates);
+        else
+            system.rates_and_power(x.data(), (*this)(x, t).data(), t, rates);
+    }
 
 private:
     const detail::PlantBase& system_;
@@ -383,6 +399,7 @@ private:
     const std::vector<SampledInput>* sampled_;
     bool of_time_alone_;
     const SetInputs* set_;
+    bool is_plain_;  ///< neither measured nor set
 };
 
 }  // namespace v1

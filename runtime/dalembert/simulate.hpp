@@ -3,6 +3,7 @@
 #pragma once
 
 #include <type_traits>
+#include <utility>
 
 #include "dalembert/api.hpp"
 #include "dalembert/integrate.hpp"
@@ -26,14 +27,14 @@ template <class System, class = void>
 constexpr bool has_rates_and_power = false;
 template <class System>
 constexpr bool has_rates_and_power<System, std::void_t<decltype(&System::rates_and_power)>> = true;
-/// And whether inputs may be asked at such a state: of others asking may not even compile.
+/// And whether inputs give them of a system.
+template <class System, class Inputs, class WithWork, class = void>
+constexpr bool give_rates_and_power = false;
 template <class System, class Inputs, class WithWork>
-constexpr bool takes_work_along() {
-    if constexpr (has_rates_and_power<System>)
-        return std::is_invocable_v<const Inputs&, const WithWork&, typename System::scalar_type>;
-    else
-        return false;
-}
+constexpr bool give_rates_and_power<System, Inputs, WithWork,
+                                    std::void_t<decltype(std::declval<const Inputs&>().rates_and_power(
+                                        std::declval<const System&>(), std::declval<const WithWork&>(), 0.0, std::declval<double*>()))>> =
+    true;
 
 /// All that changes the energy, in W. `at`: the mode where there are modes, state, inputs, time.
 template <class System, class... At>
@@ -94,8 +95,8 @@ SimulationResult simulate(const System& given, const Inputs& inputs, typename Sy
         return state;
     };
     const auto plain_rhs = [&](const Extended& extended, Scalar t, Extended& derivative) {
-        if constexpr (detail::takes_work_along<System, Inputs, Extended>()) {
-            system.rates_and_power(extended.data(), inputs(extended, t).data(), t, derivative.data());
+        if constexpr (detail::give_rates_and_power<System, Inputs, Extended>) {
+            inputs.rates_and_power(system, extended, t, derivative.data());
         } else {
             const auto state = plain(extended);
             const auto u = inputs(state, t);

@@ -50,15 +50,15 @@ public:
         k_[0] = from.dxdt;
         make_stages(from, c, std::make_index_sequence<11>{});
         const Scalar h = c.length;
-        State y = from.x, fifth, third;
-        for (std::size_t i = 0; i < y.size(); ++i) {
+        c.y = from.x;
+        State& third = d_[0];  // no dense output is made yet
+        for (std::size_t i = 0; i < c.y.size(); ++i) {
             const Scalar rate = sum<Table::result>(i);
-            y[i] += h * rate;
-            fifth[i] = h * sum<Table::fifth>(i);
+            c.y[i] += h * rate;
+            c.error[i] = h * sum<Table::fifth>(i);
             third[i] = h * (rate - sum<Table::third>(i));
         }
-        c.y = y;
-        for (std::size_t i = 0; i < y.size(); ++i) c.error[i] = dop853_error(fifth[i], third[i]);
+        for (std::size_t i = 0; i < c.y.size(); ++i) c.error[i] = dop853_error(c.error[i], third[i]);
         rhs_(c.y, c.dydt, c.end);
         c.has_derivative = true;
         c.finite = are_finite(c.y, c.error) && are_finite(c.dydt, c.dydt);

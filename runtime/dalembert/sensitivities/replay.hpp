@@ -61,17 +61,18 @@ public:
                 seen(*next_);
             }
             if (next_ == end_) return;
-            // No step sees the instant around a kink at a known time.
+            // No step sees the instant around a kink at a known time: rates are those where it begins and ends.
             const Scalar* kink = known_kinks_.next(t_);
             if (kink == nullptr || last <= *kink - instant(*kink)) {
                 go_on(last, seen);
             } else if (t_ < *kink - instant(*kink)) {
                 go_on(*kink - instant(*kink), seen);
+            } else if (t_ < *kink) {
+                creep(std::min(next_->t, *kink), t_);
+                if (t_ == *kink) pass_known_kink(*kink);
             } else {
-                const Scalar t = next_->t, behind = std::min(t, Scalar(*kink + instant(*kink)));
-                if (t_ < *kink && t >= *kink) pass_known_kink(*kink);
-                if (!next_->is_known) x_ = moved(x_, rate(mode_, x_, behind), behind - t_);
-                t_ = behind;
+                const Scalar behind = std::min(next_->t, Scalar(*kink + instant(*kink)));
+                creep(behind, behind);
             }
         }
     }
@@ -106,22 +107,35 @@ private:
     using Base::controls_, Base::from_, Base::inputs_, Base::known_kinks_, Base::knows_sides_, Base::mode_, Base::moved_,
         Base::options_, Base::outcome_, Base::S_, Base::scale_, Base::sides_, Base::span_, Base::system_, Base::t_, Base::varied_, Base::x_;
 
-    /// To the time `to`, past points on the way, or over the next kink before.
-    template <class Seen>
-    void go_on(Scalar to, const Seen& seen) {
+    All together() const {
         All all;
         Motion::put(all, 0, x_);
         for (std::size_t c = 0; c < varied_.size(); ++c) Motion::put(all, c + 1, S_[c]);
-        Motion motion(system_, inputs_, varied_, moved_, scale_, Asked::view(mode_), Sides{this});
-        const auto plain_rates = [&](const All& at, Scalar t, All& derivative) { motion.rates(at, t, derivative); };
-        const auto rates = held(plain_rates);
-        if (to - t_ <= instant(to)) {  // as between the last of many impacts: no method has a step so short
-            All slope;
-            rates(all, t_, slope);
+        return all;
+    }
+    Motion motion_here() { return Motion(system_, inputs_, varied_, moved_, scale_, Asked::view(mode_), Sides{this}); }
+
+    /// Next to no time, with the rates at the time `at`. Where constraints may depend on each other, these have no digits, and S rests.
+    void creep(const Scalar& to, const Scalar& at) {
+        if constexpr (can_be_singular<System>) {
+            if (!next_->is_known) x_ = moved(x_, rate(mode_, x_, at), to - t_);
+            t_ = to;
+        } else {
+            All all = together(), slope;
+            motion_here().rates(all, at, slope);
             for (std::size_t i = 0; i < all.size(); ++i) all[i] += (to - t_) * slope[i];
             take(all, to);
-            return;
         }
+    }
+
+    /// To the time `to`, past points on the way, or over the next kink before.
+    template <class Seen>
+    void go_on(Scalar to, const Seen& seen) {
+        if (to - t_ <= instant(to)) return creep(to, t_);  // as between the last of many impacts: no method has a step so short
+        All all = together();
+        Motion motion = motion_here();
+        const auto plain_rates = [&](const All& at, Scalar t, All& derivative) { motion.rates(at, t, derivative); };
+        const auto rates = held(plain_rates);
         options_.output_times.clear();
         for (const Point* p = next_; p != end_ && p->t < to; ++p) options_.output_times.push_back(p->t);
         begin_part(all, motion, to);

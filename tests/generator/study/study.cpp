@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Studies of a model with closed forms, and what is refused.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "generator/command/verb.hpp"
 #include "text/process.hpp"
@@ -25,6 +31,24 @@ std::vector<std::string> lines_of(const std::string& file) {
     std::vector<std::string> lines;
     for (std::string line; std::getline(in, line);) lines.push_back(line);
     return lines;
+}
+
+std::vector<std::string> fields_of(const std::string& line) {
+    std::istringstream in(line);
+    std::vector<std::string> fields;
+    for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
+    return fields;
+}
+
+/// What is no number is NaN.
+std::vector<double> numbers_of(const std::string& line) {
+    std::vector<double> numbers;
+    for (const std::string& field : fields_of(line)) {
+        char* end = nullptr;
+        const double number = std::strtod(field.c_str(), &end);
+        numbers.push_back(end == field.c_str() ? std::nan("") : number);
+    }
+    return numbers;
 }
 
 }  // namespace
@@ -86,6 +110,48 @@ TEST_CASE("the end of a run does not depend on whether its samples are seen") {
         return values;
     };
     CHECK(ends("s") == ends("max(s), s"));
+}
+
+TEST_CASE("a study keeps numbers of its runs, also where it asks for outputs or energies alone") {
+    struct Case {
+        const char *model, *vary, *column;
+    };
+    for (const Case& one : {Case{"mechanics/cart_pendulum", "m_W=0.9:1.1:3", "tip"},
+                            Case{"mechanics/cart_pendulum", "m_W=0.9:1.1:3", "kinetic_energy"},
+                            Case{"mechanics/bouncing_ball", "e=0.7:0.9:3", "potential_energy"},
+                            Case{"mechanics/bouncing_ball", "e=0.7:0.9:3", "energy"},
+                            Case{"mechanics/four_bar", "m_a=0.3:0.5:3", "kinetic_energy"},
+                            Case{"mechanics/four_bar", "m_a=0.3:0.5:3", "f_x"},
+                            Case{"drives/sampled_servo", "J=30:50:3", "work"},
+                            Case{"drives/sampled_servo", "J=30:50:3", "phi"}}) {
+        INFO(one.model << " " << one.column);
+        const ScratchFolder scratch;
+        std::string observed;
+        for (const char* kind : {"start", "end", "max", "min"}) observed += fmt::format("{}({}),", kind, one.column);
+        observed.pop_back();
+        std::vector<std::string> arguments{fmt::format("{}/systems/{}.toml", SOURCE_DIR, one.model), "--vary", one.vary, "--observe",
+                                           observed, "--no-plot", "-o", scratch.path()};
+        REQUIRE(ask("study", arguments).code == 0);
+        arguments.insert(arguments.end(), {"--only", "1"});
+        REQUIRE(ask("study", arguments).code == 0);
+        std::vector<double> kept, column;
+        for (const auto& entry : std::filesystem::directory_iterator(scratch.path())) {
+            const auto lines = lines_of(entry.path().string());
+            if (entry.path().string().ends_with("_study.csv")) {
+                kept = numbers_of(lines[3]);
+                continue;
+            }
+            const auto titles = fields_of(lines[0]);
+            const auto place = std::find_if(titles.begin(), titles.end(), [&](const std::string& title) {
+                return title == one.column || title.starts_with(one.column + std::string(" ["));
+            });
+            REQUIRE(place != titles.end());
+            for (std::size_t i = 1; i < lines.size(); ++i) column.push_back(numbers_of(lines[i])[place - titles.begin()]);
+        }
+        REQUIRE(column.size() > 2);
+        const auto [least, most] = std::minmax_element(column.begin(), column.end());
+        CHECK(std::vector<double>(kept.end() - 4, kept.end()) == std::vector<double>{column.front(), column.back(), *most, *least});
+    }
 }
 
 TEST_CASE("a start value that is made of what varies moves with it") {
