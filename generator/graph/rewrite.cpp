@@ -24,6 +24,8 @@ constexpr double least_whole_gain =
     6;  ///< and of all together: what gains less is not seen in compiled code, where terms come in another order
 constexpr double vanishing = 1e-100;   ///< what is smaller in any units has fewer digits, and a condition that overflows
 
+double distance(double computed, const DoubleDouble& exact) { return std::fabs((computed - exact.high) - exact.low); }
+
 /// Sums that are left as they are, of the machine that was measured last: its modes have most of them in common. The text stands for all
 /// that a measurement depends on.
 struct LeftAsTheyAre {
@@ -123,10 +125,9 @@ std::vector<std::optional<Rewriter::Expected>>& Rewriter::expected(const Polynom
     const Arithmetic& arithmetic = double_arithmetic();
     for (auto& [at, values] : points_) {
         list.emplace_back();
-        const MaybeExact number = at.value(exact_form);
-        const double value = number ? cln::double_approx(number->value) : 0;
-        if (!number || !(std::fabs(value) <= arithmetic.largest)) continue;
-        list.back() = Expected{number->value, arithmetic.ulp(value)};
+        const std::optional<DoubleDouble> number = at.short_value(exact_form);
+        if (!number || !(std::fabs(number->high) <= arithmetic.largest)) continue;
+        list.back() = Expected{*number, arithmetic.ulp(number->high)};
     }
     return list;
 }
@@ -147,14 +148,13 @@ bool Rewriter::is_good(const Polynomial& exact_form, const Polynomial& computed_
     if (points_.empty()) draw(guards_);
     const Arithmetic& arithmetic = double_arithmetic();
     for (auto& [at, values] : points_) {
-        const MaybeExact number = at.value(exact_form);
-        const double value = number ? cln::double_approx(number->value) : 0;
-        if (!number || !(std::fabs(value) <= arithmetic.largest)) continue;
+        const std::optional<DoubleDouble> number = at.short_value(exact_form);
+        if (!number || !(std::fabs(number->high) <= arithmetic.largest)) continue;
         const double computed = at.rounded(computed_form);
         if (!std::isfinite(computed)) return false;
-        if (std::fabs(computed) < vanishing && cln::abs(number->value) < exact(vanishing)) continue;
-        const double error = cln::double_approx(cln::abs(exact(computed) - number->value));
-        if (error / arithmetic.ulp(value) <= good_enough) continue;
+        if (std::fabs(computed) < vanishing && std::fabs(number->high) < vanishing) continue;
+        const double error = distance(computed, *number);
+        if (error / arithmetic.ulp(number->high) <= good_enough) continue;
         const MaybeExact with_slopes = at.exact(exact_form);
         if (!with_slopes || error / unit_of(*with_slopes, values) > good_enough) return false;
     }
@@ -173,8 +173,8 @@ Rewriter::Loss Rewriter::loss(const Polynomial& exact_form, const Polynomial& co
             result.without_value += std::isfinite(unit_at(k)) ? 1 : 0;
             continue;
         }
-        if (std::fabs(computed) < vanishing && cln::abs(list[k]->value) < exact(vanishing)) continue;
-        const double error = cln::double_approx(cln::abs(exact(computed) - list[k]->value));
+        if (std::fabs(computed) < vanishing && std::fabs(list[k]->value.high) < vanishing) continue;
+        const double error = distance(computed, list[k]->value);
         if (error / list[k]->ulp <= result.error) continue;  // the unit is at least an ulp
         if (const double unit = unit_at(k); std::isfinite(unit)) result.error = std::max(result.error, error / unit);
     }

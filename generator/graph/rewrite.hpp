@@ -45,7 +45,7 @@ private:
     /// What a sum is at a point, and how large an error is that its own rounding allows, and its inputs, too: that takes slopes, and is
     /// found out where it matters. Not a number where there are none.
     struct Expected {
-        cln::cl_R value;
+        DoubleDouble value;
         double ulp;
         std::optional<double> unit = {};
     };

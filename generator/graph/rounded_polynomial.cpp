@@ -1,13 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "graph/rounded_polynomial.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "form/edge_points.hpp"
 
 namespace dalembert {
 
 namespace {
 Rational rational_of(double value) { return cln::rational(cln::cl_DF(value)); }
+
+DoubleDouble two_doubles(const cln::cl_R& value) {
+    const double high = cln::double_approx(value);
+    if (!std::isfinite(high)) return {high};
+    return double_double::joined(high, cln::double_approx(value - exact(high)));
+}
+DoubleDouble two_doubles(const Rational& value) {
+    if (const auto whole = to_int(value)) return {static_cast<double>(*whole)};
+    return two_doubles(cln::cl_R(value));
+}
 }  // namespace
 
 void RoundedPolynomials::set(std::map<Letter, Input> inputs) {
@@ -15,6 +28,55 @@ void RoundedPolynomials::set(std::map<Letter, Input> inputs) {
     with_slopes_.letters.clear();
     values_.letters.clear();
     rounded_.clear();
+    short_.clear();
+}
+
+std::optional<DoubleDouble> RoundedPolynomials::short_value(const Polynomial& p) {
+    if (const auto value = by_two_doubles(p)) return value;
+    const MaybeExact exact = value(p);
+    return exact ? std::optional(two_doubles(exact->value)) : std::nullopt;
+}
+
+/// Nothing where it has not enough digits, or an operation leaves the range in which they are there.
+std::optional<DoubleDouble> RoundedPolynomials::by_two_doubles(const Polynomial& p) {
+    constexpr double enough = 0x1p-72, smallest = 1e-140, largest = 1e140;
+    DoubleDouble sum;
+    double size = 0, operations = 0;
+    for (const auto& [monomial, coefficient] : p.terms()) {
+        DoubleDouble term = two_doubles(coefficient);
+        int factors = 1;
+        for (const LetterPower& power : monomial) {
+            const std::optional<DoubleDouble>& letter = short_letter(power.letter);
+            if (!letter || (power.exponent < 0 && letter->high == 0)) return std::nullopt;
+            const DoubleDouble factor = power.exponent > 0 ? *letter : reciprocal(*letter);
+            for (int i = std::abs(power.exponent); i > 0; --i) {
+                term = term * factor;
+                const double magnitude = std::fabs(term.high);
+                if (magnitude != 0 && !(magnitude > smallest && magnitude < largest)) return std::nullopt;
+            }
+            factors += 3 * std::abs(power.exponent);  // each is rounded, may be a reciprocal, and is multiplied
+        }
+        operations = std::max(operations, static_cast<double>(factors));
+        size += std::fabs(term.high);
+        sum = sum + term;
+    }
+    const double error = size * (operations + static_cast<double>(p.size())) * 2 * double_double::rounding;
+    if (!(error <= enough * std::fabs(sum.high))) return std::nullopt;
+    return sum;
+}
+
+const std::optional<DoubleDouble>& RoundedPolynomials::short_letter(Letter letter) {
+    if (short_.size() <= letter) short_.resize(letter + 1);
+    auto& known = short_[letter];
+    if (known) return *known;
+    const MaybeExact& exact = exact_letter(letter, values_);
+    std::optional<DoubleDouble> value;
+    if (exact) {
+        value = two_doubles(exact->value);
+        const double magnitude = std::fabs(value->high);
+        if (magnitude != 0 && !(magnitude > 1e-140 && magnitude < 1e140)) value = std::nullopt;
+    }
+    return *(short_[letter] = value);
 }
 
 MaybeExact RoundedPolynomials::sum_of(const Polynomial& p, Known& known) {

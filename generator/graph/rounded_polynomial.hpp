@@ -4,7 +4,11 @@
 
 #include <functional>
 
+#include <optional>
+#include <vector>
+
 #include "graph/atoms.hpp"
+#include "graph/double_double.hpp"
 #include "graph/exact_number.hpp"
 
 namespace dalembert {
@@ -24,6 +28,8 @@ public:
     MaybeExact exact(const Polynomial& p) { return sum_of(p, with_slopes_); }
     /// The same number without slopes, which take most of the time where functions are differentiated by differences.
     MaybeExact value(const Polynomial& p) { return sum_of(p, values_); }
+    /// The same with a relative error below 1e-21: by two doubles where that many digits are left, which is much faster.
+    std::optional<DoubleDouble> short_value(const Polynomial& p);
     /// With every product, sum and function rounded to double, in the order of terms. Not a number where there is no value.
     double rounded(const Polynomial& p);
 
@@ -35,6 +41,8 @@ private:
     MaybeExact sum_of(const Polynomial& p, Known& known);
     const MaybeExact& exact_letter(Letter letter, Known& known);
     double rounded_letter(Letter letter);
+    std::optional<DoubleDouble> by_two_doubles(const Polynomial& p);
+    const std::optional<DoubleDouble>& short_letter(Letter letter);
 
     const Atoms& atoms_;
     ExactArithmetic arithmetic_;
@@ -42,6 +50,7 @@ private:
     std::map<Letter, Input> inputs_;
     Known with_slopes_{true}, values_{false};
     std::map<Letter, double> rounded_;
+    std::vector<std::optional<std::optional<DoubleDouble>>> short_;  ///< by letter, of those that were asked for
 };
 
 }  // namespace dalembert
