@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "command/write_result.hpp"
+#include "run/recorded_columns.hpp"
 #include "run/repeated_run.hpp"
 #include "run/settings.hpp"
 #include "run/shared.hpp"
@@ -62,11 +63,8 @@ VariedParameter shown(const Variable& parameter) {
 }
 
 std::string unit_of(const std::string& wanted, const System& system) {
-    if (wanted == "t") return "s";
-    for (const OutputEquation& output : system.outputs)
-        if (output.name == wanted) return output.unit == "1" ? "" : output.unit;
-    for (const Variable* state : system.symbols.state_variables())
-        if (state->recorded_name() == wanted) return state->is_root ? state->declared->unit.si() : state->unit == "1" ? "" : state->unit;
+    for (const RecordedColumn& column : recorded_columns(system))
+        if (column.name == wanted) return column.unit;
     return "";
 }
 

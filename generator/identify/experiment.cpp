@@ -11,6 +11,7 @@
 #include "elements/model.hpp"
 #include "elements/runs.hpp"
 #include "language/parser.hpp"
+#include "run/recorded_columns.hpp"
 #include "run/run_preparation.hpp"
 #include "text/nearest.hpp"
 

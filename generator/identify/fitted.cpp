@@ -10,6 +10,7 @@
 
 #include "check/written_values.hpp"
 #include "language/parser.hpp"
+#include "run/recorded_columns.hpp"
 #include "run/run_preparation.hpp"
 #include "run/settings.hpp"
 #include "run/varied.hpp"

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "elements/model.hpp"
+#include "run/recorded_columns.hpp"
 #include "text/nearest.hpp"
 
 namespace dalembert {

@@ -7,6 +7,7 @@
 
 #include "elements/model.hpp"
 #include "elements/runs.hpp"
+#include "run/recorded_columns.hpp"
 #include "run/settings.hpp"
 #include "graph/separable.hpp"
 #include "scene/choose_effects.hpp"
@@ -140,20 +141,6 @@ const Run* find_run(const Model& model, const std::string& wanted) {
     throw Failure(Diagnostic{Id::unknown_run, Span{std::make_shared<const Source>("--run", wanted), 0, wanted.size()},
                              fmt::format("the model has no run '{}'{}", wanted,
                                          known.empty() ? "; it has none at all" : "; its runs are " + quoted_list(known))});
-}
-
-std::vector<std::string> recorded_names(const std::string& name, const System& system) {
-    std::vector<std::string> names;
-    const auto add = [&](const std::string& full, const std::string& family) {
-        if (full == name || family == name) names.push_back(full);
-    };
-    for (const SymbolKind kind : {SymbolKind::coordinate, SymbolKind::velocity, SymbolKind::state, SymbolKind::input})
-        for (const Variable& variable : system.symbols.all(kind))
-            if (kind != SymbolKind::coordinate || system.symbols.has_value(variable.position))
-                add(variable.recorded_name(), kind == SymbolKind::velocity ? "dot(" + variable.base + ")" : variable.base);
-    for (const OutputEquation& output : system.outputs) add(output.name, output.base);
-    for (const char* energy : {"t", "kinetic_energy", "potential_energy", "internal_energy", "work"}) add(energy, energy);
-    return names;
 }
 
 std::string RunPreparation::scene(const std::string& wanted) const {

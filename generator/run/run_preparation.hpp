@@ -11,9 +11,6 @@ namespace dalembert {
 /// The run that is meant: the one named, else `reference`, else the only one; null when the model has none. Throws Failure (unknown-run).
 const Run* find_run(const Model& model, const std::string& wanted);
 
-/// Names of the recording for a name of the model: a family stands for all its members. None where nothing is recorded under it.
-std::vector<std::string> recorded_names(const std::string& name, const System& system);
-
 /// Refers to the model and the options that it is made of.
 class RunPreparation {
 public:

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "language/parser.hpp"
+#include "run/recorded_columns.hpp"
 #include "run/settings.hpp"
 #include "text/nearest.hpp"
 
@@ -17,7 +18,6 @@ namespace dalembert {
 
 namespace {
 
-constexpr std::array energies{"kinetic_energy", "potential_energy", "internal_energy"};
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 constexpr std::array of_runs{
@@ -56,20 +56,6 @@ struct Measured {
 };
 
 using Row = ReadRow;
-
-/// What may be observed, with its unit in SI. Controllers have columns besides.
-std::vector<Column> recorded_columns(const System& system) {
-    const auto si = [](const std::string& unit) { return unit == "1" ? "" : unit; };
-    std::vector<Column> columns{{"t", "s"}};
-    for (const Variable* state : system.symbols.state_variables())
-        columns.push_back({state->recorded_name(), si(state->is_root ? state->declared->unit.si() : state->unit)});
-    for (const OutputEquation& output : system.outputs) columns.push_back({output.name, si(output.unit)});
-    for (const Variable& input : system.symbols.all(SymbolKind::input)) columns.push_back({input.name, si(input.unit)});
-    for (const char* energy : energies) columns.push_back({energy, "J"});
-    columns.push_back({"work", "J"});
-    if (!system.scene.modes.empty()) columns.push_back({"mode", ""});
-    return columns;
-}
 
 class ObservableReader {
 public:
@@ -192,7 +178,7 @@ private:
 
     [[noreturn]] void unknown(const Expression& e) const {
         std::vector<std::string> known;
-        for (const Column& column : columns_) known.push_back(column.name);
+        for (const RecordedColumn& column : columns_) known.push_back(column.name);
         const std::string family = e.written() + "[";
         for (const std::string& name : known)
             if (name.starts_with(family)) refuse(e, fmt::format("'{}' is a family; name a member, as in '{}'", e.written(), name));
@@ -225,7 +211,8 @@ private:
             return std::any_of(list.begin(), list.end(), [&](const auto& one) { return one.name == name; });
         };
         result_.read_outputs = result_.read_outputs || is_one_of(system_.outputs);
-        result_.read_energies = result_.read_energies || std::find(energies.begin(), energies.end(), name) != energies.end();
+        const bool is_energy = std::find(recorded_energies.begin(), recorded_energies.end(), name) != recorded_energies.end();
+        result_.read_energies = result_.read_energies || is_energy;
         const auto found = std::find(result_.columns.begin(), result_.columns.end(), name);
         const auto place = static_cast<std::size_t>(found - result_.columns.begin());
         if (found == result_.columns.end()) result_.columns.push_back(name);
@@ -281,7 +268,7 @@ private:
     }
 
     const System& system_;
-    std::vector<Column> columns_;
+    std::vector<RecordedColumn> columns_;
     Observables result_;
 };
 

@@ -102,6 +102,9 @@ TEST_CASE("what is minimised, several optima, ends of the range, runs that stop"
     CHECK(end.json().at("place") == "low");
     CHECK(end.json().at("at").get<double>() == 2);
     CHECK(end.json().at("second_derivative").is_null());
+    const Answer energy = optimise({waves, "--maximise", "kinetic_energy", "--over", "m=1:2"});
+    REQUIRE(energy.code == 0);
+    CHECK(energy.out.find("kinetic_energy 1 J,") != std::string::npos);
     const std::string breaks = folder.write("breaks.toml", head + "[states]\nz = { unit = \"1\", start = 1, derivative = \"w*z^2\" }\n");
     const Answer stopped = optimise({breaks, "--maximise", "z", "--over", "w=0.1:2"});
     CHECK(stopped.code == 4);
