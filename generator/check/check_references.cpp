@@ -227,7 +227,6 @@ private:
         }
     }
 
-    /// Names in plots: variables, members and rates of them, outputs, energies.
     /// What a column of data is said to be.
     void measured(const Measurement& measurement) {
         const std::string& name = measurement.quantity.empty() ? measurement.name : measurement.quantity;
@@ -241,6 +240,15 @@ private:
             fmt::format("measurement '{}': '{}' is no output, coordinate, rate of one, state, input or parameter", measurement.name, name));
     }
 
+    /// "speed_z": as they are recorded.
+    std::vector<std::string> states_of_controllers() const {
+        std::vector<std::string> names;
+        for (const Sampler& sampler : model_.samplers)
+            for (const State& state : sampler.controller->states) names.push_back(sampler.name + "_" + state.name);
+        return names;
+    }
+
+    /// Names in plots: variables, members and rates of them, outputs, energies, states of controllers.
     void plots(const Run& run) {
         const auto check = [&](const std::string& name, const Span& span) {
             std::string base = name.starts_with("dot(") && name.ends_with(")") ? name.substr(4, name.size() - 5) : name;
@@ -254,8 +262,11 @@ private:
                                                       name, describe(named->kind)),
                                           {{named->item->span, fmt::format("'{}' is defined here", base)}});
             if (named != nullptr || std::find(energies.begin(), energies.end(), base) != energies.end()) return;
+            const std::vector<std::string> of_controllers = states_of_controllers();
+            if (std::find(of_controllers.begin(), of_controllers.end(), base) != of_controllers.end()) return;
             std::vector<std::string> known = names_.all();
             known.insert(known.end(), energies.begin(), energies.end());
+            known.insert(known.end(), of_controllers.begin(), of_controllers.end());
             diagnostics_.error(Id::unknown_name, span,
                                fmt::format("run '{}' plots '{}', which is not defined{}", run.name, name, did_you_mean(name, known)));
         };

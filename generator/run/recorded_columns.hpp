@@ -10,7 +10,7 @@
 
 namespace dalembert {
 
-/// A column of the recording of a run. Controllers have columns besides.
+/// A column of the recording of a run.
 struct RecordedColumn {
     std::string name;
     std::string family;  ///< the name without its index

@@ -123,7 +123,8 @@ TEST_CASE("a study keeps numbers of its runs, also where it asks for outputs or 
                             Case{"mechanics/four_bar", "m_a=0.3:0.5:3", "kinetic_energy"},
                             Case{"mechanics/four_bar", "m_a=0.3:0.5:3", "f_x"},
                             Case{"drives/sampled_servo", "J=30:50:3", "work"},
-                            Case{"drives/sampled_servo", "J=30:50:3", "phi"}}) {
+                            Case{"drives/sampled_servo", "J=30:50:3", "phi"},
+                            Case{"drives/sampled_servo", "J=30:50:3", "speed_z"}}) {
         INFO(one.model << " " << one.column);
         const ScratchFolder scratch;
         std::string observed;
