@@ -67,6 +67,19 @@ void ExactNumber::add_slopes(const ExactNumber& other, double factor) {
         if (other.slopes[i] != 0) slopes[i] += factor * other.slopes[i];
 }
 
+void ExactNumber::operator*=(const ExactNumber& factor) {
+    const double own = slopes.empty() ? 0 : approximate(factor.value), others = factor.slopes.empty() ? 0 : approximate(value);
+    if (slopes.empty() || factor.slopes.empty() || own == 0 || others == 0 || !std::isfinite(own) || !std::isfinite(others)) {
+        ExactNumber product;
+        product.add_slopes(*this, own);
+        product.add_slopes(factor, others);
+        slopes = std::move(product.slopes);
+    } else {
+        for (std::size_t i = 0; i < slopes.size(); ++i) slopes[i] = own * slopes[i] + others * factor.slopes[i];
+    }
+    value = value * factor.value;
+}
+
 ExactArithmetic::ExactArithmetic(int digits)
     : digits_(digits), format_(cln::float_format(static_cast<unsigned long>(digits + guard_digits))) {}
 
@@ -91,13 +104,7 @@ MaybeExact ExactArithmetic::sum(const std::vector<const MaybeExact*>& terms, con
 MaybeExact ExactArithmetic::product(const std::vector<const MaybeExact*>& factors) {
     if (!all_there(factors)) return std::nullopt;
     ExactNumber result = **factors.front();
-    for (std::size_t i = 1; i < factors.size(); ++i) {
-        const ExactNumber& factor = **factors[i];
-        ExactNumber next{result.value * factor.value, {}};
-        next.add_slopes(result, approximate(factor.value));
-        next.add_slopes(factor, approximate(result.value));
-        result = std::move(next);
-    }
+    for (std::size_t i = 1; i < factors.size(); ++i) result *= **factors[i];
     return result;
 }
 

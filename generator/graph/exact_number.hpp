@@ -21,6 +21,7 @@ struct ExactNumber {
 
     /// Adds factor times the slopes of another one.
     void add_slopes(const ExactNumber& other, double factor);
+    void operator*=(const ExactNumber& factor);
 };
 
 /// Nothing where an expression has no value: at a pole, or where it is not real.

@@ -80,15 +80,21 @@ const std::optional<DoubleDouble>& RoundedPolynomials::short_letter(Letter lette
 }
 
 MaybeExact RoundedPolynomials::sum_of(const Polynomial& p, Known& known) {
-    MaybeExact sum = ExactNumber{};
+    ExactNumber sum;
     for (const auto& [monomial, coefficient] : p.terms()) {
-        MaybeExact term = arithmetic_.constant(coefficient);
+        ExactNumber term = *arithmetic_.constant(coefficient);
         for (const LetterPower& power : monomial) {
             const MaybeExact& letter = exact_letter(power.letter, known);
-            const MaybeExact factor = power.exponent > 0 ? letter : ExactArithmetic::reciprocal(letter);
-            for (int i = std::abs(power.exponent); i > 0; --i) term = ExactArithmetic::product({&term, &factor});
+            if (power.exponent > 0 && letter) {
+                for (int i = power.exponent; i > 0; --i) term *= *letter;
+                continue;
+            }
+            const MaybeExact factor = ExactArithmetic::reciprocal(letter);
+            if (power.exponent > 0 || !factor) return std::nullopt;
+            for (int i = power.exponent; i < 0; ++i) term *= *factor;
         }
-        sum = ExactArithmetic::sum({&sum, &term}, {});
+        sum.value = sum.value + term.value;
+        sum.add_slopes(term, 1);
     }
     return sum;
 }
