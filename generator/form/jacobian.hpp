@@ -21,8 +21,8 @@ struct Partials {
 std::size_t column_count(const Symbols& symbols, By by);
 /// The variables of the columns.
 std::vector<const Variable*> column_variables(const Symbols& symbols, By by);
-/// The derivative of what is emitted by one of them. Definitions are followed to parameters. By a parameter that System::slopes_by leaves
-/// out it is zero.
+/// The derivative of an emitted expression by one of these variables, through definitions. It is zero for a parameter that
+/// System::slopes_by does not name.
 GiNaC::ex by_column(const System& system, const GiNaC::ex& e, const Variable& column);
 Partials partials(const System& system, By by);
 

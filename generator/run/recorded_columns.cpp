@@ -27,7 +27,7 @@ std::vector<RecordedColumn> recorded_columns(const System& system) {
         columns.push_back({state->recorded_name(), state->kind == SymbolKind::velocity ? "dot(" + state->base + ")" : state->base,
                            si(state->is_root ? state->declared->unit.si() : state->unit)});
     for (const OutputEquation& output : system.outputs) columns.push_back({output.name, output.base, si(output.unit)});
-    for (const Variable& input : system.symbols.all(SymbolKind::input)) columns.push_back({input.recorded_name(), input.base, si(input.unit)});
+    for (const Variable& input : system.symbols.all(SymbolKind::input)) columns.push_back({input.name, input.base, si(input.unit)});
     for (const Sampler* sampler : system.scene.samplers) add_states(*sampler, columns);
     for (const char* energy : recorded_energies) columns.push_back({energy, energy, "J"});
     columns.push_back({"work", "work", "J"});

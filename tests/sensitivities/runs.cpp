@@ -23,7 +23,7 @@ using namespace dalembert;
 namespace {
 
 const bool is_full = std::getenv("DALEMBERT_FULL") != nullptr;
-const double tolerance = is_full ? 1e-11 : 1e-10;
+const double tolerance = is_full ? 1e-12 : 1e-10;
 const bool prints = std::getenv("DALEMBERT_TABLE") != nullptr;
 
 /// The same run with one that is varied moved by so much.
