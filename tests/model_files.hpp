@@ -23,11 +23,9 @@ inline std::vector<std::filesystem::path> model_files(std::vector<std::string> w
         std::istringstream words(named);
         wanted.assign(std::istream_iterator<std::string>(words), {});
     }
-    std::vector<std::string> folders{"systems/mechanics", "systems/hydraulics", "systems/pneumatics", "systems/heat", "systems/drives",
-                                     "systems/parts"};
-    if (all || named != nullptr) folders.insert(folders.end(), {"tests/published", "tests/regressions", "tests/physics/switching"});
     std::vector<std::filesystem::path> files;
-    for (const std::string& folder : folders)
+    for (const std::string folder : {"systems/mechanics", "systems/hydraulics", "systems/pneumatics", "systems/heat", "systems/drives",
+                                     "systems/parts", "tests/published", "tests/regressions", "tests/physics/switching"})
         for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(SOURCE_DIR) / folder)) {
             const std::string stem = entry.path().stem().string();
             const bool is_long = stem == "three_tanks" && folder == "tests/regressions";  // millions of steps along a kink

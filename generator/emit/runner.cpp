@@ -13,10 +13,12 @@
 #include "elements/model.hpp"
 #include "elements/runs.hpp"
 #include "emit/value_statements.hpp"
+#include "form/jacobian.hpp"
 #include "form/state_places.hpp"
 #include "graph/lower.hpp"
 #include "program/function_bodies.hpp"
 #include "program/plant_tables.hpp"
+#include "symbolic/derivative.hpp"
 #include "symbolic/map_functions.hpp"
 #include "text/diagnostic.hpp"
 #include "text/template.hpp"
@@ -65,6 +67,25 @@ std::string joined(const std::vector<Number>& values) {
 
 /// u[i] = ... for every input that is not zero.
 std::string input_statements(Code& code, const std::vector<ex>& inputs) { return cpp_body(value_statements(code, inputs, "u")); }
+
+/// du/dx, a column of inputs for each state as it is stored, and behind it du/dp; empty where one has no derivative.
+std::vector<ex> slopes_of_inputs(const System& system, const std::vector<ex>& inputs) {
+    const std::vector<const Variable*> states = column_variables(system.symbols, By::state),
+                                       parameters = column_variables(system.symbols, By::parameter);
+    const StatePlaces places = place_states(system);
+    std::vector<ex> slopes((states.size() + parameters.size()) * inputs.size(), 0);
+    try {
+        for (std::size_t j = 0; j < inputs.size(); ++j) {
+            for (std::size_t i = 0; i < states.size(); ++i)
+                slopes[places.positions[i] * inputs.size() + j] = by_column(system, inputs[j], *states[i]);
+            for (std::size_t i = 0; i < parameters.size(); ++i)
+                slopes[(states.size() + i) * inputs.size() + j] = by_column(system, inputs[j], *parameters[i]);
+        }
+    } catch (const NoDerivative&) {
+        return {};
+    }
+    return slopes;
+}
 
 /// Tables of curves, as inputs find them. They must have been lowered.
 std::string curves_of_inputs(const Code& code, const std::vector<ex>& inputs) {
@@ -141,6 +162,15 @@ std::string plant_source(Code& code, const Header& header, const SimulationSetti
     const InputSeriesTexts series = input_series_texts(code, settings, "&p_", "double");
     std::string inputs = has_inputs ? input_statements(code, settings.inputs) : "";
     if (!inputs.empty()) inputs = "        namespace detail = dalembert::detail;  // pi, sign, min and max of the inputs\n" + inputs;
+    const std::vector<ex> slopes = has_inputs ? slopes_of_inputs(code.system, settings.inputs) : std::vector<ex>();
+    std::string slopes_function;
+    if (!slopes.empty())
+        slopes_function = fmt::format(
+            "    static void input_slopes([[maybe_unused]] const {}::Parameters<double>& p_, [[maybe_unused]] const System::State& x,\n"
+            "                             [[maybe_unused]] double t, [[maybe_unused]] double* slopes) {{\n"
+            "        namespace detail = dalembert::detail;\n        using Scalar = double;\n"
+            "        [[maybe_unused]] const auto& parameters = p_;\n{}    }}\n",
+            header.name_space, cpp_body(value_statements(code, slopes, "slopes")));
     std::string includes = has_inputs ? "#include \"dalembert/scalar_functions.hpp\"\n" : "";
     if (!series.before.empty()) includes += "#include \"dalembert/series.hpp\"\n";
     includes += curves_of_inputs(code, settings.inputs);
@@ -152,7 +182,8 @@ std::string plant_source(Code& code, const Header& header, const SimulationSetti
                                                          {"HAS_INPUTS", has_inputs ? "true" : "false"},
                                                          {"INPUTS", inputs},
                                                          {"INPUTS_BEGIN", series.before},
-                                                         {"INPUTS_END", series.after}});
+                                                         {"INPUTS_END", series.after},
+                                                         {"INPUT_SLOPES", slopes_function}});
 }
 
 std::string cost_source(Code& code, const Header& header, const Values& values, const SimulationSettings& settings) {

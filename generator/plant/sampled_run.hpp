@@ -8,7 +8,7 @@
 #include <new>
 
 #include <dalembert/clock.hpp>
-#include <dalembert/plant_system.hpp>
+#include <dalembert/plant_inputs.hpp>
 
 #include "plant/simulation.hpp"
 

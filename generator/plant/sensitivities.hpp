@@ -2,7 +2,7 @@
 // Sensitivities of a run of a plant, which follow it from point to point.
 #pragma once
 
-#include <dalembert/plant_system.hpp>
+#include <dalembert/plant_inputs.hpp>
 
 #include <functional>
 #include <memory>

@@ -93,7 +93,7 @@ private:
         result_.sensitivities.rows.push_back(std::move(sensitivities));
     }
 
-    /// By a central difference along a column of S, and the parameter with it.
+    /// Where inputs do not know that, by a central difference along a column of S, and the parameter with it.
     template <class Point>
     System::Input slopes_of_inputs(std::size_t c, const Point& point) const {
         if (run_.inputs_of_time_alone) {
@@ -102,10 +102,16 @@ private:
             return none;
         }
         const State& s = point.S[c];
+        if (detail::InputSlopes<InputsOfPlant, double> known; known.take(inputs_, point.x, point.t)) {
+            System::Input slopes;
+            for (std::size_t j = 0; j < slopes.size(); ++j) slopes[j] = known.along(varied_[c], j, slopes.size(), s.data(), s.size());
+            return slopes;
+        }
         double step = moved_.distance[c];
         if (step == 0) {
-            double longest = 0;
-            for (std::size_t i = 0; i < s.size(); ++i) longest = std::max(longest, std::fabs(s[i]) / (std::fabs(point.x[i]) + 1e-3));
+            State scale;
+            scale.fill(1e-3);
+            const double longest = detail::largest_part<System>(s, point.x, scale);
             step = longest > 0 ? detail::step_of_differences<double>() / longest : 1;
         }
         State ahead = point.x, behind = point.x;

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include <dalembert/euler_step.hpp>
-#include <dalembert/plant_system.hpp>
+#include <dalembert/plant_inputs.hpp>
 #include <dalembert/run_program.hpp>
 #include <dalembert/sensitivities/options.hpp>
 

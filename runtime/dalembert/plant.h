@@ -18,7 +18,7 @@ extern "C" {
 #endif
 
 /* Version of this table. It grows with every change that matters to a program that reads it. */
-#define DALEMBERT_PLANT_VERSION 4
+#define DALEMBERT_PLANT_VERSION 5
 
 /* Name in the model, SI unit, description, and declared range. */
 typedef struct dalembert_quantity {
@@ -147,6 +147,9 @@ typedef struct dalembert_plant {
 
     /* Inputs of the run for which the library was compiled (null: no run), as functions of x and t. */
     void (*inputs_of_run)(const void* self, const double* x, double t, double* u);
+    /* How these follow the state and the parameters: du/dx, a column of inputs for each state, and behind it du/dp (null: not known). Entries that
+     * are not zero are written. */
+    void (*input_slopes)(const void* self, const double* x, double t, double* columns);
     /* Normalised Taylor coefficients of the motion with these inputs: x holds order + 1 vectors of states + 1 numbers: the state and the work; the
      * first vector is given. `rows` is room for 2*series_rows*order numbers. */
     void (*series)(const void* self, unsigned mode, double t, size_t order, double* x, double* rows);

@@ -74,6 +74,10 @@ template <class S, class = void>
 inline constexpr bool has_events_at_once = false;
 template <class S>
 inline constexpr bool has_events_at_once<S, std::void_t<decltype(S::happens_at_once(std::size_t()))>> = true;
+template <class R, class = void>
+inline constexpr bool knows_input_slopes = false;
+template <class R>
+inline constexpr bool knows_input_slopes<R, std::void_t<decltype(&R::input_slopes)>> = true;
 template <class P, class = void>
 inline constexpr bool says_nonzero = false;
 template <class P>
@@ -336,6 +340,10 @@ class PlantTable {
         if constexpr (Run::has_inputs)
             table.inputs_of_run = [](const void* self, const double* x, double t, double* u) {
                 as<Input>(u) = Run::inputs(of(self))(as<State>(x), t);
+            };
+        if constexpr (plant_export::knows_input_slopes<Run>)
+            table.input_slopes = [](const void* self, const double* x, double t, double* columns) {
+                Run::input_slopes(of(self).parameters(), as<State>(x), t, columns);
             };
         if constexpr (plant_export::has_series<System> && (std::tuple_size<Input>::value == 0 || plant_export::has_series<Inputs>)) {
             table.series_rows = System::series_rows + plant_export::series_rows<Inputs>;

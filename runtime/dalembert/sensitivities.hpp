@@ -116,7 +116,8 @@ Outcome integrate_beside(const System& system, const Inputs& inputs, const std::
 
 /// Integrates a system and the derivatives of its state, from the start x with S = dx/d(varied) there, and calls observe(sample) at the
 /// output points. S at the start comes from sensitivities_at_start(). `inputs` is called as inputs(x, t); where it follows x, its slopes
-/// are differences. It is not varied itself, unless inputs.of(system) gives the inputs for a system with other parameters.
+/// are differences, unless it knows them (input_slopes.hpp). It is not varied itself, unless inputs.of(system) gives the inputs for a
+/// system with other parameters.
 ///
 /// A number that is in no table gives Status::bad_options. The scale of an entry of S is the scale of its state, divided by the size of
 /// what is varied. With controls = false errors of S count ten thousand times less, so that steps follow the error of the state.

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSL-1.0
 // The derivatives of a generated system whose inputs are a function u(x, t): df/dx + df/du du/dx and df/dt + df/du du/dt. Those of the
-// system are in its header; those of the inputs are differences.
+// system are in its header; those of the inputs are differences, unless the inputs know them.
 #pragma once
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <type_traits>
 
+#include "dalembert/difference_steps.hpp"
+#include "dalembert/input_slopes.hpp"
 #include "dalembert/linear/jacobian_pattern.hpp"
 #include "dalembert/sizes.hpp"
 
@@ -52,6 +52,7 @@ public:
         system_.jacobian_x(x_, u_, t, J_);
         if constexpr (may_have_entries<Input>) {
             system_.jacobian_u(x_, u_, t, J_u_);
+            if (take_slopes(t)) return;
             has_feedback_ = depends_on_state(t);
             if (has_feedback_) differentiate_inputs(t);
         }
@@ -108,10 +109,15 @@ private:
 
     /// The difference for a state: central differences lose a third of the digits.
     Scalar difference(std::size_t i) const {
-        using std::abs;
-        using std::cbrt;
-        using std::max;
-        return cbrt(std::numeric_limits<Scalar>::epsilon()) * max(scale_[i], Scalar(abs(x_[i])));
+        return step_of_differences<Scalar>() * size_of_change<System>(i, x_[i], scale_[i]);
+    }
+
+    bool take_slopes(Scalar t) {
+        if (!slopes_.take(inputs_, x_, t)) return false;
+        has_feedback_ = slopes_.follow(x_.size(), u_.size());
+        for (std::size_t i = 0; has_feedback_ && i < x_.size(); ++i)
+            for (std::size_t j = 0; j < u_.size(); ++j) gains_[i][j] = slopes_.at(i, j, u_.size());
+        return true;
     }
 
     /// Whether the inputs change when all states do, each by another amount.
@@ -141,6 +147,7 @@ private:
     Input u_{};
     typename System::JacobianX J_{};
     typename System::JacobianU J_u_{};
+    InputSlopes<Inputs, Scalar> slopes_;
     Like<State, Input> gains_{};  ///< du/dx
     bool has_feedback_ = false;
 };

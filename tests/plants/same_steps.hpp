@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "dalembert/plant_system.hpp"
+#include "dalembert/plant_inputs.hpp"
 #include "dalembert/run_program.hpp"
 #include "plants/plant_of.hpp"
 

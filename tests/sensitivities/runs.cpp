@@ -244,6 +244,64 @@ TEST_CASE("what a fit integrates is the run with its derivatives") {
     CHECK(compared > 50);
 }
 
+TEST_CASE("a plant knows how the inputs of its run follow the state and the parameters") {
+    std::size_t compared = 0;
+    for_each_run({"inputs_at_large_angles", "kinks_of_functions", "curve_of_time"}, [&](const std::string&, const std::string&,
+                                                                                       const dalembert_plant& plant, const PlantRun& run) {
+        if (plant.inputs_of_run == nullptr) return;
+        const bool knows_slopes = plant.input_slopes != nullptr;
+        REQUIRE(knows_slopes);
+        const std::unique_ptr<void, void (*)(void*)> self(plant.create(), plant.destroy);
+        const std::size_t n = plant.states, m = plant.inputs;
+        std::vector<double> x = run.start, p = run.parameters, columns((n + plant.parameters) * m);
+        const double t = 0.37 * run.until;
+        for (std::size_t i = 0; i < n; ++i) x[i] += 0.01 * std::sin(1.0 + static_cast<double>(i));
+        plant.set_parameters(self.get(), p.data());
+        plant.input_slopes(self.get(), x.data(), t, columns.data());
+        for (std::size_t c = 0; c < n + plant.parameters; ++c) {
+            double& moved = c < n ? x[c] : p[c - n];
+            const double now = moved, step = 1e-4 * (now == 0 ? 1 : std::fabs(now));
+            std::vector<std::vector<double>> sides;
+            for (const int times : {-2, -1, 1, 2}) {
+                moved = now + times * step;
+                plant.set_parameters(self.get(), p.data());
+                sides.emplace_back(m);
+                plant.inputs_of_run(self.get(), x.data(), t, sides.back().data());
+            }
+            moved = now;
+            for (std::size_t j = 0; j < m; ++j) {
+                const double found = columns[c * m + j], near = (sides[2][j] - sides[1][j]) / (2 * step),
+                             far = (sides[3][j] - sides[0][j]) / (4 * step), expected = (4 * near - far) / 3;
+                double size = 1e-3 * std::fabs(expected);
+                for (const auto& side : sides) size = std::max(size, std::fabs(side[j]) / std::max(1.0, std::fabs(now)));
+                CAPTURE(c);
+                CAPTURE(found);
+                CAPTURE(expected);
+                CHECK(std::fabs(found - expected) <= 1e-6 * size + 10 * std::fabs(near - far));
+                compared += found != 0;
+            }
+        }
+    });
+    CHECK(compared >= 5);
+}
+
+TEST_CASE("derivatives after many turns are those after none") {
+    const double turn = 2 * 3.14159265358979323846;
+    const auto ends = [](double start) {
+        Diagnostics diagnostics;
+        Options options;
+        options.sensitivities = {"J", "M", "w_0"};
+        options.tolerance = tolerance;
+        options.parameters = {fmt::format("phi_0={:.17g}", start)};
+        const auto model = load(std::filesystem::path(SOURCE_DIR) / "tests/regressions/inputs_at_large_angles.toml", diagnostics);
+        const PreparedSimulation prepared = prepare_simulation(model, "", options);
+        const PlantLibrary library(prepared.plant, prepared.cache);
+        return simulate_plant(library.table(), prepared.run).sensitivities.rows.back();
+    };
+    const std::vector<double> few = ends(0.7), many = ends(0.7 + 20000 * turn);
+    for (std::size_t i = 1; i < few.size(); ++i) CHECK(many[i] == doctest::Approx(few[i]).epsilon(1e-7));
+}
+
 TEST_CASE("the header that a run leaves behind has derivatives by all parameters") {
     const auto text = [](const char* by) {
         Diagnostics diagnostics;
@@ -333,12 +391,15 @@ TEST_CASE("rates that jump where the state and the time say so, at once") {
     CHECK(end[6] == doctest::Approx(-2 / (tau * tau)));  // late = t/tau - 3/2
 }
 
-TEST_CASE("constraints that follow from others, and positions where they depend on each other") {
-    for (const char* name : {"three_uprights", "flat_parallelogram"}) {
+TEST_CASE("constraints that follow from others, that depend on each other at some positions, or that have kinks") {
+    using Names = std::vector<std::string>;
+    const std::pair<const char*, Names> models[] = {
+        {"three_uprights", {"g", "l", "m"}}, {"flat_parallelogram", {"g", "l", "m"}}, {"cam_follower", {"J", "c"}}};
+    for (const auto& [name, by] : models) {
         CAPTURE(name);
         Diagnostics diagnostics;
         Options options;
-        options.sensitivities = {"g", "l", "m"};
+        options.sensitivities = by;
         options.tolerance = tolerance;
         const auto model = load(std::filesystem::path(SOURCE_DIR) / "tests/regressions" / (std::string(name) + ".toml"), diagnostics);
         const PreparedSimulation prepared = prepare_simulation(model, "", options);

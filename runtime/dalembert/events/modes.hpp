@@ -76,6 +76,11 @@ public:
     Mode mode;
     Like<Events, bool> is_ignored{};  ///< events that are not looked at
 
+    /// Where the system has one.
+    template <class S = System>
+    static auto state_table() -> decltype(S::state_table()) {
+        return S::state_table();
+    }
     void rhs(const State& x, const Input& u, scalar_type t, State& dxdt) const { system_.rhs(mode, x, u, t, dxdt); }
     template <class StateOrMore, class Inputs>
     void series(const Inputs& inputs, scalar_type t, std::size_t order, StateOrMore* x, scalar_type* rows) const {

@@ -21,10 +21,11 @@ State moved(const State& x, const State& direction, const Scalar& length) {
 }
 
 /// Of order four, from central differences with a step and with twice that: central(times).
+inline constexpr int longest_of_order_four = 8;
 template <class Scalar, class Central>
 auto of_order_four(const Central& central) {
-    auto near = central(Scalar(4));
-    const auto far = central(Scalar(8));
+    auto near = central(Scalar(longest_of_order_four / 2));
+    const auto far = central(Scalar(longest_of_order_four));
     if constexpr (std::is_same_v<decltype(near), Scalar>) {
         return Scalar((Scalar(4) * near - far) / Scalar(3));
     } else {
@@ -70,7 +71,7 @@ public:
     Scalar by_time(const State& rate, const Value& value) const {
         const Scalar usual = step_of_differences<Scalar>() / largest_change(rate, Scalar(1));
         return of_order_four<Scalar>([&](const Scalar& times) {
-            const Scalar step = std::min(Scalar(times * usual), Scalar(times / Scalar(8) * free_time_));
+            const Scalar step = std::min(Scalar(times * usual), Scalar(times / Scalar(longest_of_order_four) * free_time_));
             return Scalar((value(moved(x_, rate, step), t_ + step) - value(moved(x_, rate, -step), t_ - step)) / (Scalar(2) * step));
         });
     }
@@ -79,10 +80,7 @@ private:
     /// Of states and the time, relative to their sizes.
     Scalar largest_change(const State& of_state, const Scalar& of_time) const {
         using std::abs;
-        Scalar longest = abs(of_time) / span_;
-        for (std::size_t i = 0; i < of_state.size(); ++i)
-            longest = std::max(longest, Scalar(abs(of_state[i]) / std::max(scale_[i], Scalar(abs(x_[i])))));
-        return longest;
+        return std::max(Scalar(abs(of_time) / span_), largest_part<System>(of_state, x_, scale_));
     }
 
     const System& system_;

@@ -15,14 +15,21 @@ namespace detail {
 
 /// The derivative of project() along the column c of S, at a state x that meets the constraints: positions f and rates w stay zero for
 /// what is varied, f_x S + f_p = 0. Residuals are differences; they correct only what steps have let drift. `at` is the place of x.
-template <class System, class List, class... Mode>
+/// has_kink(ahead, behind) says whether one lies between two states: a step that ends there is left as it is, for a difference across it is
+/// that of neither side.
+template <class System, class List, class HasKink, class... Mode>
 void bring_back(const System& system, const DifferencesAt<System, List>& at, std::size_t c, const typename System::State& x,
-                const typename System::scalar_type& t, typename System::State& s, Mode... mode) {
+                const typename System::scalar_type& t, typename System::State& s, const HasKink& has_kink, Mode... mode) {
     using Scalar = typename System::scalar_type;
     using Constraints = typename System::Constraints;
     using Generalised = typename System::Generalised;
     if constexpr (may_have_entries<Constraints>) {
         if (size_of<Constraints>() == 0) return;
+        // Steps as long as order four allows: rounding counts the less, and constraints are smooth but for their kinks.
+        constexpr int longer = 16;
+        const auto crosses = [&](const System&, const auto& ahead, const Scalar&, const System&, const auto& behind, const Scalar&,
+                                 const Scalar&) { return has_kink(ahead, behind); };
+        if (at.along(c, s, Scalar(0), crosses, Scalar(longest_of_order_four * longer))) return;
         const auto step_of = [&](const auto& values) {
             const auto central = [&](const System& a, const auto& ahead, const Scalar&, const System& b, const auto& behind, const Scalar&,
                                      const Scalar& step) {
@@ -33,7 +40,7 @@ void bring_back(const System& system, const DifferencesAt<System, List>& at, std
                 return r;
             };
             const Constraints residual =
-                of_order_four<Scalar>([&](const Scalar& times) { return at.along(c, s, Scalar(0), central, times); });
+                of_order_four<Scalar>([&](const Scalar& times) { return at.along(c, s, Scalar(0), central, Scalar(longer) * times); });
             Generalised step{};
             system.correction(mode..., x, t, residual, step);
             return step;

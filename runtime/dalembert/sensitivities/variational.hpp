@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "dalembert/input_slopes.hpp"
 #include "dalembert/linear/jacobian_pattern.hpp"
 #include "dalembert/run_array.hpp"
 #include "dalembert/sensitivities/varied.hpp"
@@ -158,6 +159,10 @@ public:
         add_products(all, derivative);
         if constexpr (may_have_entries<typename System::Input>) {
             if (are_of_time_alone(inputs_, 0)) return;
+            if (slopes_.take(inputs_, x, t)) {
+                add_slopes_of_inputs(all, x, u, t, derivative);
+                return;
+            }
             if (on_the_way_.have_feedback(x, u, t)) add_feedback(all, x, t, derivative);
             if constexpr (follow_parameters<Inputs, System>) add_parameters_of_inputs(x, u, t, derivative);
         }
@@ -166,7 +171,6 @@ public:
     // What Rodas5p asks for.
 
     void prepare(const State& all, Scalar t) {
-        using std::abs;
         const Plain x = part(all, 0);
         here_.prepare(x, t);
         for (std::size_t c = 0; c < varied_.size(); ++c) {
@@ -174,9 +178,7 @@ public:
             const Plain s = part(all, c + 1);
             Scalar step = moved_.distance[c];
             if (varied_[c].of == Varied::Of::start) {
-                Scalar longest = Scalar(0);
-                for (std::size_t i = 0; i < s.size(); ++i)
-                    longest = std::max(longest, Scalar(abs(s[i]) / std::max(scale_[i], Scalar(abs(x[i])))));
+                const Scalar longest = largest_part<System>(s, x, scale_);
                 step = longest > Scalar(0) ? step_of_differences<Scalar>() / longest : Scalar(0);
             }
             below_[c].fill(Scalar(0));
@@ -260,6 +262,20 @@ private:
         }
     }
 
+    /// What S gets by way of inputs whose slopes are known.
+    void add_slopes_of_inputs(const State& all, const Plain& x, const typename System::Input& u, Scalar t, State& derivative) {
+        if (slopes_.follow_nothing()) return;
+        const std::size_t n = size_of<Plain>();
+        shown_.jacobian_u(x, u, t, by_inputs_);
+        for (std::size_t c = 0; c < varied_.size(); ++c)
+            for (std::size_t j = 0; j < u.size(); ++j) {
+                const Scalar slope = slopes_.along(varied_[c], j, u.size(), all.data() + (c + 1) * n, n);
+                if (slope == Scalar(0)) continue;
+                for_each_in_column<typename System::PatternU>(
+                    by_inputs_, n, j, [&](std::size_t row, const Scalar& value) { derivative[(c + 1) * n + row] += value * slope; });
+            }
+    }
+
     /// What S gets by way of inputs that follow the state: the whole Jacobian without that of the system.
     void add_feedback(const State& all, const Plain& x, Scalar t, State& derivative) {
         const std::size_t n = size_of<Plain>();
@@ -336,6 +352,7 @@ private:
     View view_;
     Sides sides_;
     SystemDerivatives<Shown, Inputs> here_, on_the_way_;  ///< where Rodas5p has prepared, which may ask again; and at its stages
+    InputSlopes<Inputs, Scalar> slopes_;
     Plain scale_;
     typename System::JacobianX by_state_{};
     Rows by_rows_;

@@ -6,11 +6,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "dalembert/difference_steps.hpp"
 #include "dalembert/run_array.hpp"
 
 namespace dalembert {
@@ -115,13 +115,6 @@ typename System::scalar_type size_of_parameter(const System& system, std::size_t
 template <class System, class State>
 typename System::scalar_type size_of_varied(const System& system, const Varied& varied, const State& scale) {
     return varied.of == Varied::Of::start ? scale[varied.number] : size_of_parameter(system, varied.number);
-}
-
-/// Central differences lose a third of the digits of steps of this size.
-template <class Scalar>
-Scalar step_of_differences() {
-    using std::cbrt;
-    return cbrt(std::numeric_limits<Scalar>::epsilon());
 }
 
 /// For each that is varied the system on both sides of it.
