@@ -141,12 +141,14 @@ private:
         if (!has_starts_to_find()) return {};
         print_.call(CHelper{"sqrt"});
         const std::size_t places = plant_.states.size() - plant_.plain_states - plant_.degrees;
+        const std::optional<std::size_t>& mode = plant_.constraints->start_mode;
         return fill_template(embedded_file("meet_constraints.h.in"),
                              {{"NAME", name_},
                               {"STATES", std::to_string(plant_.states.size())},
                               {"DEGREES", std::to_string(plant_.degrees)},
                               {"CONSTRAINTS", std::to_string(plant_.constraints->list.size())},
                               {"VELOCITY_PLACE", std::to_string(places)},
+                              {"MODE", mode ? fmt::format("{}_m_{}, ", name_, plant_.modes->modes[*mode]) : ""},
                               {"IS_FOUND", fmt::format("{}", fmt::join(plant_.constraints->starts_to_find, ", "))}});
     }
 

@@ -80,7 +80,10 @@ std::string constraint_functions(const Plant& plant) {
         text += function_text(f);
     }
     const std::vector<bool>& found = plant.constraints->starts_to_find;
-    return found.empty() ? text : text + fill_template(embedded_file("meet_constraints.hpp.in"), {{"IS_FOUND", listed(found)}});
+    if (found.empty()) return text;
+    const std::optional<std::size_t>& mode = plant.constraints->start_mode;
+    return text + fill_template(embedded_file("meet_constraints.hpp.in"),
+                                {{"IS_FOUND", listed(found)}, {"MODE", mode ? fmt::format("Mode::{}, ", plant.modes->modes[*mode]) : ""}});
 }
 
 std::string parameter_members(const Plant& plant) {

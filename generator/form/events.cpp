@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "form/constrained_motion.hpp"
+#include "symbolic/functions.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -25,8 +26,8 @@ public:
         event.guard = item.rises ? ex(-guard) : guard;
         event.rate = guard_rate(system_, event.guard);
         if (item.meets) {
-            meet(event.reset, *item.meets, item.restitution ? system_.translate(item.restitution, {}) : ex(0));
-            if (!item.rest.empty()) meet(event.rest, *item.meets, 0);
+            meet(event.reset, *item.meets, item.restitution ? system_.translate(item.restitution, {}) : ex(0), &event.guard);
+            if (!item.rest.empty()) meet(event.rest, *item.meets, 0, nullptr);
         }
         end_current(event);
         values(event.reset, item.reset);
@@ -81,8 +82,14 @@ private:
         reset.values.emplace_back(place, value);
     }
 
-    /// The velocities after an impact on a constraint, and the position exactly on it.
-    void meet(Reset& reset, const Reference& met, const ex& restitution) const {
+    /// A velocity that becomes what follows from a rate of zero: see note [dead centres].
+    ex but_for_roundings(const ex& before, const ex& after, const ex& factor) const {
+        if (symbols_.is_constant(factor)) return after;
+        return if_else((GiNaC::numeric(1, roundings_squared) - GiNaC::pow(before - after, 2)).expand(), after, before);
+    }
+
+    /// The velocities after an impact on a constraint, and the position exactly on it. What is zero when it happens may be its rate.
+    void meet(Reset& reset, const Reference& met, const ex& restitution, const ex* guard) const {
         const int index = met.index ? index_value(*met.index, system_.scene, {}) : 0;
         const auto constraint = std::find_if(system_.constraints.begin(), system_.constraints.end(),
                                              [&](const ConstraintEquation& c) { return c.item->name == met.name && c.index == index; });
@@ -96,6 +103,8 @@ private:
                 set(reset, symbols_.place(SymbolKind::coordinate, at_zero->first), at_zero->second);
         const Motion& motion = system_.motion;
         if (constraint->item->share) return meet_apart(reset, *constraint);
+        const bool is_stop = guard != nullptr && restitution.is_zero() &&
+                             ((*guard - constraint->whole_rate).expand().is_zero() || (*guard + constraint->whole_rate).expand().is_zero());
         Impact impact{{}, constraint->rate.drift, restitution, std::nullopt};
         // Other constraints that hold go on holding.
         for (std::size_t i = 0; i < motion.free.size(); ++i) {
@@ -113,8 +122,9 @@ private:
         if (const auto alone = single_direction(impact)) {
             const std::size_t k = motion.free[*alone];
             const ex& factor = impact.direction[*alone];
-            const ex after = restitution.is_zero() ? ex(-impact.drift / factor)
-                                                   : ex((velocity(k) - (1 + restitution) * (velocity(k) + impact.drift / factor)).expand());
+            ex after = restitution.is_zero() ? ex(-impact.drift / factor)
+                                             : ex((velocity(k) - (1 + restitution) * (velocity(k) + impact.drift / factor)).expand());
+            if (is_stop) after = but_for_roundings(velocity(k), after, factor);
             set(reset, symbols_.place(SymbolKind::velocity, k), after);
             for (const auto& [coordinate, rate] : motion.velocities) {
                 ex value = rate.drift;
@@ -150,7 +160,7 @@ private:
         ex others = own(drift);
         for (std::size_t i = 0; i < factors.size(); ++i)
             if (i != *pivot) others += factors[i] * velocity(motion.free[i]);
-        const ex after = (-others / factors[*pivot]).expand();
+        const ex after = but_for_roundings(velocity(motion.free[*pivot]), (-others / factors[*pivot]).expand(), factors[*pivot]);
         set(reset, symbols_.place(SymbolKind::velocity, motion.free[*pivot]), after);
         for (const auto& [coordinate, rate] : motion.velocities) {
             ex value = rate.drift;

@@ -101,6 +101,7 @@ private:
 
     std::string meet_constraints() const {
         if (!has_starts_to_find()) return {};
+        const std::optional<std::size_t>& mode = plant_.constraints->start_mode;
         const std::string in_c =
             fill_template(embedded_file("meet_constraints.h.in"),
                           {{"NAME", "NAME"},
@@ -108,6 +109,7 @@ private:
                            {"DEGREES", std::to_string(plant_.degrees)},
                            {"CONSTRAINTS", std::to_string(plant_.constraints->list.size())},
                            {"VELOCITY_PLACE", std::to_string(plant_.states.size() - plant_.plain_states - plant_.degrees)},
+                           {"MODE", mode ? fmt::format("{}, ", *mode) : ""},
                            {"IS_FOUND", fmt::format("{}", fmt::join(plant_.constraints->starts_to_find, ", "))}});
         return "    function $constraint_table() { return $constraints; }\n\n" + shifted(js_from_functions(in_c));
     }

@@ -93,6 +93,7 @@ struct PlantConstraints {
     std::vector<PlantConstraint> list;
     std::vector<bool>
         starts_to_find;  ///< of coordinates, then of velocities: those that constraints determine; empty: no start is looked for
+    std::optional<std::size_t> start_mode;  ///< in which they are looked for
     std::optional<PlantChoice> choice;
 };
 

@@ -230,6 +230,7 @@ PlantConstraints constraint_tables(const Code& code, const SharedMembers& shared
         at_start.push_back(c.holds && !c.is_redundant);
     }
     result.starts_to_find = starts_to_find(system);
+    result.start_mode = mode_of_start(system);
     const Solve& solve = code.solve;
     if (solve.left_out == 0) return result;
     const std::vector<std::size_t>& multipliers = system.motion.multipliers;

@@ -13,7 +13,8 @@ namespace {
 
 class ConstraintCheck {
 public:
-    ConstraintCheck(const System& system, Values& values) : system_(system), values_(values), points_(system, holding(system), values) {}
+    ConstraintCheck(const System& system, Values& values, std::vector<std::size_t> holding)
+        : system_(system), values_(values), points_(system, std::move(holding), values) {}
 
     void run() {
         const ConstrainedPoint start = points_.near_start(true);
@@ -26,13 +27,6 @@ public:
     }
 
 private:
-    static std::vector<std::size_t> holding(const System& system) {
-        std::vector<std::size_t> result;
-        for (std::size_t i = 0; i < system.constraints.size(); ++i)
-            if (system.constraints[i].holds) result.push_back(i);
-        return result;
-    }
-
     [[noreturn]] void refuse(const ConstrainedPoint& start) const {
         const ConstrainedPoint near = points_.near_start(false);
         if (!near.broken.empty()) contradiction(near.broken.front(), near, "position");
@@ -85,23 +79,56 @@ private:
 
 }  // namespace
 
-void meet_constraints_in_mode(const System& system, Values& values) {
-    const bool any = std::any_of(system.constraints.begin(), system.constraints.end(), [](const ConstraintEquation& c) { return c.holds; });
-    if (any) ConstraintCheck(system, values).run();
+namespace {
+
+bool holds_always(const Scene& scene, const ConstraintEquation& c) {
+    for (std::size_t mode = 0; mode < scene.modes.size(); ++mode)
+        if (!scene.holds(c.item->when, mode)) return false;
+    return c.holds;
 }
 
-void meet_constraints(const System& system, Values& values) {
-    if (system.scene.modes.empty()) meet_constraints_in_mode(system, values);
+/// Places of the constraints that a start meets whatever the mode.
+std::vector<std::size_t> of_start(const System& system) {
+    std::vector<std::size_t> result;
+    if (!system.scene.modes.empty() && !mode_of_start(system)) return result;
+    for (std::size_t i = 0; i < system.constraints.size(); ++i)
+        if (holds_always(system.scene, system.constraints[i])) result.push_back(i);
+    return result;
 }
+
+void meet(const System& system, Values& values, std::vector<std::size_t> constraints) {
+    if (!constraints.empty()) ConstraintCheck(system, values, std::move(constraints)).run();
+}
+
+}  // namespace
+
+std::optional<std::size_t> mode_of_start(const System& system) {
+    const Scene& scene = system.scene;
+    for (std::size_t mode = 0; mode < scene.modes.size(); ++mode)
+        if (std::all_of(system.constraints.begin(), system.constraints.end(),
+                        [&](const ConstraintEquation& c) { return holds_always(scene, c) || !scene.holds(c.item->when, mode); }))
+            return mode;
+    return {};
+}
+
+void meet_constraints_in_mode(const System& system, Values& values) {
+    std::vector<std::size_t> holding;
+    for (std::size_t i = 0; i < system.constraints.size(); ++i)
+        if (system.constraints[i].holds) holding.push_back(i);
+    meet(system, values, std::move(holding));
+}
+
+void meet_constraints(const System& system, Values& values) { meet(system, values, of_start(system)); }
 
 std::vector<bool> starts_to_find(const System& system) {
     const Symbols& symbols = system.symbols;
-    if (!system.scene.modes.empty() || !system.needs_projection() || !symbols.attitudes().empty()) return {};
+    if (!system.needs_projection() || !symbols.attitudes().empty()) return {};
     const Values values(system.scene, system.translate);
     const std::size_t n = symbols.degrees();
     std::vector<bool> result(2 * n, false);
-    for (const ConstraintEquation& c : system.constraints)
-        for (std::size_t j = 0; c.holds && j < n; ++j) {
+    for (const std::size_t i : of_start(system))
+        for (std::size_t j = 0; j < n; ++j) {
+            const ConstraintEquation& c = system.constraints[i];
             if (c.rate.jacobian[j].is_zero()) continue;
             if (c.position && !values.is_written(SymbolKind::coordinate, j)) result[j] = true;
             if (!values.is_written(SymbolKind::velocity, j)) result[n + j] = true;

@@ -25,8 +25,8 @@ void bring_back(const System& system, const DifferencesAt<System, List>& at, std
     using Generalised = typename System::Generalised;
     if constexpr (may_have_entries<Constraints>) {
         if (size_of<Constraints>() == 0) return;
-        // Steps as long as order four allows: rounding counts the less, and constraints are smooth but for their kinks.
-        constexpr int longer = 16;
+        // Longer steps than for guards: rounding counts the less, and constraints are smooth but for their kinks.
+        constexpr int longer = 4;
         const auto crosses = [&](const System&, const auto& ahead, const Scalar&, const System&, const auto& behind, const Scalar&,
                                  const Scalar&) { return has_kink(ahead, behind); };
         if (at.along(c, s, Scalar(0), crosses, Scalar(longest_of_order_four * longer))) return;
