@@ -2,7 +2,7 @@
 # A program that was interrupted left its compiler running, and folders among the temporary files.
 mkdir temporary
 for signal in TERM HUP; do
-  TMPDIR=$here/temporary "$PROGRAM" simulate "$model" -o results >printed 2>&1 &
+  TMPDIR=$here/temporary "$PROGRAM" simulate "$model" --no-cache -o results >printed 2>&1 &
   program=$!
   for _ in $(seq 600); do
     pgrep -f "$here/temporary" >compilers && break
