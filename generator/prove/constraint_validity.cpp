@@ -81,9 +81,12 @@ private:
 
 namespace {
 
+/// That of friction with a state in place of modes is held by none.
+bool holds_in(const Scene& scene, const ConstraintEquation& c, std::size_t mode) { return !c.item->share && scene.holds(c.item->when, mode); }
+
 bool holds_always(const Scene& scene, const ConstraintEquation& c) {
     for (std::size_t mode = 0; mode < scene.modes.size(); ++mode)
-        if (!scene.holds(c.item->when, mode)) return false;
+        if (!holds_in(scene, c, mode)) return false;
     return c.holds;
 }
 
@@ -106,7 +109,7 @@ std::optional<std::size_t> mode_of_start(const System& system) {
     const Scene& scene = system.scene;
     for (std::size_t mode = 0; mode < scene.modes.size(); ++mode)
         if (std::all_of(system.constraints.begin(), system.constraints.end(),
-                        [&](const ConstraintEquation& c) { return holds_always(scene, c) || !scene.holds(c.item->when, mode); }))
+                        [&](const ConstraintEquation& c) { return holds_always(scene, c) || !holds_in(scene, c, mode); }))
             return mode;
     return {};
 }
