@@ -7,6 +7,7 @@
 
 #include "form/constrained_motion.hpp"
 #include "symbolic/functions.hpp"
+#include "symbolic/sizes.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -85,7 +86,8 @@ private:
     /// A velocity that becomes what follows from a rate of zero: see note [dead centres].
     ex but_for_roundings(const ex& before, const ex& after, const ex& factor) const {
         if (symbols_.is_constant(factor)) return after;
-        return if_else((GiNaC::numeric(1, roundings_squared) - GiNaC::pow(before - after, 2)).expand(), after, before);
+        const ex rounding = (GiNaC::numeric(1, roundings_squared) - GiNaC::pow(before - after, 2)).expand();
+        return if_else(GiNaC::pow(factor, 2) - least_square(factor), if_else(rounding, after, before), before);
     }
 
     /// The velocities after an impact on a constraint, and the position exactly on it. What is zero when it happens may be its rate.

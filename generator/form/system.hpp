@@ -116,10 +116,10 @@ struct Impact {
     std::optional<std::size_t> pivot;   ///< where nothing is left of the rate: the free coordinate whose velocity follows from it
 };
 
-/// Note [dead centres]: friction sticks where its rate falls to zero, so that its reset takes no more than roundings away. Where it would
-/// take more, the factor of the velocity is what has become zero, as at the dead centre of a crank: the friction cannot hold the machine
-/// there, and the velocity stays. This is one over the square of what counts as roundings: they follow from how exactly the time of a stop
-/// is known.
+/// Note [dead centres]: friction sticks where its rate, a factor times a velocity, falls to zero. At the dead centre of a crank it is the
+/// factor that becomes zero: friction cannot hold the crank there, and the velocity stays. A factor is zero below a millionth of its size at
+/// any angle. The size of other factors is not known; but where friction sticks, nothing but rounding is left of the velocity. The number
+/// is one over the square of the largest rounding, which follows from how exactly the time of a stop is known.
 inline constexpr long roundings_squared = 100000000;  // 1/(1e-4 m/s)^2, or of rad/s
 
 /// New values of x, by place, made of the old ones.
