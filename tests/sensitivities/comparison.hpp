@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sensitivities of a run beside extrapolated differences of runs with parameters that are moved.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+#include <dalembert/sensitivities/extrapolation.hpp>
+
+#include "elements/runs.hpp"
+#include "model_files.hpp"
+#include "plant/sensitivities_together.hpp"
+#include "run/run_preparation.hpp"
+#include "run/simulation.hpp"
+
+namespace dalembert {
+
+inline const bool is_full = std::getenv("DALEMBERT_FULL") != nullptr;
+inline const double tolerance = is_full ? 1e-12 : 1e-10;
+inline const bool prints = std::getenv("DALEMBERT_TABLE") != nullptr;
+
+/// The same run with one that is varied moved by so much.
+inline PlantRun moved(const PlantRun& run, const VariedOfRun& varied, double by) {
+    PlantRun other = run;
+    other.varied.clear();
+    if (varied.what.of == Varied::Of::parameter) other.parameters[varied.what.number] += by;
+    for (std::size_t i = 0; i < other.start.size(); ++i) other.start[i] += by * varied.start[i];
+    for (std::size_t i = 0; i < other.kinks.size(); ++i) other.kinks[i] += by * varied.kinks[i];
+    return other;
+}
+
+inline constexpr std::size_t parts = 7, points_of_part = 10;
+inline constexpr std::size_t most_compared = 12;  ///< parameters of a run
+
+/// The same run recorded at some times. Steps end at those that are compared: what lies within a step is not as accurate.
+inline PlantRun recorded_where_steps_end(PlantRun run) {
+    for (std::size_t k = 1; k < parts * points_of_part; ++k) {
+        const double t = run.until * static_cast<double>(k) / (parts * points_of_part);
+        run.output_times.push_back(t);
+        if (k % points_of_part != 0) continue;
+        const auto place = std::lower_bound(run.kinks.begin(), run.kinks.end(), t) - run.kinks.begin();
+        run.kinks.insert(run.kinks.begin() + place, t);
+        for (VariedOfRun& one : run.varied) one.kinks.insert(one.kinks.begin() + place, 0);
+    }
+    return run;
+}
+
+using Derivative = detail::Extrapolated<double>;
+
+/// States and outputs by one that is varied, of each row that is compared.
+inline std::vector<std::vector<Derivative>> by_differences(const dalembert_plant& plant, const PlantRun& run, const VariedOfRun& varied,
+                                                    double size, std::size_t count) {
+    constexpr std::size_t levels = detail::steps_of_extrapolation;
+    const std::size_t rows = parts + 1;
+    std::vector<std::vector<std::array<double, levels>>> differences(rows, std::vector<std::array<double, levels>>(count));
+    double step = size * detail::longest_step_of_extrapolation;
+    for (std::size_t level = 0; level < levels; ++level, step /= 2) {
+        const PlantRunResult ahead = simulate_plant(plant, moved(run, varied, step)),
+                             behind = simulate_plant(plant, moved(run, varied, -step));
+        const auto at = [&](const PlantRunResult& result, std::size_t row, std::size_t i) {
+            const std::size_t number = row * points_of_part;
+            return number < result.recording.rows.size() ? result.recording.rows[number][i + 1] : NAN;
+        };
+        for (std::size_t r = 0; r < rows; ++r)
+            for (std::size_t i = 0; i < count; ++i) differences[r][i][level] = (at(ahead, r, i) - at(behind, r, i)) / (2 * step);
+    }
+    std::vector<std::vector<Derivative>> result(rows);
+    for (std::size_t r = 0; r < rows; ++r)
+        for (std::size_t i = 0; i < count; ++i) result[r].push_back(detail::extrapolated(differences[r][i]));
+    return result;
+}
+
+struct Row {
+    std::string name, by, of;
+    double expected = 0, found = 0, error = 0, noise = 0;
+    std::size_t compared = 0, sharply = 0;  ///< those where differences have nine digits
+};
+
+/// The largest value of a column. One that is zero but for rounding is as large as a thousandth of others with its unit.
+inline double size_of(const Recording& recording, std::size_t column) {
+    double largest = 1e-6;
+    for (std::size_t other = 1; other < recording.columns.size(); ++other) {
+        if (recording.columns[other].unit != recording.columns[column].unit) continue;
+        for (const auto& row : recording.rows) largest = std::max(largest, std::fabs(row[other]) * (other == column ? 1 : 1e-3));
+    }
+    return largest;
+}
+
+inline Row compare(const dalembert_plant& plant, const PlantRun& run, const PlantRunResult& result, std::size_t c) {
+    const VariedOfRun& varied = run.varied[c];
+    const std::size_t count = run.states.size() + plant.outputs;
+    const double value = varied.what.of == Varied::Of::parameter ? run.parameters[varied.what.number] : 0;
+    const double size = value != 0 ? std::fabs(value) : 1;
+    const auto differences = by_differences(plant, run, varied, size, count);
+    Row row;
+    row.by = varied.name;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double largest = size_of(result.recording, i + 1);
+        for (std::size_t r = 1; r < differences.size(); ++r) {
+            const auto& [expected, doubt] = differences[r][i];
+            const std::vector<double>& all = result.sensitivities.rows[r * points_of_part];
+            // On an event derivatives are those of one side, and differences the mean of both.
+            const auto is_there = [&](const EventOfRun& event) { return std::fabs(event.t - all[0]) < 1e-9 * run.until; };
+            if (std::any_of(result.events.begin(), result.events.end(), is_there)) continue;
+            const double found = all[1 + c * count + i];
+            double scale = std::max(std::fabs(expected), largest / size);
+            for (std::size_t j = 0; j < count; ++j)  // as of a speed that stays, of velocities that do not
+                if (result.recording.columns[j + 1].unit == result.recording.columns[i + 1].unit)
+                    scale = std::max(scale, std::fabs(all[1 + c * count + j]));
+            const double error = std::fabs(expected - found) / scale, noise = doubt / scale;
+            if (!(noise < 1e-4)) continue;  // differences tell nothing, as next to an event
+            ++row.compared;
+            row.sharply += noise < 1e-9;
+            if (row.of.empty() || error - 30 * noise > row.error - 30 * row.noise) {
+                row.of = result.recording.columns[i + 1].name;
+                row.expected = expected, row.found = found, row.error = error, row.noise = noise;
+            }
+        }
+    }
+    return row;
+}
+
+/// Both are errors of runs; that of differences is told by themselves.
+constexpr double allowed(const Row& row) { return 3e-8 + 30 * row.noise; }
+
+/// Calls check(name, stem, plant, run) for each run of these models, or of all in the full tier, that is varied by all of its parameters.
+template <class Check>
+void for_each_run(const std::vector<std::string>& models, const Check& check) {
+    for (const std::filesystem::path& file : model_files(models, is_full)) {
+        const auto model = loaded_if_good(file);
+        if (model == nullptr) continue;
+        for (const Run& wanted : model->model.runs) {
+            Options options;
+            options.run = wanted.name;
+            options.tolerance = tolerance;
+            options.no_plot = true;
+            const std::string name = fmt::format("{} {} {}", file.stem().string(), wanted.scene, wanted.name);
+            CAPTURE(name);
+            try {
+                {
+                    const Machine machine = derive_machine(model, RunPreparation(model->model, options).scene(""), {});
+                    for (const Variable& p : machine.system->symbols.all(SymbolKind::parameter)) options.sensitivities.push_back(p.name);
+                }
+                if (options.sensitivities.empty()) continue;
+                const PreparedSimulation prepared = prepare_simulation(model, "", options);
+                const PlantLibrary library(prepared.plant, prepared.cache);
+                check(name, file.stem().string(), library.table(), prepared.run);
+            } catch (const Failure& failure) {
+                if (prints) std::cout << name << ": " << failure.what() << "\n";  // runs that the program refuses
+            }
+        }
+    }
+}
+
+}  // namespace dalembert
