@@ -102,11 +102,8 @@ private:
             return none;
         }
         const State& s = point.S[c];
-        if (detail::InputSlopes<InputsOfPlant, double> known; known.take(inputs_, point.x, point.t)) {
-            System::Input slopes;
-            for (std::size_t j = 0; j < slopes.size(); ++j) slopes[j] = known.along(varied_[c], j, slopes.size(), s.data(), s.size());
-            return slopes;
-        }
+        if (detail::InputSlopes<InputsOfPlant, double> known; known.take(inputs_, point.x, point.t))
+            return known.along<System::Input>(varied_[c], s);
         double step = moved_.distance[c];
         if (step == 0) {
             State scale;

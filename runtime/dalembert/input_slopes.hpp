@@ -48,6 +48,14 @@ public:
         return sum;
     }
 
+    /// Of all inputs.
+    template <class Input, class Varied, class State>
+    Input along(const Varied& varied, const State& s) const {
+        Input slopes{};
+        for (std::size_t j = 0; j < slopes.size(); ++j) slopes[j] = along(varied, j, slopes.size(), s.data(), s.size());
+        return slopes;
+    }
+
 private:
     std::vector<Scalar> columns_;
 };

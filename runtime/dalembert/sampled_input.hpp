@@ -36,7 +36,9 @@ struct SampledInput {
         const auto slope_up_to = [this](std::size_t i) { return (values[i] - values[i - 1]) / (times[i] - times[i - 1]); };
         for (std::size_t i = 1; i < times.size(); ++i) {
             const bool is_last = i + 1 == times.size();
-            const bool is_kink = is_held ? values[i] != values[i - 1] : is_last ? slope_up_to(i) != 0 : slope_up_to(i) != slope_up_to(i + 1);
+            const bool is_kink = is_held   ? values[i] != values[i - 1]
+                                 : is_last ? slope_up_to(i) != 0
+                                           : slope_up_to(i) != slope_up_to(i + 1);
             if (is_kink) found.push_back(times[i]);
         }
         return found;

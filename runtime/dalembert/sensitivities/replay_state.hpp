@@ -66,12 +66,8 @@ public:
 
     /// How inputs follow one that is varied, along the motion.
     typename System::Input slopes_of_inputs(std::size_t c) const {
-        if (InputSlopes<Inputs, Scalar> known; known.take(inputs_, x_, t_)) {
-            typename System::Input slopes{};
-            for (std::size_t j = 0; j < slopes.size(); ++j)
-                slopes[j] = known.along(varied_[c], j, slopes.size(), S_[c].data(), x_.size());
-            return slopes;
-        }
+        if (InputSlopes<Inputs, Scalar> known; known.take(inputs_, x_, t_))
+            return known.template along<typename System::Input>(varied_[c], S_[c]);
         const int side = this->side(c, t_);
         return here().along(c, S_[c], Scalar(0),
                             [&](const System& a, const Plain& ahead, const Scalar& t, const System& b, const Plain& behind, const Scalar&,
@@ -163,7 +159,9 @@ protected:
                 const std::size_t broken = in_mode([&](auto... mode) { return project(system_, x, t, mode...).broken; });
                 Motion::put(all, 0, x);
                 const DifferencesAt<System, List> at{system_, varied_, moved_, scale_, x, t, span_, known_kinks_.free_time(t)};
-                const auto has_kink = [&](const Plain& ahead, const Plain& behind) { return lies_between(ahead, behind, inputs_(x, t), t); };
+                const auto has_kink = [&](const Plain& ahead, const Plain& behind) {
+                    return lies_between(ahead, behind, inputs_(x, t), t);
+                };
                 for (std::size_t c = 0; c < varied_.size(); ++c) {
                     Plain s = Motion::part(all, c + 1);
                     in_mode([&](auto... mode) { bring_back(system_, at, c, x, t, s, has_kink, mode...); });
