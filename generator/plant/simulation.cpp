@@ -15,6 +15,7 @@ PlantRunResult simulate_plant(const dalembert_plant& plant, const PlantRun& run)
         case PlantKind::constrained: return simulate_kind<PlantKind::constrained>(plant, run);
         case PlantKind::choosing: return simulate_kind<PlantKind::choosing>(plant, run);
         case PlantKind::switching: return simulate_kind<PlantKind::switching>(plant, run);
+        case PlantKind::switching_constrained: return simulate_kind<PlantKind::switching_constrained>(plant, run);
     }
     return {};
 }

@@ -32,6 +32,7 @@ extern template PlantRunResult simulate_kind<PlantKind::normed>(const dalembert_
 extern template PlantRunResult simulate_kind<PlantKind::constrained>(const dalembert_plant&, const PlantRun&);
 extern template PlantRunResult simulate_kind<PlantKind::choosing>(const dalembert_plant&, const PlantRun&);
 extern template PlantRunResult simulate_kind<PlantKind::switching>(const dalembert_plant&, const PlantRun&);
+extern template PlantRunResult simulate_kind<PlantKind::switching_constrained>(const dalembert_plant&, const PlantRun&);
 
 namespace plant_run {
 

@@ -4,5 +4,6 @@
 namespace dalembert {
 
 template PlantRunResult simulate_kind<PlantKind::switching>(const dalembert_plant&, const PlantRun&);
+template PlantRunResult simulate_kind<PlantKind::switching_constrained>(const dalembert_plant&, const PlantRun&);
 
 }  // namespace dalembert

@@ -2,6 +2,7 @@
 // Holds positions and rates of constraints: integration uses only their second derivatives, and drifts away from them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -21,6 +22,37 @@ template <class System, class = void>
 inline constexpr bool needs_projection = false;
 template <class System>
 inline constexpr bool needs_projection<System, std::void_t<typename System::Constraints>> = true;
+
+/// Whether it is brought back to more than norms of quaternions.
+template <class System, class = void>
+inline constexpr bool has_constraints = false;
+template <class System>
+inline constexpr bool has_constraints<System, std::void_t<typename System::Constraints>> = may_have_entries<typename System::Constraints>;
+
+/// The system whose constraints a run holds: where more than its state is integrated, the system that is run says which it is, and its state
+/// comes first.
+template <class System, class = void>
+struct Bare {
+    using type = System;
+    static const System& of(const System& system) { return system; }
+    template <class State, class Change>
+    static auto change(State& x, const Change& by) {
+        return by(x);
+    }
+};
+template <class System>
+struct Bare<System, std::void_t<typename System::Bare>> {
+    using type = typename System::Bare;
+    static const type& of(const System& system) { return system.bare(); }
+    template <class State, class Change>
+    static auto change(State& x, const Change& by) {
+        typename type::State part{};
+        std::copy_n(x.begin(), part.size(), part.begin());
+        const auto result = by(part);
+        std::copy_n(part.begin(), part.size(), x.begin());
+        return result;
+    }
+};
 
 /// Whether positions are held of coordinates that all have values.
 template <class System>

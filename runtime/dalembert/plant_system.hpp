@@ -19,14 +19,15 @@ inline namespace v1 {
 
 /// What a plant is to the code that runs it.
 enum class PlantKind {
-    free,         ///< integration needs nothing but the rates
-    normed,       ///< quaternions are brought back to their norm
-    constrained,  ///< and the state to constraints
-    choosing,     ///< of which the run chooses those that are solved for
-    switching,    ///< modes and events
+    free,                   ///< integration needs nothing but the rates
+    normed,                 ///< quaternions are brought back to their norm
+    constrained,            ///< and the state to constraints
+    choosing,               ///< of which the run chooses those that are solved for
+    switching,              ///< modes and events
+    switching_constrained,  ///< that are brought back to constraints or norms, too
 };
 inline PlantKind kind_of(const dalembert_plant& plant) {
-    if (plant.modes > 0) return PlantKind::switching;
+    if (plant.modes > 0) return plant.is_projected == 0 ? PlantKind::switching : PlantKind::switching_constrained;
     if (plant.is_projected == 0) return PlantKind::free;
     if (plant.constraints == 0) return PlantKind::normed;
     return plant.constraint_rank > 0 ? PlantKind::choosing : PlantKind::constrained;
@@ -336,8 +337,9 @@ public:
         detail::series_of_plant(now(), self(), number(mode), t, order, x, rows);
     }
 
-private:
+protected:
     static unsigned number(Mode mode) { return static_cast<unsigned>(mode); }
+private:
     static Modes transitions(std::size_t event, Mode mode, dalembert_transition kind) {
         std::vector<unsigned> numbers(now().most_transitions);
         numbers.resize(now().transitions(event, number(mode), kind, numbers.data()));
@@ -348,6 +350,32 @@ private:
     double power(Power of, Mode mode, const State& x, const Input& u, double t) const {
         return PlantBase::power(of, number(mode), x.data(), u.data(), t);
     }
+};
+
+/// The same with constraints, or norms alone, in each mode.
+template <>
+class PlantSystem<PlantKind::switching_constrained> : public PlantSystem<PlantKind::switching>,
+                                                      public detail::ConstraintTypesOfPlant<PlantKind::constrained> {
+public:
+    using PlantSystem<PlantKind::switching>::PlantSystem;
+
+    template <class Values>
+    void constraint_positions(Mode mode, const State& x, double t, Values& f) const {
+        now().constraint_positions(self(), number(mode), x.data(), t, f.data());
+    }
+    template <class Values>
+    void constraint_rates(Mode mode, const State& x, double t, Values& w) const {
+        now().constraint_rates(self(), number(mode), x.data(), t, w.data());
+    }
+    template <class Values>
+    void constraint_jacobian(Mode mode, const State& x, double t, Values& A) const {
+        now().constraint_jacobian(self(), number(mode), x.data(), t, A.data());
+    }
+    template <class Values>
+    void correction(Mode mode, const State& x, double t, const Values& residual, Generalised& step) const {
+        now().correction(self(), number(mode), x.data(), t, residual.data(), step.data());
+    }
+    void move_back(State& x, const Generalised& step) const { now().move_back(self(), x.data(), step.data()); }
 };
 
 }  // namespace v1

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "dalembert/constraints.hpp"
 #include "dalembert/scales.hpp"
 
 namespace dalembert {
@@ -18,7 +19,7 @@ void set_run(Options& options, const System& system, const Inputs& inputs, const
              double step, std::size_t intervals, double until, double energy, double seen_step = 0) {
     const auto scale = state_scales(system, inputs, start, until, intervals, tolerance, seen_step);
     std::copy(scale.begin(), scale.end(), options.scale.begin());
-    if constexpr (can_be_singular<System>) {
+    if constexpr (has_constraints<System>) {
         // Bringing velocities back to constraints leaves them about twelve digits of the largest one.
         const double least = std::min(1.0, 1e-12 / tolerance) * *std::max_element(scale.begin(), scale.end());
         for (auto& size : options.scale) size = std::max(size, least);

@@ -30,6 +30,9 @@ public:
 
     explicit WithWork(const System& system) : system_(system) {}
 
+    using Bare = System;
+    const System& bare() const { return system_; }
+
     static Plain plain(const State& x) {
         Plain result;
         std::copy_n(x.begin(), n(), result.begin());

@@ -19,6 +19,7 @@
 #include <tuple>
 #include <vector>
 
+#include "dalembert/api.hpp"
 #include "dalembert/constraints.hpp"
 
 namespace dalembert {
@@ -213,11 +214,11 @@ private:
     std::size_t rank_ = 0;
 };
 
-/// Whether constraints hold anything that is projected.
+/// Whether how independent constraints are is measured. Each mode has constraints of its own, and none is known as the usual one.
 template <class System, class = void>
 inline constexpr bool can_be_singular = false;
 template <class System>
-inline constexpr bool can_be_singular<System, std::void_t<typename System::Constraints>> = may_have_entries<typename System::Constraints>;
+inline constexpr bool can_be_singular<System, std::void_t<typename System::Constraints>> = has_constraints<System> && !is_switching<System>;
 
 template <class System, bool = can_be_singular<System>>
 struct MeasureChoice {

@@ -189,6 +189,7 @@ typedef struct dalembert_run_inside {
     double *u, *u_ahead, *u_behind;
     double *k[16], *dense[4], *stage, *other, *difference;
     double *from_x, *from_dxdt, from_t, *next_x, *start_x, *coast_x;
+    unsigned from_mode;
     int is_dense;
     dalembert_candidate c, part, behind;
     unsigned char *ends, *is_strict, *begins_at_zero;

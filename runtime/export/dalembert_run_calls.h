@@ -51,7 +51,8 @@ static inline enum dalembert_status dalembert_begin_run(dalembert_run* run, doub
     }
     if (run->options.method == dalembert_rosenbrock && !in->has_matrix) return dalembert_bad_options;
     if (!dalembert_all_finite(p->states, run->x)) return dalembert_blame(run, 0);
-    (void)dalembert_project_run(run, t, run->x);
+    /* Of what switches the mode is not known yet: dalembert_integrate() does it there. */
+    if (p->modes == 0) (void)dalembert_project_run(run, t, run->x);
     if (dalembert_is_broken(run)) return dalembert_constraint_broken;
     const enum dalembert_status status = dalembert_modes_begin(&in->modes, t, span, run->x);
     k->is_started = status == dalembert_good;
@@ -102,7 +103,7 @@ static inline void dalembert_run_between(dalembert_run* run, double t, double* x
     else {
         const size_t blamed = run->blamed;
         dalembert_within_from(run, &from, &in->c, t, x);
-        if (!dalembert_is_close(run, x, t)) (void)dalembert_project_run(run, t, x);
+        if (!dalembert_is_close(run, x, t)) (void)dalembert_project_in(run, in->from_mode, t, x);
         run->blamed = blamed;
     }
 }

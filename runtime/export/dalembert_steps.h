@@ -72,13 +72,16 @@ static inline int dalembert_is_sure_of_end(const dalembert_run* run) {
     return !run->inside->spares_stages && dalembert_ending_guard(run->inside) != DALEMBERT_NONE;
 }
 
-static inline int dalembert_project_run(dalembert_run* run, double t, double* x) {
-    if (run->plant->modes > 0 || !run->plant->is_projected) return 0;
-    run->blamed = dalembert_project(run->plant, run->self, 0, t, x, run->inside->projection);
+static inline int dalembert_project_in(dalembert_run* run, unsigned mode, double t, double* x) {
+    if (!run->plant->is_projected) return 0;
+    run->blamed = dalembert_project(run->plant, run->self, mode, t, x, run->inside->projection);
     return 1;
 }
+static inline int dalembert_project_run(dalembert_run* run, double t, double* x) {
+    return dalembert_project_in(run, run->inside->modes.mode, t, x);
+}
 static inline int dalembert_is_broken(const dalembert_run* run) {
-    return run->plant->modes == 0 && run->plant->is_projected && run->blamed != DALEMBERT_NONE;
+    return run->plant->is_projected && run->blamed != DALEMBERT_NONE;
 }
 
 static inline void dalembert_accept(dalembert_run* run, const dalembert_candidate* c) {
@@ -94,6 +97,7 @@ static inline void dalembert_accept(dalembert_run* run, const dalembert_candidat
     memcpy(in->from_x, run->x, n * sizeof(double));
     memcpy(in->from_dxdt, in->dxdt, n * sizeof(double));
     in->from_t = run->t;
+    in->from_mode = in->modes.mode;
     in->was_crossed = 0;
     dalembert_move(run, c->end, c->y);
     for (size_t i = 0; i < in->guards; ++i) in->watches[i].settled = in->side[i];

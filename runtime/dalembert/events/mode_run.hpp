@@ -5,9 +5,9 @@
 #include <array>
 #include <cstddef>
 
+#include "dalembert/constraints.hpp"
 #include "dalembert/events/modes.hpp"
 #include "dalembert/integrate.hpp"
-#include "dalembert/singular_positions.hpp"
 
 namespace dalembert {
 inline namespace v1 {
@@ -64,18 +64,13 @@ protected:
     /// In the present mode up to `to`, or to an event.
     Status integrate_to(State& x, Scalar to, std::size_t& event) {
         const auto plain_rhs = [this](const State& at, Scalar t, State& dxdt) { here_.rhs(at, inputs_(at, t), t, dxdt); };
-        MeasureOf<System> measure_of;
         const auto rhs = [&] {
-            if constexpr (needs_projection<System>) {
-                const auto back = [this](State& at, Scalar t) { return project(system_, at, t, here_.mode).broken; };
-                if constexpr (can_be_singular<System>) {
-                    const auto measure = [this, &measure_of](const State& at, Scalar t, bool learns) {
-                        return measure_of(system_, at, t, learns, here_.mode);
-                    };
-                    return ProjectedRhs{plain_rhs, back, measure};
-                } else {
-                    return ProjectedRhs{plain_rhs, back};
-                }
+            using Bare = detail::Bare<System>;
+            if constexpr (needs_projection<typename Bare::type>) {
+                const auto back = [this](State& at, Scalar t) {
+                    return Bare::change(at, [&](auto& part) { return project(Bare::of(system_), part, t, here_.mode).broken; });
+                };
+                return ProjectedRhs{plain_rhs, back};
             } else {
                 return plain_rhs;
             }
