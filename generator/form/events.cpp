@@ -136,6 +136,10 @@ private:
             }
             return;
         }
+        impact.takes_roundings = is_stop && (!impact.pivot || !motion.multipliers.empty());
+        if (impact.takes_roundings) impact.pivot.reset();  // or the velocity stays
+        for (const ex& factor : impact.direction)
+            if (impact.takes_roundings) impact.least += least_square(factor);
         reset.impact = std::move(impact);
     }
 

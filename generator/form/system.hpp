@@ -114,6 +114,8 @@ struct Impact {
     GiNaC::ex drift;                    ///< rate = direction*velocities + drift
     GiNaC::ex restitution;
     std::optional<std::size_t> pivot;   ///< where nothing is left of the rate: the free coordinate whose velocity follows from it
+    bool takes_roundings = false;       ///< and no more: note [dead centres]
+    GiNaC::ex least = 0;                ///< then direction^2 is zero below it
 };
 
 /// Note [dead centres]: friction sticks where its rate, a factor times a velocity, falls to zero. At the dead centre of a crank it is the

@@ -67,6 +67,7 @@ struct ResetCode {
     std::vector<std::size_t> places = {};
     std::size_t first = 0;
     std::optional<std::size_t> impact = {};  ///< the column of solved in which M^-1*direction stands
+    std::optional<NodeId> impulse = {}, limited = {};  ///< where it takes roundings and no more: see note [dead centres]
 };
 
 /// Whose sine and cosine the header calls: those of the library, or of float its own, which makes both from one reduction.

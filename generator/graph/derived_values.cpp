@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "graph/derived_values.hpp"
 
+#include <algorithm>
+
 #include "symbolic/functions.hpp"
+#include "symbolic/sizes.hpp"
 
 namespace dalembert {
 
@@ -22,40 +25,84 @@ std::vector<ex> output_values(const System& system) {
     return values;
 }
 
+namespace {
+
+bool holds_in_all_modes(const Scene& scene, const ConstraintEquation& c) {
+    bool holds = true;
+    for (std::size_t mode = 0; mode < scene.modes.size(); ++mode) holds = holds && scene.holds(c.item->when, mode);
+    return holds;
+}
+
+/// Whether this mode holds something that others do not, and the forces of constraints may be without effect at some positions, as that of
+/// friction at a dead centre.
+bool may_be_without_effect(const System& system) {
+    const Motion& motion = system.motion;
+    const auto is_constant = [&](std::size_t row, std::size_t column) {
+        return system.symbols.is_constant(motion.matrix(static_cast<unsigned>(row), static_cast<unsigned>(column)));
+    };
+    const bool is_special = std::any_of(system.constraints.begin(), system.constraints.end(), [&](const ConstraintEquation& c) {
+        return c.holds && !c.item->share && !holds_in_all_modes(system.scene, c);
+    });
+    for (std::size_t row = motion.free.size(); is_special && row < motion.unknowns(); ++row)
+        for (std::size_t column = 0; column < motion.free.size(); ++column)
+            if (!is_constant(row, column)) return true;
+    return false;
+}
+
+}  // namespace
+
 std::vector<ModeCondition> conditions(const System& system) {
+    using Of = ModeCondition::Of;
     std::vector<ModeCondition> result;
+    const Motion& motion = system.motion;
     const auto place = [&](SymbolKind kind, std::size_t position) { return system.symbols.place(kind, position); };
-    for (const auto& [coordinate, value] : system.motion.positions)
-        result.push_back({place(SymbolKind::coordinate, coordinate), value, true});
-    for (const auto& [coordinate, rate] : system.motion.velocities) {
+    for (const auto& [coordinate, value] : motion.positions)
+        result.push_back({place(SymbolKind::coordinate, coordinate), value, Of::position});
+    for (const auto& [coordinate, rate] : motion.velocities) {
         ex velocity = rate.drift;
-        for (std::size_t i = 0; i < system.motion.free.size(); ++i)
-            velocity += rate.jacobian[i] * system.symbols.get(SymbolKind::velocity, system.motion.free[i]);
-        result.push_back({place(SymbolKind::velocity, coordinate), velocity, false});
+        for (std::size_t i = 0; i < motion.free.size(); ++i)
+            velocity += rate.jacobian[i] * system.symbols.get(SymbolKind::velocity, motion.free[i]);
+        result.push_back({place(SymbolKind::velocity, coordinate), velocity, Of::kept_rate});
     }
-    for (const std::size_t constraint : system.motion.multipliers) {
-        const ConstraintEquation& c = system.constraints[constraint];
+    const bool asks_accelerations = may_be_without_effect(system);
+    for (std::size_t i = 0; i < motion.multipliers.size(); ++i) {
+        const ConstraintEquation& c = system.constraints[motion.multipliers[i]];
         if (c.item->share) continue;  // no mode holds it
-        if (c.position) result.push_back({std::nullopt, *c.position, true});
-        result.push_back({std::nullopt, c.whole_rate, false});
+        const bool is_kept = holds_in_all_modes(system.scene, c);
+        if (c.position) result.push_back({std::nullopt, *c.position, Of::position});
+        result.push_back({std::nullopt, c.whole_rate, is_kept ? Of::kept_rate : Of::rate});
+        if (asks_accelerations) result.push_back({std::nullopt, motion.residual[motion.free.size() + i], Of::acceleration});
     }
     for (const BranchState& branch : system.circuit.branches)
-        if (branch.is_cut_off) result.push_back({place(SymbolKind::state, *branch.state), 0, false});
+        if (branch.is_cut_off) result.push_back({place(SymbolKind::state, *branch.state), 0, Of::current});
     return result;
 }
+
+namespace {
+
+/// Beside what a condition is measured: see is_near() in the runtime.
+ex size_of(const System& system, const ex& sum, ModeCondition::Of of) {
+    // What comes to rest within a loop leaves roundings, and no terms beside which they are small.
+    const ex at_rest = system.motion.multipliers.empty() ? ex(0) : GiNaC::numeric(1, 1 << 20);
+    switch (of) {
+        // A position is as good as the integration, whose error is larger than that of a rate.
+        case ModeCondition::Of::position: return 64 * size_at_any_angle(sum);
+        case ModeCondition::Of::rate: return size_of_terms(sum) + at_rest;
+        case ModeCondition::Of::kept_rate: return size_at_any_angle(sum) + at_rest;
+        case ModeCondition::Of::acceleration: return size_of_terms(sum) + 1;
+        case ModeCondition::Of::current: return 0;
+    }
+    return 0;
+}
+
+}  // namespace
 
 std::vector<ex> condition_values(const System& system) {
     if (system.scene.modes.empty()) return {};
     std::vector<ex> values, sizes;
-    for (const auto& [place, value, is_position] : conditions(system)) {
-        const ex sum = value.expand();
-        values.push_back(sum);
-        const bool is_sum = GiNaC::is_exactly_a<GiNaC::add>(sum);
-        GiNaC::exvector terms;
-        for (std::size_t i = 0; is_sum && i < sum.nops(); ++i) terms.push_back(magnitude(sum.op(i)));
-        // A position is as good as the integration, whose error is larger than that of a rate.
-        const ex size = is_sum ? ex(GiNaC::add(terms)) : magnitude(sum);
-        sizes.push_back(is_position ? 64 * size : size);
+    for (const auto& [place, value, of] : conditions(system)) {
+        values.push_back(value.expand());
+        sizes.push_back(size_of(system, values.back(), of));
     }
     values.insert(values.end(), sizes.begin(), sizes.end());
     return values;

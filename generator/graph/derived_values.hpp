@@ -17,12 +17,12 @@ std::vector<GiNaC::ex> output_values(const System& system);
 /// What the model gives as start of x = [q; v; z].
 std::vector<GiNaC::ex> start_values(const System& system);
 
-/// What a mode asks for that holds constraints or cuts off inductors: entries of x, by place, that these determine, and their values; and what is to be zero
-/// itself.
+/// What a mode asks for that holds constraints or cuts off inductors: entries of x, by place, that these determine, and their values; and
+/// what is to be zero itself. That a rate is zero is not enough where its force may be without effect: then it must stay zero, too.
 struct ModeCondition {
     std::optional<std::size_t> place;
     GiNaC::ex value;
-    bool is_position;
+    enum class Of { position, rate, kept_rate, acceleration, current } of;  ///< no change of mode makes a kept rate zero
 };
 std::vector<ModeCondition> conditions(const System& system);
 /// The values, and behind them the sums of the magnitudes of their terms, against which roundings are measured.

@@ -134,6 +134,7 @@ private:
         result.direction = all(reset.impact->direction);
         result.drift = one(reset.impact->drift);
         result.restitution = one(reset.impact->restitution);
+        result.least = one(reset.impact->least);
         return result;
     }
 
@@ -187,6 +188,7 @@ private:
                 list(reset.direction);
                 one(reset.drift);
                 one(reset.restitution);
+                one(reset.least);
             }
         where = "Jacobians";
         for (auto& columns : l.by)

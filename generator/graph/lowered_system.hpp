@@ -29,7 +29,7 @@ struct LoweredSystem {
     struct Reset {
         std::vector<Polynomial> values;
         std::vector<Polynomial> direction;      ///< of an impact; none without
-        Polynomial drift, restitution;
+        Polynomial drift, restitution, least;
     };
     std::vector<Reset> resets, rests;           ///< by event
     std::vector<Polynomial> held_drift;         ///< velocities that constraints determine: drift and factors of the free ones, row by row

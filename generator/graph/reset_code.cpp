@@ -37,7 +37,7 @@ public:
             for (const LoweredSystem::Reset& reset : *all) {
                 firsts.push_back(roots.add(reset.values));
                 roots.add(reset.direction);
-                if (is_struck(reset)) roots.add({reset.drift, reset.restitution});
+                if (is_struck(reset)) roots.add({reset.drift, reset.restitution, reset.least});
             }
         builder.prepare(roots.polynomials());
         if (any_impact) {
@@ -92,8 +92,27 @@ private:
         f.solved.entries.insert(f.solved.entries.end(), solved.begin(), solved.end());
         auto rate = product(direction, velocity);
         rate.emplace_back(false, drift);
-        const NodeId impulse = p.product({p.sum({{false, p.constant(1)}, {false, restitution}}), p.sum(std::move(rate)),
-                                          p.reciprocal(p.sum(product(direction, solved)))});
+        const NodeId along = p.sum(product(direction, solved));
+        const auto inverse = [&] {
+            if (!impact.takes_roundings) return p.reciprocal(along);
+            // Without the multipliers, which may leave nothing of it.
+            const NodeId alone = n_ > free_ ? p.sum(product(direction, solve(p, free_, f.factors, direction))) : along;
+            return p.function(Op::independent_inverse, {along, alone});
+        }();
+        NodeId impulse = p.product({p.sum({{false, p.constant(1)}, {false, restitution}}), p.sum(std::move(rate)), inverse});
+        if (impact.takes_roundings) {
+            std::vector<std::pair<bool, NodeId>> left{{false, p.constant(Rational(1) / Rational(roundings_squared))}};
+            for (std::size_t i = 0; i < free_; ++i) {
+                const NodeId change = p.product({solved[i], impulse});
+                left.emplace_back(true, p.product({change, change}));
+            }
+            code.impulse = impulse;
+            std::vector<std::pair<bool, NodeId>> beyond = product(direction, direction);
+            beyond.emplace_back(true, builder.root(first + free_ + 2));
+            const NodeId none = p.constant(0);
+            const NodeId rounding = p.function(Op::if_else, {p.sum(std::move(left)), impulse, none});
+            impulse = *(code.limited = p.function(Op::if_else, {p.sum(std::move(beyond)), rounding, none}));
+        }
         std::vector<NodeId> after;
         for (std::size_t i = 0; i < free_; ++i) after.push_back(p.difference(velocity[i], p.product({solved[i], impulse})));
         if (impact.pivot) {

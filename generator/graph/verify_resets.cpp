@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "graph/verify_resets.hpp"
 
+#include "symbolic/functions.hpp"
+
 namespace dalembert {
 
 using GiNaC::ex;
@@ -20,6 +22,17 @@ void compare_reset(const Code& code, const CachedMeaning& cached, const ResetCod
         const NodeId node = f.solved.at(i, *emitted.impact);
         if (f.program[node].kind != Node::Kind::constant) raise.define(node, GiNaC::realsymbol("s" + std::to_string(i)));
         slope.push_back(raise(node));
+    }
+    if (emitted.limited) {
+        const ex impulse = GiNaC::realsymbol("impulse");
+        Raiser of_impulse = raise;
+        of_impulse.define(*emitted.impulse, impulse);
+        ex left = GiNaC::numeric(1, roundings_squared);
+        for (const ex& s : slope) left -= GiNaC::pow(s * impulse, 2);
+        ex beyond = -impact.least;
+        for (const ex& factor : impact.direction) beyond += GiNaC::pow(factor, 2);
+        compare(of_impulse(*emitted.limited), if_else(beyond, if_else(left, impulse, 0), 0));
+        raise.define(*emitted.limited, raise(*emitted.impulse));
     }
     const auto velocity = [&](std::size_t i) { return system.symbols.get(SymbolKind::velocity, motion.free[i]); };
     ex before = impact.drift, after = impact.drift, along = 0;

@@ -47,7 +47,10 @@ FunctionBody FunctionBodies::event_values(const HeaderFunction& row) {
 FunctionBody FunctionBodies::conditions() {
     const FunctionCode& f = code_[Function::conditions];
     StatementMaker maker(code_, f, cached_values_, arguments_);
-    Statements statements = maker.compute(f.results);
+    Statements statements;
+    if (f.uses_accelerations) append(statements, accelerations_by_rhs(maker));
+    maker.bind_accelerations(Value::name("dxdt"), velocities_);
+    append(statements, maker.compute(f.results));
     std::vector<Value> all;
     const std::size_t count = code_.condition_places.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -58,7 +61,7 @@ FunctionBody FunctionBodies::conditions() {
     }
     if (!f.results.empty()) helpers_.insert("is_near");
     statements.push_back(Return{Value::all_of(f.results.empty() ? std::vector<Value>() : std::move(all))});
-    return finish(maker, std::move(statements), {}, {.state = !f.results.empty()});
+    return finish(maker, std::move(statements), {}, {.state = !f.results.empty(), .everything = f.uses_accelerations});
 }
 
 FunctionBody FunctionBodies::resets(const std::vector<ResetCode>& resets) {

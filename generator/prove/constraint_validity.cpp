@@ -82,7 +82,9 @@ private:
 namespace {
 
 /// That of friction with a state in place of modes is held by none.
-bool holds_in(const Scene& scene, const ConstraintEquation& c, std::size_t mode) { return !c.item->share && scene.holds(c.item->when, mode); }
+bool holds_in(const Scene& scene, const ConstraintEquation& c, std::size_t mode) {
+    return !c.item->share && scene.holds(c.item->when, mode);
+}
 
 bool holds_always(const Scene& scene, const ConstraintEquation& c) {
     for (std::size_t mode = 0; mode < scene.modes.size(); ++mode)

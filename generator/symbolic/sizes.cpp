@@ -23,13 +23,22 @@ ex without_waves(const ex& term) {
     return product;
 }
 
+template <class Part>
+ex sum_of(const ex& sum, const Part& part) {
+    if (!GiNaC::is_exactly_a<GiNaC::add>(sum)) return magnitude(part(sum));
+    GiNaC::exvector terms;
+    for (const ex& term : sum) terms.push_back(magnitude(part(term)));
+    return GiNaC::add(terms);
+}
+
 }  // namespace
 
-ex least_square(const ex& sum) {
-    const bool is_sum = GiNaC::is_exactly_a<GiNaC::add>(sum);
-    ex size = is_sum ? ex(0) : magnitude(without_waves(sum));
-    for (std::size_t i = 0; is_sum && i < sum.nops(); ++i) size += magnitude(without_waves(sum.op(i)));
-    return GiNaC::pow(size, 2) / 1000000000000;
+ex size_of_terms(const ex& sum) {
+    return sum_of(sum, [](const ex& term) { return term; });
 }
+
+ex size_at_any_angle(const ex& sum) { return sum_of(sum, without_waves); }
+
+ex least_square(const ex& sum) { return GiNaC::pow(size_at_any_angle(sum), 2) / 1000000000000; }
 
 }  // namespace dalembert

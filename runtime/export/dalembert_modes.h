@@ -126,6 +126,7 @@ struct dalembert_modes {
     double *u, *g, *rates, *dxdt, *before, *after; /* room to work in */
     double *u_half, *u_whole, *g_half, *g_whole;   /* with inputs of half an instant and of an instant later */
     double* s;                                     /* functions of time */
+    double* projection;                            /* dalembert_projection_room() */
     unsigned *candidates, *others;
     unsigned char *is_over, *is_ignored;
 };

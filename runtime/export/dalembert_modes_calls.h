@@ -39,6 +39,7 @@ static inline void dalembert_modes_lay_work(dalembert_modes* m, dalembert_room* 
     m->dxdt = dalembert_numbers(room, p->states);
     m->before = dalembert_numbers(room, p->states);
     m->after = dalembert_numbers(room, p->states);
+    if (p->is_projected) m->projection = dalembert_numbers(room, dalembert_projection_room(p));
     m->candidates = (unsigned*)dalembert_take(room, p->most_transitions + 1, sizeof(unsigned));
     m->others = (unsigned*)dalembert_take(room, p->most_transitions + 1, sizeof(unsigned));
     m->is_over = (unsigned char*)dalembert_take(room, p->events + 1, 1);

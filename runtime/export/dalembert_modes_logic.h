@@ -173,9 +173,9 @@ static inline int dalembert_change_ahead(dalembert_modes* m, const unsigned* mod
     return 0;
 }
 
-/* The effect on x, and a mode for it among `count` candidates. */
-static inline enum dalembert_status dalembert_change(dalembert_modes* m, const dalembert_effect* effect, size_t count, double* t, double* x,
-                                                     size_t* next) {
+/* The effect on x, and a mode for it among `count` candidates; m->before is in front of it. */
+static inline enum dalembert_status dalembert_change_once(dalembert_modes* m, const dalembert_effect* effect, size_t count, double* t,
+                                                          double* x, size_t* next) {
     const dalembert_plant* const p = m->plant;
     const size_t n = p->states;
     const int is_jump = dalembert_jumps(m, effect->event, *t, x);
@@ -210,6 +210,16 @@ static inline enum dalembert_status dalembert_change(dalembert_modes* m, const d
     p->guard_rates(m->self, m->mode, x, m->u, *t, m->rates);
     m->departures[effect->event] = p->is_watched(m->mode, effect->event) ? m->rates[effect->event] : 0;
     return dalembert_good;
+}
+
+/* Within a step constraints hold as well as the step is exact. No mode may take what is left of them where a loop comes to rest, or where
+ * the tolerance is large. */
+static inline enum dalembert_status dalembert_change(dalembert_modes* m, const dalembert_effect* effect, size_t count, double* t, double* x,
+                                                     size_t* next) {
+    const enum dalembert_status status = dalembert_change_once(m, effect, count, t, x, next);
+    if (status != dalembert_no_mode || !m->plant->is_projected) return status;
+    (void)dalembert_project(m->plant, m->self, effect->from, *t, x, m->projection);
+    return dalembert_change_once(m, effect, count, t, x, next);
 }
 
 static inline int dalembert_goes_on_after(const dalembert_modes* m, size_t event) {

@@ -201,7 +201,7 @@ typedef struct dalembert_run_inside {
     dalembert_band J, W;
     double *J_values, *J_u, *dfdt, *prepared_x, *prepared_u, prepared_t;
     int is_prepared;
-    double *projection, *weighted, *gram, *pivots, *pivots_of_chosen;
+    double *weighted, *gram, *pivots, *pivots_of_chosen;
     size_t *order, *order_of_chosen;
     int* is_held; /* those that are never left out */
     unsigned char* is_done;

@@ -102,7 +102,6 @@ static inline void dalembert_lay_run(dalembert_run* run, dalembert_inside* in, d
         in->W.sizes = dalembert_numbers(room, n);
         in->W.exchanges = (size_t*)dalembert_take(room, n, sizeof(size_t));
     }
-    if (p->is_projected) in->projection = dalembert_numbers(room, dalembert_projection_room(p));
     if (m > 0) {
         in->weighted = dalembert_numbers(room, 2 * m * p->degrees + p->degrees * p->degrees);
         in->gram = dalembert_numbers(room, 2 * m * m + m);

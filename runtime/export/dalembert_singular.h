@@ -30,7 +30,7 @@ static inline double dalembert_distance(dalembert_run* run, const double* x, con
     return dalembert_error_norm(run, x, y, difference);
 }
 static inline size_t dalembert_bring_back(dalembert_run* run, double t, double* x) {
-    return dalembert_project(run->plant, run->self, 0, t, x, run->inside->projection);
+    return dalembert_project(run->plant, run->self, 0, t, x, run->inside->modes.projection);
 }
 
 /* Whether a state is too near to a singular position to be brought back to the constraints. */

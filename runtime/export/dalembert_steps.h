@@ -74,7 +74,7 @@ static inline int dalembert_is_sure_of_end(const dalembert_run* run) {
 
 static inline int dalembert_project_in(dalembert_run* run, unsigned mode, double t, double* x) {
     if (!run->plant->is_projected) return 0;
-    run->blamed = dalembert_project(run->plant, run->self, mode, t, x, run->inside->projection);
+    run->blamed = dalembert_project(run->plant, run->self, mode, t, x, run->inside->modes.projection);
     return 1;
 }
 static inline int dalembert_project_run(dalembert_run* run, double t, double* x) {

@@ -30,6 +30,7 @@ function lay_modes(modes, plant, self) {
         dxdt: numbers(plant.states),
         before: numbers(plant.states),
         after: numbers(plant.states),
+        projection: numbers(plant.is_projected ? dalembert_projection_room(plant) : 0),
         candidates: numbers(plant.most_transitions + 1),
         others: numbers(plant.most_transitions + 1),
         is_over: numbers(plant.events + 1),
@@ -91,7 +92,6 @@ function dalembert_run_new(plant, self) {
     for (let i = 0; i < 4; ++i) inside.dense[i] = numbers(n);
     for (const one of ["c", "part", "behind"]) Object.assign(inside[one], {y: numbers(n), error: numbers(n), dydt: numbers(n)});
     lay_matrices(inside, plant);
-    if (is_measured) inside.projection = numbers(dalembert_projection_room(plant));
     if (is_measured && plant.constraints > 0) lay_constraints(inside, plant);
     Object.assign(inside.modes, {context: run, on_change: dalembert_on_change, coast: dalembert_coast, is_exact: 1});
     inside.guards = guards;

@@ -196,8 +196,22 @@ private:
         return departures_[event] * accumulations_[event].interval() <= Scalar(4) * roundings;
     }
 
+    /// Within a step constraints hold as well as the step is exact. No mode may take what is left of them where a loop comes to rest, or
+    /// where the tolerance is large.
     template <class Modes, class Reset>
     Status change(std::size_t event, const Modes& candidates, const Reset& reset, bool is_accumulation, std::size_t& next) {
+        const Status status = change_once(event, candidates, reset, is_accumulation, next);
+        using Bare = detail::Bare<System>;
+        if constexpr (needs_projection<typename Bare::type>)
+            if (status == Status::no_mode) {
+                Bare::change(x_, [&](auto& part) { return project(Bare::of(system_), part, t_, here_.mode).broken; });
+                return change_once(event, candidates, reset, is_accumulation, next);
+            }
+        return status;
+    }
+
+    template <class Modes, class Reset>
+    Status change_once(std::size_t event, const Modes& candidates, const Reset& reset, bool is_accumulation, std::size_t& next) {
         const State before = x_;
         const Mode from = here_.mode;
         const bool is_jump = jumps(event);
