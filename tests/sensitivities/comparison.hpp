@@ -102,14 +102,17 @@ inline Row compare(const dalembert_plant& plant, const PlantRun& run, const Plan
     row.by = varied.name;
     for (std::size_t i = 0; i < count; ++i) {
         const double largest = size_of(result.recording, i + 1);
+        double so_far = 0;  // what swings has no digits of its own where it passes zero
         for (std::size_t r = 1; r < differences.size(); ++r) {
             const auto& [expected, doubt] = differences[r][i];
             const std::vector<double>& all = result.sensitivities.rows[r * points_of_part];
+            for (std::size_t k = (r - 1) * points_of_part; k <= r * points_of_part; ++k)
+                so_far = std::max(so_far, std::fabs(result.sensitivities.rows[k][1 + c * count + i]));
             // On an event derivatives are those of one side, and differences the mean of both.
             const auto is_there = [&](const EventOfRun& event) { return std::fabs(event.t - all[0]) < 1e-9 * run.until; };
             if (std::any_of(result.events.begin(), result.events.end(), is_there)) continue;
             const double found = all[1 + c * count + i];
-            double scale = std::max(std::fabs(expected), largest / size);
+            double scale = std::max({std::fabs(expected), so_far, largest / size});
             for (std::size_t j = 0; j < count; ++j)  // as of a speed that stays, of velocities that do not
                 if (result.recording.columns[j + 1].unit == result.recording.columns[i + 1].unit)
                     scale = std::max(scale, std::fabs(all[1 + c * count + j]));

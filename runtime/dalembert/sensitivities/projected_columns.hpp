@@ -30,7 +30,12 @@ void bring_back(const System& system, const DifferencesAt<System, List>& at, std
         const auto crosses = [&](const System&, const auto& ahead, const Scalar&, const System&, const auto& behind, const Scalar&,
                                  const Scalar&) { return has_kink(ahead, behind); };
         if (at.along(c, s, Scalar(0), crosses, Scalar(longest_of_order_four * longer))) return;
-        const auto step_of = [&](const auto& values) {
+        // The larger part is exact where each coordinate has a velocity: by differences, rounding would count as much as in many turns.
+        const bool is_exact = holds_positions<System>();
+        const std::size_t m = size_of<Constraints>(), n = size_of<Generalised>();
+        typename System::ConstraintJacobian A{};
+        if (is_exact) system.constraint_jacobian(mode..., x, t, A);
+        const auto step_of = [&](const auto& values, std::size_t place) {
             const auto central = [&](const System& a, const auto& ahead, const Scalar&, const System& b, const auto& behind, const Scalar&,
                                      const Scalar& step) {
                 Constraints r{}, other{};
@@ -39,14 +44,21 @@ void bring_back(const System& system, const DifferencesAt<System, List>& at, std
                 for (std::size_t i = 0; i < r.size(); ++i) r[i] = (r[i] - other[i]) / (Scalar(2) * step);
                 return r;
             };
-            const Constraints residual =
-                of_order_four<Scalar>([&](const Scalar& times) { return at.along(c, s, Scalar(0), central, Scalar(longer) * times); });
+            typename System::State along = s;
+            for (std::size_t j = place; is_exact && j < place + n; ++j) along[j] = Scalar(0);
+            if (is_exact && place == 0)
+                for (std::size_t j = 0; j < n; ++j) along[System::velocity_place + j] = Scalar(0);  // positions do not see them
+            Constraints residual =
+                of_order_four<Scalar>([&](const Scalar& times) { return at.along(c, along, Scalar(0), central, Scalar(longer) * times); });
+            for (std::size_t i = 0; is_exact && i < m; ++i)
+                for (std::size_t j = 0; (place > 0 || System::constraint_table()[i].has_position) && j < n; ++j)
+                    residual[i] += A[j * m + i] * s[place + j];
             Generalised step{};
             system.correction(mode..., x, t, residual, step);
             return step;
         };
         const auto positions = [&](const System& of, const auto& there, Constraints& f) { of.constraint_positions(mode..., there, t, f); };
-        const Generalised d = step_of(positions);
+        const Generalised d = step_of(positions, 0);
         if (const Scalar longest = largest(d); longest > Scalar(0)) {
             // Coordinates by the step itself, attitudes by how they turn: linear in it.
             const Scalar length = Scalar(1) / Scalar(1024) / longest;
@@ -58,7 +70,7 @@ void bring_back(const System& system, const DifferencesAt<System, List>& at, std
             for (std::size_t i = 0; i < s.size(); ++i) s[i] += (ahead[i] - behind[i]) / (Scalar(2) * length);
         }
         const auto rates = [&](const System& of, const auto& there, Constraints& w) { of.constraint_rates(mode..., there, t, w); };
-        const Generalised e = step_of(rates);
+        const Generalised e = step_of(rates, System::velocity_place);
         for (std::size_t j = 0; j < e.size(); ++j) s[System::velocity_place + j] -= e[j];
     }
 }
