@@ -7,7 +7,8 @@ template std::unique_ptr<SensitivitiesOfRun<PlantSystem<PlantKind::switching>>> 
     const PlantRun&, const PlantSystem<PlantKind::switching>&, const InputsOfPlant&, const detail::PlantArray<detail::of_plant::states>&,
     const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>&, const TakeRow&);
 template std::unique_ptr<SensitivitiesOfRun<PlantSystem<PlantKind::switching_constrained>>>
-sensitivities_of<PlantKind::switching_constrained>(const PlantRun&, const PlantSystem<PlantKind::switching_constrained>&, const InputsOfPlant&,
+sensitivities_of<PlantKind::switching_constrained>(const PlantRun&, const PlantSystem<PlantKind::switching_constrained>&,
+                                                   const InputsOfPlant&,
                                                    const detail::PlantArray<detail::of_plant::states>&,
                                                    const IntegrationOptions<detail::PlantArray<detail::of_plant::states>>&, const TakeRow&);
 

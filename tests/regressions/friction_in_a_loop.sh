@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Friction within a loop: the run stopped at the first dead centre, "no mode can go on". Expected: integrations of one degree of freedom that
-# start anew behind each dead centre.
+# Friction within a loop: the run stopped at the first dead centre, "no mode can go on". Expected: integrations of one degree of freedom
+# that start anew behind each dead centre.
 dalembert 0 simulate "$model" --no-plot --tolerance 1e-11 -o out
 near "energy lost" "$(number "energy lost at events: ")" 0 1e-12
 near "phi(3 s)" "$(last out/friction_in_a_loop_full.csv phi)" 57.38801262 1e-8

@@ -34,8 +34,8 @@ TEST_CASE("sensitivities of runs are those of differences") {
                 std::cout << fmt::format("{:40} d({})/d({}): {:.9g}, differences {:.9g}; {:.1e}, of these {:.1e}\n", name, row.of, row.by,
                                          row.found, row.expected, row.error, row.noise);
             // Its momentum stays, while the derivatives of attitude and spin that it is made of grow.
-            // The other one goes through singular positions, which cost digits.
-            const double cancels = stem == "free_body" ? 100 : stem == "four_bars_2" ? 10 : 1;
+            // The other one has a kink right at a singular position, over which no smooth step leads.
+            const double cancels = stem == "free_body" ? 100 : stem == "taut_at_flat" ? 20 : 1;
             CHECK(row.error <= cancels * allowed(row));
             compared += row.compared;
             sharply += row.sharply;
