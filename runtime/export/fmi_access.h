@@ -40,9 +40,13 @@ static fmi_status fmi_start(fmi_machine* m, const char* function) {
         memcpy(m->x, m->run->x, plant->states * sizeof(double));
         m->mode = m->run->mode;
     } else {
-        if (dalembert_project(plant, m->self, 0, m->t, m->x, m->work) != DALEMBERT_NONE) status = dalembert_constraint_broken;
-        if (status == dalembert_good) status = dalembert_modes_begin(m->modes, m->t, span, m->x);
+        /* Of what switches each mode has constraints of its own. */
+        const int is_broken = plant->modes == 0 && dalembert_project(plant, m->self, 0, m->t, m->x, m->work) != DALEMBERT_NONE;
+        status = is_broken ? dalembert_constraint_broken : dalembert_modes_begin(m->modes, m->t, span, m->x);
         m->mode = m->modes->mode;
+        if (status == dalembert_good && plant->modes > 0 &&
+            dalembert_project(plant, m->self, m->mode, m->t, m->x, m->work) != DALEMBERT_NONE)
+            status = dalembert_constraint_broken;
     }
     m->is_consistent = status == dalembert_good;
     return status == dalembert_good ? fmi_ok : fmi_say_of(m, fmi_error, function, dalembert_status_text(status));
