@@ -64,7 +64,7 @@ static inline void dalembert_find_scales(dalembert_run* run, double t, double sp
     run->on_event = wishes.on_event;
     for (size_t i = 0; i < n; ++i)
         run->scale[i] = fmax(run->scale[i], fmin(1e-3, 4 * in->rounding[i] * (span / 500) / run->options.tolerance));
-    if (dalembert_has_measure(run)) { /* bringing velocities back to constraints leaves them about twelve digits of the largest one */
+    if (run->plant->is_projected && run->plant->constraints > 0) { /* bringing velocities back to constraints leaves them about twelve digits of the largest one */
         const double least = fmin(1, 1e-12 / run->options.tolerance) * dalembert_largest(n, run->scale);
         for (size_t i = 0; i < n; ++i) run->scale[i] = fmax(run->scale[i], least);
     }
