@@ -250,4 +250,14 @@ std::vector<std::size_t> ConstraintPoints::redundant() const {
     return dependent.size() >= 2 ? result : std::vector<std::size_t>();
 }
 
+bool holds_in(const Scene& scene, const ConstraintEquation& constraint, std::size_t mode) {
+    return !constraint.item->share && scene.holds(constraint.item->when, mode);
+}
+
+bool holds_in_all_modes(const Scene& scene, const ConstraintEquation& constraint) {
+    for (std::size_t mode = 0; mode < scene.modes.size(); ++mode)
+        if (!holds_in(scene, constraint, mode)) return false;
+    return true;
+}
+
 }  // namespace dalembert

@@ -50,4 +50,8 @@ private:
     mutable std::map<std::pair<std::size_t, bool>, Slopes> slopes_;
 };
 
+/// Whether a mode of the scene, or each of them, holds a constraint. That of friction with a state in place of modes is held by none.
+bool holds_in(const Scene& scene, const ConstraintEquation& constraint, std::size_t mode);
+bool holds_in_all_modes(const Scene& scene, const ConstraintEquation& constraint);
+
 }  // namespace dalembert

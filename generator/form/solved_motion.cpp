@@ -52,10 +52,10 @@ std::string bodies_moved(const System& system, const ex& velocity) {
 
 /// The power of ten next to inertia by the square of a constraint's factors, at the start.
 GiNaC::numeric weight_at_start(const System& system) {
-    constexpr int digits = 20;
+    constexpr int digits_at_start = 20;
     const GiNaC::exmap at = Values(system.scene, system.translate).substitution();
     const auto size = [&](const ex& e) {
-        const auto value = value_at(system.symbols.without_definitions(e), at, digits);
+        const auto value = value_at(system.symbols.without_definitions(e), at, digits_at_start);
         return value ? std::fabs(cln::double_approx(*value)) : 0.0;
     };
     double inertia = 0, factors = 0;

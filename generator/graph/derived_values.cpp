@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "form/on_constraints.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/sizes.hpp"
 
@@ -26,12 +27,6 @@ std::vector<ex> output_values(const System& system) {
 }
 
 namespace {
-
-bool holds_in_all_modes(const Scene& scene, const ConstraintEquation& c) {
-    bool holds = true;
-    for (std::size_t mode = 0; mode < scene.modes.size(); ++mode) holds = holds && scene.holds(c.item->when, mode);
-    return holds;
-}
 
 /// Whether this mode holds something that others do not, and the forces of constraints may be without effect at some positions, as that of
 /// friction at a dead centre.

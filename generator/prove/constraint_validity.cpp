@@ -81,16 +81,7 @@ private:
 
 namespace {
 
-/// That of friction with a state in place of modes is held by none.
-bool holds_in(const Scene& scene, const ConstraintEquation& c, std::size_t mode) {
-    return !c.item->share && scene.holds(c.item->when, mode);
-}
-
-bool holds_always(const Scene& scene, const ConstraintEquation& c) {
-    for (std::size_t mode = 0; mode < scene.modes.size(); ++mode)
-        if (!holds_in(scene, c, mode)) return false;
-    return c.holds;
-}
+bool holds_always(const Scene& scene, const ConstraintEquation& c) { return c.holds && holds_in_all_modes(scene, c); }
 
 /// Places of the constraints that a start meets whatever the mode.
 std::vector<std::size_t> of_start(const System& system) {

@@ -129,7 +129,7 @@ inline Row compare(const dalembert_plant& plant, const PlantRun& run, const Plan
     return row;
 }
 
-/// Both are errors of runs; that of differences is told by themselves.
+/// Both sides have the errors of runs. Differences tell how large theirs is.
 constexpr double allowed(const Row& row) { return 3e-8 + 30 * row.noise; }
 
 /// Calls check(name, stem, plant, run) for each run of these models, or of all in the full tier, that is varied by all of its parameters.
