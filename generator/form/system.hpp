@@ -119,9 +119,9 @@ struct Impact {
 };
 
 /// Note [dead centres]: friction sticks where its rate, a factor times a velocity, falls to zero. At the dead centre of a crank it is the
-/// factor that becomes zero: friction cannot hold the crank there, and the velocity stays. A factor is zero below a millionth of its size at
-/// any angle. The size of other factors is not known; but where friction sticks, nothing but rounding is left of the velocity. The number
-/// is one over the square of the largest rounding, which follows from how exactly the time of a stop is known.
+/// factor that becomes zero: friction cannot hold the crank there, and the velocity stays. A factor is zero below a millionth of its size
+/// at any angle. The size of other factors is not known; but where friction sticks, nothing but rounding is left of the velocity. The
+/// number is one over the square of the largest rounding, which follows from how exactly the time of a stop is known.
 inline constexpr long roundings_squared = 100000000;  // 1/(1e-4 m/s)^2, or of rad/s
 
 /// New values of x, by place, made of the old ones.

@@ -29,8 +29,8 @@ inline constexpr bool has_constraints = false;
 template <class System>
 inline constexpr bool has_constraints<System, std::void_t<typename System::Constraints>> = may_have_entries<typename System::Constraints>;
 
-/// The system whose constraints a run holds: where more than its state is integrated, the system that is run says which it is, and its state
-/// comes first.
+/// The system whose constraints a run holds: where more than its state is integrated, the system that is run says which it is, and its
+/// state comes first.
 template <class System, class = void>
 struct Bare {
     using type = System;

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSL-1.0
 // Positions where constraints depend on each other, as a parallelogram with all bars in one line.
 //
-// note [singular positions]: The motion goes through such a position smoothly, but its equations cannot be solved there: at a distance d, forces
-// of constraints lose the share 1/d of their digits, and velocities that are brought back to the constraints 1/d^2. So no step may end there.
-// A run watches how independent the constraints are, sees the position come, and makes one long step of Gauss's collocation over it. Its stages
-// lie some way off, are brought back to the constraints, and are solved for together, so that errors across the constraints do not spread.
+// note [singular positions]: The motion goes through such a position smoothly, but its equations cannot be solved there: at a distance d,
+// forces of constraints lose the share 1/d of their digits, and velocities that are brought back to the constraints 1/d^2. So no step may
+// end there.
+// A run watches how independent the constraints are, sees the position come, and makes one long step of Gauss's collocation over it. Its
+// stages lie some way off, are brought back to the constraints, and are solved for together, so that errors across the constraints do not
+// spread.
 //
-// note [choice]: Of constraints that follow from each other wherever they hold a header solves for as many as are independent. Any choice of
-// them has singular positions of its own, where the machine has none. So at the beginning of a step a run compares it with the best pivots
-// that elimination finds there, and chooses anew where what the chosen rows span has become small beside those. Within a step the choice
-// stays: on the constraints the motion is the same with each, and off them, by the error of a stage, it stays smooth.
+// note [choice]: Of constraints that follow from each other wherever they hold a header solves for as many as are independent. Any choice
+// of them has singular positions of its own, where the machine has none. So at the beginning of a step a run compares it with the best
+// pivots that elimination finds there, and chooses anew where what the chosen rows span has become small beside those. Within a step the
+// choice stays: on the constraints the motion is the same with each, and off them, by the error of a stage, it stays smooth.
 #pragma once
 
 #include <array>
@@ -51,8 +53,8 @@ struct SystemOfRun<System, true> {
     System system;
 };
 
-/// Measures the independence: the smallest pivot of A D^-1 A', where D is the diagonal of M, each row beside its largest size so far. Constraints that follow
-/// from others everywhere do not count. Chooses those that are solved for, where a system leaves that to the run.
+/// Measures the independence: the smallest pivot of A D^-1 A', where D is the diagonal of M, each row beside its largest size so far.
+/// Constraints that follow from others everywhere do not count. Chooses those that are solved for, where a system leaves that to the run.
 template <class System>
 class IndependenceOf {
     using Scalar = typename System::scalar_type;
@@ -80,7 +82,10 @@ public:
         for (std::size_t i = 0; i < m; ++i) sizes[i] = max(sizes[i], gram[i * m + i]);
         if (learns) sizes_ = sizes;
         for (std::size_t i = 0; i < m; ++i)
-            for (std::size_t k = 0; k < m; ++k) gram[i * m + k] = sizes[i] > Scalar(0) && sizes[k] > Scalar(0) ? Scalar(gram[i * m + k] / sqrt(sizes[i] * sizes[k])) : Scalar(0);
+            for (std::size_t k = 0; k < m; ++k) {
+                const bool is_there = sizes[i] > Scalar(0) && sizes[k] > Scalar(0);
+                gram[i * m + k] = is_there ? Scalar(gram[i * m + k] / sqrt(sizes[i] * sizes[k])) : Scalar(0);
+            }
         return smallest_pivot(std::move(gram), learns);
     }
 
@@ -88,7 +93,8 @@ public:
     const Flags& chosen() const { return chosen_; }
 
 private:
-    /// Constraints that follow from others were left out of the equations: their residuals correct nothing. One that is dependent at the start alone does later.
+    /// Constraints that follow from others were left out of the equations: their residuals correct nothing. One that is dependent at the
+    /// start alone does later.
     template <class... Mode>
     void see_used(const System& system, const typename System::State& x, Scalar t, Mode... mode) {
         if (looks_ == 20) return;
@@ -118,7 +124,8 @@ private:
         for (std::size_t j = 0; j < n; ++j) heaviest = max(heaviest, Scalar(abs(M[j * n + j])));
         std::vector<Scalar> rows(m * n);
         for (std::size_t j = 0; j < n; ++j) {
-            const Scalar weight = Scalar(1) / sqrt(max(Scalar(abs(M[j * n + j])), Scalar(heaviest * std::numeric_limits<Scalar>::epsilon())));
+            const Scalar least = heaviest * std::numeric_limits<Scalar>::epsilon();
+            const Scalar weight = Scalar(1) / sqrt(max(Scalar(abs(M[j * n + j])), least));
             for (std::size_t i = 0; i < m; ++i) rows[i * n + j] = is_used_[i] ? Scalar(A[j * m + i] * weight) : Scalar(0);
         }
         return rows;
@@ -236,7 +243,8 @@ template <class Scalar>
 struct GaussPoints {
     explicit GaussPoints(std::size_t count) : points(count), weights(count) {
         for (std::size_t i = 0; i < count; ++i) {
-            Scalar x = Scalar(std::cos(3.14159265358979323846 * (static_cast<double>(count - i) - 0.25) / (static_cast<double>(count) + 0.5)));
+            const double turned = (static_cast<double>(count - i) - 0.25) / (static_cast<double>(count) + 0.5);
+            Scalar x = Scalar(std::cos(3.14159265358979323846 * turned));
             Scalar slope(0);
             for (int k = 0; k < 8; ++k) {  // Newton's method on Legendre's polynomial
                 Scalar before(1), value = x;
@@ -262,7 +270,8 @@ class SlopePolynomial {
     using Scalar = typename State::value_type;
 
 public:
-    SlopePolynomial(const State& x, Scalar h, std::vector<Scalar> points) : slopes(points.size()), x_(x), h_(h), points_(std::move(points)), quadrature_(points_.size()) {}
+    SlopePolynomial(const State& x, Scalar h, std::vector<Scalar> points)
+        : slopes(points.size()), x_(x), h_(h), points_(std::move(points)), quadrature_(points_.size()) {}
 
     std::size_t size() const { return points_.size(); }
     const Scalar& point(std::size_t i) const { return points_[i]; }
@@ -302,8 +311,9 @@ private:
     GaussPoints<Scalar> quadrature_;
 };
 
-/// Solves for the slopes of a step of collocation from a guess, by iteration. slope(s, x, dxdt) is that of the state x, brought back to what constraints hold; norm(x, y)
-/// is how far states are apart beside the tolerance, at the end after bring_back(x). False where the iteration does not settle.
+/// Solves for the slopes of a step of collocation from a guess, by iteration. slope(s, x, dxdt) is that of the state x, brought back to
+/// what constraints hold; norm(x, y) is how far states are apart beside the tolerance, at the end after bring_back(x). False where the
+/// iteration does not settle.
 template <class State, class Slope, class Norm, class BringBack>
 bool collocate(SlopePolynomial<State>& step, const Slope& slope, const Norm& norm, const BringBack& bring_back) {
     using Scalar = typename State::value_type;
