@@ -56,8 +56,8 @@ Outcome integrate_together(const System& system, const Inputs& inputs, const Lis
     using Point = SensitivityPoint<System, typename Columns<List>::template Of<typename System::State>>;
     IntegrationOptions<State> whole;
     copy_options(whole, options);
-    set_scales_of_columns(whole.scale, options.scale, varied.size(),
-                          [&](std::size_t c) { return size_of_varied(system, varied[c], options.scale); }, controls);
+    const auto size = [&](std::size_t c) { return size_of_varied(system, varied[c], options.scale); };
+    set_scales_of_columns(whole.scale, options.scale, x, options.tolerance, varied.size(), size, controls);
     const MovedSystems<System, List> moved(system, varied);
     Motion motion(system, inputs, varied, moved, options.scale);
     State all;

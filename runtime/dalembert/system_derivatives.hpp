@@ -58,6 +58,9 @@ public:
         }
     }
 
+    /// That of the system alone, where it was prepared.
+    const typename System::JacobianX& by_state() const { return J_; }
+
     /// Whether the inputs, which are u at this point, follow the state there.
     bool have_feedback(const State& x, const Input& u, Scalar t) {
         x_ = x;

@@ -224,6 +224,35 @@ TEST_CASE("stiffness is seen where sensitivities do not control the steps") {
     see_stiffness<float>(1e-4, 1e-3);
 }
 
+// A thousandth of what else moves a speed makes this friction turn around.
+TEST_CASE("steep friction: implicit steps with sensitivities are about as long as without") {
+    namespace model = stick_slip::smooth;
+    using System = model::System<double>;
+    const System system;
+    const ZeroInputs<System> inputs;
+    for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
+        SimulationOptions<System> alone;
+        alone.method = Method::rodas5p;
+        alone.tolerance = tolerance;
+        alone.scale = {0.1, 0.1, 1};
+        System::State x = system.start_state();
+        const auto run = simulate(system, inputs, x, 0.0, 4.0, alone, [](const auto&) {});
+        IntegrationOptions<System::State> options;
+        options.method = Method::rodas5p;
+        options.tolerance = tolerance;
+        options.scale.fill(0.1);
+        const std::array varied{Varied::parameter(model::parameter::mu_C), Varied::parameter(model::parameter::w_s), Varied::start(0)};
+        System::State along = system.start_state();
+        auto S = sensitivities_at_start(system, varied);
+        const Outcome outcome = simulate_sensitivities(system, inputs, varied, along, S, 0.0, 4.0, options, [](const auto&) {});
+        CHECK(outcome.status == Status::success);
+        CAPTURE(tolerance);
+        CAPTURE(run.outcome.steps);
+        CHECK(outcome.steps < 4 * run.outcome.steps);
+        if (tolerance < 1e-11) CHECK(S[0][0] == doctest::Approx(-0.733037409405).epsilon(1e-10));  // differences in long double
+    }
+}
+
 TEST_CASE("what is not in a table has no sensitivities") {
     using System = cart_pendulum::lab::System<double>;
     const System system;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The quick tier compares some machines, the full tier every run of every model. With DALEMBERT_TABLE=1 a table is printed;
 // DALEMBERT_MODELS names other models.
+#include <map>
+
 #include "comparison.hpp"
 
 using namespace dalembert;
@@ -34,10 +36,12 @@ TEST_CASE("sensitivities of runs are those of differences") {
             if (prints)
                 std::cout << fmt::format("{:40} d({})/d({}): {:.9g}, differences {:.9g}; {:.1e}, of these {:.1e}\n", name, row.of, row.by,
                                          row.found, row.expected, row.error, row.noise);
-            // Its momentum stays, while the derivatives of attitude and spin that it is made of grow.
-            // The other one has a kink right at a singular position, over which no smooth step leads.
-            const double cancels = stem == "free_body" ? 100 : stem == "taut_at_flat" ? 20 : 1;
-            CHECK(row.error <= cancels * allowed(row));
+            // Its momentum stays, while the derivatives of attitude and spin that it is made of grow; a crank turns 95 times; heat through a
+            // wall of constant temperature is what is left of larger terms. The last one has a kink right at a singular position.
+            const std::map<std::string, double> cancels{
+                {"free_body", 3}, {"loop_beside_friction", 2}, {"reservoir_discharge", 2}, {"taut_at_flat", 4}};
+            const auto known = cancels.find(stem);
+            CHECK(row.error <= (is_full && known != cancels.end() ? known->second : 1) * allowed(row));
             compared += row.compared;
             sharply += row.sharply;
         }
@@ -121,6 +125,29 @@ TEST_CASE("a later blow moves a block as far: slopes of its times have all digit
     const PlantLibrary library(prepared.plant, prepared.cache);
     const PlantRunResult result = simulate_plant(library.table(), prepared.run);
     CHECK(std::fabs(result.sensitivities.rows.back()[1]) < 3e-9);  // of 0.999 m/s while it slides
+}
+
+TEST_CASE("events and kinks that are passed an instant later leave no mark on derivatives") {
+    const auto end_of = [](const char* name, const char* by) {
+        Diagnostics diagnostics;
+        Options options;
+        options.sensitivities = {by};
+        options.tolerance = 1e-12;
+        const auto model = load(std::filesystem::path(SOURCE_DIR) / "tests/regressions" / (std::string(name) + ".toml"), diagnostics);
+        const PreparedSimulation prepared = prepare_simulation(model, "", options);
+        const PlantLibrary library(prepared.plant, prepared.cache);
+        const PlantRunResult result = simulate_plant(library.table(), prepared.run);
+        REQUIRE(result.of_sensitivities.status == Status::success);
+        return result.sensitivities.rows.back();
+    };
+    // 22 contacts of pi sqrt(m/c) each, between which the mass moves as fast as at first.
+    const std::vector<double> between = end_of("springs_at_one_gap", "m");
+    CHECK(std::fabs(between[1] + 22 * std::acos(-1) / 40) <= 1e-9);
+    CHECK(std::fabs(between[2]) <= 1e-10);
+    // Hundreds of kinks; the derivative is that of differences in long double.
+    const std::vector<double> over_kinks = end_of("kinks_spring_table", "m");
+    CHECK(std::fabs(over_kinks[1] - 0.571976353089) <= 1e-9);
+    CHECK(std::fabs(over_kinks[2] - 10.7418022087) <= 1e-8);
 }
 
 TEST_CASE("constraints that follow from others, that depend on each other at some positions, or that have kinks") {

@@ -215,19 +215,30 @@ private:
         const State before = x_;
         const Mode from = here_.mode;
         const bool is_jump = jumps(event);
+        State old = before, changed;  // on both sides of the reset, at one time
+        Scalar t = t_;
         reset(x_, inputs_(x_, t_));
         const auto behind = [&](const auto& modes, bool is_late = false) {
-            return (is_jump && change_behind(before, from, modes, reset, next, is_late, control_.smallest(t_) / Scalar(4))) ||
-                   change_behind(before, from, modes, reset, next, is_late, control_.tiny(t_));
+            return (is_jump && change_behind(before, from, modes, reset, next, is_late, control_.smallest(t_) / Scalar(4), old)) ||
+                   change_behind(before, from, modes, reset, next, is_late, control_.tiny(t_), old);
+        };
+        bool is_ahead = false;
+        const auto ahead = [&](const auto& modes) {
+            const State here = x_;
+            const Scalar now = t_;
+            if (!change_ahead(modes, next)) return false;
+            changed = here;
+            t = now;
+            return is_ahead = true;
         };
         bool is_found = is_finite() && choose(candidates, next);
         if (result_.state == x_.size() && (!is_found || next != none)) is_found = behind(candidates) || is_found;
         if constexpr (has_modes_beside<System>) {
             // Two frictions on one rate: where one lets go, the other holds.
-            if (is_found && next != none && is_circle_) change_ahead(System::modes_beside(event, from), next);
+            if (is_found && next != none && is_circle_) ahead(System::modes_beside(event, from));
             if (!is_found && !is_accumulation && is_finite()) is_found = choose(System::modes_beside(event, from), next);
         }
-        if (!is_found && is_finite()) is_found = change_ahead(candidates, next);
+        if (!is_found && is_finite()) is_found = ahead(candidates);
         // Two springs that meet a body at one position: between the two events stands a mode that only that position allows.
         if (!is_found && is_finite()) is_found = behind(candidates, true);
         // A switch opens, and the diode beside it takes its current over: it does so behind the zero.
@@ -237,7 +248,10 @@ private:
             x_ = before;
             return result_.state < x_.size() ? Status::not_finite : Status::no_mode;
         }
-        on_change_(Change{t_, event, from, here_.mode, is_accumulation, before, x_});
+        if (is_ahead)
+            on_change_(Change{t, event, from, here_.mode, is_accumulation, old, changed});
+        else
+            on_change_(Change{t_, event, from, here_.mode, is_accumulation, old, x_});
         typename System::Events rates{};
         system_.guard_rates(here_.mode, x_, inputs_(x_, t_), t_, rates);
         departures_[event] = System::is_watched(here_.mode, event) ? rates[event] : Scalar(0);
@@ -256,10 +270,10 @@ private:
 
     /// The run is in front of the zero. Where an input jumps, or a guard leaves zero with a rate that is zero itself but grows, as with
     /// friction that is the same at rest, a mode only accepts what is behind: the motion goes on for an instant before the reset.
-    /// Where `is_late`, another event may have happened in that instant: it is the next.
+    /// Where `is_late`, another event may have happened in that instant: it is the next. Gives the state in front of the reset as `passed`.
     template <class Modes, class Reset>
     bool change_behind(const State& before, Mode from, const Modes& candidates, const Reset& reset, std::size_t& event, bool is_late,
-                       const Scalar& instant) {
+                       const Scalar& instant, State& passed) {
         const Mode to = here_.mode;
         const State after = x_;
         const Scalar t = t_;
@@ -269,9 +283,11 @@ private:
         here_.rhs(before, inputs_(before, t), t, dxdt);
         t_ += instant;
         for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = before[i] + (t_ - t) * dxdt[i];
+        const State in_front = x_;
         reset(x_, inputs_(x_, t_));
         if (t_ > t && t_ <= to_ && is_finite() && choose(candidates, next, is_late) && (next == none || is_late)) {
             event = next;
+            passed = in_front;
             return true;
         }
         result_.state = x_.size();

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "dalembert/integration_options.hpp"
 
@@ -28,16 +30,21 @@ void copy_options(IntegrationOptions<State>& to, const IntegrationOptions<Other>
     std::copy_n(from.scale.begin(), std::min(from.scale.size(), to.scale.size()), to.scale.begin());
 }
 
-/// The scales of S behind those of the state. Without control S counts ten thousand times less than the state. It must count: where the
-/// state rests, steps would grow until S grows with them.
+/// The scales of S behind those of the state at x. Errors of S that are to the state, per size of what is varied, as fifty roundings of it
+/// do not count. Without control S counts ten thousand times less than the state. It must count: where the state rests, steps would grow
+/// until S grows with them.
 template <class All, class Plain, class Sizes>
-void set_scales_of_columns(All& scale, const Plain& of_state, std::size_t columns, const Sizes& size_of_column, bool controls) {
+void set_scales_of_columns(All& scale, const Plain& of_state, const Plain& x, const typename Plain::value_type& tolerance,
+                           std::size_t columns, const Sizes& size_of_column, bool controls) {
     using Scalar = typename Plain::value_type;
+    using std::abs;
     const Scalar beside_errors = Scalar(controls ? 1 : 10000);
+    const Scalar roundings = Scalar(50) * std::numeric_limits<Scalar>::epsilon();
+    const Scalar least = tolerance > roundings ? Scalar(roundings / tolerance) : Scalar(1);
     const std::size_t n = of_state.size();
     for (std::size_t c = 0; c < columns; ++c)
         for (std::size_t i = 0; i < n; ++i)
-            scale[(c + 1) * n + i] = of_state[i] / size_of_column(c) * beside_errors;
+            scale[(c + 1) * n + i] = std::max(of_state[i], Scalar(least * abs(x[i]))) / size_of_column(c) * beside_errors;
 }
 
 }  // namespace detail

@@ -102,18 +102,10 @@ private:
     using typename Base::All, typename Base::Asked, typename Base::Kinks, typename Base::Motion, typename Base::Sides;
     template <class T>
     using ColumnsOf = typename Base::template ColumnsOf<T>;
-    using Base::fail, Base::find_sides, Base::held, Base::here, Base::instant, Base::kinks_at, Base::pass_kink, Base::pass_known_kink,
-        Base::rate, Base::take, Base::times_of_zero;
+    using Base::fail, Base::find_sides, Base::held, Base::here, Base::instant, Base::kinks_at, Base::motion_here, Base::pass_kink,
+        Base::pass_known_kink, Base::rate, Base::set_scales, Base::take, Base::times_of_zero, Base::together;
     using Base::controls_, Base::from_, Base::inputs_, Base::known_kinks_, Base::knows_sides_, Base::mode_, Base::moved_,
         Base::options_, Base::outcome_, Base::S_, Base::scale_, Base::sides_, Base::span_, Base::system_, Base::t_, Base::varied_, Base::x_;
-
-    All together() const {
-        All all;
-        Motion::put(all, 0, x_);
-        for (std::size_t c = 0; c < varied_.size(); ++c) Motion::put(all, c + 1, S_[c]);
-        return all;
-    }
-    Motion motion_here() { return Motion(system_, inputs_, varied_, moved_, scale_, Asked::view(mode_), Sides{this}); }
 
     /// Next to no time, with the rates at the time `at`. Where constraints may depend on each other, these have no digits, and S rests.
     void creep(const Scalar& to, const Scalar& at) {
@@ -138,6 +130,7 @@ private:
         const auto rates = held(plain_rates);
         options_.output_times.clear();
         for (const Point* p = next_; p != end_ && p->t < to; ++p) options_.output_times.push_back(p->t);
+        set_scales();
         begin_part(all, motion, to);
         Scalar reached = t_;
         const auto watch = [&](Scalar t, const All& at) {

@@ -21,12 +21,14 @@ public:
     using typename Base::Mode;
 
 protected:
-    using typename Base::Asked, typename Base::Kinks, typename Base::Plain, typename Base::Scalar;
+    using typename Base::All, typename Base::Asked, typename Base::Kinks, typename Base::Motion;
+    using typename Base::Plain, typename Base::Scalar;
     template <class T>
     using ColumnsOf = typename Base::template ColumnsOf<T>;
-    using Base::fail, Base::here, Base::instant, Base::jump, Base::kinks_at, Base::rate, Base::times_of_zero;
-    using Base::inputs_, Base::known_kinks_, Base::mode_, Base::options_, Base::outcome_, Base::span_, Base::system_, Base::t_,
-        Base::varied_, Base::x_;
+    using Base::fail, Base::here, Base::instant, Base::jump, Base::kinks_at, Base::motion_here, Base::rate, Base::times_of_zero,
+        Base::together;
+    using Base::inputs_, Base::known_kinks_, Base::mode_, Base::options_, Base::outcome_, Base::S_, Base::span_, Base::system_,
+        Base::t_, Base::varied_, Base::x_;
 
     /// The signs that kinks have in a mode that begins here; of one at zero that to which it goes.
     void find_sides(Mode mode) {
@@ -75,11 +77,12 @@ protected:
                 return k[i];
             };
         };
-        // Past it by the state alone, if that does: a kink at a known time next to it is passed on its own.
+        // Next to a kink at a known time, which is passed on its own, past it by the state alone if that does.
         const auto is_past = [&](std::size_t i, const Scalar& t) {
             return value_of(i)(system_, moved(x_, before, d), t) * Scalar(sides_[i]) < Scalar(0);
         };
-        const bool waits = is_past(kink, t_);
+        const Scalar* const known = known_kinks_.next(t_);
+        const bool waits = known != nullptr && t_ < *known && *known <= t_ + d && is_past(kink, t_);
         const auto behind = [&](const Scalar& distance) { return rate(mode_, moved(x_, before, distance), waits ? t_ : t_ + distance); };
         const Plain near = behind(d), far = behind(Scalar(16) * d);
         const auto times_of = [&](std::size_t i) {
@@ -99,6 +102,11 @@ protected:
         if (jumps) jump(before, near, shift);
         x_ = moved(x_, before, d);
         if (!waits) t_ += d;
+        if constexpr (!can_be_singular<System>) {  // see Replay::creep
+            All slope;
+            motion_here().rates(together(), t_, slope);
+            for (std::size_t c = 0; c < varied_.size(); ++c) S_[c] = moved(S_[c], Motion::part(slope, c + 1), d);
+        }
     }
     static bool are_equal(const ColumnsOf<Scalar>& a, const ColumnsOf<Scalar>& b) {
         using std::abs;

@@ -48,8 +48,6 @@ public:
         copy_options(options_, options);
         options_.kinks.clear();
         options_.intervals = 1;
-        set_scales_of_columns(
-            options_.scale, scale_, varied.size(), [&](std::size_t c) { return size_of_varied(system, varied[c], scale_); }, controls);
     }
 
     /// Those of the options that move: see KnownKinks.
@@ -121,6 +119,20 @@ protected:
     int side(std::size_t c, const Scalar& t) const { return known_kinks_.side(c, t, moved_.distance[c]); }
 
     DifferencesAt<System, List> here() const { return {system_, varied_, moved_, scale_, x_, t_, span_, known_kinks_.free_time(t_)}; }
+
+    /// Sizes of S for a part of the run that begins here.
+    void set_scales() {
+        const auto size = [&](std::size_t c) { return size_of_varied(system_, varied_[c], scale_); };
+        set_scales_of_columns(options_.scale, scale_, x_, options_.tolerance, varied_.size(), size, controls_);
+    }
+
+    All together() const {
+        All all;
+        Motion::put(all, 0, x_);
+        for (std::size_t c = 0; c < varied_.size(); ++c) Motion::put(all, c + 1, S_[c]);
+        return all;
+    }
+    Motion motion_here() { return Motion(system_, inputs_, varied_, moved_, scale_, Asked::view(mode_), Sides{this}); }
 
     void take(const All& all, const Scalar& t) {
         x_ = Motion::part(all, 0);

@@ -4,92 +4,20 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
 
 #include "dalembert/input_slopes.hpp"
 #include "dalembert/linear/jacobian_pattern.hpp"
-#include "dalembert/run_array.hpp"
+#include "dalembert/sensitivities/jacobian_along.hpp"
+#include "dalembert/sensitivities/sensitivity_matrix.hpp"
 #include "dalembert/sensitivities/varied.hpp"
 #include "dalembert/system_derivatives.hpp"
 
 namespace dalembert {
 inline namespace v1 {
 namespace detail {
-
-/// Blocks of the size of Plain: those on the diagonal are alike and have the pattern Base, those in the first column may be full, others
-/// are zero.
-template <class Plain, class Base>
-struct SensitivityPattern {
-    static constexpr bool is_sparse = false;
-};
-
-template <class All, class Plain, class Base>
-class SensitivityMatrix {
-    using Scalar = typename Plain::value_type;
-
-public:
-    SensitivityMatrix() {
-        if constexpr (!has_fixed_size<All>) below_.resize((size_of<All>() - size_of<Plain>()) * size_of<Plain>());
-    }
-    void clear() {
-        diagonal_.clear();
-        std::fill(below_.begin(), below_.end(), Scalar(0));
-    }
-    void add(std::size_t row, std::size_t column, const Scalar& value) {
-        const std::size_t n = size_of<Plain>();
-        if (row < n)
-            diagonal_.add(row, column, value);
-        else if (column < n)
-            below_[column * (size_of<All>() - n) + row - n] += value;
-    }
-    bool factor() { return diagonal_.factor(); }
-    void solve(All& b) const {
-        const std::size_t n = size_of<Plain>(), all = size_of<All>();
-        Plain part;
-        const auto solve_part = [&](std::size_t c) {
-            std::copy_n(b.begin() + static_cast<std::ptrdiff_t>(c * n), n, part.begin());
-            diagonal_.solve(part);
-            std::copy_n(part.begin(), n, b.begin() + static_cast<std::ptrdiff_t>(c * n));
-        };
-        solve_part(0);
-        for (std::size_t column = 0; column < n; ++column)
-            for (std::size_t i = 0; i < all - n; ++i) b[n + i] -= below_[column * (all - n) + i] * part[column];
-        for (std::size_t c = 1; c * n < all; ++c) solve_part(c);
-    }
-
-private:
-    template <class Array>
-    struct Below {
-        using type = std::vector<Scalar>;
-    };
-    template <std::size_t all>
-    struct Below<std::array<Scalar, all>> {
-        using type = std::array<Scalar, (all - size_of<Plain>()) * size_of<Plain>()>;
-    };
-    typename MatrixOf<Plain, Base>::type diagonal_;
-    typename Below<All>::type below_{};
-};
-
-template <class All, class Plain, class Base>
-struct SensitivityMatrixOf {
-    using type = SensitivityMatrix<All, Plain, Base>;
-    static constexpr bool fits() {
-        return MatrixOf<Plain, Base>::fits() && size_of<All>() * size_of<Plain>() * sizeof(typename Plain::value_type) <= std::size_t(1)
-                                                                                                                              << 20;
-    }
-    static constexpr double multiplications(double solutions) {
-        const std::size_t n = size_of<Plain>(), all = size_of<All>();
-        return MatrixOf<Plain, Base>::multiplications(solutions * static_cast<double>(all / n)) +
-               solutions * static_cast<double>((all - n) * n);
-    }
-};
-template <class Scalar, std::size_t all, class Plain, class Base>
-struct MatrixOf<std::array<Scalar, all>, SensitivityPattern<Plain, Base>> : SensitivityMatrixOf<std::array<Scalar, all>, Plain, Base> {};
-template <class Size, class Scalar, class Plain, class Base>
-struct MatrixOf<RunArray<Size, Scalar>, SensitivityPattern<Plain, Base>> : SensitivityMatrixOf<RunArray<Size, Scalar>, Plain, Base> {};
 
 /// A system as it is, for Variational.
 struct AsItIs {
@@ -126,18 +54,15 @@ public:
     template <class Scale>
     Variational(const System& system, const Inputs& inputs, const List& varied, const MovedSystems<System, List>& moved, const Scale& scale,
                 const View& view = {}, const Sides& sides = {})
-        : shown_system_(system),
-          shown_(view(system)),
+        : shown_(view(system)),
           inputs_(inputs),
           varied_(varied),
           moved_(moved),
-          view_(view),
           sides_(sides),
           here_(shown_, inputs, scale),
           on_the_way_(shown_, inputs, scale),
-          below_(Columns<List>::filled(varied, typename System::JacobianX{})) {
-        std::copy_n(scale.begin(), scale_.size(), scale_.begin());
-    }
+          along_(system, inputs, varied, moved, scale, view, sides),
+          below_(Columns<List>::filled(varied, typename System::JacobianX{})) {}
 
     static Plain part(const State& all, std::size_t c) {
         Plain result;
@@ -173,33 +98,7 @@ public:
     void prepare(const State& all, Scalar t) {
         const Plain x = part(all, 0);
         here_.prepare(x, t);
-        for (std::size_t c = 0; c < varied_.size(); ++c) {
-            // Along a column of S, and the parameter with it.
-            const Plain s = part(all, c + 1);
-            Scalar step = moved_.distance[c];
-            if (varied_[c].of == Varied::Of::start) {
-                const Scalar longest = largest_part<System>(s, x, scale_);
-                step = longest > Scalar(0) ? step_of_differences<Scalar>() / longest : Scalar(0);
-            }
-            below_[c].fill(Scalar(0));
-            if (step == Scalar(0)) continue;
-            typename System::JacobianX ahead{}, behind{};
-            const auto at = [&](const System& system, Scalar length, typename System::JacobianX& J) {
-                Plain there = x;
-                for (std::size_t i = 0; i < s.size(); ++i) there[i] += length * s[i];
-                view_(system).jacobian_x(there, inputs_with(inputs_, system)(there, t), t, J);
-            };
-            const int side = sides_(c, t);
-            if (side < 0)
-                at(shown_system_, Scalar(0), ahead);
-            else
-                at(moved_.ahead[c], step, ahead);
-            if (side > 0)
-                at(shown_system_, Scalar(0), behind);
-            else
-                at(moved_.behind[c], -step, behind);
-            for (std::size_t k = 0; k < ahead.size(); ++k) below_[c][k] = (ahead[k] - behind[k]) / (Scalar(side == 0 ? 2 : 1) * step);
-        }
+        for (std::size_t c = 0; c < varied_.size(); ++c) along_.differentiate(c, x, part(all, c + 1), t, here_.by_state(), below_[c]);
     }
 
     template <class Add>
@@ -214,16 +113,20 @@ public:
                     below_[c], n, column, [&](std::size_t row, const Scalar& value) { add((c + 1) * n + row, column, value); });
     }
 
-    /// That of the rates of S is a difference within the step; exact where time does not appear.
+    /// That of the rates of S is, as for inputs, of the polynomial of degree 4 through equal parts of the step.
     void time_derivative(const State& all, Scalar t, Scalar length, State& dfdt) {
-        using std::sqrt;
+        constexpr int weights[] = {48, -36, 16, -3};
+        State now, later;
+        dfdt.fill(Scalar(0));
+        rates(all, t, now);
+        for (int k = 1; k <= 4; ++k) {
+            rates(all, t + length * (Scalar(k) / Scalar(4)), later);
+            const auto of_columns = static_cast<std::ptrdiff_t>(size_of<Plain>());
+            if (k == 1 && std::equal(now.begin() + of_columns, now.end(), later.begin() + of_columns)) break;  // no time in them
+            for (std::size_t i = 0; i < dfdt.size(); ++i) dfdt[i] += Scalar(weights[k - 1]) * (later[i] - now[i]) / (Scalar(3) * length);
+        }
         Plain of_state;
         here_.time_derivative(part(all, 0), t, length, of_state);
-        const Scalar step = length * sqrt(std::numeric_limits<Scalar>::epsilon()) * Scalar(64);
-        State now, later;
-        rates(all, t, now);
-        rates(all, t + step, later);
-        for (std::size_t i = 0; i < dfdt.size(); ++i) dfdt[i] = (later[i] - now[i]) / step;
         put(dfdt, 0, of_state);
     }
 
@@ -344,20 +247,18 @@ private:
         }
     };
 
-    const System& shown_system_;
     Held shown_;
     const Inputs& inputs_;
     const List& varied_;
     const MovedSystems<System, List>& moved_;
-    View view_;
     Sides sides_;
     SystemDerivatives<Shown, Inputs> here_, on_the_way_;  ///< where Rodas5p has prepared, which may ask again; and at its stages
     InputSlopes<Inputs, Scalar> slopes_;
-    Plain scale_;
     typename System::JacobianX by_state_{};
     Rows by_rows_;
     typename System::JacobianP by_parameters_{};
     typename System::JacobianU by_inputs_{};
+    JacobianAlong<System, Inputs, List, View, Sides> along_;
     ColumnsOf<typename System::JacobianX> below_;
 };
 
