@@ -144,6 +144,9 @@ TEST_CASE("events and kinks that are passed an instant later leave no mark on de
     const std::vector<double> between = end_of("springs_at_one_gap", "m");
     CHECK(std::fabs(between[1] + 22 * std::acos(-1) / 40) <= 1e-9);
     CHECK(std::fabs(between[2]) <= 1e-10);
+    // A jump of a rate, a period of teeth and one of pulses at one time; the pulses keep their area, which S holds beside 7 per ms.
+    const std::vector<double> together = end_of("kinks_of_functions", "width");
+    for (std::size_t i = 1; i < together.size(); ++i) CHECK(std::fabs(together[i]) <= 1e-5);
     // Hundreds of kinks; the derivative is that of differences in long double.
     const std::vector<double> over_kinks = end_of("kinks_spring_table", "m");
     CHECK(std::fabs(over_kinks[1] - 0.571976353089) <= 1e-9);

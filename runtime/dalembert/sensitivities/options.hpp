@@ -30,7 +30,7 @@ void copy_options(IntegrationOptions<State>& to, const IntegrationOptions<Other>
     std::copy_n(from.scale.begin(), std::min(from.scale.size(), to.scale.size()), to.scale.begin());
 }
 
-/// The scales of S behind those of the state at x. Errors of S that are to the state, per size of what is varied, as fifty roundings of it
+/// The scales of S behind those of the state at x. Errors of S that are to the state, per size of what is varied, as ten roundings of it
 /// do not count. Without control S counts ten thousand times less than the state. It must count: where the state rests, steps would grow
 /// until S grows with them.
 template <class All, class Plain, class Sizes>
@@ -39,7 +39,7 @@ void set_scales_of_columns(All& scale, const Plain& of_state, const Plain& x, co
     using Scalar = typename Plain::value_type;
     using std::abs;
     const Scalar beside_errors = Scalar(controls ? 1 : 10000);
-    const Scalar roundings = Scalar(50) * std::numeric_limits<Scalar>::epsilon();
+    const Scalar roundings = Scalar(10) * std::numeric_limits<Scalar>::epsilon();
     const Scalar least = tolerance > roundings ? Scalar(roundings / tolerance) : Scalar(1);
     const std::size_t n = of_state.size();
     for (std::size_t c = 0; c < columns; ++c)

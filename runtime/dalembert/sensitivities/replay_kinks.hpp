@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "dalembert/sensitivities/replay_state.hpp"
 
@@ -54,6 +55,7 @@ protected:
 
     /// Over a kink of the rates, where they may jump.
     void pass_kink(std::size_t kink) {
+        using std::abs;
         if (++outcome_.events > options_.max_events) return fail(Status::event_storm, kink);
         const Scalar d = instant(t_);
         Plain before;
@@ -90,12 +92,24 @@ protected:
             return times_of_zero(value, here().by_time(before, [&](const Plain& x, const Scalar& t) { return value(system_, x, t); }), i);
         };
         const bool jumps = is_jump(before, near, far);
+        // Others that fall together with it are passed at once. What is varied must not move them apart; one that jumps itself, as where
+        // a period begins, follows the rest.
+        const auto is_passed = [&](std::size_t i) {
+            return i == kink || (Asked::is_kink(i) && is_past(i, waits ? t_ : t_ + d));
+        };
+        const auto jumps_itself = [&](std::size_t i) {
+            const auto at = [&](int times) { return value_of(i)(system_, moved(x_, before, times * d), waits ? t_ : t_ + times * d); };
+            return abs(at(1) - at(-1)) > Scalar(1000) * abs(at(-1) - at(-2)) + std::numeric_limits<Scalar>::epsilon() * abs(at(1));
+        };
+        std::size_t leader = kink;
+        for (std::size_t i = 0; jumps && i < sides_.size() && jumps_itself(leader); ++i)
+            if (is_passed(i) && !jumps_itself(i)) leader = i;
         ColumnsOf<Scalar> shift = Columns<List>::filled(varied_, Scalar(0));
-        if (jumps) shift = times_of(kink);
-        // Others that fall together with it are passed at once. What is varied must not move them apart.
+        if (jumps && !jumps_itself(leader)) shift = times_of(leader);
+        else if (jumps && !known_kinks_.is_at_one(t_)) return fail(Status::not_finite, kink);
         for (std::size_t i = 0; i < sides_.size(); ++i) {
-            if (i != kink && !(Asked::is_kink(i) && is_past(i, waits ? t_ : t_ + d))) continue;
-            if (i != kink && jumps && !are_equal(shift, times_of(i))) fail(Status::not_finite, i);
+            if (!is_passed(i)) continue;
+            if (i != leader && jumps && !jumps_itself(i) && !are_equal(shift, times_of(i))) fail(Status::not_finite, i);
             sides_[i] = -sides_[i];
         }
         if (outcome_.status != Status::success) return;
