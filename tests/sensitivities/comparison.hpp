@@ -138,16 +138,20 @@ inline double allowed(const Row& row) { return (is_full ? 1e-8 : 3e-8) + 30 * ro
 /// Without parameters that have no derivative, as where a pulse more or less fits into the run: the program refuses them by name.
 template <class Model>
 PreparedSimulation prepare_for_all(const Model& model, Options& options) {
-    while (true) try {
+    while (true) {
+        try {
             return prepare_simulation(model, "", options);
         } catch (const Failure& failure) {
             const std::string message = failure.what();
-            const auto is_named = [&](const std::string& name) { return message.find("no derivative by '" + name + "'") != std::string::npos; };
+            const auto is_named = [&](const std::string& name) {
+                return message.find("no derivative by '" + name + "'") != std::string::npos;
+            };
             const auto found = std::find_if(options.sensitivities.begin(), options.sensitivities.end(), is_named);
             if (found == options.sensitivities.end()) throw;
             if (prints) std::cout << "without " << *found << "\n";
             options.sensitivities.erase(found);
         }
+    }
 }
 
 /// Calls check(name, stem, plant, run) for each run of these models, or of all in the full tier, that is varied by all of its parameters.
