@@ -79,12 +79,13 @@ protected:
                 return k[i];
             };
         };
-        // Next to a kink at a known time, which is passed on its own, past it by the state alone if that does.
+        // Past it by the state alone, if that does, next to a kink at a known time, which is passed on its own, or where S rests.
         const auto is_past = [&](std::size_t i, const Scalar& t) {
             return value_of(i)(system_, moved(x_, before, d), t) * Scalar(sides_[i]) < Scalar(0);
         };
         const Scalar* const known = known_kinks_.next(t_);
-        const bool waits = known != nullptr && t_ < *known && *known <= t_ + d && is_past(kink, t_);
+        const bool is_at_next = known != nullptr && t_ < *known && *known <= t_ + d;
+        const bool waits = (can_be_singular<System> || is_at_next) && is_past(kink, t_);
         const auto behind = [&](const Scalar& distance) { return rate(mode_, moved(x_, before, distance), waits ? t_ : t_ + distance); };
         const Plain near = behind(d), far = behind(Scalar(16) * d);
         const auto times_of = [&](std::size_t i) {
