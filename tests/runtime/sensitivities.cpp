@@ -224,7 +224,7 @@ TEST_CASE("stiffness is seen where sensitivities do not control the steps") {
     see_stiffness<float>(1e-4, 1e-3);
 }
 
-// A thousandth of what else moves a speed makes this friction turn around.
+// This friction changes its sign within a speed that is far below those of the motion.
 TEST_CASE("steep friction: implicit steps with sensitivities are about as long as without") {
     namespace model = stick_slip::smooth;
     using System = model::System<double>;

@@ -62,9 +62,11 @@ public:
             if (bend(ahead, behind, here) <= Scalar(1)) return add_slope(Scalar(2) * step);
             part /= Scalar(4);
         }
-        take(ahead, moved_.ahead[c], Scalar(0));
-        take(behind, moved_.behind[c], Scalar(0));
-        add_slope(Scalar(2) * step);
+        if (varied_[c].of == Varied::Of::parameter) {
+            take(ahead, moved_.ahead[c], Scalar(0));
+            take(behind, moved_.behind[c], Scalar(0));
+            add_slope(Scalar(2) * step);
+        }
         for (int tries = 0;; ++tries) {
             take(ahead, system_, part * step);
             take(behind, system_, -part * step);

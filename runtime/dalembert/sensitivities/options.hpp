@@ -30,9 +30,9 @@ void copy_options(IntegrationOptions<State>& to, const IntegrationOptions<Other>
     std::copy_n(from.scale.begin(), std::min(from.scale.size(), to.scale.size()), to.scale.begin());
 }
 
-/// The scales of S behind those of the state at x. Errors of S that are to the state, per size of what is varied, as ten roundings of it
-/// do not count. Without control S counts ten thousand times less than the state. It must count: where the state rests, steps would grow
-/// until S grows with them.
+/// The scales of S behind those of the state at x. They are no less than what leaves ten roundings of the state as the allowed error, per
+/// size of what is varied. Without control S counts ten thousand times less than the state. It must count: where the state rests, steps
+/// would grow until S grows with them.
 template <class All, class Plain, class Sizes>
 void set_scales_of_columns(All& scale, const Plain& of_state, const Plain& x, const typename Plain::value_type& tolerance,
                            std::size_t columns, const Sizes& size_of_column, bool controls) {

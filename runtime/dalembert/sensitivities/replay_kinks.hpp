@@ -99,8 +99,13 @@ protected:
             return i == kink || (Asked::is_kink(i) && is_past(i, waits ? t_ : t_ + d));
         };
         const auto jumps_itself = [&](std::size_t i) {
-            const auto at = [&](int times) { return value_of(i)(system_, moved(x_, before, times * d), waits ? t_ : t_ + times * d); };
-            return abs(at(1) - at(-1)) > Scalar(1000) * abs(at(-1) - at(-2)) + std::numeric_limits<Scalar>::epsilon() * abs(at(1));
+            constexpr double far_behind = 1e6;  // where a slow guard has moved by more than its roundings
+            const auto at = [&](double times) {
+                const Scalar way = Scalar(times) * d;
+                return value_of(i)(system_, moved(x_, before, way), waits ? t_ : t_ + way);
+            };
+            const Scalar slope = (at(-1) - at(-far_behind)) / (Scalar(far_behind - 1) * d);
+            return abs(at(1) - at(-1)) > Scalar(1e-6) * abs(slope) * span_;
         };
         std::size_t leader = kink;
         for (std::size_t i = 0; jumps && i < sides_.size() && jumps_itself(leader); ++i)
