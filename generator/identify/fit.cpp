@@ -27,25 +27,38 @@ public:
     Minimisation(const FitRun& run, const FitSettings& settings, const std::vector<double>& scale, bool is_parallel)
         : run_(run), settings_(settings), scale_(scale), runs_(run, scale, is_parallel, settings.by_differences) {}
 
+    /// To the first part of the data, then to more and more of them. A part of a run has fewer swings and events to count wrongly.
+    void grow(std::vector<double>& x, const Noise& noise) {
+        for (const double part : {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2}) (*this)(x, noise, part);
+    }
+
     /// False where the runs do not come to their ends at the start.
-    bool operator()(std::vector<double>& x, const Noise& noise) {
+    bool operator()(std::vector<double>& x, const Noise& noise, double part = 1) {
+        runs_.end_after(part);
         for (std::size_t k = 0; k < x.size(); ++k) runs_.values[k] = x[k] / scale_[k];
         ceres::Problem::Options of_problem;
         of_problem.evaluation_callback = &runs_;
         ceres::Problem problem(of_problem);
         double* values = runs_.values.data();
+        problem.AddParameterBlock(values, static_cast<int>(x.size()));
+        const bool is_whole = part == 1;
+        // Far from the solution the loss of Cauchy has minima that the one of Huber does not have.
+        const Loss loss = is_whole || settings_.loss == Loss::none ? settings_.loss : Loss::huber;
         const auto& experiments = run_.experiments();
         for (std::size_t e = 0; e < experiments.size(); ++e)
             for (std::size_t c = 0; c < experiments[e].measured.size(); ++c) {
                 const Measured& measured = experiments[e].measured[c];
                 const auto add = [&](std::vector<std::size_t> samples) {
-                    problem.AddResidualBlock(new ColumnBlock(runs_, measured, e, c, std::move(samples), noise.at(measured.column)),
-                                             new_loss(settings_.loss), values);
+                    if (!samples.empty())
+                        problem.AddResidualBlock(new ColumnBlock(runs_, measured, e, c, std::move(samples), noise.at(measured.column)),
+                                             new_loss(loss), values);
                 };
+                std::vector<std::size_t> samples = samples_of(measured);
+                samples.erase(std::lower_bound(samples.begin(), samples.end(), runs_.samples[e]), samples.end());
                 if (settings_.loss == Loss::none)
-                    add(samples_of(measured));
+                    add(std::move(samples));
                 else
-                    for (const std::size_t sample : samples_of(measured)) add({sample});
+                    for (const std::size_t sample : samples) add({sample});
             }
         for (const Prior& prior : settings_.priors) problem.AddResidualBlock(new PriorBlock(prior, scale_), nullptr, values);
         for (std::size_t k = 0; k < x.size(); ++k) {
@@ -56,9 +69,9 @@ public:
         ceres::Solver::Options options;
         options.linear_solver_type = ceres::DENSE_QR;
         options.logging_type = ceres::SILENT;
-        options.max_num_iterations = 200;
-        options.function_tolerance = 1e-9;
-        options.parameter_tolerance = 1e-9;
+        options.max_num_iterations = is_whole ? 200 : 20;  // a part only has to come near
+        options.function_tolerance = is_whole ? 1e-9 : 1e-4;
+        options.parameter_tolerance = is_whole ? 1e-9 : 1e-4;
         options.gradient_tolerance = 1e-12;
         ceres::Solver::Summary summary;
         ceres::Solve(options, &problem, &summary);
@@ -145,21 +158,31 @@ std::pair<Noise, std::vector<std::string>> first_noise(const FitRun& run) {
     return {noise, given};
 }
 
-std::vector<std::vector<double>> starts_of(const FitRun& run, const FitSettings& settings) {
-    std::vector<std::vector<double>> starts{settings.begin.empty() ? run.start() : settings.begin};
+struct Start {
+    std::vector<double> x;
+    bool grows;  ///< from the first part of the data to all
+};
+
+/// The given one, to all data at once and growing; then random ones, in turn near the given one and in the whole range. Of four one is
+/// fitted to all data at once: their beginning may say nothing.
+std::vector<Start> starts_of(const FitRun& run, const FitSettings& settings) {
+    const std::vector<double>& given = settings.begin.empty() ? run.start() : settings.begin;
+    std::vector<Start> starts{{given, false}, {given, true}};
     std::mt19937_64 generator(settings.seed);
     while (starts.size() < static_cast<std::size_t>(settings.starts)) {
-        std::vector<double> x = run.start();
+        const std::size_t number = starts.size();
+        std::vector<double> x = given;
         for (std::size_t k = 0; k < x.size(); ++k) {
             const Fitted& one = run.fitted(run.unknowns()[k]);
             const double part = uniform(generator);
-            if (std::isfinite(one.low) && std::isfinite(one.high))
-                x[k] = one.low > 0 ? one.low * std::pow(one.high / one.low, part) : one.low + part * (one.high - one.low);
+            if (number % 2 == 0 || !std::isfinite(one.low) || !std::isfinite(one.high))
+                x[k] = std::clamp(x[k] * std::pow(5.0, 2 * part - 1), one.low, one.high);
             else
-                x[k] = std::clamp(x[k] * std::pow(3.0, 2 * part - 1), one.low, one.high);
+                x[k] = one.low > 0 ? one.low * std::pow(one.high / one.low, part) : one.low + part * (one.high - one.low);
         }
-        starts.push_back(std::move(x));
+        starts.push_back({std::move(x), number % 4 < 3});
     }
+    starts.resize(static_cast<std::size_t>(settings.starts));
     return starts;
 }
 
@@ -187,7 +210,7 @@ public:
             std::optional<Fit> fit;
             std::string failure;
         };
-        const std::vector<std::vector<double>> starts = starts_of(run_, settings_);
+        const std::vector<Start> starts = starts_of(run_, settings_);
         const auto attempt = [&](std::size_t i) {
             try {
                 return Attempt{from_start(starts[i], starts.size() == 1), ""};
@@ -219,12 +242,13 @@ public:
 private:
     /// Weights follow from residuals, and these from weights; a few rounds are enough. The least squares of a single column do not ask for
     /// its noise.
-    Fit from_start(const std::vector<double>& start, bool is_parallel) const {
+    Fit from_start(const Start& start, bool is_parallel) const {
         Fit result;
-        result.x = start;
+        result.x = start.x;
         result.noise = first_;
         result.given_noise = given_;
         Minimisation minimise(run_, settings_, scale_, is_parallel);
+        if (start.grows) minimise.grow(result.x, result.noise);
         const bool asks_for_noise = result.noise.size() > 1 || settings_.loss != Loss::none || !settings_.priors.empty();
         const int rounds = given_.size() == first_.size() ? 1 : asks_for_noise ? 5 : 2;
         for (int round = 1; round <= rounds; ++round) {

@@ -47,9 +47,25 @@ FitRun::FitRun(const std::shared_ptr<const LoadedModel>& model, const Options& o
     for (std::size_t e = 0; e < experiments_.size(); ++e) {
         check(e);
         ready_.emplace_back();
-        if (follows_nothing(e)) ready_.back() = prepared(e, start_);
+        PlantRun first = prepared(e, start_);  // what cannot be, is told with its place
+        if (follows_nothing(e)) ready_.back() = std::move(first);
     }
+    limit_steps();
     doubts_ = doubts_of_start(values_at(0, start_), system);
+}
+
+/// The search may go to values where the machine moves a thousand times faster than what was measured. These are not the true ones, and
+/// a run there takes as long as all the others.
+void FitRun::limit_steps() {
+    constexpr std::size_t times = 50, always = 20000;
+    std::vector<std::size_t> limits;
+    for (std::size_t e = 0; e < experiments_.size(); ++e) {
+        PlantRun run = run_at(e, start_, experiments_[e].t.size());
+        run.varied.clear();
+        const Outcome first = simulate_plant(library_->table(), run).outcome;
+        limits.push_back(first.status == Status::success ? always + times * (first.steps + first.rejected) : run.max_steps);
+    }
+    max_steps_ = std::move(limits);
 }
 
 /// No other derivatives by parameters: nobody sees this code.
@@ -181,20 +197,28 @@ double FitRun::first_value(const FitUnknown& unknown) const {
     return one.variable->is_root ? value * value : value;
 }
 
-RunBesideData FitRun::compare(std::size_t experiment, const std::vector<double>& x, bool with_slopes) const {
+RunBesideData FitRun::compare(std::size_t experiment, const std::vector<double>& x, bool with_slopes,
+                              std::optional<std::size_t> first_samples) const {
     const Experiment& own = experiments_[experiment];
-    PlantRun run = run_at(experiment, x);
+    const std::size_t samples = first_samples.value_or(own.t.size());
+    RunBesideData comparison;
+    PlantRun run;
+    try {
+        run = run_at(experiment, x, samples);
+    } catch (const Failure& refused) {  // the search goes too far: no machine with these lengths, a division by zero
+        comparison.failure = refused.diagnostics().front().message;
+        return comparison;
+    }
     if (!with_slopes) run.varied.clear();
     const PlantRunResult result = simulate_plant(library_->table(), run);
-    RunBesideData comparison;
     const auto& rows = result.recording.rows;
     // A run that a model's own event ends is shorter than what was measured.
-    if (rows.size() < own.t.size() || result.outcome.status != Status::success) {
+    if (rows.size() < samples || result.outcome.status != Status::success) {
         comparison.failure = fmt::format("{} at t = {:.6g} s", to_string(result.outcome.status), result.outcome.t);
         return comparison;
     }
     const auto& slopes = result.sensitivities.rows;
-    if (!run.varied.empty() && slopes.size() < own.t.size()) {
+    if (!run.varied.empty() && slopes.size() < samples) {
         comparison.failure = fmt::format("the run has no derivatives behind t = {:.6g} s: {}", result.of_sensitivities.t,
                                          to_string(result.of_sensitivities.status));
         return comparison;
@@ -211,15 +235,15 @@ RunBesideData FitRun::compare(std::size_t experiment, const std::vector<double>&
         double offset = 0;
         for (std::size_t k = 0; k < unknowns_.size(); ++k)
             if (const Fitted& one = fitted(unknowns_[k]); one.what == Fitted::What::offset && one.of == measured.column) offset = x[k];
-        for (std::size_t i = 0; i < own.t.size(); ++i) column.simulated.push_back(rows[i][at] + offset);
+        for (std::size_t i = 0; i < samples; ++i) column.simulated.push_back(rows[i][at] + offset);
         if (with_slopes)
             for (std::size_t k = 0; k < unknowns_.size(); ++k) {
-                std::vector<double> values(own.t.size(),
+                std::vector<double> values(samples,
                                            fitted(unknowns_[k]).what == Fitted::What::offset && fitted(unknowns_[k]).of == measured.column);
                 if (varied[k]) {
                     const std::string title = "d(" + measured.column + ")/d(" + run.varied[*varied[k]].name + ")";
                     const std::size_t slope = result.sensitivities.find(title);
-                    for (std::size_t i = 0; i < own.t.size(); ++i) values[i] = slopes[i][slope];
+                    for (std::size_t i = 0; i < samples; ++i) values[i] = slopes[i][slope];
                 }
                 column.slopes.push_back(std::move(values));
             }

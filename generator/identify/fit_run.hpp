@@ -53,10 +53,13 @@ public:
         experiments_.at(experiment).measured.at(column).values = std::move(values);
     }
 
-    /// With one value an unknown. `with_slopes` asks for derivatives, too.
-    RunBesideData compare(std::size_t experiment, const std::vector<double>& x, bool with_slopes) const;
+    /// With one value an unknown. `with_slopes` asks for derivatives, too. The run ends where the experiment does, or after `samples` times
+    /// of it, of two at least.
+    RunBesideData compare(std::size_t experiment, const std::vector<double>& x, bool with_slopes,
+                          std::optional<std::size_t> samples = {}) const;
 
 private:
+    void limit_steps();
     void differentiate_by_what_is_fitted();
     void take_data(const std::vector<DataFile>& files);
     void refuse_unknown_columns() const;
@@ -70,10 +73,11 @@ private:
     PlantRun prepared(std::size_t experiment, const std::vector<double>& x) const;
     void check(std::size_t experiment) const;
     void add_experiment(PlantRun& run, std::size_t experiment) const;
+    void end_at_sample(PlantRun& run, std::size_t experiment, std::size_t samples) const;
     double first_value(const FitUnknown& unknown) const;
     bool follows_nothing(std::size_t experiment) const;
     bool are_of_time_alone(const std::vector<GiNaC::ex>& inputs) const;
-    PlantRun run_at(std::size_t experiment, const std::vector<double>& x) const;
+    PlantRun run_at(std::size_t experiment, const std::vector<double>& x, std::size_t samples) const;
 
     Options options_;
     RunPreparation preparation_;
@@ -85,6 +89,7 @@ private:
     std::vector<double> start_;
     std::optional<PlantLibrary> library_;
     std::vector<std::optional<PlantRun>> ready_;  ///< one an experiment, where all but the numbers themselves stays as it is
+    std::vector<std::size_t> max_steps_;          ///< likewise; none yet while the first run is made
     std::string doubts_;
     mutable std::mutex symbolic_;  ///< GiNaC knows one thread
 };

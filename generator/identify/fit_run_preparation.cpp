@@ -117,18 +117,23 @@ bool FitRun::are_of_time_alone(const std::vector<ex>& inputs) const {
     return std::none_of(fitted_.begin(), fitted_.end(), [](const Fitted& one) { return one.what == Fitted::What::delay; });
 }
 
-/// Its end, its times, and its inputs with their jumps, which are kinks that delays move.
+/// Its inputs with their jumps, which are kinks that delays move.
 void FitRun::add_experiment(PlantRun& run, std::size_t experiment) const {
     const Experiment& own = experiments_[experiment];
     const std::size_t parameters = machine_.system->symbols.count(SymbolKind::parameter);
-    run.until = own.end();
-    run.output_times.assign(own.t.begin() + 1, own.t.end() - 1);
-    run.intervals = std::max<std::size_t>(1, own.t.size() - 1);
     run.sampled = own.inputs;
     run.parameters.resize(parameters + (own.inputs.empty() ? 0 : machine_.system->symbols.count(SymbolKind::input)), 0.0);
     if (!own.inputs.empty()) run.seen_step = 0;
     run.is_for_fit = true;
     run.is_of_heat = false;  // nobody asks for the step of Euler's method
+}
+
+void FitRun::end_at_sample(PlantRun& run, std::size_t experiment, std::size_t samples) const {
+    const std::vector<double>& t = experiments_[experiment].t;
+    const auto last = t.begin() + static_cast<std::ptrdiff_t>(samples) - 1;
+    run.until = *last;
+    run.output_times.assign(t.begin() + 1, last);
+    run.intervals = samples - 1;
 }
 
 /// Those of measured inputs, which delays move.
@@ -168,7 +173,7 @@ void FitRun::add_kinks(PlantRun& run) const {
     }
 }
 
-PlantRun FitRun::run_at(std::size_t experiment, const std::vector<double>& x) const {
+PlantRun FitRun::run_at(std::size_t experiment, const std::vector<double>& x, std::size_t samples) const {
     const System& system = *machine_.system;
     PlantRun run;
     if (ready_.size() > experiment && ready_[experiment]) {
@@ -194,6 +199,8 @@ PlantRun FitRun::run_at(std::size_t experiment, const std::vector<double>& x) co
     for (std::size_t k = 0; k < unknowns_.size(); ++k)
         if (const Fitted& one = fitted(unknowns_[k]); one.what == Fitted::What::delay)
             run.parameters[parameters + one.variable->position] = x[k];
+    end_at_sample(run, experiment, samples);
+    if (!max_steps_.empty()) run.max_steps = max_steps_[experiment];
     add_kinks(run);
     return run;
 }

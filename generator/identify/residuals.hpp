@@ -13,11 +13,29 @@ namespace dalembert {
 
 inline constexpr double huber_limit = 1.345, cauchy_limit = 2.385;  // 95 % of the efficiency of least squares for normal noise
 
+inline std::vector<std::size_t> samples_of(const Measured& measured) {
+    std::vector<std::size_t> samples;
+    for (std::size_t i = 0; i < measured.values.size(); ++i)
+        if (std::isfinite(measured.values[i])) samples.push_back(i);
+    return samples;
+}
+
 /// The runs at the point that the minimiser asks for, made once for all residuals.
 class Runs : public ceres::EvaluationCallback {
 public:
     Runs(const FitRun& run, const std::vector<double>& scale, bool is_parallel, bool by_differences)
-        : run_(run), scale_(scale), is_parallel_(is_parallel), by_differences_(by_differences), values(scale.size()) {}
+        : run_(run), scale_(scale), is_parallel_(is_parallel), by_differences_(by_differences), values(scale.size()) {
+        end_after(1);
+    }
+
+    /// Of each experiment the first part alone, as `part` of 1 says.
+    void end_after(double part) {
+        samples.clear();
+        for (const Experiment& experiment : run_.experiments()) {
+            const auto behind = std::upper_bound(experiment.t.begin(), experiment.t.end(), part * experiment.end());
+            samples.push_back(std::max<std::size_t>(2, static_cast<std::size_t>(behind - experiment.t.begin())));
+        }
+    }
 
     void PrepareForEvaluation(bool with_slopes, bool is_new) override {
         if (!is_new && (has_slopes_ || !with_slopes)) return;
@@ -43,15 +61,15 @@ private:
     RunBesideData compare(std::size_t e, const std::vector<double>& x, bool with_slopes) {
         if (!with_slopes || !by_differences_) {
             ++count;
-            return run_.compare(e, x, with_slopes);
+            return run_.compare(e, x, with_slopes, samples[e]);
         }
-        RunBesideData here = run_.compare(e, x, false);
+        RunBesideData here = run_.compare(e, x, false, samples[e]);
         count += 1 + x.size();
         for (std::size_t k = 0; k < x.size() && here.failure.empty(); ++k) {
             std::vector<double> there = x;
             const double step = 1e-5 * scale_[k];
             there[k] += step;
-            const RunBesideData moved = run_.compare(e, there, false);
+            const RunBesideData moved = run_.compare(e, there, false, samples[e]);
             if (!moved.failure.empty()) return moved;
             for (std::size_t c = 0; c < here.columns.size(); ++c) {
                 auto& slopes = here.columns[c].slopes.emplace_back();
@@ -68,7 +86,8 @@ private:
     bool has_slopes_ = false;
 
 public:
-    std::vector<double> values;  ///< in units of the scale
+    std::vector<double> values;        ///< in units of the scale
+    std::vector<std::size_t> samples;  ///< of each experiment, how many the runs meet
     std::vector<RunBesideData> comparisons;
     std::atomic<std::size_t> count{0};
     const std::vector<double>& scale() const { return scale_; }
@@ -129,13 +148,6 @@ private:
 inline ceres::LossFunction* new_loss(Loss loss) {
     if (loss == Loss::huber) return new ceres::HuberLoss(huber_limit);
     return loss == Loss::cauchy ? new ceres::CauchyLoss(cauchy_limit) : nullptr;
-}
-
-inline std::vector<std::size_t> samples_of(const Measured& measured) {
-    std::vector<std::size_t> samples;
-    for (std::size_t i = 0; i < measured.values.size(); ++i)
-        if (std::isfinite(measured.values[i])) samples.push_back(i);
-    return samples;
 }
 
 }  // namespace dalembert

@@ -39,6 +39,7 @@ public:
         detail::set_run(options, system_, inputs_, x, run_.tolerance, run_.step, run_.intervals, run_.until, 1.0, run_.seen_step);
         options.kinks = run_.kinks;
         options.output_times = run_.output_times;
+        options.max_steps = run_.max_steps;
         if (!plant_run::takes_sensitivities(options.method)) options.method = Method::automatic;
         IntegrationOptions<State> of_states;
         detail::copy_options(of_states, options);

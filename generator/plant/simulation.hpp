@@ -66,6 +66,7 @@ struct PlantRun {
     std::vector<double> output_times = {};  ///< s, rising, within the run; where there are any, `intervals` is for the longest step alone
     std::vector<SampledInput> sampled = {};
     std::vector<double> kinks = {};  ///< s, at known times
+    std::size_t max_steps = 100000000;  ///< as IntegrationOptions says
     double seen_step = 0;            ///< s, within which nothing comes and goes; may be infinite
     bool keeps_all = true;           ///< else only the last row
     std::function<void(const Recording&)> see_row = {};  ///< the last of the recording, as each comes, also where they are not kept

@@ -99,6 +99,7 @@ public:
                                    run_.seen_step);
         options.kinks = run_.kinks;
         options.output_times = run_.output_times;
+        options.max_steps = run_.max_steps;
         const bool sees_samples = run_.keeps_all || run_.see_row;
         if (!sees_samples && run_.seen_step > 0 && run_.varied.empty() && steps_past_samples(options.method)) options.intervals = 1;
         system_.leave_out(!run_.asks_outputs && controllers_.empty(), !run_.asks_energies);

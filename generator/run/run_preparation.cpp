@@ -181,7 +181,7 @@ SimulationSettings RunPreparation::make_settings(const Values& values, const Sys
     settings.declared_plots = options_.units != "si";
     settings.formats = options_.write;
     if (run_ != nullptr) {
-        settings.until = seconds(run_->until);
+        if (options_.until.empty()) settings.until = seconds(run_->until);  // another end does not ask for values of this one
         settings.tolerance = cln::double_approx(run_->tolerance);
         if (run_->step) settings.step = seconds(run_->step);
         settings.intervals = run_->samples;
@@ -236,8 +236,11 @@ SimulationSettings RunPreparation::make_settings(const Values& values, const Sys
 bool RunPreparation::settings_move(const Values& values, const System& system, const GiNaC::exset& letters) const {
     const GiNaC::exmap at = values.substitution();
     std::vector<ExpressionPtr> times;
-    if (run_ != nullptr) times = {run_->until, run_->step, run_->period};
-    if (!options_.until.empty()) times.push_back(parse_expression(excerpt_of(std::make_shared<const Source>("--until", options_.until))));
+    if (run_ != nullptr) times = {run_->step, run_->period};
+    if (!options_.until.empty())
+        times.push_back(parse_expression(excerpt_of(std::make_shared<const Source>("--until", options_.until))));
+    else if (run_ != nullptr)
+        times.push_back(run_->until);
     for (const ExpressionPtr& time : times) {
         if (!time) continue;
         const ex value = system.translate(*time, {}).subs(at, GiNaC::subs_options::no_pattern);

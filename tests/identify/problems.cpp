@@ -18,6 +18,8 @@ using namespace dalembert;
 
 namespace {
 
+constexpr std::size_t quick_problems = 5;
+
 struct Problem {
     const char* model;
     const char* run;
@@ -25,7 +27,6 @@ struct Problem {
     const char* truth;  ///< parameters
     const char* measured;
     std::vector<const char*> starts = {""};  ///< of states, one an experiment
-    bool has_other_minima = false;           ///< far away: events or swings that are counted wrong
     const char* begin = "";                  ///< parameters where the fit begins, where the model's own will not do
 };
 
@@ -33,6 +34,7 @@ const std::vector<Problem>& problems() {
     static const std::vector<Problem> all{
         {"mechanics/cart_pendulum", "reference", "d_R,c_W", "d_R=0.7,c_W=44", "s,phi"},
         {"hydraulics/torricelli", "reference", "A_2", "A_2=45 cm^2", "h"},
+        {"hydraulics/switched_tank", "reference", "A_2,q_i", "", ""},
         {"heat/fin", "reference", "alpha,lambda", "alpha=35,lambda=180", ""},
         {"pneumatics/reservoir_discharge", "reference", "alpha_d", "alpha_d=0.7", ""},
         {"mechanics/cart_pendulum", "reference", "m_W,c_W,d_R,g", "m_W=1.2,d_R=0.7,c_W=44", "s,phi", {"phi=0.3", "phi=0.9", "s=0.3"}},
@@ -42,17 +44,16 @@ const std::vector<Problem>& problems() {
          "m_W=1.2,d_R=0.7,c_W=44,s_W0=0.01",
          "s,phi",
          {"phi=0.3", "phi=0.9", "s=0.3", "dot(phi)=2", "dot(s)=0.5"}},
-        {"mechanics/stick_slip", "reference", "mu_C,c", "mu_C=0.32,c=45", "", {""}, true},
-        {"mechanics/bouncing_ball", "reference", "e", "e=0.75", "", {""}, true},
+        {"mechanics/stick_slip", "reference", "mu_C,c", "mu_C=0.32,c=45", ""},
+        {"mechanics/bouncing_ball", "reference", "e", "e=0.75", ""},
         {"mechanics/drive_train", "reference", "c,d", "c=260,d=0.7", "twist,phi_1"},
         {"mechanics/spherical_pendulum", "reference", "l,m", "l=1.2,m=1.3", ""},
         {"mechanics/four_bar", "reference", "m_a,m_c", "m_a=1.2", ""},
-        {"mechanics/slider_crank", "reference", "d_s,m_s", "d_s=12", "", {""}, true},
+        {"mechanics/slider_crank", "reference", "d_s,m_s", "d_s=12", ""},
         {"hydraulics/hydraulic_cylinder", "reference", "d_k,k_l,m_k", "", ""},
         {"hydraulics/valve_cylinder", "reference", "d_k,alpha_d", "alpha_d=0.65", ""},
         {"hydraulics/cylinder_stops", "reference", "d_k,k_v", "", ""},
         {"hydraulics/penstock", "reference", "lambda,xi", "", ""},
-        {"hydraulics/switched_tank", "reference", "A_2,q_i", "", "", {""}, true},
         {"hydraulics/tank_with_inflow", "reference", "A_2", "", ""},
         {"pneumatics/air_reservoir", "reference", "V", "", ""},
         {"pneumatics/pneumatic_cylinder", "reference", "d,f_C,alpha_d", "", ""},
@@ -186,7 +187,7 @@ TEST_CASE("fits find hidden values, with error bars that are true") {
     double exact_seconds = 0, difference_seconds = 0;
     std::size_t number = 0;
     for (const Problem& problem : problems()) {
-        if (!is_full && number >= 4) break;
+        if (!is_full && number >= quick_problems) break;
         ++number;
         if (only != nullptr && std::string(problem.model).find(only) == std::string::npos) continue;
         CAPTURE(problem.model);
@@ -259,10 +260,8 @@ TEST_CASE("fits find hidden values, with error bars that are true") {
         std::fflush(stdout);
         inside += own_inside;
         count += own_count;
-        if (!problem.has_other_minima) {
-            came_back += own_back;
-            began += far_starts;
-        }
+        came_back += own_back;
+        began += far_starts;
         exact_seconds += exactly;
         if (std::isfinite(by_differences)) difference_seconds += by_differences;
     }
