@@ -45,7 +45,9 @@ public:
         const auto take = [&](Jacobian& J, const System& system, const Scalar& length) {
             Plain there = x;
             for (std::size_t i = 0; i < there.size(); ++i) there[i] += length * s[i];
-            view_(system).jacobian_x(there, inputs_with(inputs_, system)(there, t), t, J);
+            const auto u = inputs_with(inputs_, system)(there, t);
+            sides_.mirror(there, u, t);
+            view_(system).jacobian_x(there, u, t, J);
         };
         const auto add_slope = [&](const Scalar& distance) {
             for (std::size_t k = 0; k < result.size(); ++k) result[k] += (ahead[k] - behind[k]) / distance;

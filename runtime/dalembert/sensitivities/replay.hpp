@@ -105,7 +105,7 @@ private:
     using Base::fail, Base::find_sides, Base::held, Base::here, Base::instant, Base::kinks_at, Base::motion_here, Base::pass_kink,
         Base::pass_known_kink, Base::rate, Base::set_scales, Base::take, Base::times_of_zero, Base::together;
     using Base::controls_, Base::from_, Base::inputs_, Base::known_kinks_, Base::knows_sides_, Base::mode_, Base::moved_,
-        Base::options_, Base::outcome_, Base::S_, Base::scale_, Base::sides_, Base::span_, Base::system_, Base::t_, Base::varied_, Base::x_;
+        Base::options_, Base::outcome_, Base::S_, Base::scale_, Base::span_, Base::system_, Base::t_, Base::varied_, Base::x_;
 
     /// Next to no time, with the rates at the time `at`. Where constraints may depend on each other, these have no digits, and S rests.
     void creep(const Scalar& to, const Scalar& at) {
@@ -144,7 +144,7 @@ private:
             const auto guards = [&](const All& at, Scalar t, Kinks& g) {
                 g = kinks_at(mode_, Motion::part(at, 0), t);
                 for (std::size_t i = 0; i < g.size(); ++i)
-                    if (Asked::is_kink(i)) g[i] *= Scalar(sides_[i]);
+                    if (Asked::is_kink(i)) g[i] = this->until_kink(i, g[i]);
                     else if (!watches_ends_) g[i] = Scalar(1);
             };
             Like<Kinks, bool> ends;
@@ -159,7 +159,7 @@ private:
         outcome_.steps_by = choice_.steps;
         take(all, part.status == Status::success ? to : reached);
         if constexpr (may_have_entries<Kinks>)
-            if (part.status == Status::event) return Asked::is_kink(part.guard) ? pass_kink(part.guard) : fail(part.status, part.guard);
+            if (part.status == Status::event) return Asked::is_kink(part.guard) ? pass_kink(part.guard, std::min(to, next_->t) - t_) : fail(part.status, part.guard);
         if (part.status != Status::success) fail(part.status);
     }
 

@@ -2,6 +2,7 @@
 // Sensitivities over kinks and jumps of the rates within a mode.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -26,10 +27,10 @@ protected:
     using typename Base::Plain, typename Base::Scalar;
     template <class T>
     using ColumnsOf = typename Base::template ColumnsOf<T>;
-    using Base::fail, Base::here, Base::instant, Base::jump, Base::kinks_at, Base::motion_here, Base::rate, Base::times_of_zero,
-        Base::together;
-    using Base::inputs_, Base::known_kinks_, Base::mode_, Base::options_, Base::outcome_, Base::S_, Base::span_, Base::system_,
-        Base::t_, Base::varied_, Base::x_;
+    using Base::fail, Base::here, Base::instant, Base::jump, Base::kinks_at, Base::motion_here, Base::rate, Base::take,
+        Base::times_of_zero, Base::together;
+    using Base::inputs_, Base::known_kinks_, Base::mode_, Base::options_, Base::outcome_, Base::S_, Base::scale_, Base::sides_, Base::span_,
+        Base::system_, Base::t_, Base::varied_, Base::x_;
 
     /// The signs that kinks have in a mode that begins here; of one at zero that to which it goes.
     void find_sides(Mode mode) {
@@ -40,6 +41,7 @@ protected:
             for (std::size_t i = 0; i < sides_.size(); ++i)
                 sides_[i] = values[i] != Scalar(0) ? (values[i] < Scalar(0) ? -1 : 1) : side_ahead(mode, i);
             sides_since_ = t_;
+            std::fill(rests_.begin(), rests_.end(), Scalar(0));
         }
     }
     /// The sign of a kink a little later, by trial steps of second order: from rest it does not go along the rates. 1 where it stays.
@@ -53,10 +55,75 @@ protected:
         return 1;
     }
 
+    /// What is above zero up to where a kink is passed, or ends to rest.
+    Scalar until_kink(std::size_t kink, const Scalar& value) const {
+        using std::abs;
+        return rests_[kink] == Scalar(0) ? value * Scalar(sides_[kink]) : rests_[kink] - abs(value);
+    }
+
+    /// Over a kink whose value does not leave its roundings within many instants, as that of a check valve beside which pressures become
+    /// equal. Rates must not jump there; then S goes on as it is. A kink that stays within its roundings rests: it is not looked for as
+    /// long as it stays near. No step is longer than `room`.
+    void pass_slowly(std::size_t kink, const Scalar& room) {
+        const Plain now = rate(mode_, x_, t_);
+        const auto at = [&](const Scalar& way) {
+            const Scalar half = way / Scalar(2);
+            return moved(x_, rate(mode_, moved(x_, now, half), t_ + half), way);
+        };
+        for (Scalar d = Scalar(64) * instant(t_); d <= std::min(room, Scalar(Scalar(1e-5) * span_)); d *= Scalar(2)) {
+            const auto value = [&](const Scalar& way) { return kinks_at(mode_, at(way), t_ + way)[kink] * Scalar(sides_[kink]); };
+            const auto slope = [&](const Scalar& way) { return rate(mode_, at(way), t_ + way); };
+            const Scalar behind = value(d);
+            if (!(value(-d) > Scalar(0)) || behind == Scalar(0)) continue;
+            if (is_jump(slope(-d), slope(d), slope(Scalar(16) * d))) continue;  // or roundings, of which a longer way sees less
+            if (behind < Scalar(0)) sides_[kink] = -sides_[kink];
+            return step_over(d);
+        }
+        rest(kink);
+    }
+    /// Rates must not jump between states on both sides, as near as they can be told apart.
+    void rest(std::size_t kink) {
+        using std::abs;
+        for (std::size_t i = 0; i < x_.size(); ++i) {
+            const Scalar h = Scalar(1e-9) * std::max(Scalar(abs(x_[i])), scale_[i]);
+            const auto at = [&](int steps) {
+                Plain x = x_;
+                x[i] += Scalar(steps) * h;
+                return x;
+            };
+            const Scalar before = kinks_at(mode_, at(-1), t_)[kink], behind = kinks_at(mode_, at(1), t_)[kink];
+            if (!(before * behind < Scalar(0))) continue;
+            if (is_jump(rate(mode_, at(-1), t_), rate(mode_, at(1), t_), rate(mode_, at(16), t_))) break;
+            rests_[kink] = std::min(abs(before), abs(behind));
+            return;
+        }
+        fail(Status::event_storm, kink);
+    }
+    /// One step of order four, which does not look for kinks.
+    void step_over(const Scalar& h) {
+        Motion motion = motion_here();
+        const All start = together();
+        All k, sum = start, at = start;
+        const Scalar nodes[] = {Scalar(0), h / Scalar(2), h / Scalar(2), h};
+        const Scalar weights[] = {h / Scalar(6), h / Scalar(3), h / Scalar(3), h / Scalar(6)};
+        for (int stage = 0; stage < 4; ++stage) {
+            if (stage > 0)
+                for (std::size_t i = 0; i < at.size(); ++i) at[i] = start[i] + nodes[stage] * k[i];
+            motion.rates(at, t_ + nodes[stage], k);
+            for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weights[stage] * k[i];
+        }
+        take(sum, t_ + h);
+    }
+
     /// Over a kink of the rates, where they may jump.
-    void pass_kink(std::size_t kink) {
+    void pass_kink(std::size_t kink, const Scalar& room) {
         using std::abs;
         if (++outcome_.events > options_.max_events) return fail(Status::event_storm, kink);
+        if (rests_[kink] != Scalar(0)) {
+            rests_[kink] = Scalar(0);
+            sides_[kink] = kinks_at(mode_, x_, t_)[kink] < Scalar(0) ? -1 : 1;
+            return;
+        }
         const Scalar d = instant(t_);
         Plain before;
         if (!rate_before(kink, Scalar(0), before)) {  // it is one of time
@@ -67,9 +134,11 @@ protected:
             if (!rate_before(kink, Scalar(1), before)) {
                 // From rest, next to it but for roundings, nothing has come through it.
                 const bool is_left = t_ - sides_since_ <= Scalar(1e-6) * span_ && side_ahead(mode_, kink) != sides_[kink];
-                if (!is_left) return fail(Status::event_storm, kink);
-                sides_[kink] = -sides_[kink];
-                return;
+                if (is_left) {
+                    sides_[kink] = -sides_[kink];
+                    return;
+                }
+                return pass_slowly(kink, room);
             }
         }
         const auto value_of = [&](std::size_t i) {
@@ -161,7 +230,7 @@ protected:
         if (const auto* kink = known_kinks_.moving(t)) jump(rate(mode_, x_, t - instant(t)), rate(mode_, x_, t + instant(t)), kink->slope);
     }
 
-    Like<Kinks, int> sides_{};
+    Kinks rests_{};  ///< up to these values; 0 of one that does not
     bool knows_sides_ = false;
     Scalar sides_since_{};
 };

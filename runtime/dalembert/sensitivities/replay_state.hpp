@@ -2,8 +2,10 @@
 // A state and its sensitivities at one point of a run: the rates of both, what constraints hold of them, and how they jump.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "dalembert/integrate.hpp"
 #include "dalembert/sensitivities/differences.hpp"
@@ -83,6 +85,7 @@ protected:
     struct Sides {
         const ReplayState* replay;
         int operator()(std::size_t c, const Scalar& t) const { return replay->side(c, t); }
+        bool mirror(Plain& x, const typename System::Input& u, const Scalar& t) const { return replay->mirror(x, u, t); }
     };
     using Motion = Variational<System, Inputs, List, typename Asked::View, Sides>;
     using All = typename Motion::State;
@@ -115,6 +118,40 @@ protected:
                 if ((a[k] < Scalar(0)) != (b[k] < Scalar(0))) return true;
         }
         return false;
+    }
+    /// Along the state that moves a kink most.
+    bool mirror(Plain& x, const typename System::Input& u, const Scalar& t) const {
+        using std::abs;
+        bool is_moved = false;
+        if constexpr (may_have_entries<Kinks>) {
+            Kinks values;
+            if (values.size() == 0) return false;
+            Asked::kinks(system_, mode_, x, u, t, values);
+            for (std::size_t k = 0; k < values.size(); ++k) {
+                if (!Asked::is_kink(k) || sides_[k] == 0 || values[k] * Scalar(sides_[k]) > Scalar(0)) continue;
+                Kinks ahead, behind;
+                std::size_t along = 0;
+                Scalar most = Scalar(0), slope = Scalar(0);
+                for (std::size_t i = 0; i < x.size(); ++i) {
+                    const Scalar h = step_of_differences<Scalar>() * std::max(Scalar(abs(x[i])), scale_[i]);
+                    Plain there = x;
+                    there[i] = x[i] + h;
+                    Asked::kinks(system_, mode_, there, u, t, ahead);
+                    there[i] = x[i] - h;
+                    Asked::kinks(system_, mode_, there, u, t, behind);
+                    const Scalar change = ahead[k] - behind[k];
+                    if (!(abs(change) > most)) continue;
+                    most = abs(change);
+                    slope = change / (Scalar(2) * h);
+                    along = i;
+                }
+                if (!(most > Scalar(0))) continue;  // it is one of time
+                const Scalar roundings = Scalar(4) * std::numeric_limits<Scalar>::epsilon() * abs(x[along]);
+                x[along] -= Scalar(2) * values[k] / slope - (slope > Scalar(0) ? roundings : -roundings) * Scalar(sides_[k]);
+                is_moved = true;
+            }
+        }
+        return is_moved;
     }
     int side(std::size_t c, const Scalar& t) const { return known_kinks_.side(c, t, moved_.distance[c]); }
 
@@ -228,6 +265,7 @@ protected:
     Scalar t_, from_, span_;
     bool controls_;
     Mode mode_{};
+    Like<Kinks, int> sides_{};  ///< the signs of kinks; 0 before they are known
     Outcome outcome_;
 };
 

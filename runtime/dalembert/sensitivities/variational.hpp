@@ -27,16 +27,22 @@ struct AsItIs {
     }
 };
 
-/// Times at which inputs have kinks or jumps rest.
+/// Times at which inputs have kinks or jumps rest, and those of rates are not known.
 struct KinksRest {
     template <class Scalar>
     int operator()(std::size_t, const Scalar&) const {
         return 0;
     }
+    template <class State, class Input, class Scalar>
+    bool mirror(State&, const Input&, const Scalar&) const {
+        return false;
+    }
 };
 
 /// `view` shows a system, or one of its modes, as one without modes. sides(c, t) says which of the moved systems has the same inputs at t
 /// but for their slope: 1 the one ahead, -1 the one behind, 0 both. A kink moves past t in the other one, and its jump is not for here.
+/// sides.mirror(x, u, t) takes a state that is beyond a kink of the rates, as by roundings, as far to the side on which the motion is, and
+/// says whether it did: Jacobians are those of that side, so that they do not jump within a step.
 template <class System, class Inputs, class List, class View = AsItIs, class Sides = KinksRest>
 class Variational {
     using Scalar = typename System::scalar_type;
@@ -79,7 +85,9 @@ public:
         Plain dxdt;
         shown_.rhs_and_jacobian(x, u, t, dxdt, by_state_);
         put(derivative, 0, dxdt);
-        shown_.jacobian_p(x, u, t, by_parameters_);
+        Plain there = x;
+        if (sides_.mirror(there, u, t)) shown_.jacobian_x(there, u, t, by_state_);
+        shown_.jacobian_p(there, u, t, by_parameters_);
         put_own_rates(derivative);
         add_products(all, derivative);
         if constexpr (may_have_entries<typename System::Input>) {
@@ -96,7 +104,8 @@ public:
     // What Rodas5p asks for.
 
     void prepare(const State& all, Scalar t) {
-        const Plain x = part(all, 0);
+        Plain x = part(all, 0);
+        sides_.mirror(x, inputs_(x, t), t);
         here_.prepare(x, t);
         for (std::size_t c = 0; c < varied_.size(); ++c) along_.differentiate(c, x, part(all, c + 1), t, here_.by_state(), below_[c]);
     }
