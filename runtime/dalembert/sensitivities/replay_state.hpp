@@ -147,7 +147,9 @@ protected:
                 }
                 if (!(most > Scalar(0))) continue;  // it is one of time
                 const Scalar roundings = Scalar(4) * std::numeric_limits<Scalar>::epsilon() * abs(x[along]);
-                x[along] -= Scalar(2) * values[k] / slope - (slope > Scalar(0) ? roundings : -roundings) * Scalar(sides_[k]);
+                const Scalar way = (slope > Scalar(0) ? roundings : -roundings) * Scalar(sides_[k]) - Scalar(2) * values[k] / slope;
+                if (!(abs(way) <= std::max(Scalar(abs(x[along])), scale_[along]) / Scalar(1000))) continue;  // straight so far?
+                x[along] += way;
                 is_moved = true;
             }
         }
