@@ -20,8 +20,8 @@ TEST_CASE("sensitivities of runs are those of differences") {
         // A flow like a root has no derivative at equal pressures, where it may begin or stay, or which it may pass often. What
         // moves a singular position away has none behind it. Next to its dead centre a rod without mass leaves fewer digits than 1e-12.
         const bool is_known = (outcome.status == Status::not_finite && outcome.t == 0) || outcome.status == Status::singular_position ||
-                              outcome.status == Status::too_many_steps || outcome.status == Status::event_storm ||
-                              (is_full && stem == "massless_rod" && outcome.status == Status::step_too_small);
+                              (is_full && stem == "massless_rod" && outcome.status == Status::step_too_small) ||
+                              (is_full && stem == "orifice_at_balance" && outcome.status == Status::too_many_steps);
         CHECK((outcome.status == Status::success || is_known));
         if (outcome.status != Status::success) return;
         // Every second of few; of many, which differences take hours for, a few.
