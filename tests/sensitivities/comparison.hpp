@@ -154,6 +154,27 @@ PreparedSimulation prepare_for_all(const Model& model, Options& options) {
     }
 }
 
+/// A run of a model of the repository by one of its parameters, with derivatives where steps end.
+struct RunOfOne {
+    RunOfOne(const char* file, const char* by, const std::vector<std::string>& parameters = {}) {
+        Diagnostics diagnostics;
+        Options options;
+        options.parameters = parameters;
+        options.sensitivities = {by};
+        options.tolerance = tolerance;
+        const auto model = load(std::filesystem::path(SOURCE_DIR) / file, diagnostics);
+        const PreparedSimulation prepared = prepare_simulation(model, "", options);
+        const PlantLibrary library(prepared.plant, prepared.cache);
+        run = recorded_where_steps_end(prepared.run);
+        result = simulate_plant(library.table(), run);
+        if (result.of_sensitivities.status == Status::success) row = compare(library.table(), run, result, 0);
+    }
+
+    PlantRun run;
+    PlantRunResult result;
+    Row row;  ///< compared with differences
+};
+
 /// Calls check(name, stem, plant, run) for each run of these models, or of all in the full tier, that is varied by all of its parameters.
 template <class Check>
 void for_each_run(const std::vector<std::string>& models, const Check& check) {

@@ -96,23 +96,14 @@ TEST_CASE("what has no derivative is refused") {
 }
 
 TEST_CASE("rates that jump where the state and the time say so, at once") {
-    Diagnostics diagnostics;
-    Options options;
-    options.parameters = {"tau=1.013"};  // at 1 the pulses come in between
-    options.sensitivities = {"tau"};
-    options.tolerance = tolerance;
-    const auto model = load(std::filesystem::path(SOURCE_DIR) / "tests/regressions/kinks_of_functions.toml", diagnostics);
-    const PreparedSimulation prepared = prepare_simulation(model, "", options);
-    const PlantLibrary library(prepared.plant, prepared.cache);
-    const PlantRun run = recorded_where_steps_end(prepared.run);
-    const PlantRunResult result = simulate_plant(library.table(), run);
-    REQUIRE(result.of_sensitivities.status == Status::success);
-    const Row row = compare(library.table(), run, result, 0);
+    const RunOfOne one("tests/regressions/kinks_of_functions.toml", "tau", {"tau=1.013"});  // at 1 the pulses come in between
+    REQUIRE(one.result.of_sensitivities.status == Status::success);
+    const Row& row = one.row;
     CAPTURE(row.of);
     CHECK(row.compared >= 30);
     CHECK(row.error <= allowed(row));
     const double tau = 1.013;
-    const std::vector<double>& end = result.sensitivities.rows.back();
+    const std::vector<double>& end = one.result.sensitivities.rows.back();
     CHECK(end[1] == doctest::Approx(-1 / (tau * tau)));  // x = 3/4 + t/(2 tau)
     CHECK(end[6] == doctest::Approx(-2 / (tau * tau)));  // late = t/tau - 3/2
 }

@@ -159,7 +159,8 @@ private:
         outcome_.steps_by = choice_.steps;
         take(all, part.status == Status::success ? to : reached);
         if constexpr (may_have_entries<Kinks>)
-            if (part.status == Status::event) return Asked::is_kink(part.guard) ? pass_kink(part.guard, std::min(to, next_->t) - t_) : fail(part.status, part.guard);
+            if (part.status == Status::event && Asked::is_kink(part.guard)) return pass_kink(part.guard, std::min(to, next_->t) - t_);
+        if (part.status == Status::event) return fail(part.status, part.guard);
         if (part.status != Status::success) fail(part.status);
     }
 

@@ -62,27 +62,27 @@ protected:
     }
 
     /// Over a kink whose value does not leave its roundings within many instants, as that of a check valve beside which pressures become
-    /// equal. Rates must not jump there; then S goes on as it is. A kink that stays within its roundings rests: it is not looked for as
-    /// long as it stays near. No step is longer than `room`.
+    /// equal. S goes on as it is: rates must not jump there. A kink that stays within its roundings rests: it is not looked for as long as
+    /// it stays near. No step is longer than `room`.
     void pass_slowly(std::size_t kink, const Scalar& room) {
+        const Scalar near = size_next_to(kink);
+        if (near == Scalar(0)) return fail(Status::event_storm, kink);
         const Plain now = rate(mode_, x_, t_);
-        const auto at = [&](const Scalar& way) {
+        const auto value = [&](const Scalar& way) {
             const Scalar half = way / Scalar(2);
-            return moved(x_, rate(mode_, moved(x_, now, half), t_ + half), way);
+            const Plain there = moved(x_, rate(mode_, moved(x_, now, half), t_ + half), way);
+            return kinks_at(mode_, there, t_ + way)[kink] * Scalar(sides_[kink]);
         };
         for (Scalar d = Scalar(64) * instant(t_); d <= std::min(room, Scalar(Scalar(1e-5) * span_)); d *= Scalar(2)) {
-            const auto value = [&](const Scalar& way) { return kinks_at(mode_, at(way), t_ + way)[kink] * Scalar(sides_[kink]); };
-            const auto slope = [&](const Scalar& way) { return rate(mode_, at(way), t_ + way); };
             const Scalar behind = value(d);
             if (!(value(-d) > Scalar(0)) || behind == Scalar(0)) continue;
-            if (is_jump(slope(-d), slope(d), slope(Scalar(16) * d))) continue;  // or roundings, of which a longer way sees less
             if (behind < Scalar(0)) sides_[kink] = -sides_[kink];
             return step_over(d);
         }
-        rest(kink);
+        rests_[kink] = near;
     }
-    /// Rates must not jump between states on both sides, as near as they can be told apart.
-    void rest(std::size_t kink) {
+    /// Of a kink, in states on both sides of it, as near as they can be told apart; 0 where there are none or rates jump between them.
+    Scalar size_next_to(std::size_t kink) const {
         using std::abs;
         for (std::size_t i = 0; i < x_.size(); ++i) {
             const Scalar h = Scalar(1e-9) * std::max(Scalar(abs(x_[i])), scale_[i]);
@@ -94,10 +94,9 @@ protected:
             const Scalar before = kinks_at(mode_, at(-1), t_)[kink], behind = kinks_at(mode_, at(1), t_)[kink];
             if (!(before * behind < Scalar(0))) continue;
             if (is_jump(rate(mode_, at(-1), t_), rate(mode_, at(1), t_), rate(mode_, at(16), t_))) break;
-            rests_[kink] = std::min(abs(before), abs(behind));
-            return;
+            return std::min(abs(before), abs(behind));
         }
-        fail(Status::event_storm, kink);
+        return Scalar(0);
     }
     /// One step of order four, which does not look for kinks.
     void step_over(const Scalar& h) {
