@@ -73,10 +73,10 @@ ex by_column(const System& system, const ex& e, const Variable& column) {
                                                 : partial_of_kept(e, column.symbol);
 }
 
-Partials partials(const System& system, By by) {
+Partials partials(const System& system, By by, bool with_residual) {
     std::vector<ex> accelerations;
     for (const auto& [coordinate, acceleration] : system.motion.accelerations) accelerations.push_back(acceleration);
-    const auto residual = by_letter(system.solved_motion().residual), state_rates = by_letter(system.state_rates),
+    const auto residual = by_letter(with_residual ? system.solved_motion().residual : std::vector<ex>()), state_rates = by_letter(system.state_rates),
                outputs = by_letter(output_values(system)), held = by_letter(accelerations);
     GiNaC::exvector letters(1);  // through which the variable acts: itself, and what is defined by parameters
     if (by == By::parameter)

@@ -24,7 +24,8 @@ std::vector<const Variable*> column_variables(const Symbols& symbols, By by);
 /// The derivative of an emitted expression by one of these variables, through definitions. It is zero for a parameter that
 /// System::slopes_by does not name.
 GiNaC::ex by_column(const System& system, const GiNaC::ex& e, const Variable& column);
-Partials partials(const System& system, By by);
+/// Without the residual where it is not asked for: of many bodies its derivatives are long.
+Partials partials(const System& system, By by, bool with_residual = true);
 
 /// d(output)/d(qdd), and by the multipliers behind them: [coordinate][output]; not zero for outputs such as a measured acceleration.
 std::vector<std::vector<GiNaC::ex>> output_by_acceleration(const System& system);

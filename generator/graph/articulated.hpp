@@ -99,6 +99,7 @@ private:
 
 /// A motion that is solved for from body to body, or known and only followed.
 struct ChainNodes {
+    std::vector<std::vector<NodeId>> letters;  ///< values of ChainLink::letters
     std::vector<LinkNodes> links;
     ChainLoads loads;
     std::vector<NodeId> inverses;      ///< of the pivots, in the order in which they are made
@@ -107,6 +108,9 @@ struct ChainNodes {
 /// d(qdd)/d(column) by the same equations; nodes of Op::in_column choose the column.
 struct ChainColumn {
     std::vector<std::size_t> columns;  ///< those in which anything is not zero
+    // What the loads are made of, by link: how its letters change, its acceleration, and the moment and force that it needs.
+    std::vector<std::vector<NodeId>> changes;
+    std::vector<SixNodes> twists, needed;
     ChainLoads loads;
     std::vector<NodeId> results;       ///< by coordinate
 };

@@ -55,12 +55,12 @@ private:
 };
 
 ChainCode::ChainCode(const System& system, const LoweredChain& chain, std::optional<By> by, Roots& roots) : chain_(*system.chain) {
-    const auto slopes = [&](const std::vector<LoweredLink::Slope>& of) {
+    const auto slopes = [&](const std::vector<ChainSlope<Polynomial>>& of) {
         std::vector<SlopeRoots> result;
-        for (const LoweredLink::Slope& slope : of) result.push_back({slope.of, roots.add(slope.letters), roots.add(slope.parts)});
+        for (const ChainSlope<Polynomial>& slope : of) result.push_back({slope.of, roots.add(slope.letters), roots.add(slope.parts)});
         return result;
     };
-    for (const LoweredLink& link : chain.links) {
+    for (const LinkSlopes<Polynomial>& link : chain.links) {
         LinkRoots& r = links_.emplace_back(LinkRoots{roots.add(link.letters), roots.add(link.parts), {}, {}, {}});
         if (!by) continue;
         r.by_base = slopes(link.by_base);
@@ -78,9 +78,11 @@ ChainNodes ChainCode::nodes(ProgramBuilder& builder, const Atoms& atoms) const {
     ChainNodes result;
     for (std::size_t b = 0; b < links_.size(); ++b) {
         const ChainLink& link = chain_.links[b];
+        std::vector<NodeId>& letters = result.letters.emplace_back();
         for (std::size_t k = 0; k < link.letters.size(); ++k) {
             const Variable* letter = atoms.symbols().find(link.letters[k].first);
-            builder.define(atoms.symbol(*letter), builder.root(links_[b].letters + k));
+            letters.push_back(builder.root(links_[b].letters + k));
+            builder.define(atoms.symbol(*letter), letters.back());
         }
         const PartNodes parts(link.coordinates.size(), [&](std::size_t i) { return builder.root(links_[b].parts + i); });
         result.links.push_back({link.base, link.coordinates, parts.transfer, parts.inertia, parts.directions});
@@ -106,6 +108,9 @@ ChainColumn ChainCode::column(ProgramBuilder& builder, Program& program, const C
             needed[*nodes.links[b].base] = of.sum(needed[*nodes.links[b].base], of.times_transposed(nodes.links[b].transfer, needed[b]));
 
     ChainColumn result{{},
+                       {},
+                       motion.twists,
+                       needed,
                        {std::vector<SixNodes>(count, of.none()), std::vector<SixNodes>(count, of.none()),
                         std::vector<NodeId>(chain_.rest.size(), zero), of.none()},
                        {}};
@@ -161,6 +166,7 @@ ChainColumn ChainCode::column(ProgramBuilder& builder, Program& program, const C
             result.loads.rest[j] = of.plus(result.loads.rest[j], {{builder.root(column.rest + j), change}});
     }
     result.columns.assign(columns.begin(), columns.end());
+    result.changes = std::move(letters);
     return result;
 }
 

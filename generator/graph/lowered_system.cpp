@@ -31,9 +31,9 @@ public:
         l.state_rate = all(system_.state_rates);
         l.definitions = all(system_.symbols.definition_values());
         for (const By by : {By::state, By::input, By::parameter, By::time}) {
-            const Partials p = partials(system_, by);
+            const Partials p = partials(system_, by, !l.has_long_chain);
             auto& columns = l.by[static_cast<std::size_t>(by)];
-            for (const auto& column : p.residual) columns.residual.push_back(l.has_long_chain ? std::vector<Polynomial>() : all(column));
+            for (const auto& column : p.residual) columns.residual.push_back(all(column));
             for (const auto& column : p.state_rate) columns.state_rate.push_back(all(column));
             // Slopes of outputs by parameters can be long beyond measure: radiosities of many surfaces.
             if (by == By::state || by == By::input || (by == By::parameter && wished.contains(Function::output_jacobian_p)) ||

@@ -5,6 +5,8 @@
 #include "graph/derived_values.hpp"
 #include "graph/raise.hpp"
 #include "graph/verify.hpp"
+#include "graph/verify_chain.hpp"
+#include "graph/verify_links.hpp"
 #include "graph/verify_solve.hpp"
 
 namespace dalembert {
@@ -38,9 +40,11 @@ private:
     void definitions();
     /// M and the right sides, the accelerations that follow from what is solved for, and rates of states.
     void motion(Function function);
-    /// The equations of the links mean M and Q - bias; what solves them was proven to.
-    void chain_motion(Function function, Raiser& raise);
-    /// The loads of each column, in the same equations, are what the residual changes by.
+    /// The equations of the links mean M and Q - bias, whatever function they are emitted in.
+    const Comparison& equations_of_links();
+    /// The links of a function are those that were derived; what solves them was proven to.
+    LinkProof link_proof(Function function);
+    /// The loads of each column, in the same equations, are what these change by.
     void chain_columns(Function function, By by);
     void chain_is_solved(Function function);
     /// In the code of the joint function accelerations are solutions; for the comparison they are letters again. Where the same
@@ -71,6 +75,7 @@ private:
     const System& system_;
     Prover prover_;
     CachedMeaning cached_;
+    std::optional<Comparison> of_links_;
     std::vector<AuditEntry> entries_;
 };
 

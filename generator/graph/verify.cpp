@@ -86,7 +86,10 @@ void Verification::solved_motion(Function function) {
     const FunctionCode& f = code_[function];
     if (solved_for(f).empty()) return;
     Raiser raise(f.program, code_.atoms, cached_);
-    if (f.chain) return chain_motion(function, raise);
+    if (f.chain) {
+        link_proof(function);
+        return;
+    }
     const SolvedMotion derived = system_.solved_motion();
     const std::vector<ex> derived_mass = lower_triangle(derived.matrix);
     const FunctionCode& m = code_.solve.is_constant ? code_[Function::update] : f;
@@ -99,32 +102,48 @@ void Verification::solved_motion(Function function) {
         compare(function, raise(solved_for(f)[j]), acceleration.subs(known, GiNaC::subs_options::no_pattern));
 }
 
-void Verification::chain_motion(Function function, Raiser& raise) {
-    const FunctionCode& f = code_[function];
-    const MeantMotion meant = meant_motion(f.chain->links, f.chain->loads, raise);
+const Comparison& Verification::equations_of_links() {
+    if (of_links_) return *of_links_;
+    of_links_ = Comparison{Verdict::proven};
+    const auto compare = [&](const ex& meant, const ex& derived) {
+        if (of_links_->verdict == Verdict::wrong || prover_.proven_equal(meant, derived)) return;
+        Comparison result = prover_.equal(meant, derived);
+        if (is_worse(result.verdict, of_links_->verdict)) of_links_ = std::move(result);
+    };
+    const MeantMotion meant = meant_motion(*system_.chain);
     for (unsigned i = 0; i < meant.force.size(); ++i) {
-        for (unsigned j = 0; j < meant.force.size(); ++j) compare(function, meant.mass[i][j], system_.motion.matrix(i, j));
-        compare(function, meant.force[i], system_.motion.force[i]);
+        for (unsigned j = 0; j < meant.force.size(); ++j) compare(meant.mass[i][j], system_.motion.matrix(i, j));
+        compare(meant.force[i], system_.motion.force[i]);
     }
+    return *of_links_;
+}
+
+LinkProof Verification::link_proof(Function function) {
+    const std::string name = std::string("emitted = derived, ") + name_of(function);
+    // What is written out takes long to compare, and nothing gets worse.
+    const auto is_wrong = [this, name] { return entry(name).result.verdict == Verdict::wrong; };
+    LinkProof proof(code_[function], system_, Raiser(code_[function].program, code_.atoms, cached_),
+                    {[=, this](const ex& emitted, const ex& derived) { return is_wrong() || prover_.proven_equal(emitted, derived); },
+                     [=, this](const Prover::Evaluation& evaluate, const ex& emitted, const ex& derived) {
+                         Comparison result = prover_.compare_at_points(evaluate, emitted, derived);
+                         AuditEntry& e = entry(name);
+                         if (is_worse(result.verdict, e.result.verdict)) e.result = std::move(result);
+                     }});
+    proof.links();
+    AuditEntry& e = entry(name);
+    if (const Comparison& result = equations_of_links(); is_worse(result.verdict, e.result.verdict)) e.result = result;
+    return proof;
 }
 
 void Verification::chain_columns(Function function, By by) {
     const FunctionCode& f = code_[function];
-    const Partials p = partials(system_, by);
+    link_proof(function).columns(chain_slopes(system_, {by}), by);
     Raiser plain(f.program, code_.atoms, cached_);
-    const MeantColumns columns(f, system_, plain);
     const GiNaC::exmap known = solutions(f, plain);
-    const auto with_solutions = [&](const ex& e) { return e.subs(known, GiNaC::subs_options::no_pattern); };
-    const AuditEntry& e = entry(std::string("emitted = derived, ") + name_of(function));
-    const auto is_open = [&] { return e.result.verdict != Verdict::wrong; };  // with solutions for letters comparisons take long
-    for (std::size_t c = 0; c < p.residual.size() && is_open(); ++c) {
-        const std::vector<ex> meant = columns.with_letters(c);
-        for (std::size_t j = 0; j < meant.size() && is_open(); ++j)
-            if (!prover_.proven_equal(meant[j], -p.residual[c][j]))
-                compare(function, columns.with_solutions(c)[j], with_solutions(-p.residual[c][j]));
+    const Partials p = partials(system_, by, false);
+    for (std::size_t c = 0; c < p.state_rate.size(); ++c)
         for (std::size_t i = 0; i < p.state_rate[c].size(); ++i)
-            compare(function, plain(f.below.at(i, c)), with_solutions(p.state_rate[c][i]));
-    }
+            compare(function, plain(f.below.at(i, c)), p.state_rate[c][i].subs(known, GiNaC::subs_options::no_pattern));
 }
 
 void Verification::chain_is_solved(Function function) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "graph/verify_chain.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "elements/verdict.hpp"
@@ -46,32 +47,6 @@ Twist image_under_transposed(const TwistMatrix& m, const Twist& v) {
 Twist twist_sum(const Twist& a, const Twist& b) {
     Twist result;
     for (std::size_t i = 0; i < 6; ++i) result[i] = a[i] + b[i];
-    return result;
-}
-
-std::vector<ex> meant_force(const std::vector<LinkNodes>& links, const std::vector<TwistMatrix>& transfers, const ChainLoads& loads,
-                            Raiser& raise) {
-    std::vector<Twist> accelerations, needed;
-    for (std::size_t b = 0; b < links.size(); ++b) {
-        accelerations.push_back(
-            twist_sum(image_under(transfers[b], links[b].base ? accelerations[*links[b].base] : raised_six(loads.ground, raise)),
-                      raised_six(loads.remainder[b], raise)));
-        needed.push_back(
-            twist_sum(image_under(raised_matrix(links[b].inertia, raise), accelerations[b]), raised_six(loads.force[b], raise)));
-    }
-    std::vector<ex> result;
-    for (const NodeId rest : loads.rest) result.push_back(raise(rest));
-    for (std::size_t b = links.size(); b-- > 0;) {
-        for (std::size_t j = 0; j < links[b].coordinates.size(); ++j)
-            result[links[b].coordinates[j]] -= inner_product(raised_six(links[b].directions[j], raise), needed[b]);
-        if (links[b].base) needed[*links[b].base] = twist_sum(needed[*links[b].base], image_under_transposed(transfers[b], needed[b]));
-    }
-    return result;
-}
-
-std::vector<TwistMatrix> transfers_of(const std::vector<LinkNodes>& links, Raiser& raise) {
-    std::vector<TwistMatrix> result;
-    for (const LinkNodes& link : links) result.push_back(raised_matrix(link.transfer, raise));
     return result;
 }
 
@@ -184,34 +159,35 @@ private:
 
 }  // namespace
 
-MeantColumns::MeantColumns(const FunctionCode& f, const System& system, const Raiser& plain) : f_(f), plain_(plain), with_letters_(plain) {
-    for (std::size_t j = 0; j < f.accelerations.size(); ++j)
-        with_letters_.define(f.accelerations[j], system.symbols.get(SymbolKind::acceleration, j));
-    // What is the same in all columns is raised once.
-    const std::vector<bool> varies = f.varying();
-    for (const NodeId id : f.program.in_order(f.loop->results))
-        for (const NodeId argument : f.program[id].arguments)
-            if (varies[id] && !varies[argument]) with_letters_(argument);
-}
-
-std::vector<ex> MeantColumns::force(std::size_t column, Raiser raise) const {
-    for (const std::size_t k : f_.loop->columns) raise.define(*f_.program.find(Op::in_column, static_cast<long>(k)), k == column ? 1 : 0);
-    return meant_force(f_.chain->links, transfers_of(f_.chain->links, raise), f_.loop->loads, raise);
-}
-
-MeantMotion meant_motion(const std::vector<LinkNodes>& links, const ChainLoads& loads, Raiser& raise) {
-    const std::vector<TwistMatrix> transfers = transfers_of(links, raise);
-    const std::size_t n = loads.rest.size();
-    MeantMotion result{std::vector<std::vector<ex>>(n, std::vector<ex>(n, 0)), meant_force(links, transfers, loads, raise)};
-    std::vector<std::vector<std::pair<std::size_t, Twist>>> jacobians;  // of each link: columns that are not zero
-    for (std::size_t b = 0; b < links.size(); ++b) {
+MeantMotion meant_motion(const Chain& chain) {
+    const std::size_t n = chain.rest.size();
+    MeantMotion result{std::vector<std::vector<ex>>(n, std::vector<ex>(n, 0)), chain.rest};
+    GiNaC::exmap meaning;
+    const auto written_out = [&](const ex& e) { return e.subs(meaning, GiNaC::subs_options::no_pattern); };
+    const auto all_written_out = [&](Twist twist) {
+        std::transform(twist.begin(), twist.end(), twist.begin(), written_out);
+        return twist;
+    };
+    // Of each link: the columns of its Jacobian that are not zero, and its acceleration without qdd.
+    std::vector<std::vector<std::pair<std::size_t, Twist>>> jacobians;
+    std::vector<Twist> accelerations;
+    for (const ChainLink& link : chain.links) {
+        GiNaC::exmap own;
+        for (const auto& [letter, value] : link.letters) own[letter] = written_out(value);
+        meaning.insert(own.begin(), own.end());
+        TwistMatrix transfer = link.transfer, inertia = link.inertia;
+        std::transform(transfer.begin(), transfer.end(), transfer.begin(), all_written_out);
+        std::transform(inertia.begin(), inertia.end(), inertia.begin(), all_written_out);
         auto& jacobian = jacobians.emplace_back();
-        if (links[b].base)
-            for (const auto& [j, column] : jacobians[*links[b].base]) jacobian.emplace_back(j, image_under(transfers[b], column));
-        for (std::size_t j = 0; j < links[b].coordinates.size(); ++j)
-            jacobian.emplace_back(links[b].coordinates[j], raised_six(links[b].directions[j], raise));
-        const TwistMatrix inertia = raised_matrix(links[b].inertia, raise);
+        if (link.base)
+            for (const auto& [j, column] : jacobians[*link.base]) jacobian.emplace_back(j, image_under(transfer, column));
+        for (std::size_t j = 0; j < link.coordinates.size(); ++j)
+            jacobian.emplace_back(link.coordinates[j], all_written_out(link.directions[j]));
+        accelerations.push_back(
+            twist_sum(image_under(transfer, link.base ? accelerations[*link.base] : chain.ground), all_written_out(link.remainder)));
+        const Twist needed = twist_sum(image_under(inertia, accelerations.back()), all_written_out(link.force));
         for (const auto& [j, column] : jacobian) {
+            result.force[j] -= inner_product(column, needed);
             const Twist image = image_under(inertia, column);
             for (const auto& [i, other] : jacobian) result.mass[i][j] += inner_product(other, image);
         }

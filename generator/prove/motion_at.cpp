@@ -12,8 +12,8 @@ namespace dalembert {
 
 using GiNaC::ex;
 
-MotionAt::MotionAt(const System& system, const Values& values, int digits)
-    : system_(system), digits_(digits), point_(values.substitution()) {
+MotionAt::MotionAt(const System& system, GiNaC::exmap values, int digits)
+    : system_(system), digits_(digits), point_(std::move(values)) {
     const Symbols& symbols = system.symbols;
     add_steps(point_, symbols, digits + 20);
     const Motion& motion = system.motion;

@@ -5,6 +5,7 @@
 #include "elements/verdict.hpp"
 #include "generator/machine.hpp"
 #include "graph/verify.hpp"
+#include "graph/verify_links.hpp"
 #include "tier.hpp"
 
 using namespace dalembert;
@@ -82,6 +83,46 @@ TEST_CASE("what is wrong in code from body to body is seen") {
     CHECK(is_seen([&](Code& code) { doubled(code[Function::rhs], code[Function::rhs].accelerations[4]); }));
     CHECK(is_seen([&](Code& code) { doubled(code[Function::rhs_and_jacobian], code[Function::rhs_and_jacobian].chain->inverses[2]); }));
     CHECK(is_seen([&](Code& code) { doubled(code[Function::jacobian_u], code[Function::jacobian_u].loop->results[0]); }));
+}
+
+TEST_CASE("what is wrong in the slopes of a link is seen in the letters of the links") {
+    const Machine machine = chain_of("two_arms");
+    const auto code = body_to_body(*machine.system);
+    Prover prover(*machine.system);
+    const std::map<Function, By> functions{{Function::rhs_and_jacobian, By::state}, {Function::jacobian_p, By::parameter}};
+    for (const auto& [function, by] : functions) {
+        CAPTURE(name_of(function));
+        const FunctionCode& f = (*code)[function];
+        const By columns = by;
+        const ChainSlopes<GiNaC::ex> derived = chain_slopes(*machine.system, {by});
+        REQUIRE(f.loop);
+        // How many values differ, at points.
+        const auto differing = [&](const ChainSlopes<GiNaC::ex>& slopes) {
+            int wrong = 0;
+            LinkProof proof(f, *machine.system, Raiser(f.program, code->atoms, cached_meaning(*code)),
+                            {[&](const GiNaC::ex& emitted, const GiNaC::ex& meant) {
+                                 return wrong > 0 || prover.proven_equal(emitted, meant);
+                             },
+                             [&](const Prover::Evaluation& evaluate, const GiNaC::ex& emitted, const GiNaC::ex& meant) {
+                                 CHECK(prover.compare_at_points(evaluate, emitted, meant).verdict == Verdict::wrong);
+                                 ++wrong;
+                             }});
+            proof.links();
+            proof.columns(slopes, columns);
+            return wrong;
+        };
+        CHECK(differing(derived) == 0);
+        const auto doubled = [&](const auto& slopes_of) {
+            ChainSlopes<GiNaC::ex> slopes = derived;
+            for (ChainSlope<GiNaC::ex>& slope : slopes_of(slopes.links[3]))
+                for (auto* values : {&slope.letters, &slope.parts})
+                    for (GiNaC::ex& value : *values) value *= 2;
+            return differing(slopes);
+        };
+        CHECK(doubled([](LinkSlopes<GiNaC::ex>& link) -> auto& { return link.by_base; }) > 0);
+        CHECK(doubled([](LinkSlopes<GiNaC::ex>& link) -> auto& { return link.by_own; }) > 0);
+        CHECK(doubled([&](LinkSlopes<GiNaC::ex>& link) -> auto& { return link.by[static_cast<std::size_t>(columns)]; }) > 0);
+    }
 }
 
 TEST_CASE("bodies that are not placed on each other, or share a coordinate, are no chain") {

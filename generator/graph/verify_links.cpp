@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "graph/verify_links.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "prove/motion_at.hpp"
+
+namespace dalembert {
+
+using GiNaC::ex;
+
+namespace {
+
+/// Places in ChainLink::parts.
+struct PartPlaces {
+    std::size_t coordinates;
+    static std::size_t transfer(std::size_t row, std::size_t k) { return 6 * row + k; }
+    static std::size_t direction(std::size_t j, std::size_t row) { return 36 + 6 * j + row; }
+    std::size_t remainder(std::size_t row) const { return direction(coordinates, row); }
+    std::size_t inertia(std::size_t row, std::size_t k) const { return remainder(6) + 6 * row + k; }
+    std::size_t force(std::size_t row) const { return inertia(6, row); }
+};
+
+/// Sum of products, most of which are zero.
+class Products {
+public:
+    void add(const ex& a, const ex& b) {
+        if (!a.is_zero() && !b.is_zero()) terms_.push_back(a * b);
+    }
+    ex sum() const { return GiNaC::add(terms_); }
+
+private:
+    GiNaC::exvector terms_;
+};
+
+}  // namespace
+
+LinkProof::LinkProof(const FunctionCode& f, const System& system, Raiser plain, LinkComparison comparison)
+    : f_(f),
+      system_(system),
+      chain_(*system.chain),
+      raise_(std::move(plain)),
+      comparison_(std::move(comparison)),
+      on_(chain_.links.size()) {
+    for (std::size_t b = 0; b < chain_.links.size(); ++b)
+        if (chain_.links[b].base) on_[*chain_.links[b].base].push_back(b);
+}
+
+std::optional<NodeId> LinkProof::negated_by(NodeId id) const {
+    const Node& node = f_.program[id];
+    const bool is_negated = node.kind == Node::Kind::sum && node.arguments.size() == 1;
+    return is_negated ? std::optional(node.arguments[0]) : std::nullopt;
+}
+
+std::vector<NodeId> LinkProof::parts(std::size_t b) const {
+    const LinkNodes& link = f_.chain->links[b];
+    std::vector<NodeId> all;
+    const auto take = [&](const SixNodes& six) { all.insert(all.end(), six.begin(), six.end()); };
+    for (const SixNodes& row : link.transfer) take(row);
+    for (const SixNodes& direction : link.directions) take(direction);
+    take(f_.chain->loads.remainder[b]);
+    for (const SixNodes& row : link.inertia) take(row);
+    take(f_.chain->loads.force[b]);
+    return all;
+}
+
+ex LinkProof::stand_in(NodeId id, const ex& letter) {
+    if (const auto negated = negated_by(id)) {  // signs are taken out of factors
+        const ex opposite = GiNaC::realsymbol("-" + GiNaC::ex_to<GiNaC::symbol>(letter).get_name());
+        return stands_for_[letter] = -stand_in(*negated, opposite);
+    }
+    const ex value = raise_(id);
+    if (value.info(GiNaC::info_flags::numeric) || value.info(GiNaC::info_flags::symbol)) {
+        if (!value.is_equal(letter)) stands_for_[letter] = value;
+        return value;
+    }
+    raise_.define(id, letter);
+    meaning_.emplace_back(letter, value);
+    return letter;
+}
+
+Twist LinkProof::stand_in(const SixNodes& nodes, const char* name) {
+    Twist result;
+    for (std::size_t r = 0; r < 6; ++r) result[r] = stand_in(nodes[r], GiNaC::realsymbol(fmt::format("{}[{}]", name, r)));
+    return result;
+}
+
+void LinkProof::same(NodeId emitted, const ex& derived) {
+    const ex meant = derived.subs(stands_for_, GiNaC::subs_options::no_pattern);
+    const ex raised = raise_(emitted);
+    if (is_same(raised, meant)) return;
+    comparison_.at_points([this](const ex& e, const Point& point, int digits) { return value(e, point, digits); }, raised, meant);
+}
+
+std::optional<cln::cl_R> LinkProof::value(const ex& e, const Point& point, int digits) {
+    const auto is_known = [&] {
+        return known_.digits == digits && std::equal(point.begin(), point.end(), known_.point.begin(), known_.point.end(),
+                                                     [](const auto& a, const auto& b) { return a.second == b.second; });
+    };
+    if (!is_known()) known_ = {point, with_letters(point, digits), digits};
+    return known_.with_letters ? value_at(e, system_.symbols, *known_.with_letters, digits) : std::nullopt;
+}
+
+std::optional<Point> LinkProof::with_letters(Point point, int digits) const {
+    const auto take = [&](const ex& letter, const std::optional<cln::cl_R>& number) {
+        if (number) point.emplace_back(letter, cln::rational(*number));
+        return number.has_value();
+    };
+    if (!solved_.empty()) {
+        GiNaC::exmap values;
+        for (const auto& [letter, number] : point) values[letter] = GiNaC::numeric(number);
+        for (const Variable& definition : system_.symbols.all(SymbolKind::definition)) {
+            const auto number = value_at(definition.symbol, system_.symbols, point, digits);
+            if (!number) return std::nullopt;
+            values[definition.symbol] = GiNaC::numeric(*number);
+        }
+        try {
+            const MotionAt motion(system_, std::move(values), digits);
+            std::erase_if(point, [&](const auto& known) {
+                return std::any_of(solved_.begin(), solved_.end(), [&](const ex& letter) { return letter.is_equal(known.first); });
+            });
+            for (const ex& letter : solved_) take(letter, motion(letter));
+        } catch (const Failure&) {  // there is no motion at this point
+            return std::nullopt;
+        }
+    }
+    // Loads are linear in these: what is the same with any numbers is the same in each column.
+    for (std::size_t c = 0; c < in_column_.size(); ++c) {
+        const long place = static_cast<long>(c);
+        point.emplace_back(in_column_[c], Rational(3 * place + 5) / (2 * place + 3));
+    }
+    for (const auto& [letter, meaning] : meaning_)
+        if (!take(letter, value_at(meaning, system_.symbols, point, digits))) return std::nullopt;
+    return point;
+}
+
+/// A letter that one side has alone may be what the other happens to be: the derivative of a vector by an angle is made of its components.
+bool LinkProof::is_same(ex raised, ex meant) const {
+    if (raised.is_equal(meant) || comparison_.is_equal(raised, meant)) return true;
+    for (auto last = meaning_.rbegin(); last != meaning_.rend(); ++last) {
+        if (raised.has(last->first) == meant.has(last->first)) continue;
+        raised = raised.subs(last->first == last->second, GiNaC::subs_options::no_pattern);
+        meant = meant.subs(last->first == last->second, GiNaC::subs_options::no_pattern);
+        if (comparison_.is_equal(raised, meant)) return true;
+    }
+    return false;
+}
+
+void LinkProof::same(const SixNodes& emitted, const Twist& derived) {
+    for (std::size_t r = 0; r < 6; ++r) same(emitted[r], derived[r]);
+}
+
+void LinkProof::links() {
+    const ChainNodes& nodes = *f_.chain;
+    for (std::size_t r = 0; r < 6; ++r) same(nodes.loads.ground[r], chain_.ground[r]);
+    for (std::size_t j = 0; j < chain_.rest.size(); ++j) same(nodes.loads.rest[j], chain_.rest[j]);
+    for (std::size_t b = 0; b < chain_.links.size(); ++b) {
+        const ChainLink& link = chain_.links[b];
+        for (std::size_t k = 0; k < link.letters.size(); ++k) same(nodes.letters[b][k], link.letters[k].second);
+        for (std::size_t k = 0; k < link.letters.size(); ++k) stand_in(nodes.letters[b][k], link.letters[k].first);
+        const std::vector<NodeId> emitted = parts(b);
+        const std::vector<ex> derived = link.parts();
+        for (std::size_t i = 0; i < derived.size(); ++i) same(emitted[i], derived[i]);
+    }
+}
+
+void LinkProof::columns(const ChainSlopes<ex>& slopes, By by) {
+    for (std::size_t c = 0; c < column_count(system_.symbols, by); ++c) {
+        in_column_.push_back(GiNaC::realsymbol(fmt::format("column {}", c)));
+        if (const auto node = f_.program.find(Op::in_column, static_cast<long>(c))) raise_.define(*node, in_column_.back());
+    }
+    for (std::size_t j = 0; j < chain_.rest.size(); ++j) {
+        const ex& letter = system_.symbols.get(SymbolKind::acceleration, j);
+        accelerations_.push_back(letter);
+        if (f_.accelerations.empty()) continue;
+        const auto negated = negated_by(f_.accelerations[j]);
+        const NodeId solved = negated.value_or(f_.accelerations[j]);
+        if (f_.program[solved].arguments.empty()) accelerations_.back() = stand_in(f_.accelerations[j], letter);
+        else {  // what it was solved to be is not raised: it is long
+            raise_.define(solved, negated ? ex(-letter) : letter);
+            solved_.push_back(letter);
+        }
+    }
+    for (std::size_t r = 0; r < 6; ++r) ground_[r] = raise_(f_.chain->loads.ground[r]);
+    for (std::size_t b = 0; b < chain_.links.size(); ++b) {
+        changes(b, slopes.links[b], by);
+        acceleration(b);
+    }
+    needed_.resize(chain_.links.size());
+    for (std::size_t b = chain_.links.size(); b-- > 0;) needed(b);
+    for (std::size_t b = 0; b < chain_.links.size(); ++b) loads(b, slopes, by);
+    for (std::size_t r = 0; r < 6; ++r) {
+        Products change;
+        for (const auto& column : slopes.by[static_cast<std::size_t>(by)]) change.add(column.ground[r], in_column_[column.of]);
+        same(f_.loop->loads.ground[r], change.sum());
+    }
+}
+
+void LinkProof::changes(std::size_t b, const LinkSlopes<ex>& slopes, By by) {
+    std::vector<ex> own;
+    for (std::size_t k = 0; k < slopes.letters.size(); ++k) {
+        Products change;
+        for (const auto& slope : slopes.by_base) change.add(slope.letters[k], changes_[*chain_.links[b].base][slope.of]);
+        for (const auto& slope : slopes.by[static_cast<std::size_t>(by)]) change.add(slope.letters[k], in_column_[slope.of]);
+        same(f_.loop->changes[b][k], change.sum());
+        own.push_back(stand_in(f_.loop->changes[b][k], GiNaC::realsymbol(fmt::format("change of {}[{}]", b, k))));
+    }
+    changes_.push_back(std::move(own));
+}
+
+void LinkProof::acceleration(std::size_t b) {
+    const ChainLink& link = chain_.links[b];
+    Twist meant;
+    for (std::size_t r = 0; r < 6; ++r) {
+        Products rate;
+        rate.add(link.remainder[r], 1);
+        for (std::size_t k = 0; k < 6; ++k) rate.add(link.transfer[r][k], base_acceleration(b)[k]);
+        for (std::size_t j = 0; j < link.coordinates.size(); ++j) rate.add(link.directions[j][r], accelerations_[link.coordinates[j]]);
+        meant[r] = rate.sum();
+    }
+    same(f_.loop->twists[b], meant);
+    twists_.push_back(stand_in(f_.loop->twists[b], "acceleration"));
+}
+
+void LinkProof::needed(std::size_t b) {
+    Twist meant;
+    for (std::size_t r = 0; r < 6; ++r) {
+        Products force;
+        force.add(chain_.links[b].force[r], 1);
+        for (std::size_t k = 0; k < 6; ++k) force.add(chain_.links[b].inertia[r][k], twists_[b][k]);
+        for (const std::size_t c : on_[b])
+            for (std::size_t k = 0; k < 6; ++k) force.add(chain_.links[c].transfer[k][r], needed_[c][k]);
+        meant[r] = force.sum();
+    }
+    same(f_.loop->needed[b], meant);
+    needed_[b] = stand_in(f_.loop->needed[b], "force");
+}
+
+void LinkProof::loads(std::size_t b, const ChainSlopes<ex>& slopes, By by) {
+    // Calls visit(slope, change) for each slope of a link's parts.
+    const auto each_slope = [&](std::size_t of, const auto& visit) {
+        const LinkSlopes<ex>& link = slopes.links[of];
+        for (const auto& slope : link.by_base) visit(slope.parts, changes_[*chain_.links[of].base][slope.of]);
+        for (const auto& slope : link.by_own) visit(slope.parts, changes_[of][slope.of]);
+        for (const auto& slope : link.by[static_cast<std::size_t>(by)]) visit(slope.parts, in_column_[slope.of]);
+    };
+    const ChainLink& link = chain_.links[b];
+    const ChainLoads& emitted = f_.loop->loads;
+    const PartPlaces at{link.coordinates.size()};
+    for (std::size_t r = 0; r < 6; ++r) {
+        Products remainder, force;
+        each_slope(b, [&](const std::vector<ex>& parts, const ex& change) {
+            Products of_twist, of_force;
+            of_twist.add(parts[at.remainder(r)], 1);
+            of_force.add(parts[at.force(r)], 1);
+            for (std::size_t k = 0; k < 6; ++k) {
+                of_twist.add(parts[PartPlaces::transfer(r, k)], base_acceleration(b)[k]);
+                of_force.add(parts[at.inertia(r, k)], twists_[b][k]);
+            }
+            for (std::size_t j = 0; j < link.coordinates.size(); ++j)
+                of_twist.add(parts[PartPlaces::direction(j, r)], accelerations_[link.coordinates[j]]);
+            remainder.add(of_twist.sum(), change);
+            force.add(of_force.sum(), change);
+        });
+        for (const std::size_t c : on_[b])
+            each_slope(c, [&](const std::vector<ex>& parts, const ex& change) {
+                Products handed_on;
+                for (std::size_t k = 0; k < 6; ++k) handed_on.add(parts[PartPlaces::transfer(k, r)], needed_[c][k]);
+                force.add(handed_on.sum(), change);
+            });
+        same(emitted.remainder[b][r], remainder.sum());
+        same(emitted.force[b][r], force.sum());
+    }
+    for (std::size_t j = 0; j < link.coordinates.size(); ++j) {
+        Products rest;
+        for (const auto& column : slopes.by[static_cast<std::size_t>(by)])
+            rest.add(column.rest[link.coordinates[j]], in_column_[column.of]);
+        each_slope(b, [&](const std::vector<ex>& parts, const ex& change) {
+            Products along;
+            for (std::size_t r = 0; r < 6; ++r) along.add(parts[PartPlaces::direction(j, r)], needed_[b][r]);
+            rest.add(along.sum(), -change);
+        });
+        same(emitted.rest[link.coordinates[j]], rest.sum());
+    }
+}
+
+}  // namespace dalembert
