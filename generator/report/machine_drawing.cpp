@@ -91,7 +91,7 @@ public:
         std::vector<std::pair<std::string, std::vector<std::string>>> kinds;
         for (const std::string& name : names) {
             const auto& [kind, own] = told_.at(name);
-            auto known = std::find_if(kinds.begin(), kinds.end(), [&](const auto& one) { return one.first == kind; });
+            auto known = std::find_if(kinds.begin(), kinds.end(), [&kind = kind](const auto& one) { return one.first == kind; });
             if (known == kinds.end()) known = kinds.insert(known, {kind, {}});
             if (std::find(known->second.begin(), known->second.end(), own) == known->second.end()) known->second.push_back(own);
         }
