@@ -120,15 +120,13 @@ const Comparison& Verification::equations_of_links() {
 
 LinkProof Verification::link_proof(Function function) {
     const std::string name = std::string("emitted = derived, ") + name_of(function);
-    // What is written out takes long to compare, and nothing gets worse.
-    const auto is_wrong = [this, name] { return entry(name).result.verdict == Verdict::wrong; };
-    LinkProof proof(code_[function], system_, Raiser(code_[function].program, code_.atoms, cached_),
-                    {[=, this](const ex& emitted, const ex& derived) { return is_wrong() || prover_.proven_equal(emitted, derived); },
-                     [=, this](const Prover::Evaluation& evaluate, const ex& emitted, const ex& derived) {
-                         Comparison result = prover_.compare_at_points(evaluate, emitted, derived);
-                         AuditEntry& e = entry(name);
-                         if (is_worse(result.verdict, e.result.verdict)) e.result = std::move(result);
-                     }});
+    LinkProof proof(code_[function], system_, Raiser(code_[function].program, code_.atoms, cached_), prover_,
+                    [=, this](const Prover::Evaluation& evaluate, const ex& emitted, const ex& derived) {
+                        if (entry(name).result.verdict == Verdict::wrong) return;  // nothing gets worse
+                        Comparison result = prover_.compare_at_points(evaluate, emitted, derived);
+                        AuditEntry& e = entry(name);
+                        if (is_worse(result.verdict, e.result.verdict)) e.result = std::move(result);
+                    });
     proof.links();
     AuditEntry& e = entry(name);
     if (const Comparison& result = equations_of_links(); is_worse(result.verdict, e.result.verdict)) e.result = result;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "prove/motion_at.hpp"
 
@@ -37,12 +38,13 @@ private:
 
 }  // namespace
 
-LinkProof::LinkProof(const FunctionCode& f, const System& system, Raiser plain, LinkComparison comparison)
+LinkProof::LinkProof(const FunctionCode& f, const System& system, Raiser plain, Prover& prover, ComparisonAtPoints compare)
     : f_(f),
       system_(system),
       chain_(*system.chain),
       raise_(std::move(plain)),
-      comparison_(std::move(comparison)),
+      prover_(prover),
+      compare_(std::move(compare)),
       on_(chain_.links.size()) {
     for (std::size_t b = 0; b < chain_.links.size(); ++b)
         if (chain_.links[b].base) on_[*chain_.links[b].base].push_back(b);
@@ -91,7 +93,7 @@ void LinkProof::same(NodeId emitted, const ex& derived) {
     const ex meant = derived.subs(stands_for_, GiNaC::subs_options::no_pattern);
     const ex raised = raise_(emitted);
     if (is_same(raised, meant)) return;
-    comparison_.at_points([this](const ex& e, const Point& point, int digits) { return value(e, point, digits); }, raised, meant);
+    compare_([this](const ex& e, const Point& point, int digits) { return value(e, point, digits); }, raised, meant);
 }
 
 std::optional<cln::cl_R> LinkProof::value(const ex& e, const Point& point, int digits) {
@@ -137,15 +139,16 @@ std::optional<Point> LinkProof::with_letters(Point point, int digits) const {
 }
 
 /// A letter that one side has alone may be what the other happens to be: the derivative of a vector by an angle is made of its components.
-bool LinkProof::is_same(ex raised, ex meant) const {
-    if (raised.is_equal(meant) || comparison_.is_equal(raised, meant)) return true;
+bool LinkProof::is_same(const ex& raised, const ex& meant) {
+    if (raised.is_equal(meant) || prover_.have_same_form(raised, meant)) return true;
+    ex one = raised, other = meant;
     for (auto last = meaning_.rbegin(); last != meaning_.rend(); ++last) {
-        if (raised.has(last->first) == meant.has(last->first)) continue;
-        raised = raised.subs(last->first == last->second, GiNaC::subs_options::no_pattern);
-        meant = meant.subs(last->first == last->second, GiNaC::subs_options::no_pattern);
-        if (comparison_.is_equal(raised, meant)) return true;
+        if (one.has(last->first) == other.has(last->first)) continue;
+        one = one.subs(last->first == last->second, GiNaC::subs_options::no_pattern);
+        other = other.subs(last->first == last->second, GiNaC::subs_options::no_pattern);
+        if (prover_.have_same_form(one, other)) return true;
     }
-    return false;
+    return prover_.proven_equal(one, other) || prover_.proven_equal(raised, meant);
 }
 
 void LinkProof::same(const SixNodes& emitted, const Twist& derived) {
@@ -171,17 +174,22 @@ void LinkProof::columns(const ChainSlopes<ex>& slopes, By by) {
         in_column_.push_back(GiNaC::realsymbol(fmt::format("column {}", c)));
         if (const auto node = f_.program.find(Op::in_column, static_cast<long>(c))) raise_.define(*node, in_column_.back());
     }
+    std::map<NodeId, ex> letters;
     for (std::size_t j = 0; j < chain_.rest.size(); ++j) {
         const ex& letter = system_.symbols.get(SymbolKind::acceleration, j);
         accelerations_.push_back(letter);
         if (f_.accelerations.empty()) continue;
         const auto negated = negated_by(f_.accelerations[j]);
         const NodeId solved = negated.value_or(f_.accelerations[j]);
-        if (f_.program[solved].arguments.empty()) accelerations_.back() = stand_in(f_.accelerations[j], letter);
-        else {  // what it was solved to be is not raised: it is long
-            raise_.define(solved, negated ? ex(-letter) : letter);
-            solved_.push_back(letter);
+        if (f_.program[solved].arguments.empty()) {
+            accelerations_.back() = stand_in(f_.accelerations[j], letter);
+            continue;
         }
+        // What it was solved to be is not raised: it is long. Two coordinates may have the same.
+        const auto [known, is_new] = letters.emplace(solved, negated ? ex(-letter) : letter);
+        raise_.define(solved, known->second);
+        if (is_new) solved_.push_back(letter);
+        else accelerations_.back() = stands_for_[letter] = negated ? ex(-known->second) : known->second;
     }
     for (std::size_t r = 0; r < 6; ++r) ground_[r] = raise_(f_.chain->loads.ground[r]);
     for (std::size_t b = 0; b < chain_.links.size(); ++b) {

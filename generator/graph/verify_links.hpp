@@ -16,16 +16,13 @@
 
 namespace dalembert {
 
-/// How two expressions are compared: in letters first, then with what these are at random points.
-struct LinkComparison {
-    std::function<bool(const GiNaC::ex& emitted, const GiNaC::ex& derived)> is_equal;
-    std::function<void(const Prover::Evaluation& evaluate, const GiNaC::ex& emitted, const GiNaC::ex& derived)> at_points;
-};
+/// What could not be proven in letters is compared at random points.
+using ComparisonAtPoints = std::function<void(const Prover::Evaluation& evaluate, const GiNaC::ex& emitted, const GiNaC::ex& derived)>;
 
 class LinkProof {
 public:
     /// `plain` raises the function's program, and has raised nothing yet.
-    LinkProof(const FunctionCode& f, const System& system, Raiser plain, LinkComparison comparison);
+    LinkProof(const FunctionCode& f, const System& system, Raiser plain, Prover& prover, ComparisonAtPoints compare);
 
     /// Letters, parts and loads.
     void links();
@@ -40,7 +37,7 @@ private:
     ex stand_in(NodeId id, const ex& letter);
     Twist stand_in(const SixNodes& nodes, const char* name);
     void same(NodeId emitted, const ex& derived);
-    bool is_same(ex raised, ex meant) const;
+    bool is_same(const ex& raised, const ex& meant);
     void same(const SixNodes& emitted, const Twist& derived);
     /// Letters have the values that they stand for; accelerations that the function solves for are those of the motion.
     std::optional<cln::cl_R> value(const ex& e, const Point& point, int digits);
@@ -57,7 +54,8 @@ private:
     const System& system_;
     const Chain& chain_;
     Raiser raise_;
-    LinkComparison comparison_;
+    Prover& prover_;
+    ComparisonAtPoints compare_;
     std::vector<std::vector<std::size_t>> on_;     ///< links that are placed on a link
     GiNaC::exmap stands_for_;                      ///< letters of what was derived that are others in code
     std::vector<std::pair<ex, ex>> meaning_;       ///< of letters, each made of those before it

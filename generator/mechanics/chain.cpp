@@ -39,7 +39,7 @@ public:
           places_(bodies.size()) {}
 
     std::optional<Chain> run() {
-        if (!symbols_.attitudes().empty() || !scene_.kinetic.empty() || !scene_.jets.empty() || bodies_.empty()) return std::nullopt;
+        if (!scene_.kinetic.empty() || !scene_.jets.empty() || bodies_.empty()) return std::nullopt;
         ground_ = base_of("ground", {});
         while (chain_.links.size() < bodies_.size()) {
             const std::size_t before = chain_.links.size();
@@ -100,13 +100,33 @@ private:
         return result.subs(still, GiNaC::subs_options::no_pattern);
     }
 
+    /// The attitude in what places a body.
+    const Symbols::AttitudeSymbols* attitude_in(const std::vector<ex>& placement) const {
+        for (const Symbols::AttitudeSymbols& attitude : symbols_.attitudes())
+            for (const std::size_t part : attitude.parts)
+                if (occurs(symbols_.get(SymbolKind::state, part), placement)) return &attitude;
+        return nullptr;
+    }
+
+    static bool occurs(const ex& symbol, const std::vector<ex>& placement) {
+        return std::any_of(placement.begin(), placement.end(), [&](const ex& e) { return e.has(symbol); });
+    }
+
     /// The coordinates in what places a body. False where one of them has moved another body already, or a plain state does.
     bool take_coordinates(const std::vector<ex>& placement, std::vector<std::size_t>& coordinates) {
-        const auto occurs = [&](const ex& symbol) {
-            return std::any_of(placement.begin(), placement.end(), [&](const ex& e) { return e.has(symbol); });
+        const auto occurs = [&](const ex& symbol) { return ChainFinder::occurs(symbol, placement); };
+        const Symbols::AttitudeSymbols* attitude = attitude_in(placement);
+        const auto is_part = [&](std::size_t state) {
+            return attitude != nullptr && std::find(attitude->parts.begin(), attitude->parts.end(), state) != attitude->parts.end();
         };
         for (const Variable& state : symbols_.all(SymbolKind::state))
-            if (occurs(state.symbol)) return false;
+            if (!is_part(state.position) && occurs(state.symbol)) return false;
+        if (attitude != nullptr)
+            for (const std::size_t j : attitude->coordinates) {
+                if (taken_[j]) return false;
+                taken_[j] = true;
+                coordinates.push_back(j);
+            }
         for (std::size_t j = 0; j < taken_.size(); ++j) {
             if (!occurs(symbols_.get(SymbolKind::coordinate, j))) continue;
             if (occurs(symbols_.get(SymbolKind::velocity, j)) || taken_[j]) return false;
@@ -176,7 +196,7 @@ private:
                              base_velocity[2]};
         const SpaceMatrix into = transposed(frame.axes);
         // What the frame turns by itself is its angular velocity less that of its base.
-        const SpaceVector omega = own_turning(frame) + into * base_omega;
+        const SpaceVector omega = own_turning(frame, placement) + into * base_omega;
         velocity = joined(omega, into * (base_velocity + cross(base_omega, frame.origin) + time_derivative(frame.origin, symbols_)));
 
         const SpaceVector w = part(own.twist, angular), v = part(own.twist, linear);
@@ -196,8 +216,12 @@ private:
         return true;
     }
 
-    /// From d(axes)/dt = axes*(omega x).
-    SpaceVector own_turning(const Frame& frame) const {
+    /// From d(axes)/dt = axes*(omega x); of an attitude these are its velocities.
+    SpaceVector own_turning(const Frame& frame, const std::vector<ex>& placement) const {
+        if (const Symbols::AttitudeSymbols* attitude = attitude_in(placement)) {
+            const auto about = [&](std::size_t axis) { return symbols_.get(SymbolKind::velocity, attitude->coordinates[axis]); };
+            return {about(0), about(1), about(2)};
+        }
         const SpaceMatrix& a = frame.axes;
         const auto entry = [&](std::size_t column, std::size_t of_rate) {
             ex sum = 0;

@@ -184,6 +184,17 @@ Prover::Prover(const System& system) : system_(system), seems_zero_(system), ran
 
 bool Prover::proven_equal(const ex& a, const ex& b) { return proven_equal(a, b, {}); }
 
+bool Prover::have_same_form(const ex& a, const ex& b) {
+    try {
+        NormalForm form;
+        if (!form.is_zero(a - b)) return false;
+        const auto& claimed = form.must_not_vanish();
+        return std::all_of(claimed.begin(), claimed.end(), [&](const ex& e) { return !seems_zero_(e); });
+    } catch (const NoNormalForm&) {
+        return false;
+    }
+}
+
 bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>& positive, bool joins_roots) {
     const ex difference = a - b;
     if (difference.is_zero()) return true;
