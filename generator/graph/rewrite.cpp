@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string_view>
 #include <unordered_set>
 
@@ -200,9 +201,12 @@ bool Rewriter::seems_zero(const Polynomial& p) {
 
 std::size_t Rewriter::points_with_value(const Polynomial& exact_form) {
     if (points_.empty()) draw(guards_);
-    std::size_t count = 0;
-    for (auto& [at, values] : points_) count += at.value(exact_form) ? 1 : 0;
-    return count;
+    std::set<Letter> above, below;
+    for (const auto& [monomial, coefficient] : exact_form.terms())
+        for (const LetterPower& power : monomial) (power.exponent > 0 ? above : below).insert(power.letter);
+    const std::vector<Letter> all_above(above.begin(), above.end()), all_below(below.begin(), below.end());
+    return static_cast<std::size_t>(
+        std::count_if(points_.begin(), points_.end(), [&](auto& point) { return point.first.has_value(all_above, all_below); }));
 }
 
 /// Those of one rule in one part are told together.

@@ -31,6 +31,12 @@ void RoundedPolynomials::set(std::map<Letter, Input> inputs) {
     short_.clear();
 }
 
+bool RoundedPolynomials::has_value(const std::vector<Letter>& above, const std::vector<Letter>& below) {
+    return std::all_of(above.begin(), above.end(), [&](Letter letter) { return exact_letter(letter, values_).has_value(); }) &&
+           std::all_of(below.begin(), below.end(),
+                       [&](Letter letter) { return ExactArithmetic::reciprocal(exact_letter(letter, values_)).has_value(); });
+}
+
 std::optional<DoubleDouble> RoundedPolynomials::short_value(const Polynomial& p) {
     if (const auto value = by_two_doubles(p)) return value;
     const MaybeExact exact = value(p);

@@ -28,6 +28,8 @@ public:
     MaybeExact exact(const Polynomial& p) { return sum_of(p, with_slopes_); }
     /// The same number without slopes, which take most of the time where functions are differentiated by differences.
     MaybeExact value(const Polynomial& p) { return sum_of(p, values_); }
+    /// Whether there is one: whether all of these letters have values, and those below a fraction are not zero.
+    bool has_value(const std::vector<Letter>& above, const std::vector<Letter>& below);
     /// The same with a relative error below 1e-21: by two doubles where that many digits are left, which is much faster.
     std::optional<DoubleDouble> short_value(const Polynomial& p);
     /// With every product, sum and function rounded to double, in the order of terms. Not a number where there is no value.
