@@ -100,11 +100,12 @@ private:
         return result.subs(still, GiNaC::subs_options::no_pattern);
     }
 
-    /// The attitude in what places a body.
-    const Symbols::AttitudeSymbols* attitude_in(const std::vector<ex>& placement) const {
+    /// Null for a body that turns by angles.
+    const Symbols::AttitudeSymbols* attitude_of(const BodyMotion& body) const {
+        if (!body.member.item->attitude) return nullptr;
+        const std::vector<ex> diagonal{body.frame->axes[0][0]};
         for (const Symbols::AttitudeSymbols& attitude : symbols_.attitudes())
-            for (const std::size_t part : attitude.parts)
-                if (occurs(symbols_.get(SymbolKind::state, part), placement)) return &attitude;
+            if (occurs(symbols_.get(SymbolKind::state, attitude.parts[0]), diagonal)) return &attitude;
         return nullptr;
     }
 
@@ -113,9 +114,9 @@ private:
     }
 
     /// The coordinates in what places a body. False where one of them has moved another body already, or a plain state does.
-    bool take_coordinates(const std::vector<ex>& placement, std::vector<std::size_t>& coordinates) {
+    bool take_coordinates(const std::vector<ex>& placement, const Symbols::AttitudeSymbols* attitude,
+                          std::vector<std::size_t>& coordinates) {
         const auto occurs = [&](const ex& symbol) { return ChainFinder::occurs(symbol, placement); };
-        const Symbols::AttitudeSymbols* attitude = attitude_in(placement);
         const auto is_part = [&](std::size_t state) {
             return attitude != nullptr && std::find(attitude->parts.begin(), attitude->parts.end(), state) != attitude->parts.end();
         };
@@ -160,7 +161,7 @@ private:
         SpaceVector position{0, 0, 0};
         if (item.position) position = translate_(*item.position, indices);
         const ex angle = item.rotation ? translate_(item.rotation, indices) : ex(0);
-        if (!take_coordinates({position[0], position[1], position[2], angle}, link.coordinates)) return false;
+        if (!take_coordinates({position[0], position[1], position[2], angle}, nullptr, link.coordinates)) return false;
         if (on.turns_in_plane)
             position = {on.cos * position[0] - on.sin * position[1], on.sin * position[0] + on.cos * position[1], position[2]};
         SpaceVector omega{0, 0, 0};
@@ -189,14 +190,15 @@ private:
                 return false;
         std::vector<ex> placement(frame.origin.begin(), frame.origin.end());
         for (const SpaceVector& row : frame.axes) placement.insert(placement.end(), row.begin(), row.end());
-        if (!take_coordinates(placement, link.coordinates)) return false;
+        const Symbols::AttitudeSymbols* attitude = attitude_of(body);
+        if (!take_coordinates(placement, attitude, link.coordinates)) return false;
         SpaceVector base_omega = part(on.twist, angular), base_velocity = part(on.twist, linear);
         if (on.turns_in_plane)
             base_velocity = {on.cos * base_velocity[0] + on.sin * base_velocity[1], on.cos * base_velocity[1] - on.sin * base_velocity[0],
                              base_velocity[2]};
         const SpaceMatrix into = transposed(frame.axes);
         // What the frame turns by itself is its angular velocity less that of its base.
-        const SpaceVector omega = own_turning(frame, placement) + into * base_omega;
+        const SpaceVector omega = own_turning(frame, attitude) + into * base_omega;
         velocity = joined(omega, into * (base_velocity + cross(base_omega, frame.origin) + time_derivative(frame.origin, symbols_)));
 
         const SpaceVector w = part(own.twist, angular), v = part(own.twist, linear);
@@ -217,8 +219,8 @@ private:
     }
 
     /// From d(axes)/dt = axes*(omega x); of an attitude these are its velocities.
-    SpaceVector own_turning(const Frame& frame, const std::vector<ex>& placement) const {
-        if (const Symbols::AttitudeSymbols* attitude = attitude_in(placement)) {
+    SpaceVector own_turning(const Frame& frame, const Symbols::AttitudeSymbols* attitude) const {
+        if (attitude != nullptr) {
             const auto about = [&](std::size_t axis) { return symbols_.get(SymbolKind::velocity, attitude->coordinates[axis]); };
             return {about(0), about(1), about(2)};
         }

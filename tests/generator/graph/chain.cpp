@@ -126,6 +126,7 @@ TEST_CASE("bodies that are not placed on each other, or share a coordinate, are 
     CHECK(has_chain("[bodies.block]\nfor = \"k = 1..6\"\non = \"block[k-1]\"\nmass = \"m\"\nposition = [\"a[k]\", 0, 0]\n"));
     CHECK(has_chain("[bodies.block]\nfor = \"k = 1..6\"\nmass = \"m\"\nposition = [\"a[k]\", 0, 0]\n"));
     CHECK_FALSE(has_chain("[bodies.block]\nfor = \"k = 1..6\"\nmass = \"m\"\nposition = [\"sum(j, 1, k, a[j])\", 0, 0]\n"));
+    CHECK(chain_of("free_base").system->chain);
     CHECK_FALSE(machine_of("four_bar").system->chain);
     CHECK_FALSE(machine_of("n_pendulum", "", {{"N", 3}}).system->chain);  // few coordinates are solved for at once
 }
