@@ -6,6 +6,24 @@
 
 namespace dalembert {
 
+/// What ChainLink::parts lists, or the slopes of that, in the places that they have in a link.
+template <class Value>
+struct LinkParts {
+    using Six = std::array<Value, 6>;
+    std::array<Six, 6> transfer, inertia;
+    std::vector<Six> directions;
+    Six remainder, force;
+
+    /// value_of(i) is the i-th of the list.
+    template <class ValueOf>
+    LinkParts(std::size_t coordinates, const ValueOf& value_of) : directions(coordinates) {
+        std::size_t next = 0;
+        each_part(*this, [&](Six& six) {
+            for (Value& value : six) value = value_of(next++);
+        });
+    }
+};
+
 /// What changes with one letter, or with the variable of one column. What is zero in all of it is left out.
 template <class Value>
 struct ChainSlope {

@@ -76,8 +76,8 @@ ex by_column(const System& system, const ex& e, const Variable& column) {
 Partials partials(const System& system, By by, bool with_residual) {
     std::vector<ex> accelerations;
     for (const auto& [coordinate, acceleration] : system.motion.accelerations) accelerations.push_back(acceleration);
-    const auto residual = by_letter(with_residual ? system.solved_motion().residual : std::vector<ex>()), state_rates = by_letter(system.state_rates),
-               outputs = by_letter(output_values(system)), held = by_letter(accelerations);
+    const auto residual = by_letter(with_residual ? system.solved_motion().residual : std::vector<ex>()),
+               state_rates = by_letter(system.state_rates), outputs = by_letter(output_values(system)), held = by_letter(accelerations);
     GiNaC::exvector letters(1);  // through which the variable acts: itself, and what is defined by parameters
     if (by == By::parameter)
         for (const Variable& definition : system.symbols.all(SymbolKind::definition)) letters.push_back(definition.symbol);

@@ -7,25 +7,7 @@ namespace dalembert {
 
 namespace {
 
-/// ChainLink::parts, in a program.
-struct PartNodes {
-    SixBySix transfer, inertia;
-    std::vector<SixNodes> directions;
-    SixNodes remainder, force;
-
-    template <class NodeOf>
-    PartNodes(std::size_t coordinates, const NodeOf& node) : directions(coordinates) {
-        std::size_t next = 0;
-        const auto take = [&](SixNodes& six) {
-            for (NodeId& id : six) id = node(next++);
-        };
-        for (SixNodes& row : transfer) take(row);
-        for (SixNodes& direction : directions) take(direction);
-        take(remainder);
-        for (SixNodes& row : inertia) take(row);
-        take(force);
-    }
-};
+using PartNodes = LinkParts<NodeId>;
 
 class ChainCode {
 public:

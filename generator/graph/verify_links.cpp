@@ -14,16 +14,6 @@ using GiNaC::ex;
 
 namespace {
 
-/// Places in ChainLink::parts.
-struct PartPlaces {
-    std::size_t coordinates;
-    static std::size_t transfer(std::size_t row, std::size_t k) { return 6 * row + k; }
-    static std::size_t direction(std::size_t j, std::size_t row) { return 36 + 6 * j + row; }
-    std::size_t remainder(std::size_t row) const { return direction(coordinates, row); }
-    std::size_t inertia(std::size_t row, std::size_t k) const { return remainder(6) + 6 * row + k; }
-    std::size_t force(std::size_t row) const { return inertia(6, row); }
-};
-
 /// Sum of products, most of which are zero.
 class Products {
 public:
@@ -58,13 +48,14 @@ std::optional<NodeId> LinkProof::negated_by(NodeId id) const {
 
 std::vector<NodeId> LinkProof::parts(std::size_t b) const {
     const LinkNodes& link = f_.chain->links[b];
+    struct Emitted {
+        const SixBySix &transfer, &inertia;
+        const std::vector<SixNodes>& directions;
+        const SixNodes &remainder, &force;
+    };
+    const Emitted emitted{link.transfer, link.inertia, link.directions, f_.chain->loads.remainder[b], f_.chain->loads.force[b]};
     std::vector<NodeId> all;
-    const auto take = [&](const SixNodes& six) { all.insert(all.end(), six.begin(), six.end()); };
-    for (const SixNodes& row : link.transfer) take(row);
-    for (const SixNodes& direction : link.directions) take(direction);
-    take(f_.chain->loads.remainder[b]);
-    for (const SixNodes& row : link.inertia) take(row);
-    take(f_.chain->loads.force[b]);
+    each_part(emitted, [&](const SixNodes& six) { all.insert(all.end(), six.begin(), six.end()); });
     return all;
 }
 
@@ -246,50 +237,58 @@ void LinkProof::needed(std::size_t b) {
     needed_[b] = stand_in(f_.loop->needed[b], "force");
 }
 
-void LinkProof::loads(std::size_t b, const ChainSlopes<ex>& slopes, By by) {
-    // Calls visit(slope, change) for each slope of a link's parts.
-    const auto each_slope = [&](std::size_t of, const auto& visit) {
-        const LinkSlopes<ex>& link = slopes.links[of];
-        for (const auto& slope : link.by_base) visit(slope.parts, changes_[*chain_.links[of].base][slope.of]);
-        for (const auto& slope : link.by_own) visit(slope.parts, changes_[of][slope.of]);
-        for (const auto& slope : link.by[static_cast<std::size_t>(by)]) visit(slope.parts, in_column_[slope.of]);
+std::vector<LinkProof::Change> LinkProof::changes_of_parts(std::size_t b, const LinkSlopes<ex>& slopes, By by) const {
+    std::vector<Change> result;
+    const auto add = [&](const ChainSlope<ex>& slope, const ex& change) {
+        result.push_back({{chain_.links[b].coordinates.size(), [&](std::size_t i) { return slope.parts[i]; }}, change});
     };
+    for (const auto& slope : slopes.by_base) add(slope, changes_[*chain_.links[b].base][slope.of]);
+    for (const auto& slope : slopes.by_own) add(slope, changes_[b][slope.of]);
+    for (const auto& slope : slopes.by[static_cast<std::size_t>(by)]) add(slope, in_column_[slope.of]);
+    return result;
+}
+
+void LinkProof::loads(std::size_t b, const ChainSlopes<ex>& slopes, By by) {
     const ChainLink& link = chain_.links[b];
     const ChainLoads& emitted = f_.loop->loads;
-    const PartPlaces at{link.coordinates.size()};
+    const std::vector<Change> own = changes_of_parts(b, slopes.links[b], by);
+    Twist remainder, force;
     for (std::size_t r = 0; r < 6; ++r) {
-        Products remainder, force;
-        each_slope(b, [&](const std::vector<ex>& parts, const ex& change) {
-            Products of_twist, of_force;
-            of_twist.add(parts[at.remainder(r)], 1);
-            of_force.add(parts[at.force(r)], 1);
+        Products of_remainder, of_force;
+        for (const auto& [parts, change] : own) {
+            Products on_twist, on_force;
+            on_twist.add(parts.remainder[r], 1);
+            on_force.add(parts.force[r], 1);
             for (std::size_t k = 0; k < 6; ++k) {
-                of_twist.add(parts[PartPlaces::transfer(r, k)], base_acceleration(b)[k]);
-                of_force.add(parts[at.inertia(r, k)], twists_[b][k]);
+                on_twist.add(parts.transfer[r][k], base_acceleration(b)[k]);
+                on_force.add(parts.inertia[r][k], twists_[b][k]);
             }
             for (std::size_t j = 0; j < link.coordinates.size(); ++j)
-                of_twist.add(parts[PartPlaces::direction(j, r)], accelerations_[link.coordinates[j]]);
-            remainder.add(of_twist.sum(), change);
-            force.add(of_force.sum(), change);
-        });
-        for (const std::size_t c : on_[b])
-            each_slope(c, [&](const std::vector<ex>& parts, const ex& change) {
-                Products handed_on;
-                for (std::size_t k = 0; k < 6; ++k) handed_on.add(parts[PartPlaces::transfer(k, r)], needed_[c][k]);
-                force.add(handed_on.sum(), change);
-            });
-        same(emitted.remainder[b][r], remainder.sum());
-        same(emitted.force[b][r], force.sum());
+                on_twist.add(parts.directions[j][r], accelerations_[link.coordinates[j]]);
+            of_remainder.add(on_twist.sum(), change);
+            of_force.add(on_force.sum(), change);
+        }
+        remainder[r] = of_remainder.sum();
+        force[r] = of_force.sum();
     }
+    for (const std::size_t c : on_[b])
+        for (const auto& [parts, change] : changes_of_parts(c, slopes.links[c], by))
+            for (std::size_t r = 0; r < 6; ++r) {
+                Products handed_on;
+                for (std::size_t k = 0; k < 6; ++k) handed_on.add(parts.transfer[k][r], needed_[c][k]);
+                force[r] += handed_on.sum() * change;
+            }
+    same(emitted.remainder[b], remainder);
+    same(emitted.force[b], force);
     for (std::size_t j = 0; j < link.coordinates.size(); ++j) {
         Products rest;
         for (const auto& column : slopes.by[static_cast<std::size_t>(by)])
             rest.add(column.rest[link.coordinates[j]], in_column_[column.of]);
-        each_slope(b, [&](const std::vector<ex>& parts, const ex& change) {
+        for (const auto& [parts, change] : own) {
             Products along;
-            for (std::size_t r = 0; r < 6; ++r) along.add(parts[PartPlaces::direction(j, r)], needed_[b][r]);
+            for (std::size_t r = 0; r < 6; ++r) along.add(parts.directions[j][r], needed_[b][r]);
             rest.add(along.sum(), -change);
-        });
+        }
         same(emitted.rest[link.coordinates[j]], rest.sum());
     }
 }

@@ -8,6 +8,8 @@
 // f = I*a + p + sum of X_c'*f_c and S'*f = rest:
 //     what changes a is dX*a_base + dS*qdd + dr,   f: dI*a + dp + sum of dX_c'*f_c,   rest: d(rest) - dS'*f
 // and d of a part is the sum of its slopes times how the letters change, and its slope by the column.
+// Where a quaternion turns a body, the equations of the links and those with M are the same at norm one alone. So are their derivatives
+// along motions, which keep the norm; across it the code has those of the links.
 #pragma once
 
 #include "form/chain_slopes.hpp"
@@ -49,6 +51,12 @@ private:
     void acceleration(std::size_t link);
     void needed(std::size_t link);
     void loads(std::size_t link, const ChainSlopes<ex>& slopes, By by);
+    /// Slopes of the parts of a link, each with how much of it there is in a column.
+    struct Change {
+        LinkParts<ex> parts;
+        ex change;
+    };
+    std::vector<Change> changes_of_parts(std::size_t link, const LinkSlopes<ex>& slopes, By by) const;
 
     const FunctionCode& f_;
     const System& system_;
@@ -57,7 +65,7 @@ private:
     Prover& prover_;
     ComparisonAtPoints compare_;
     std::vector<std::vector<std::size_t>> on_;     ///< links that are placed on a link
-    GiNaC::exmap stands_for_;                      ///< letters of what was derived that are others in code
+    GiNaC::exmap stands_for_;                      ///< letters of the derivation, and what code has in their place
     std::vector<std::pair<ex, ex>> meaning_;       ///< of letters, each made of those before it
     std::vector<ex> solved_;                       ///< accelerations that are letters for what they were solved to be
     struct Known {

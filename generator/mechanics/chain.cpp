@@ -102,21 +102,16 @@ private:
 
     /// Null for a body that turns by angles.
     const Symbols::AttitudeSymbols* attitude_of(const BodyMotion& body) const {
-        if (!body.member.item->attitude) return nullptr;
-        const std::vector<ex> diagonal{body.frame->axes[0][0]};
-        for (const Symbols::AttitudeSymbols& attitude : symbols_.attitudes())
-            if (occurs(symbols_.get(SymbolKind::state, attitude.parts[0]), diagonal)) return &attitude;
-        return nullptr;
-    }
-
-    static bool occurs(const ex& symbol, const std::vector<ex>& placement) {
-        return std::any_of(placement.begin(), placement.end(), [&](const ex& e) { return e.has(symbol); });
+        const auto& attitude = body.member.item->attitude;
+        return attitude ? symbols_.find_attitude(attitude->name) : nullptr;
     }
 
     /// The coordinates in what places a body. False where one of them has moved another body already, or a plain state does.
     bool take_coordinates(const std::vector<ex>& placement, const Symbols::AttitudeSymbols* attitude,
                           std::vector<std::size_t>& coordinates) {
-        const auto occurs = [&](const ex& symbol) { return ChainFinder::occurs(symbol, placement); };
+        const auto occurs = [&](const ex& symbol) {
+            return std::any_of(placement.begin(), placement.end(), [&](const ex& e) { return e.has(symbol); });
+        };
         const auto is_part = [&](std::size_t state) {
             return attitude != nullptr && std::find(attitude->parts.begin(), attitude->parts.end(), state) != attitude->parts.end();
         };
@@ -273,12 +268,7 @@ private:
 
 std::vector<ex> ChainLink::parts() const {
     std::vector<ex> all;
-    const auto take = [&](const Twist& twist) { all.insert(all.end(), twist.begin(), twist.end()); };
-    std::for_each(transfer.begin(), transfer.end(), take);
-    std::for_each(directions.begin(), directions.end(), take);
-    take(remainder);
-    std::for_each(inertia.begin(), inertia.end(), take);
-    take(force);
+    each_part(*this, [&](const Twist& twist) { all.insert(all.end(), twist.begin(), twist.end()); });
     return all;
 }
 

@@ -35,6 +35,16 @@ struct ChainLink {
     std::vector<GiNaC::ex> parts() const;
 };
 
+/// Calls visit(six values) for each row or vector of a link, or of what has the members of one: the order of ChainLink::parts.
+template <class Link, class Visit>
+void each_part(Link& link, const Visit& visit) {
+    for (auto& row : link.transfer) visit(row);
+    for (auto& direction : link.directions) visit(direction);
+    visit(link.remainder);
+    for (auto& row : link.inertia) visit(row);
+    visit(link.force);
+}
+
 struct Chain {
     std::vector<ChainLink> links;           ///< each behind its base
     Twist ground = {};                      ///< an acceleration of the ground that does what gravity does

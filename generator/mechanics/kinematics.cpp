@@ -46,10 +46,7 @@ SpaceMatrix tensor_of(const Body& item, const Translator& translate, const Indic
 Orientation orientation_of(const Body& item, const Translator& translate, const Indices& indices) {
     const Symbols& symbols = translate.symbols();
     if (item.attitude) {
-        for (const Symbols::AttitudeSymbols& attitude : symbols.attitudes()) {
-            const std::string& part = symbols.all(SymbolKind::state)[attitude.parts[0]].base;
-            if (part.substr(0, part.size() - 2) == item.attitude->name) return by_attitude(attitude, symbols);
-        }
+        if (const auto* attitude = symbols.find_attitude(item.attitude->name)) return by_attitude(*attitude, symbols);
         throw Failure(Diagnostic{Id::needs_absent, item.attitude->span,
                                  fmt::format("scene '{}' has no attitude '{}'", translate.scene().name, item.attitude->name)});
     }

@@ -113,19 +113,25 @@ bool may_have_letters(const ex& e) {
     return std::any_of(e.begin(), e.end(), may_have_letters);
 }
 
+/// S^2 = 1, a positive root, I*den = 1: all of it is said of what is not zero. A zero that the form did not see proves nothing.
+template <class SeemsZero>
+bool is_proven_zero(NormalForm& form, const ex& e, SeemsZero&& seems_zero) {
+    try {
+        if (!form.is_zero(e)) return false;
+        const auto& claimed = form.must_not_vanish();
+        return std::none_of(claimed.begin(), claimed.end(), [&](const ex& denied) { return seems_zero(denied); });
+    } catch (const NoNormalForm&) {  // too large or outside what the method knows: not proven
+        return false;
+    }
+}
+
 bool is_equal_in_letters(const ex& difference, ZeroAtPoints& seems_zero) {
     if (!may_have_letters(difference)) return false;
     AsLetters as_letters;
     const ex written = as_letters(difference);
     if (!as_letters.has_any()) return false;
-    try {
-        NormalForm form;
-        if (!form.is_zero(written)) return false;
-        const auto& claimed = form.must_not_vanish();
-        return std::all_of(claimed.begin(), claimed.end(), [&](const ex& e) { return !seems_zero(as_letters.written_out(e)); });
-    } catch (const NoNormalForm&) {
-        return false;
-    }
+    NormalForm form;
+    return is_proven_zero(form, written, [&](const ex& e) { return seems_zero(as_letters.written_out(e)); });
 }
 
 /// The signs of two sides and of their difference at a point.
@@ -185,14 +191,8 @@ Prover::Prover(const System& system) : system_(system), seems_zero_(system), ran
 bool Prover::proven_equal(const ex& a, const ex& b) { return proven_equal(a, b, {}); }
 
 bool Prover::have_same_form(const ex& a, const ex& b) {
-    try {
-        NormalForm form;
-        if (!form.is_zero(a - b)) return false;
-        const auto& claimed = form.must_not_vanish();
-        return std::all_of(claimed.begin(), claimed.end(), [&](const ex& e) { return !seems_zero_(e); });
-    } catch (const NoNormalForm&) {
-        return false;
-    }
+    NormalForm form;
+    return is_proven_zero(form, a - b, seems_zero_);
 }
 
 bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>& positive, bool joins_roots) {
@@ -215,14 +215,8 @@ bool Prover::proven_equal(const ex& a, const ex& b, const std::set<std::string>&
         // What differs somewhere is not worth the effort.
         if (depth && seems_zero_.differs(difference)) return false;
         tried = written;
-        try {
-            NormalForm form(positive, as_letters, joins_roots);
-            if (!form.is_zero(written)) continue;
-            // S^2 = 1, a positive root, I*den = 1: all of it is said of what is not zero. A zero that the form did not see proves nothing.
-            const auto& claimed = form.must_not_vanish();
-            if (std::all_of(claimed.begin(), claimed.end(), [&](const ex& e) { return !seems_zero_(e); })) return true;
-        } catch (const NoNormalForm&) {  // too large or outside what the method knows: not proven
-        }
+        NormalForm form(positive, as_letters, joins_roots);
+        if (is_proven_zero(form, written, seems_zero_)) return true;
     }
     return proven_for_unit_quaternions(difference);
 }
@@ -236,14 +230,8 @@ bool Prover::proven_for_unit_quaternions(const ex& difference) {
         quaternions.push_back(parts);
     }
     if (quaternions.empty() || seems_zero_.differs(difference)) return false;
-    try {
-        NormalForm form({}, false, false, quaternions);
-        if (!form.is_zero(system_.symbols.without_definitions(difference, Depth::full))) return false;
-        const auto& claimed = form.must_not_vanish();
-        return std::all_of(claimed.begin(), claimed.end(), [&](const ex& e) { return !seems_zero_(e); });
-    } catch (const NoNormalForm&) {
-        return false;
-    }
+    NormalForm form({}, false, false, quaternions);
+    return is_proven_zero(form, system_.symbols.without_definitions(difference, Depth::full), seems_zero_);
 }
 
 Comparison Prover::equal(const ex& a, const ex& b) {

@@ -27,7 +27,7 @@ public:
     Comparison equal(const GiNaC::ex& a, const GiNaC::ex& b);
     /// True only when proven without assumptions on what moves: what is emitted must be right outside of declared ranges too.
     bool proven_equal(const GiNaC::ex& a, const GiNaC::ex& b);
-    /// The first attempt at that: with definitions and all that has no value at points as letters.
+    /// Whether the normal forms are the same with definitions as letters: the first attempt at that. The caller's own letters may occur.
     bool have_same_form(const GiNaC::ex& a, const GiNaC::ex& b);
     /// The comparison by numbers alone, with an evaluation of the caller's.
     Comparison compare_at_points(const Evaluation& evaluate, const GiNaC::ex& a, const GiNaC::ex& b) const;

@@ -131,6 +131,13 @@ void Symbols::find_attitudes(const Scene& scene) {
     }
 }
 
+const Symbols::AttitudeSymbols* Symbols::find_attitude(const std::string& name) const {
+    const auto found = std::find_if(attitudes_.begin(), attitudes_.end(), [&](const AttitudeSymbols& attitude) {
+        return all(SymbolKind::state)[attitude.parts[0]].base == name + "_0";
+    });
+    return found == attitudes_.end() ? nullptr : &*found;
+}
+
 std::size_t Symbols::place(SymbolKind kind, std::size_t position) const {
     if (kind == SymbolKind::coordinate) return places_[position].value();
     return kind == SymbolKind::velocity ? positions() + position : positions() + degrees() + position;

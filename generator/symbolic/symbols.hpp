@@ -114,6 +114,8 @@ public:
         std::array<std::size_t, 4> parts;
     };
     const std::vector<AttitudeSymbols>& attitudes() const { return attitudes_; }
+    /// Null when the scene has none of that name.
+    const AttitudeSymbols* find_attitude(const std::string& name) const;
     /// d(part of the quaternion)/d(angle turned about an axis): linear in the quaternion.
     GiNaC::ex quaternion_slope(const AttitudeSymbols& attitude, std::size_t part, std::size_t axis) const;
 
