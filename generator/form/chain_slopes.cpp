@@ -2,9 +2,9 @@
 #include "form/chain_slopes.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "symbolic/derivative.hpp"
+#include "symbolic/parts.hpp"
 
 namespace dalembert {
 
@@ -12,14 +12,9 @@ using GiNaC::ex;
 
 namespace {
 
-using LettersFound = std::set<ex, GiNaC::ex_is_less>;
-
-LettersFound letters_in(const std::vector<ex>& a, const std::vector<ex>& b) {
-    LettersFound result;
-    const auto note = [&](const ex& e) {
-        for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
-            if (GiNaC::is_a<GiNaC::symbol>(*part)) result.insert(*part);
-    };
+LettersInside letters_in_lists(const std::vector<ex>& a, const std::vector<ex>& b) {
+    LettersInside result;
+    const auto note = [&](const ex& e) { result.merge(letters_in(e)); };
     std::for_each(a.begin(), a.end(), note);
     std::for_each(b.begin(), b.end(), note);
     return result;
@@ -41,7 +36,7 @@ public:
     SlopesOfLink(const System& system, const ChainLink& link) : system_(system), link_(link) {
         for (const auto& [letter, value] : link.letters) result_.letters.push_back(value);
         result_.parts = link.parts();
-        found_ = letters_in(result_.letters, result_.parts);
+        found_ = letters_in_lists(result_.letters, result_.parts);
     }
 
     LinkSlopes<ex> run(const std::vector<By>& jacobians) {
@@ -78,7 +73,7 @@ private:
     const System& system_;
     const ChainLink& link_;
     LinkSlopes<ex> result_;
-    LettersFound found_;
+    LettersInside found_;
 };
 
 }  // namespace

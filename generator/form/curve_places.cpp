@@ -6,6 +6,7 @@
 
 #include "symbolic/curve_functions.hpp"
 #include "symbolic/map_functions.hpp"
+#include "symbolic/parts.hpp"
 
 namespace dalembert {
 
@@ -13,15 +14,6 @@ using GiNaC::ex;
 using GiNaC::numeric;
 
 namespace {
-
-using LettersInside = std::set<ex, GiNaC::ex_is_less>;
-
-LettersInside letters_in(const ex& e) {
-    LettersInside letters;
-    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
-        if (GiNaC::is_a<GiNaC::symbol>(*part)) letters.insert(*part);
-    return letters;
-}
 
 class Search {
 public:
@@ -184,10 +176,10 @@ private:
 }  // namespace
 
 bool has_moving_curve(const ex& e) {
-    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part)
-        for (const PointsOfCall& points : points_of_call(*part))
-            if (!letters_in(points.argument).empty()) return true;
-    return false;
+    return any_part(e, [](const ex& part) {
+        const std::vector<PointsOfCall> calls = points_of_call(part);
+        return std::any_of(calls.begin(), calls.end(), [](const PointsOfCall& points) { return !letters_in(points.argument).empty(); });
+    });
 }
 
 std::optional<CurvePlace> worst_place(const ex& e, const BoundsOfLetters& letters, const GiNaC::exmap& start,

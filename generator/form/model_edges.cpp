@@ -13,6 +13,7 @@
 #include "form/expression_writer.hpp"
 #include "symbolic/curve_functions.hpp"
 #include "symbolic/map_functions.hpp"
+#include "symbolic/parts.hpp"
 #include "symbolic/switches.hpp"
 
 namespace dalembert {
@@ -48,8 +49,8 @@ private:
         refuse_in_loops();
         std::map<std::string, Guard> ends;
         for (const ex& equation : equations_with_outputs(system_))
-            for (auto part = equation.preorder_begin(); part != equation.preorder_end(); ++part) {
-                for (const PointsOfCall& points : points_that_end_runs(*part)) {
+            each_part_once(equation, [&](const ex& part) {
+                for (const PointsOfCall& points : points_that_end_runs(part)) {
                     if (!moves(points.argument)) continue;
                     const std::string &name = points.curve, argument = write_(points.argument);
                     const std::string doc = fmt::format("the argument {}of curve '{}' is about to ",
@@ -59,7 +60,7 @@ private:
                     ends.emplace(name + " below " + argument,
                                  Guard{name, doc + "fall below its first point", true, points.argument - numeric(points.first)});
                 }
-            }
+            });
         for (auto& [key, guard] : ends) system_.guards.push_back(std::move(guard));
     }
 

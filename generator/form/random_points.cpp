@@ -6,6 +6,7 @@
 #include <array>
 
 #include "symbolic/map_functions.hpp"
+#include "symbolic/parts.hpp"
 
 namespace dalembert {
 
@@ -119,9 +120,9 @@ void RandomPoints::look_at_curves(const System& system, const GiNaC::exmap& at_s
     all.insert(all.end(), system.state_rates.begin(), system.state_rates.end());
     for (const OutputEquation& output : system.outputs) all.push_back(output.value);
     for (const ex& equation : all)
-        for (auto part = equation.preorder_begin(); part != equation.preorder_end(); ++part) {
-            for (const PointsOfCall& points : points_of_call(*part)) look_at_points(points, at_start);
-        }
+        each_part_once(equation, [&](const ex& part) {
+            for (const PointsOfCall& points : points_of_call(part)) look_at_points(points, at_start);
+        });
 }
 
 void RandomPoints::look_at_points(const PointsOfCall& points, const GiNaC::exmap& at_start) {

@@ -10,6 +10,7 @@
 #include "symbolic/curve_functions.hpp"
 #include "symbolic/map_functions.hpp"
 #include "symbolic/functions.hpp"
+#include "symbolic/parts.hpp"
 #include "symbolic/quotient.hpp"
 #include "symbolic/switches.hpp"
 
@@ -29,15 +30,12 @@ bool is_square_root(const ex& e) {
 
 /// Whether a root stands in a root, or over a fraction.
 bool has_nested_roots(const ex& e) {
-    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
-        if (!is_square_root(*part)) continue;
-        const ex inside = part->op(0);
-        for (auto inner = inside.preorder_begin(); inner != inside.preorder_end(); ++inner)
-            if (is_square_root(*inner) || (GiNaC::is_a<GiNaC::power>(*inner) && inner->op(1).info(GiNaC::info_flags::negint) &&
-                                           GiNaC::is_a<GiNaC::add>(inner->op(0))))
-                return true;
-    }
-    return false;
+    return any_part(e, [](const ex& part) {
+        return is_square_root(part) && any_part(part.op(0), [](const ex& inner) {
+                   return is_square_root(inner) || (GiNaC::is_a<GiNaC::power>(inner) && inner.op(1).info(GiNaC::info_flags::negint) &&
+                                                    GiNaC::is_a<GiNaC::add>(inner.op(0)));
+               });
+    });
 }
 
 /// Roots and functions with kinks become letters. What is equal whatever the letters are is equal, and the form of what stands in a root,
@@ -106,11 +104,11 @@ private:
 
 /// Whether something may become a letter. To look costs less than to write it anew, and mostly nothing does.
 bool may_have_letters(const ex& e) {
-    if (e.info(GiNaC::info_flags::numeric) || e.info(GiNaC::info_flags::symbol)) return false;
-    const bool is_wave = GiNaC::is_the_function<GiNaC::sin_SERIAL>(e) || GiNaC::is_the_function<GiNaC::cos_SERIAL>(e);
-    if (GiNaC::is_exactly_a<GiNaC::function>(e) && !is_wave) return true;
-    if (GiNaC::is_exactly_a<GiNaC::power>(e) && !e.op(1).info(GiNaC::info_flags::integer)) return true;
-    return std::any_of(e.begin(), e.end(), may_have_letters);
+    return any_part(e, [](const ex& part) {
+        const bool is_wave = GiNaC::is_the_function<GiNaC::sin_SERIAL>(part) || GiNaC::is_the_function<GiNaC::cos_SERIAL>(part);
+        return (GiNaC::is_exactly_a<GiNaC::function>(part) && !is_wave) ||
+               (GiNaC::is_exactly_a<GiNaC::power>(part) && !part.op(1).info(GiNaC::info_flags::integer));
+    });
 }
 
 /// S^2 = 1, a positive root, I*den = 1: all of it is said of what is not zero. A zero that the form did not see proves nothing.

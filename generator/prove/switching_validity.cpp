@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "elements/model.hpp"
 #include "form/random_points.hpp"
 #include "text/diagnostic.hpp"
 

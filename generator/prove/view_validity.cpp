@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prove/view_validity.hpp"
 
+#include "elements/model.hpp"
 #include "elements/view.hpp"
 #include "form/signs.hpp"
 

@@ -10,6 +10,7 @@
 #include "run/settings.hpp"
 #include "symbolic/bounds.hpp"
 #include "symbolic/map_functions.hpp"
+#include "symbolic/parts.hpp"
 #include "text/diagnostic.hpp"
 
 namespace dalembert {
@@ -44,15 +45,15 @@ std::string doubts_of_curves(const Values& values, const System& system) {
     add_steps(at, system.symbols, 20);
     std::map<std::pair<std::string, std::size_t>, PlaceOutside> worst;
     for (const GiNaC::ex& equation : equations_with_outputs(system))
-        for (auto part = equation.preorder_begin(); part != equation.preorder_end(); ++part) {
-            for (const PointsOfCall& points : points_that_end_runs(*part)) {
+        each_part_once(equation, [&](const GiNaC::ex& part) {
+            for (const PointsOfCall& points : points_that_end_runs(part)) {
                 const auto place = rational_near(points.argument.subs(at, GiNaC::subs_options::no_pattern));
                 if (!place || Bounds{points.first, points.last}.holds(*place)) continue;
                 const Rational distance = cln::max(points.first - *place, *place - points.last);
                 const auto [known, is_new] = worst.emplace(std::pair(points.curve, points.axis), PlaceOutside{distance, *place, points});
                 if (!is_new && distance > known->second.distance) known->second = {distance, *place, points};
             }
-        }
+        });
     std::string doubts;
     for (const Curve& curve : curves)
         for (const std::size_t axis : {0U, 1U})

@@ -93,6 +93,8 @@ ex derivative(const ex& e, const Rate& rate, bool keeps = false) {
 
 ex directional_derivative(const ex& e, const Direction& direction) { return derivative(e, direction); }
 
+ex directional_derivative_of_kept(const ex& e, const Direction& direction) { return derivative(e, direction, true); }
+
 ex partial(const ex& e, const ex& symbol) {
     return derivative(e, [&](const ex& s) { return s.is_equal(symbol) ? ex(1) : ex(0); });
 }

@@ -25,6 +25,7 @@ GiNaC::ex directional_derivative(const GiNaC::ex& e, const Direction& direction)
 GiNaC::ex partial(const GiNaC::ex& e, const GiNaC::ex& symbol);
 
 /// The same, with sums that are kept whole having derivatives that are, too: of what is emitted and not differentiated again.
+GiNaC::ex directional_derivative_of_kept(const GiNaC::ex& e, const Direction& direction);
 GiNaC::ex partial_of_kept(const GiNaC::ex& e, const GiNaC::ex& symbol);
 
 }  // namespace dalembert

@@ -6,6 +6,7 @@
 #include "symbolic/curve_functions.hpp"
 #include "symbolic/functions.hpp"
 #include "symbolic/map_functions.hpp"
+#include "symbolic/parts.hpp"
 
 namespace dalembert {
 
@@ -139,10 +140,10 @@ std::vector<Switch> switches_of_curve(const ex& f) {
 
 std::vector<Switch> switches_in(const ex& e) {
     std::vector<Switch> result;
-    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
-        if (auto found = switch_of(*part)) result.push_back(std::move(*found));
-        for (Switch& knot : switches_of_curve(*part)) result.push_back(std::move(knot));
-    }
+    each_part_once(e, [&](const ex& part) {
+        if (auto found = switch_of(part)) result.push_back(std::move(*found));
+        for (Switch& knot : switches_of_curve(part)) result.push_back(std::move(knot));
+    });
     return result;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "symbolic/symbols.hpp"
+#include "symbolic/parts.hpp"
 
 #include <fmt/format.h>
 
@@ -299,38 +300,43 @@ ex Symbols::without_definitions(const ex& e, Depth depth) const {
     if (steps_.empty()) return without_model_definitions(e);
     GiNaC::exmap map;
     for (std::size_t i = 0; i < expanded_definitions_.size(); ++i) map[get(SymbolKind::definition, i)] = expanded_definitions_[i];
-    for (auto part = e.preorder_begin(); part != e.preorder_end(); ++part) {
-        const auto step = GiNaC::is_a<GiNaC::symbol>(*part) ? step_of(*part) : std::nullopt;
-        if (step && !map.contains(*part)) map[*part] = written_out(*step, depth);
-    }
+    each_part_once(e, [&](const ex& part) {
+        if (const auto step = GiNaC::is_a<GiNaC::symbol>(part) ? step_of(part) : std::nullopt) map[part] = written_out(*step, depth);
+    });
     return e.subs(map, GiNaC::subs_options::no_pattern);
 }
 
 ex Symbols::time_derivative(const ex& e) const {
-    return directional_derivative(e, [this](const ex& symbol) -> ex {
-        const Variable* variable = find(symbol);
-        if (variable == nullptr) return 0;
-        switch (variable->kind) {
-            case SymbolKind::time: return 1;
-            case SymbolKind::coordinate: return get(SymbolKind::velocity, variable->position);
-            case SymbolKind::velocity: return get(SymbolKind::acceleration, variable->position);
-            case SymbolKind::state: {
-                for (const AttitudeSymbols& attitude : attitudes_) {
-                    if (variable->position < attitude.parts[0] || variable->position > attitude.parts[3]) continue;
-                    ex rate = 0;
-                    for (std::size_t axis = 0; axis < 3; ++axis)
-                        rate += quaternion_slope(attitude, variable->position - attitude.parts[0], axis) *
-                                get(SymbolKind::velocity, attitude.coordinates[axis]);
-                    return rate;
-                }
-                return get(SymbolKind::state_rate, variable->position);
+    return directional_derivative(e, [this](const ex& symbol) { return rate_of(symbol); });
+}
+
+ex Symbols::time_derivative_of_kept(const ex& e) const {
+    return directional_derivative_of_kept(e, [this](const ex& symbol) { return rate_of(symbol); });
+}
+
+ex Symbols::rate_of(const ex& symbol) const {
+    const Variable* variable = find(symbol);
+    if (variable == nullptr) return 0;
+    switch (variable->kind) {
+        case SymbolKind::time: return 1;
+        case SymbolKind::coordinate: return get(SymbolKind::velocity, variable->position);
+        case SymbolKind::velocity: return get(SymbolKind::acceleration, variable->position);
+        case SymbolKind::state: {
+            for (const AttitudeSymbols& attitude : attitudes_) {
+                if (variable->position < attitude.parts[0] || variable->position > attitude.parts[3]) continue;
+                ex rate = 0;
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    rate += quaternion_slope(attitude, variable->position - attitude.parts[0], axis) *
+                            get(SymbolKind::velocity, attitude.coordinates[axis]);
+                return rate;
             }
-            case SymbolKind::acceleration: return count(SymbolKind::jerk) == 0 ? ex(0) : get(SymbolKind::jerk, variable->position);
-            case SymbolKind::multiplier:
-                return count(SymbolKind::multiplier_rate) == 0 ? ex(0) : get(SymbolKind::multiplier_rate, variable->position);
-            default: return 0;
+            return get(SymbolKind::state_rate, variable->position);
         }
-    });
+        case SymbolKind::acceleration: return count(SymbolKind::jerk) == 0 ? ex(0) : get(SymbolKind::jerk, variable->position);
+        case SymbolKind::multiplier:
+            return count(SymbolKind::multiplier_rate) == 0 ? ex(0) : get(SymbolKind::multiplier_rate, variable->position);
+        default: return 0;
+    }
 }
 
 /// Of a step. Steps stay letters in it.

@@ -149,6 +149,8 @@ public:
     /// Total time derivative by the chain rule: q -> qd -> qdd, z -> zd, t -> 1; in a machine that switches also qdd and multipliers ->
     /// their rates.
     GiNaC::ex time_derivative(const GiNaC::ex& e) const;
+    /// The same, with derivatives of sums that are kept whole kept so, too.
+    GiNaC::ex time_derivative_of_kept(const GiNaC::ex& e) const;
     /// Partial derivative by a parameter, definitions followed by the chain rule.
     GiNaC::ex derivative_by_parameter(const GiNaC::ex& e, std::size_t parameter) const;
 
@@ -164,6 +166,7 @@ private:
     };
     void add(SymbolKind kind, const std::string& name, bool positive, Origin origin);
     void find_attitudes(const Scene& scene);
+    GiNaC::ex rate_of(const GiNaC::ex& symbol) const;
     GiNaC::ex slope(std::size_t step, std::size_t parameter) const;
     GiNaC::ex written_out(std::size_t step, Depth depth) const;
     double size_of(const GiNaC::ex& e, const std::vector<double>& sizes) const;
